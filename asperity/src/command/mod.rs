@@ -1,0 +1,230 @@
+//! The command line: arguments, exit status, and one module per subcommand.
+
+mod materials;
+mod outputs;
+mod progress;
+mod run;
+mod tabulate;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+const EXAMPLES: &str = "\
+Examples:
+  asperity run scene.toml -o run.nc
+  asperity run scene.toml -o run.nc --set loading.slip_rate=10 --plot run.svg
+  asperity tabulate request.toml -o table.nc --jobs 4
+  asperity tabulate request.toml -o table.nc --resume
+  asperity materials steel-4340
+
+Exit status: 0 done, 1 a run failed (what could be saved is saved), 2 bad input or usage.";
+
+const SCENE_EXAMPLE: &str = "\
+Example of a scene (SI units, kelvin):
+  [material]
+  preset = \"steel-4340\"    # or every constant; `asperity materials` lists the presets
+  [asperity]
+  radius = 1e-3            # m
+  [loading]
+  interference = 20.0      # in units of the interference of first yield
+  slip_rate = 1.0          # m/s; 0 is the isothermal limit
+
+Examples:
+  asperity run scene.toml -o run.nc
+  asperity run scene.toml -o run.nc --set interface.law=coulomb --set interface.friction=0.3
+  asperity run scene.toml -o run.nc --json --quiet > summary.json";
+
+const REQUEST_EXAMPLE: &str = "\
+A request is a scene with a section [table] in place of loading.interference and
+loading.slip_rate:
+  [table]
+  interference = { from = 0.1, to = 100, points = 8, spacing = \"log\" }
+  slip_rate = [0.1, 1.0, 10.0]    # m/s
+
+Finished cells are kept in OUTPUT.part until the table is written; an interrupted
+tabulation continues from there:
+  asperity tabulate request.toml -o table.nc --jobs 4
+  asperity tabulate request.toml -o table.nc --jobs 4 --resume";
+
+/// Friction of one spherical elastic-plastic asperity on a rigid flat.
+///
+/// Presses the asperity, slides it with frictional and plastic heating, and reports static and
+/// sliding friction with error estimates.
+#[derive(Parser)]
+#[command(name = "asperity", version, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    display: Display,
+}
+
+/// What is printed.
+#[derive(Args)]
+struct Display {
+    /// Print the summary as JSON
+    #[arg(long, global = true)]
+    json: bool,
+    /// Print nothing but errors (and the JSON, if asked for)
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+    /// Print also what was chosen, why, and what it cost
+    #[arg(short, long, global = true)]
+    verbose: bool,
+    /// Show progress on stderr even if that is not a terminal
+    #[arg(long, global = true, conflicts_with = "quiet")]
+    progress: bool,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Press and slide one asperity
+    #[command(after_help = SCENE_EXAMPLE)]
+    Run(RunArguments),
+    /// Run a grid of interferences and slip rates
+    #[command(after_help = REQUEST_EXAMPLE)]
+    Tabulate(TabulateArguments),
+    /// List the material presets, or print the constants of one with their sources
+    Materials {
+        /// Name of a preset
+        name: Option<String>,
+    },
+}
+
+#[derive(Args)]
+struct RunArguments {
+    /// Scene to run
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    /// File to write the histories, scalars and contact fields to
+    #[arg(short, long, value_name = "run.nc")]
+    output: PathBuf,
+    /// Replace a value of the scene; may be repeated
+    #[arg(long, value_name = "section.key=value")]
+    set: Vec<String>,
+    /// Plot friction, forces, area, temperature and energies against slip
+    #[arg(long, value_name = "FILE.svg|png")]
+    plot: Option<PathBuf>,
+}
+
+#[derive(Args)]
+struct TabulateArguments {
+    /// Request to run
+    #[arg(value_name = "REQUEST.toml")]
+    request: PathBuf,
+    /// File to write the table to
+    #[arg(short, long, value_name = "table.nc")]
+    output: PathBuf,
+    /// Replace a value of the request; may be repeated
+    #[arg(long, value_name = "section.key=value")]
+    set: Vec<String>,
+    /// Threads [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// Continue an interrupted tabulation
+    #[arg(long)]
+    resume: bool,
+    /// Plot the table
+    #[arg(long, value_name = "FILE.svg|png")]
+    plot: Option<PathBuf>,
+}
+
+/// Why a command did not do all that was asked.
+enum Failure {
+    /// Bad input or usage: nothing was done.
+    Input(String),
+    /// A run failed: what could be saved is saved.
+    Run(String),
+}
+
+impl Failure {
+    fn input(reason: impl ToString) -> Self {
+        Self::Input(reason.to_string())
+    }
+
+    fn run(reason: impl ToString) -> Self {
+        Self::Run(reason.to_string())
+    }
+}
+
+/// Read the arguments and do what they say.
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let display = &arguments.display;
+    let work = || match &arguments.command {
+        Command::Run(arguments) => run::run(arguments, display),
+        Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
+        Command::Materials { name } => materials::materials(name.as_deref(), display),
+    };
+    let (status, reason) = match std::panic::catch_unwind(work) {
+        Ok(Ok(())) => return ExitCode::SUCCESS,
+        Ok(Err(Failure::Run(reason))) => (1, reason),
+        Ok(Err(Failure::Input(reason))) => (2, reason),
+        Err(_) => (
+            1,
+            "internal error, described above; please report it".into(),
+        ),
+    };
+    eprintln!("error: {reason}");
+    ExitCode::from(status)
+}
+
+/// Write to stdout; a reader that has gone away is no error of ours.
+fn print(text: &str) {
+    use std::io::Write;
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}
+
+/// The command as given, for the history of the files that it writes.
+fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1).map(|argument| {
+        let argument = argument.to_string_lossy().into_owned();
+        match argument.contains(char::is_whitespace) {
+            true => format!("'{argument}'"),
+            false => argument,
+        }
+    });
+    std::iter::once("asperity".to_owned())
+        .chain(arguments)
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn options_may_stand_before_or_after_the_subcommand() {
+        for line in [
+            "asperity --json run scene.toml -o run.nc",
+            "asperity run scene.toml -o run.nc --json --set a.b=1 --set a.c=2",
+        ] {
+            assert!(
+                Arguments::try_parse_from(line.split(' '))
+                    .unwrap()
+                    .display
+                    .json
+            );
+        }
+        for line in [
+            "asperity run scene.toml",
+            "asperity tabulate r.toml -o t.nc --jobs 0",
+            "asperity run scene.toml -o run.nc --quiet -v",
+        ] {
+            assert!(
+                Arguments::try_parse_from(line.split(' ')).is_err(),
+                "{line}"
+            );
+        }
+    }
+}

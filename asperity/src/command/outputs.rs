@@ -1,0 +1,39 @@
+//! Checks of the files to be written, made before the work rather than after it.
+
+use std::fs::File;
+use std::path::Path;
+
+use tables::figure::Figure;
+
+use super::Failure;
+
+/// Whether `output` can be written and is not the `input`.
+pub fn check_output(output: &Path, input: &Path) -> Result<(), Failure> {
+    let shown = output.display();
+    if output.is_dir() {
+        return Err(Failure::input(format!(
+            "{shown}: is a directory, a file name is needed"
+        )));
+    }
+    let same = match (output.canonicalize(), input.canonicalize()) {
+        (Ok(output), Ok(input)) => output == input,
+        _ => false,
+    };
+    if same {
+        return Err(Failure::input(format!(
+            "{shown}: is the input; choose another output"
+        )));
+    }
+    let name = output.file_name().unwrap_or_default().to_string_lossy();
+    let probe = output.with_file_name(format!(".{name}.{}.probe", std::process::id()));
+    File::create_new(&probe)
+        .and_then(|_| std::fs::remove_file(&probe))
+        .map_err(|error| Failure::input(format!("{shown}: cannot be written: {error}")))
+}
+
+/// Whether `plot` can be written and has a known format.
+pub fn check_plot(plot: Option<&Path>, input: &Path) -> Result<(), Failure> {
+    let Some(plot) = plot else { return Ok(()) };
+    Figure::check_extension(plot).map_err(Failure::input)?;
+    check_output(plot, input)
+}

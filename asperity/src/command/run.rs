@@ -1,0 +1,195 @@
+//! `asperity run`: one scene, one file, a summary.
+
+use std::fmt::Write;
+
+use asperity::outcome::Outcome;
+use asperity::quantities::{estimate, inception_in_words};
+use asperity::run_file::{self, About};
+use asperity::scene::Scene;
+use asperity::scene_file::read_scene;
+use asperity::simulate::{SimulationError, simulate};
+use asperity::{figures, numbers, provenance};
+use serde_json::json;
+use tables::quantity::Quantity;
+
+use super::progress::{Progress, watch_for_interrupt};
+use super::{Display, Failure, RunArguments, command_line, outputs, print};
+
+/// Run the scene, save what there is, say how it went.
+pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
+    let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
+    outputs::check_output(&arguments.output, &arguments.scene)?;
+    outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
+    watch_for_interrupt();
+    let progress = Progress::new(display);
+    let result = simulate(&scene, &progress);
+    progress.clear();
+    match result {
+        Ok(outcome) => report(&scene, &outcome, None, arguments, display),
+        Err(error) => {
+            let reason = error.to_string();
+            let partial = match error {
+                SimulationError::Unsupported(_) => return Err(Failure::Input(reason)),
+                SimulationError::NotConverged { partial, .. }
+                | SimulationError::Cancelled { partial } => partial,
+            };
+            match partial {
+                None => Err(Failure::Run(format!("{reason}; there is nothing to save"))),
+                Some(outcome) => {
+                    report(&scene, &outcome, Some(&reason), arguments, display)?;
+                    let output = arguments.output.display();
+                    Err(Failure::Run(format!(
+                        "{reason}; the steps before are in {output}"
+                    )))
+                }
+            }
+        }
+    }
+}
+
+fn report(
+    scene: &Scene,
+    outcome: &Outcome,
+    incomplete: Option<&str>,
+    arguments: &RunArguments,
+    display: &Display,
+) -> Result<(), Failure> {
+    let about = About {
+        history: provenance::history(&command_line()),
+        incomplete,
+    };
+    let saved = run_file::write(&arguments.output, scene, outcome, &about);
+    // The numbers are worth printing even if the disk is full.
+    if !display.quiet {
+        for warning in &outcome.account.warnings {
+            eprintln!("warning: {warning}");
+        }
+    }
+    if display.verbose {
+        eprint!("{}", account(outcome));
+    }
+    if display.json {
+        print(&format!(
+            "{:#}\n",
+            as_json(scene, outcome, incomplete, arguments)
+        ));
+    } else if !display.quiet {
+        print(&summary(scene, outcome));
+    }
+    saved.map_err(Failure::run)?;
+    if let Some(plot) = &arguments.plot {
+        figures::run_figure(scene, outcome)
+            .save(plot)
+            .map_err(Failure::run)?;
+    }
+    Ok(())
+}
+
+fn summary(scene: &Scene, outcome: &Outcome) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: String| {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{name:18}{value}");
+    };
+    line(
+        "interference",
+        format!("{} omega_c", numbers::plain(scene.loading.interference)),
+    );
+    line(
+        "slip_rate",
+        format!("{} m/s", numbers::plain(scene.loading.slip_rate)),
+    );
+    line("radius", format!("{} m", numbers::plain(scene.radius)));
+    line(
+        "heat_partition",
+        numbers::plain(scene.interface.heat_partition),
+    );
+    for quantity in Quantity::ALL {
+        let descriptor = quantity.descriptor();
+        let estimate = estimate(&outcome.summary, quantity);
+        line(
+            descriptor.name,
+            numbers::with_error(estimate, descriptor.units),
+        );
+    }
+    line(
+        "inception",
+        inception_in_words(outcome.summary.inception).into(),
+    );
+    line(
+        "levelled",
+        if outcome.summary.levelled {
+            "yes"
+        } else {
+            "no"
+        }
+        .into(),
+    );
+    line("wall_time", format!("{:.1} s", outcome.account.wall_time));
+    text
+}
+
+fn account(outcome: &Outcome) -> String {
+    let account = &outcome.account;
+    let mut text = format!(
+        "mesh: {} elements per contact radius, {} sectors, {} unknowns\n\
+         steps: {}, cut back {} times; {} Newton and {} Krylov iterations\n\
+         heat: {}\n",
+        account.elements_per_radius,
+        account.sectors,
+        account.unknowns,
+        account.steps,
+        account.cutbacks,
+        account.newton_iterations,
+        account.krylov_iterations,
+        if account.heat {
+            "simulated"
+        } else {
+            "left out"
+        },
+    );
+    for note in &account.notes {
+        let _ = writeln!(text, "note: {note}");
+    }
+    text
+}
+
+fn as_json(
+    scene: &Scene,
+    outcome: &Outcome,
+    incomplete: Option<&str>,
+    arguments: &RunArguments,
+) -> serde_json::Value {
+    let entry = |quantity: Quantity| {
+        let descriptor = quantity.descriptor();
+        let estimate = estimate(&outcome.summary, quantity);
+        let value = numbers::as_json(estimate, descriptor.units);
+        (descriptor.name.to_owned(), value)
+    };
+    let summary: serde_json::Map<_, _> = Quantity::ALL.into_iter().map(entry).collect();
+    let account = &outcome.account;
+    json!({
+        "output": arguments.output.display().to_string(),
+        "completion": incomplete.unwrap_or("complete"),
+        "interference": scene.loading.interference,
+        "slip_rate": scene.loading.slip_rate,
+        "radius": scene.radius,
+        "heat_partition": scene.interface.heat_partition,
+        "summary": summary,
+        "inception": inception_in_words(outcome.summary.inception),
+        "levelled": outcome.summary.levelled,
+        "notes": account.notes,
+        "warnings": account.warnings,
+        "account": {
+            "elements_per_radius": account.elements_per_radius,
+            "sectors": account.sectors,
+            "unknowns": account.unknowns,
+            "heat": account.heat,
+            "steps": account.steps,
+            "cutbacks": account.cutbacks,
+            "newton_iterations": account.newton_iterations,
+            "krylov_iterations": account.krylov_iterations,
+            "wall_time": account.wall_time,
+        },
+    })
+}

@@ -1,0 +1,390 @@
+//! Transient heat conduction in the body, heated at the contact and by plastic work.
+//!
+//! ρcθ̇ = ∇·(k∇θ) + sources for the rise θ above the initial temperature, which the base and the
+//! flat keep. Constant properties, lumped heat capacity. Time: the two-stage L-stable SDIRK of
+//! second order (Alexander 1977, SIAM J. Numer. Anal. 14, 1006), whose stages share one
+//! matrix. Heat that depends on the contact's own temperature (softening friction, gap
+//! conductance) is implicit: a small dense problem on the contact's Schur complement.
+
+use std::sync::Arc;
+
+use faer::linalg::solvers::SolveCore;
+use faer::{Mat, MatMut, Side};
+
+use crate::element::{POINTS, RevolvedMesh, local_gradients_at_points, shape_at_points};
+use crate::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
+
+/// 1 − 1/√2.
+const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+const CONTACT_ITERATIONS: usize = 30;
+
+/// Heat flow into each contact point as a function of its temperature rise: value and slope.
+pub trait ContactHeat {
+    /// Heat per time into contact point `point` at rise `rise`, and its derivative (never positive).
+    fn flow(&self, point: usize, rise: f64) -> (f64, f64);
+}
+
+/// Heat that passed in one step, half body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct HeatBalance {
+    /// Through the contact, net of what the gap took.
+    pub contact: f64,
+    /// Given to the body directly.
+    pub body: f64,
+    /// Out through the base.
+    pub base: f64,
+}
+
+pub struct Conduction {
+    mesh: RevolvedMesh,
+    /// ρc per kelvin (κ = 1, so also k).
+    capacity: f64,
+    pattern: HarmonicPattern,
+    mass: Vec<f64>,
+    /// Factors for the last step sizes used.
+    cache: Vec<(f64, Arc<StepMatrix>)>,
+    contact_places: Vec<usize>,
+    pub committed: Vec<f64>,
+}
+
+/// M + γΔt·K.
+struct StepMatrix {
+    factors: HarmonicFactors,
+    /// Schur complement of the contact, dense over (ring, harmonic).
+    contact: Mat<f64>,
+}
+
+impl Conduction {
+    pub fn new(mesh: &RevolvedMesh, capacity: f64) -> Result<Self, FactorError> {
+        let columns = mesh.sectors.columns();
+        let mass = mesh.nodal_volumes().iter().map(|v| capacity * v).collect();
+        let contact_places = mesh
+            .meridian
+            .contact
+            .iter()
+            .flat_map(|&n| (0..columns).map(move |j| n as usize * columns + j))
+            .collect();
+        Ok(Self {
+            pattern: HarmonicPattern::new(mesh, FieldKind::Scalar)?,
+            capacity,
+            mass,
+            cache: Vec::new(),
+            contact_places,
+            committed: vec![0.0; mesh.field_length(1)],
+            mesh: mesh.clone(),
+        })
+    }
+
+    fn step_matrix(&mut self, dt: f64) -> Result<Arc<StepMatrix>, FactorError> {
+        if let Some((_, matrix)) = self.cache.iter().find(|(cached, _)| *cached == dt) {
+            return Ok(matrix.clone());
+        }
+        let factors = self.pattern.factorise(&self.mesh, |e| {
+            element_matrix(&self.mesh, e, self.capacity, GAMMA * dt * self.capacity)
+        })?;
+        let (rings, harmonics) = (factors.contact_unknowns(), factors.harmonics());
+        let mut contact = Mat::zeros(rings * harmonics, rings * harmonics);
+        for m in 0..harmonics {
+            let schur = factors.contact_stiffness(m);
+            for i in 0..rings {
+                for j in 0..rings {
+                    contact[(i * harmonics + m, j * harmonics + m)] = schur[i * rings + j];
+                }
+            }
+        }
+        let matrix = Arc::new(StepMatrix { factors, contact });
+        if self.cache.len() >= 3 {
+            self.cache.remove(0);
+        }
+        self.cache.push((dt, matrix.clone()));
+        Ok(matrix)
+    }
+
+    /// Temperature rise after a step of `dt` from the committed one, with `body` the heat given
+    /// to each node over the step and `heat` the flow at the contact.
+    pub fn advance(
+        &mut self,
+        dt: f64,
+        body: &[f64],
+        heat: &dyn ContactHeat,
+    ) -> Result<(Vec<f64>, HeatBalance), FactorError> {
+        let matrix = self.step_matrix(dt)?;
+        let n = self.committed.len();
+        let mut rhs = vec![0.0; n];
+        for i in 0..n {
+            rhs[i] = self.mass[i] * self.committed[i] + GAMMA * body[i];
+        }
+        let mut first = vec![0.0; n];
+        let flow_first = self.stage(&matrix, &rhs, GAMMA * dt, heat, &self.committed, &mut first);
+        let ratio = (1.0 - GAMMA) / GAMMA;
+        for i in 0..n {
+            let start = self.committed[i] + ratio * (first[i] - self.committed[i]);
+            rhs[i] = self.mass[i] * start + GAMMA * body[i];
+        }
+        let mut last = vec![0.0; n];
+        let flow_last = self.stage(&matrix, &rhs, GAMMA * dt, heat, &first, &mut last);
+        let weighted = |a: f64, b: f64| dt * ((1.0 - GAMMA) * a + GAMMA * b);
+        let balance = HeatBalance {
+            contact: weighted(flow_first, flow_last),
+            body: (0..n).filter(|&i| !self.on_base(i)).map(|i| body[i]).sum(),
+            base: weighted(self.base_flow(&first), self.base_flow(&last)),
+        };
+        Ok((last, balance))
+    }
+
+    /// Solves (M + γΔtK)θ = rhs + γΔt·q(θ) with q at the contact; returns Σq.
+    fn stage(
+        &self,
+        matrix: &StepMatrix,
+        rhs: &[f64],
+        scale: f64,
+        heat: &dyn ContactHeat,
+        guess: &[f64],
+        solution: &mut [f64],
+    ) -> f64 {
+        let factors = &matrix.factors;
+        let mut modal = vec![0.0; factors.modal_length()];
+        factors.to_modal(rhs, &mut modal);
+        factors.forward(&mut modal);
+        let contact = &mut modal[factors.contact_offset()..];
+        let size = contact.len();
+        let columns = factors.harmonics();
+        let free = contact.to_vec();
+        let mut rise: Vec<f64> = self.contact_places.iter().map(|&p| guess[p]).collect();
+        for _ in 0..CONTACT_ITERATIONS {
+            // Newton: (S − γΔt q′)θ = f + γΔt(q − q′θ).
+            let mut jacobian = matrix.contact.clone();
+            contact.copy_from_slice(&free);
+            for ring in 0..size / columns {
+                let points: Vec<(f64, f64)> = (0..columns)
+                    .map(|j| heat.flow(ring * columns + j, rise[ring * columns + j]))
+                    .collect();
+                let load: Vec<f64> = (0..columns)
+                    .map(|j| scale * (points[j].0 - points[j].1 * rise[ring * columns + j]))
+                    .collect();
+                let table = &factors.transform.even;
+                // The apex has the mean alone.
+                let harmonics = if self.is_apex(ring) { 1 } else { columns };
+                for m in 0..harmonics {
+                    for j in 0..columns {
+                        contact[ring * columns + m] += table[m * columns + j] * load[j];
+                    }
+                    for k in 0..harmonics {
+                        let slope: f64 = (0..columns)
+                            .map(|j| table[m * columns + j] * points[j].1 * table[k * columns + j])
+                            .sum();
+                        jacobian[(ring * columns + m, ring * columns + k)] -= scale * slope;
+                    }
+                }
+            }
+            let factor = jacobian
+                .llt(Side::Lower)
+                .expect("heat flow falls with temperature");
+            factor.solve_in_place_with_conj(
+                faer::Conj::No,
+                MatMut::from_column_major_slice_mut(contact, size, 1),
+            );
+            let mut change = 0.0f64;
+            let mut largest = 1e-300f64;
+            for ring in 0..size / columns {
+                let harmonics = if self.is_apex(ring) { 1 } else { columns };
+                for j in 0..columns {
+                    let value: f64 = (0..harmonics)
+                        .map(|m| {
+                            factors.transform.even[m * columns + j] * contact[ring * columns + m]
+                        })
+                        .sum();
+                    change = change.max((value - rise[ring * columns + j]).abs());
+                    largest = largest.max(value.abs());
+                    rise[ring * columns + j] = value;
+                }
+            }
+            if change <= 1e-11 * largest {
+                break;
+            }
+        }
+        factors.backward(&mut modal);
+        factors.to_nodal(&modal, solution);
+        (0..rise.len()).map(|i| heat.flow(i, rise[i]).0).sum()
+    }
+
+    fn is_apex(&self, ring: usize) -> bool {
+        self.mesh
+            .meridian
+            .on_axis(self.mesh.meridian.contact[ring] as usize)
+    }
+
+    fn on_base(&self, place: usize) -> bool {
+        self.mesh.meridian.is_base[place / self.mesh.sectors.columns()]
+    }
+
+    /// Heat per time that leaves through the base.
+    fn base_flow(&self, rise: &[f64]) -> f64 {
+        let mut flow = vec![0.0; rise.len()];
+        self.conduct(rise, &mut flow);
+        -(0..flow.len())
+            .filter(|&i| self.on_base(i))
+            .map(|i| flow[i])
+            .sum::<f64>()
+    }
+
+    /// K·θ.
+    fn conduct(&self, rise: &[f64], flow: &mut [f64]) {
+        flow.fill(0.0);
+        let mesh = &self.mesh;
+        let touches_base =
+            |nodes: &[u32; 4]| nodes.iter().any(|&n| mesh.meridian.is_base[n as usize]);
+        // Only the base is asked for.
+        for (e, element) in mesh
+            .elements
+            .iter()
+            .enumerate()
+            .filter(|(_, e)| touches_base(&e.nodes))
+        {
+            let matrix = element_matrix(mesh, e, 0.0, self.capacity);
+            for sector in 0..mesh.sectors.lanes() {
+                let nodal = mesh.gather_scalar::<1>(rise, element, sector);
+                let out = std::array::from_fn(|i| {
+                    [(0..8).map(|j| matrix[i * 8 + j] * nodal[j][0]).sum::<f64>()]
+                });
+                mesh.scatter_scalar::<1>(&out, element, sector, flow);
+            }
+        }
+    }
+
+    /// Heat in the body at a temperature rise, half body.
+    pub fn stored(&self, rise: &[f64]) -> f64 {
+        rise.iter().zip(&self.mass).map(|(t, m)| t * m).sum()
+    }
+}
+
+/// Gradients (∂/∂r, ∂/r∂θ, ∂/∂z) of the shape functions and the volume at each Gauss point of a
+/// round sector. Scalars need no straight sides to keep rigid motions, and conduction of what
+/// does not depend on θ is then free of any error from the sectors.
+fn round_geometry(mesh: &RevolvedMesh, e: usize) -> [([[f64; 3]; 8], f64); POINTS] {
+    let half = 0.5 * mesh.sectors.angle();
+    let corners = mesh.elements[e]
+        .nodes
+        .map(|n| mesh.meridian.nodes[n as usize]);
+    let shapes = shape_at_points();
+    let local = local_gradients_at_points();
+    std::array::from_fn(|q| {
+        let r: f64 = (0..8).map(|n| shapes[q][n] * corners[n % 4][0]).sum();
+        let mut jacobian = nalgebra::Matrix2::<f64>::zeros();
+        for n in 0..8 {
+            for d in 0..2 {
+                for k in 0..2 {
+                    jacobian[(d, k)] += local[q][n][k] * corners[n % 4][d];
+                }
+            }
+        }
+        let inverse = jacobian.try_inverse().expect("positive area");
+        let gradient = std::array::from_fn(|n| {
+            let [xi, eta, zeta] = local[q][n];
+            [
+                xi * inverse[(0, 0)] + eta * inverse[(1, 0)],
+                zeta / (half * r),
+                xi * inverse[(0, 1)] + eta * inverse[(1, 1)],
+            ]
+        });
+        (gradient, jacobian.determinant() * half * r)
+    })
+}
+
+/// Lumped mass plus `conductivity` times conduction of one sector element, 8 × 8.
+fn element_matrix(mesh: &RevolvedMesh, e: usize, capacity: f64, conductivity: f64) -> Vec<f64> {
+    let shapes = shape_at_points();
+    let straight = &mesh.elements[e].weight;
+    let mut matrix = vec![0.0; 64];
+    for (q, (gradient, weight)) in round_geometry(mesh, e).iter().enumerate() {
+        for i in 0..8 {
+            // The mass of the straight sectors, as in the nodal volumes.
+            matrix[i * 9] += capacity * straight[q] * shapes[q][i];
+            for j in 0..8 {
+                let product: f64 = (0..3).map(|d| gradient[i][d] * gradient[j][d]).sum();
+                matrix[i * 8 + j] += conductivity * weight * product;
+            }
+        }
+    }
+    matrix
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{MeridianMesh, MeshSize};
+    use crate::sectors::Sectors;
+
+    struct Uniform<'a> {
+        areas: &'a [f64],
+        radius: f64,
+        radii: Vec<f64>,
+        columns: usize,
+    }
+    impl ContactHeat for Uniform<'_> {
+        fn flow(&self, point: usize, _rise: f64) -> (f64, f64) {
+            let inside = self.radii[point / self.columns] < self.radius;
+            (if inside { self.areas[point] } else { 0.0 }, 0.0)
+        }
+    }
+
+    /// Uniform flux over a disc on a half space (Carslaw & Jaeger, 2nd ed., §10.5): centre
+    /// temperature T = (2q√(αt)/k)[1/√π − ierfc(a/(2√(αt)))].
+    #[test]
+    fn disc_source_follows_carslaw_and_jaeger() {
+        for sectors in [Sectors::axisymmetric(8), Sectors::full(4)] {
+            let size = MeshSize {
+                contact_radius: 0.01,
+                elements_per_radius: 16,
+            };
+            let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
+            let areas = mesh.contact_areas();
+            // The heated disc ends between two rings: its radius from its discrete area.
+            let radii = mesh.meridian.contact_radii();
+            let columns = sectors.columns();
+            let source = Uniform {
+                areas: &areas,
+                radius: size.contact_radius,
+                radii,
+                columns,
+            };
+            let total: f64 = (0..areas.len()).map(|i| source.flow(i, 0.0).0).sum();
+            let a = (2.0 * total / std::f64::consts::PI).sqrt();
+            let mut conduction = Conduction::new(&mesh, 1.0).unwrap();
+            let none = vec![0.0; mesh.field_length(1)];
+            let (mut t, mut dt) = (0.0, 1e-4 * a * a);
+            let (mut given, mut lost) = (0.0, 0.0);
+            let mut checks = [
+                (0.1, 0.352882),
+                (1.0, 0.729097),
+                (2.0, 0.804583),
+                (10.0, 0.911164),
+            ]
+            .into_iter();
+            let mut next = checks.next();
+            while let Some((fourier, exact)) = next {
+                let end = fourier * a * a;
+                let step = if t + 1.01 * dt > end { end - t } else { dt };
+                let (rise, balance) = conduction.advance(step, &none, &source).unwrap();
+                conduction.committed = rise;
+                given += balance.contact;
+                lost += balance.base;
+                t += step;
+                dt *= 1.15;
+                if t >= end * (1.0 - 1e-12) {
+                    let centre = conduction.committed[conduction.contact_places[0]] / a;
+                    assert!(
+                        (centre / exact - 1.0).abs() < 0.01,
+                        "Fo = {fourier}: {centre} {exact}"
+                    );
+                    next = checks.next();
+                }
+            }
+            let stored = conduction.stored(&conduction.committed);
+            assert!(
+                (given - stored - lost).abs() < 1e-9 * given,
+                "{given} {stored} {lost}"
+            );
+        }
+    }
+}

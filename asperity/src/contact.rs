@@ -1,0 +1,412 @@
+//! Contact of the asperity's surface with the rigid flat, node by node.
+//!
+//! Normal: unilateral, p ≥ 0. Tangential: stick below a given limit of the shear traction, slip
+//! along the traction at the limit. Both as an augmented Lagrangian: the traction of a step is
+//! the last one plus a spring times what the constraint is off by, so that the springs are
+//! numerical only and their stretch vanishes from step to step. The law is associative (the
+//! limit is given), the tangent symmetric.
+//!
+//! Fields over the contact are ring by ring, columns of θ within: `[ring*columns + j]`; vectors
+//! have (r, θ) components. Areas and forces are those of the half body.
+
+use crate::element::RevolvedMesh;
+use crate::mesh::sphere_height;
+
+/// Stiffness of the constraint springs in units of E*/(ring spacing).
+const NORMAL_SPRING: f64 = 50.0;
+const TANGENTIAL_SPRING: f64 = 2.0;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    Open,
+    Stick,
+    Slip,
+}
+
+/// What the contact remembers.
+#[derive(Clone, Debug)]
+pub struct ContactState {
+    pub status: Vec<Status>,
+    /// p.
+    pub pressure: Vec<f64>,
+    /// Gap, positive when open.
+    pub gap: Vec<f64>,
+    /// Shear traction of the flat on the asperity.
+    pub traction: Vec<[f64; 2]>,
+    /// Displacement of the flat relative to the surface.
+    pub relative: Vec<[f64; 2]>,
+    /// Where a sticking point holds on to the flat.
+    pub anchor: Vec<[f64; 2]>,
+    /// Path length of slip.
+    pub slip: Vec<f64>,
+}
+
+/// Position of the flat: interference and displacement along +x, in units of R.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Flat {
+    pub interference: f64,
+    pub displacement: f64,
+}
+
+/// Symmetric 3 × 3 stiffness of a contact node over (r, θ, z), as force per displacement.
+pub type NodeStiffness = [[f64; 3]; 3];
+
+#[derive(Clone, Debug)]
+pub struct Contact {
+    pub radii: Vec<f64>,
+    pub columns: usize,
+    pub angles: Vec<f64>,
+    /// Nodes of the meridian, ring by ring.
+    nodes: Vec<u32>,
+    /// ∫N dA of each node on the flat.
+    pub areas: Vec<f64>,
+    height: Vec<f64>,
+    normal_spring: Vec<f64>,
+    tangential_spring: Vec<f64>,
+    pub committed: ContactState,
+    pub trial: ContactState,
+    /// Share of each node's area that is covered by the contact, 1 but at the edge.
+    pub cover: Vec<f64>,
+    pub stiffness: Vec<NodeStiffness>,
+}
+
+impl ContactState {
+    fn new(points: usize) -> Self {
+        Self {
+            status: vec![Status::Open; points],
+            pressure: vec![0.0; points],
+            gap: vec![0.0; points],
+            traction: vec![[0.0; 2]; points],
+            relative: vec![[0.0; 2]; points],
+            anchor: vec![[0.0; 2]; points],
+            slip: vec![0.0; points],
+        }
+    }
+
+    fn spread(&self, columns: usize) -> Self {
+        fn spread<T: Copy>(v: &[T], columns: usize) -> Vec<T> {
+            v.iter()
+                .flat_map(|&x| std::iter::repeat_n(x, columns))
+                .collect()
+        }
+        Self {
+            status: spread(&self.status, columns),
+            pressure: spread(&self.pressure, columns),
+            gap: spread(&self.gap, columns),
+            traction: spread(&self.traction, columns),
+            relative: spread(&self.relative, columns),
+            anchor: spread(&self.anchor, columns),
+            slip: spread(&self.slip, columns),
+        }
+    }
+}
+
+impl Contact {
+    /// Contact not yet touched; `modulus` is E* in the problem's units.
+    pub fn new(mesh: &RevolvedMesh, modulus: f64) -> Self {
+        let radii = mesh.meridian.contact_radii();
+        let last = radii.len() - 1;
+        let spacing = |k: usize| match k {
+            0 => radii[1],
+            k if k == last => radii[k] - radii[k - 1],
+            k => 0.5 * (radii[k + 1] - radii[k - 1]),
+        };
+        let columns = mesh.sectors.columns();
+        let points = radii.len() * columns;
+        Self {
+            columns,
+            angles: mesh.sectors.angles(),
+            nodes: mesh.meridian.contact.clone(),
+            areas: mesh.contact_areas(),
+            height: radii.iter().map(|&r| sphere_height(r)).collect(),
+            normal_spring: (0..=last)
+                .map(|k| NORMAL_SPRING * modulus / spacing(k))
+                .collect(),
+            tangential_spring: (0..=last)
+                .map(|k| TANGENTIAL_SPRING * modulus / spacing(k))
+                .collect(),
+            committed: ContactState::new(points),
+            trial: ContactState::new(points),
+            cover: vec![1.0; points],
+            stiffness: vec![[[0.0; 3]; 3]; points],
+            radii,
+        }
+    }
+
+    /// The contact of an axisymmetric press, at all angles.
+    pub fn revolve(axisymmetric: &Contact, mesh: &RevolvedMesh, modulus: f64) -> Self {
+        let mut contact = Self::new(mesh, modulus);
+        contact.committed = axisymmetric.committed.spread(contact.columns);
+        contact.trial = contact.committed.clone();
+        contact.cover = axisymmetric
+            .cover
+            .iter()
+            .flat_map(|&c| std::iter::repeat_n(c, contact.columns))
+            .collect();
+        contact
+    }
+
+    pub fn len(&self) -> usize {
+        self.areas.len()
+    }
+
+    /// Place of component c of contact point i in a vector field.
+    pub fn place(&self, point: usize, component: usize) -> usize {
+        (self.nodes[point / self.columns] as usize * 3 + component) * self.columns
+            + point % self.columns
+    }
+
+    /// Place of contact point i in a scalar field.
+    pub fn scalar_place(&self, point: usize) -> usize {
+        self.nodes[point / self.columns] as usize * self.columns + point % self.columns
+    }
+
+    /// Tractions at displacement `u` of the body, given the limit of the shear traction at each
+    /// point; sets the trial state and the contact stiffness.
+    pub fn evaluate(&mut self, u: &[f64], flat: Flat, limit: &[f64]) {
+        for i in 0..self.len() {
+            let ring = i / self.columns;
+            let (sin, cos) = self.angles[i % self.columns].sin_cos();
+            let at = |c: usize| u[self.place(i, c)];
+            let relative = [
+                flat.displacement * cos - at(0),
+                -flat.displacement * sin - at(1),
+            ];
+            let penetration = self.height[ring] + at(2) + flat.interference;
+            let (normal, tangential) = (self.normal_spring[ring], self.tangential_spring[ring]);
+            let pressure = self.committed.pressure[i] + normal * penetration;
+            let state = &mut self.trial;
+            state.gap[i] = -penetration;
+            state.relative[i] = relative;
+            self.stiffness[i] = [[0.0; 3]; 3];
+            if pressure <= 0.0 {
+                state.status[i] = Status::Open;
+                state.pressure[i] = 0.0;
+                state.traction[i] = [0.0; 2];
+                state.slip[i] = self.committed.slip[i];
+                continue;
+            }
+            state.pressure[i] = pressure;
+            let area = self.areas[i];
+            self.stiffness[i][2][2] = area * normal;
+            // A point that was open holds on where it was when the step began.
+            let anchor = match self.committed.status[i] {
+                Status::Open => self.committed.relative[i],
+                _ => self.committed.anchor[i],
+            };
+            let attempt: [f64; 2] = std::array::from_fn(|c| {
+                self.committed.traction[i][c] + tangential * (relative[c] - anchor[c])
+            });
+            let size = attempt[0].hypot(attempt[1]);
+            if size <= limit[i] && limit[i] > 0.0 {
+                state.status[i] = Status::Stick;
+                state.traction[i] = attempt;
+                state.anchor[i] = anchor;
+                state.slip[i] = self.committed.slip[i];
+                for c in 0..2 {
+                    self.stiffness[i][c][c] = area * tangential;
+                }
+            } else {
+                state.status[i] = Status::Slip;
+                let direction = if size > 0.0 {
+                    [attempt[0] / size, attempt[1] / size]
+                } else {
+                    [1.0, 0.0]
+                };
+                let rotation = if size > 0.0 { limit[i] / size } else { 0.0 };
+                state.traction[i] = direction.map(|d| limit[i] * d);
+                // After the step the spring is unstretched and the traction remembered.
+                state.anchor[i] = relative;
+                state.slip[i] = self.committed.slip[i] + (size - limit[i]) / tangential;
+                for c in 0..2 {
+                    for d in 0..2 {
+                        let unit = if c == d { 1.0 } else { 0.0 };
+                        self.stiffness[i][c][d] =
+                            area * tangential * rotation * (unit - direction[c] * direction[d]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Subtracts the forces of the flat on the asperity from a residual.
+    pub fn subtract_force(&self, residual: &mut [f64]) {
+        for i in 0..self.len() {
+            if self.trial.status[i] == Status::Open {
+                continue;
+            }
+            let [radial, hoop] = self.trial.traction[i];
+            residual[self.place(i, 0)] -= self.areas[i] * radial;
+            residual[self.place(i, 1)] -= self.areas[i] * hoop;
+            residual[self.place(i, 2)] += self.areas[i] * self.trial.pressure[i];
+        }
+    }
+
+    /// Adds the product of the contact stiffness with a displacement to a force.
+    pub fn add_tangent_product(&self, u: &[f64], force: &mut [f64]) {
+        for i in 0..self.len() {
+            if self.trial.status[i] == Status::Open {
+                continue;
+            }
+            let local: [f64; 3] = std::array::from_fn(|c| u[self.place(i, c)]);
+            for c in 0..3 {
+                let sum: f64 = (0..3).map(|d| self.stiffness[i][c][d] * local[d]).sum();
+                force[self.place(i, c)] += sum;
+            }
+        }
+    }
+
+    /// Finds the edge of the contact along each angle and from it the covered share of the cell
+    /// of the last ring in contact.
+    ///
+    /// A ring of nodes touches when the edge of the continuous contact has come within half a
+    /// spacing, and the next one when it has passed by as much (measured on Hertz's solution to
+    /// 0.1 spacings, whatever the spacing), so the last cell fills while the gap of the next ring
+    /// closes: the gap there, in units of the rise to the ring after it, falls from about
+    /// `OPEN_GAP` to 0. Where plastic flow keeps the pressure up to the edge, the load on the last
+    /// ring beyond what an elastic edge would give tells how much farther the contact reaches.
+    pub fn update_cover(&mut self) {
+        /// Gap of the next ring over the rise beyond it, when the last ring has just touched.
+        const OPEN_GAP: f64 = 0.8;
+        /// Pressure of the last ring over that of the one inside it for an elastic edge, at full cover.
+        const ELASTIC_LOAD: f64 = 0.62;
+        /// Weight of the excess load; from the agreement of meshes for plastic contacts.
+        const EXCESS: f64 = 1.2;
+        let rings = self.radii.len();
+        self.cover.fill(1.0);
+        for j in 0..self.columns {
+            let at = |ring: usize| ring * self.columns + j;
+            let Some(last) = (0..rings)
+                .rev()
+                .find(|&k| self.trial.status[at(k)] != Status::Open)
+            else {
+                continue;
+            };
+            if last == 0 || last + 2 >= rings {
+                continue;
+            }
+            let (gap, beyond) = (self.trial.gap[at(last + 1)], self.trial.gap[at(last + 2)]);
+            let widths = (self.radii[last + 2] - self.radii[last + 1])
+                / (self.radii[last + 1] - self.radii[last]);
+            let open = if beyond > gap {
+                (gap / (beyond - gap) * widths / OPEN_GAP).clamp(0.0, 1.0)
+            } else {
+                1.0
+            };
+            let inner = self.trial.pressure[at(last - 1)];
+            let load = if inner > 0.0 {
+                (self.trial.pressure[at(last)] / inner).min(1.0)
+            } else {
+                1.0
+            };
+            // A ring about to lift off covers nothing.
+            let filled = (1.0 - open) * (load / 0.1).min(1.0);
+            let excess = EXCESS * (load - ELASTIC_LOAD * filled).max(0.0) * (1.0 - filled);
+            self.cover[at(last)] = filled + excess;
+        }
+    }
+
+    /// Outermost ring in contact.
+    pub fn outermost(&self) -> Option<usize> {
+        (0..self.len())
+            .rev()
+            .find(|&i| self.trial.status[i] != Status::Open)
+            .map(|i| i / self.columns)
+    }
+
+    pub fn commit(&mut self) {
+        self.committed.clone_from(&self.trial);
+    }
+
+    /// Normal force of the whole asperity.
+    pub fn load(&self, state: &ContactState) -> f64 {
+        2.0 * (0..self.len())
+            .map(|i| self.areas[i] * state.pressure[i])
+            .sum::<f64>()
+    }
+
+    /// Friction force along +x of the whole asperity.
+    pub fn friction(&self, state: &ContactState) -> f64 {
+        2.0 * (0..self.len())
+            .map(|i| self.areas[i] * self.along_x(i, state.traction[i]))
+            .sum::<f64>()
+    }
+
+    pub fn along_x(&self, point: usize, v: [f64; 2]) -> f64 {
+        let (sin, cos) = self.angles[point % self.columns].sin_cos();
+        v[0] * cos - v[1] * sin
+    }
+
+    /// Contact area of the whole asperity.
+    pub fn area(&self, state: &ContactState) -> f64 {
+        2.0 * self.sum_where(state, |s| s != Status::Open)
+    }
+
+    /// Radius of the circle of the same area.
+    pub fn radius(&self, state: &ContactState) -> f64 {
+        (self.area(state) / std::f64::consts::PI).sqrt()
+    }
+
+    /// Share of the contact area that sticks.
+    pub fn stick_fraction(&self, state: &ContactState) -> f64 {
+        let area = self.sum_where(state, |s| s != Status::Open);
+        if area > 0.0 {
+            self.sum_where(state, |s| s == Status::Stick) / area
+        } else {
+            0.0
+        }
+    }
+
+    fn sum_where(&self, state: &ContactState, pick: impl Fn(Status) -> bool) -> f64 {
+        (0..self.len())
+            .filter(|&i| pick(state.status[i]))
+            .map(|i| self.areas[i] * self.cover[i])
+            .sum()
+    }
+
+    /// Work of the flat and dissipation at the interface over the step, by the trapezoidal rule.
+    pub fn step_work(&self, from: Flat, to: Flat) -> InterfaceWork {
+        let mut work = InterfaceWork::default();
+        for i in 0..self.len() {
+            let area = self.areas[i];
+            let pressure = 0.5 * (self.committed.pressure[i] + self.trial.pressure[i]);
+            let traction: [f64; 2] = std::array::from_fn(|c| {
+                0.5 * (self.committed.traction[i][c] + self.trial.traction[i][c])
+            });
+            let displacement = to.displacement - from.displacement;
+            work.of_flat += area
+                * (pressure * (to.interference - from.interference)
+                    + self.along_x(i, traction) * displacement);
+            work.friction += area * self.point_friction_work(i);
+            work.springs += area * pressure * (self.committed.gap[i] - self.trial.gap[i]);
+        }
+        work
+    }
+
+    /// Frictional work of the step per area at a point: mean traction times relative displacement.
+    pub fn point_friction_work(&self, point: usize) -> f64 {
+        (0..2)
+            .map(|c| {
+                let traction =
+                    0.5 * (self.committed.traction[point][c] + self.trial.traction[point][c]);
+                traction * (self.trial.relative[point][c] - self.committed.relative[point][c])
+            })
+            .sum()
+    }
+
+    /// Speed-free slip of the step at a point: length of the relative displacement where it slips.
+    pub fn point_slip(&self, point: usize) -> f64 {
+        self.trial.slip[point] - self.committed.slip[point]
+    }
+}
+
+/// Work at the interface, half body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InterfaceWork {
+    /// Of the flat on the asperity.
+    pub of_flat: f64,
+    /// Of the shear traction on the slip.
+    pub friction: f64,
+    /// Of the pressure on the normal springs; vanishes with them.
+    pub springs: f64,
+}

@@ -1,0 +1,7 @@
+//! The program `asperity`: see `asperity --help`.
+
+mod command;
+
+fn main() -> std::process::ExitCode {
+    command::main()
+}

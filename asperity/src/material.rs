@@ -1,0 +1,232 @@
+//! Constitutive law: J2 plasticity with isotropic hardening and thermal softening.
+//!
+//! σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T), with h and f of the scene. Stresses in units of
+//! σ_Y(T₀, ε_p = 0), temperatures as the rise θ = T − T₀ in kelvin.
+
+use crate::elastic::Moduli;
+use crate::scene::{Hardening, Material, Softening};
+
+/// The material in dimensionless form.
+#[derive(Clone, Debug)]
+pub struct Solid {
+    pub moduli: Moduli,
+    hardening: Hardening,
+    /// Pa, the unit of stress.
+    yield_strength: f64,
+    softening: Softening,
+    /// K.
+    initial_temperature: f64,
+    /// f(T₀): strengths are relative to that at the initial temperature.
+    initial_factor: f64,
+}
+
+/// Result of a return mapping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Return {
+    /// Increment of the equivalent plastic strain.
+    pub increment: f64,
+    /// dσ_y/dε_p at the end.
+    pub slope: f64,
+}
+
+impl Solid {
+    pub fn new(material: &Material, initial_temperature: f64) -> Self {
+        let mut solid = Self {
+            moduli: Moduli::new(
+                material.youngs_modulus / material.yield_strength,
+                material.poisson_ratio,
+            ),
+            hardening: material.hardening.clone(),
+            yield_strength: material.yield_strength,
+            softening: material.softening.clone(),
+            initial_temperature,
+            initial_factor: 1.0,
+        };
+        solid.initial_factor = solid.softening_factor(0.0);
+        solid
+    }
+
+    /// f(T)/f(T₀): 1 at the initial temperature, never negative.
+    pub fn softening_factor(&self, rise: f64) -> f64 {
+        let temperature = self.initial_temperature + rise;
+        let factor = match &self.softening {
+            Softening::None => 1.0,
+            Softening::JohnsonCook {
+                reference,
+                melting,
+                exponent,
+            } => {
+                let homologous =
+                    ((temperature - reference) / (melting - reference)).clamp(0.0, 1.0);
+                1.0 - homologous.powf(*exponent)
+            }
+            Softening::Table {
+                temperature: knots,
+                factor,
+            } => interpolate(knots, factor, temperature).0,
+        };
+        factor / self.initial_factor
+    }
+
+    /// Initial yield strength with softening: what the interface shears at, times √3.
+    pub fn initial_strength(&self, rise: f64) -> f64 {
+        self.softening_factor(rise)
+    }
+
+    /// (σ_y, dσ_y/dε_p) without softening.
+    fn hardened(&self, strain: f64) -> (f64, f64) {
+        match &self.hardening {
+            Hardening::None => (1.0, 0.0),
+            Hardening::Linear { modulus } => {
+                let slope = modulus / self.yield_strength;
+                (1.0 + slope * strain, slope)
+            }
+            Hardening::JohnsonCook { modulus, exponent } => {
+                let b = modulus / self.yield_strength;
+                if strain <= 0.0 {
+                    return (1.0, if *exponent < 1.0 { f64::INFINITY } else { b });
+                }
+                let power = b * strain.powf(*exponent);
+                (1.0 + power, exponent * power / strain)
+            }
+            Hardening::Table {
+                plastic_strain,
+                factor,
+            } => interpolate(plastic_strain, factor, strain),
+        }
+    }
+
+    /// Current yield strength.
+    pub fn yield_strength(&self, strain: f64, rise: f64) -> f64 {
+        self.hardened(strain).0 * self.softening_factor(rise)
+    }
+
+    /// Radial return: the increment x with q − 3Gx = σ_y(ε_p + x, T), for a trial von Mises
+    /// stress q above the yield strength.
+    ///
+    /// The residual falls and is convex where hardening is concave, so Newton's method started
+    /// left of the root never passes it; for a power law with its infinite first slope the start
+    /// is where the elastic and the hardening part each take up half of the excess. A bracket
+    /// guards against laws that are not concave.
+    pub fn return_map(&self, trial: f64, strain: f64, rise: f64) -> Return {
+        let factor = self.softening_factor(rise);
+        let stiffness = 3.0 * self.moduli.shear;
+        let excess = trial - factor * self.hardened(strain).0;
+        let (mut low, mut high) = (0.0, excess / stiffness);
+        let mut x = match &self.hardening {
+            Hardening::JohnsonCook { modulus, exponent } if strain <= 0.0 && factor > 0.0 => {
+                let b = factor * modulus / self.yield_strength;
+                (0.5 * excess / b).powf(1.0 / exponent).min(0.5 * high)
+            }
+            _ => 0.0,
+        };
+        for _ in 0..100 {
+            let (strength, slope) = self.hardened(strain + x);
+            let residual = trial - stiffness * x - factor * strength;
+            if residual >= 0.0 {
+                low = x;
+            } else {
+                high = x;
+            }
+            let step = residual / (stiffness + factor * slope);
+            let next = x + step;
+            let converged =
+                step.abs() <= 1e-15 * (x.abs() + step.abs()) || residual.abs() <= 1e-15 * trial;
+            x = if next >= low && next <= high {
+                next
+            } else {
+                0.5 * (low + high)
+            };
+            if converged {
+                break;
+            }
+        }
+        Return {
+            increment: x,
+            slope: factor * self.hardened(strain + x).1,
+        }
+    }
+}
+
+/// Piecewise linear value and slope, constant outside the knots.
+fn interpolate(knots: &[f64], values: &[f64], x: f64) -> (f64, f64) {
+    let after = knots.partition_point(|&k| k <= x);
+    if after == 0 {
+        return (values[0], 0.0);
+    }
+    if after == knots.len() {
+        return (values[after - 1], 0.0);
+    }
+    let slope = (values[after] - values[after - 1]) / (knots[after] - knots[after - 1]);
+    (values[after - 1] + slope * (x - knots[after - 1]), slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn steel(hardening: Hardening) -> Solid {
+        let material = Material {
+            youngs_modulus: 205e9,
+            poisson_ratio: 0.29,
+            yield_strength: 792e6,
+            hardening,
+            density: 7850.0,
+            specific_heat: 475.0,
+            thermal_conductivity: 44.5,
+            thermal_expansion: 1.23e-5,
+            softening: Softening::JohnsonCook {
+                reference: 298.0,
+                melting: 1793.0,
+                exponent: 1.03,
+            },
+        };
+        Solid::new(&material, 298.0)
+    }
+
+    #[test]
+    fn return_map_ends_on_the_yield_surface() {
+        let laws = [
+            Hardening::None,
+            Hardening::Linear { modulus: 2e9 },
+            Hardening::JohnsonCook {
+                modulus: 510e6,
+                exponent: 0.26,
+            },
+            Hardening::Table {
+                plastic_strain: vec![0.0, 0.01, 0.3],
+                factor: vec![1.0, 1.2, 1.5],
+            },
+        ];
+        for law in laws {
+            let solid = steel(law);
+            for strain in [0.0, 1e-9, 1e-4, 0.2] {
+                for rise in [0.0, 300.0, 1400.0] {
+                    for overshoot in [1e-9, 1e-4, 0.1, 10.0] {
+                        let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
+                        let Return { increment, .. } = solid.return_map(trial, strain, rise);
+                        assert!(increment >= 0.0);
+                        let q = trial - 3.0 * solid.moduli.shear * increment;
+                        let strength = solid.yield_strength(strain + increment, rise);
+                        assert!(
+                            (q - strength).abs() < 1e-12 * trial,
+                            "{solid:?} {strain} {rise} {overshoot}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn molten_material_has_no_strength() {
+        let solid = steel(Hardening::JohnsonCook {
+            modulus: 510e6,
+            exponent: 0.26,
+        });
+        assert_eq!(solid.initial_strength(1495.0), 0.0);
+        assert_eq!(solid.initial_strength(1e5), 0.0);
+        let Return { increment, slope } = solid.return_map(1.0, 0.0, 2000.0);
+        assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
+    }
+}

@@ -1,0 +1,333 @@
+//! Equilibrium of body and contact: Newton's method with line search, and conjugate gradients
+//! preconditioned by the exact elastic solver with the contact stiffness inside.
+
+use std::sync::Arc;
+
+use faer::linalg::solvers::{Llt, SolveCore};
+use faer::{Mat, MatMut, Side};
+
+use crate::body::Body;
+use crate::contact::{Contact, Flat};
+use crate::harmonic::{FieldKind, HarmonicFactors};
+
+/// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
+const NEWTON_TOLERANCE: f64 = 1e-7;
+const NEWTON_LIMIT: usize = 40;
+const KRYLOV_LIMIT: usize = 400;
+
+/// Why a step was not solved.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StepFailure {
+    #[error(
+        "Newton's method did not converge in {NEWTON_LIMIT} iterations (residual {residual:.1e})"
+    )]
+    Newton { residual: f64 },
+    #[error("a number is not finite")]
+    NotFinite,
+    #[error("the contact stiffness is not positive definite")]
+    ContactStiffness,
+}
+
+/// Counts of work done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    pub newton: usize,
+    pub krylov: usize,
+}
+
+/// Dense stiffness of all contact unknowns and harmonics, index (ring, component, harmonic).
+struct ContactStiffness {
+    elastic: Mat<f64>,
+    factor: Option<Llt<f64>>,
+}
+
+pub struct Mechanics {
+    pub body: Body,
+    pub contact: Contact,
+    factors: Arc<HarmonicFactors>,
+    dense: ContactStiffness,
+    pub displacement: Vec<f64>,
+    internal: Vec<f64>,
+    modal: Vec<f64>,
+    pub effort: Effort,
+}
+
+impl Mechanics {
+    pub fn new(
+        body: Body,
+        contact: Contact,
+        factors: Arc<HarmonicFactors>,
+        displacement: Vec<f64>,
+    ) -> Self {
+        let n = factors.contact_unknowns() * factors.harmonics();
+        let harmonics = factors.harmonics();
+        let mut elastic = Mat::<f64>::zeros(n, n);
+        for m in 0..harmonics {
+            let stiffness = factors.contact_stiffness(m);
+            let size = factors.contact_unknowns();
+            for i in 0..size {
+                for j in 0..size {
+                    elastic[(i * harmonics + m, j * harmonics + m)] = stiffness[i * size + j];
+                }
+            }
+        }
+        Self {
+            internal: vec![0.0; displacement.len()],
+            modal: vec![0.0; factors.modal_length()],
+            dense: ContactStiffness {
+                elastic,
+                factor: None,
+            },
+            body,
+            contact,
+            factors,
+            displacement,
+            effort: Effort::default(),
+        }
+    }
+
+    /// Solves one step: on success body, contact and displacement hold the trial state.
+    ///
+    /// `limits` gives the limit of the shear traction at each contact point; it is asked anew in
+    /// each iteration, with the trial state of the one before, and the step is solved when both
+    /// the residual and the change of the limits are small. `start` is the first guess.
+    pub fn solve(
+        &mut self,
+        flat: Flat,
+        start: Vec<f64>,
+        mut surroundings: impl FnMut(&mut Body, &mut Contact, usize) -> Surroundings,
+    ) -> Result<(), StepFailure> {
+        let mut u = start;
+        let n = u.len();
+        let mut residual = vec![0.0; n];
+        let mut direction = vec![0.0; n];
+        let mut trial = vec![0.0; n];
+        let mut around = surroundings(&mut self.body, &mut self.contact, 0);
+        self.body
+            .internal_force(&u, around.rise.as_deref(), &mut self.internal);
+        let mut last = f64::INFINITY;
+        for iteration in 0..NEWTON_LIMIT {
+            self.contact.evaluate(&u, flat, &around.limit);
+            residual.copy_from_slice(&self.internal);
+            self.contact.subtract_force(&mut residual);
+            self.factorise_contact()?;
+            self.precondition(&residual, &mut direction);
+            let norm = dot(&residual, &direction).max(0.0).sqrt();
+            let reference =
+                (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
+            if !norm.is_finite() {
+                return Err(StepFailure::NotFinite);
+            }
+            let scale = reference.max(f64::MIN_POSITIVE);
+            if norm <= NEWTON_TOLERANCE * scale && around.settled {
+                self.displacement = u;
+                return Ok(());
+            }
+            last = norm / scale;
+            self.effort.newton += 1;
+            // Forcing term: no more accuracy than the next Newton step can use.
+            let forcing = (0.1 * NEWTON_TOLERANCE * scale / norm).clamp(1e-3, 0.05);
+            self.conjugate_gradients(&residual, &mut direction, forcing);
+            self.line_search(&mut u, &mut trial, &direction, &mut residual, flat, &around);
+            let next = surroundings(&mut self.body, &mut self.contact, iteration + 1);
+            if next.rise.is_some() {
+                self.body
+                    .internal_force(&u, next.rise.as_deref(), &mut self.internal);
+            }
+            around = next;
+        }
+        Err(StepFailure::Newton { residual: last })
+    }
+
+    /// Goes along `direction` until the slope of the energy has fallen enough; leaves `u` there,
+    /// with the internal force of that point.
+    fn line_search(
+        &mut self,
+        u: &mut Vec<f64>,
+        trial: &mut Vec<f64>,
+        direction: &[f64],
+        residual: &mut [f64],
+        flat: Flat,
+        around: &Surroundings,
+    ) {
+        let initial = dot(residual, direction);
+        let (mut low, mut low_slope) = (0.0, initial);
+        let mut high: Option<(f64, f64)> = None;
+        let mut step = 1.0;
+        for attempt in 0..8 {
+            for ((t, &x), &d) in trial.iter_mut().zip(u.iter()).zip(direction) {
+                *t = x + step * d;
+            }
+            self.body
+                .internal_force(trial, around.rise.as_deref(), &mut self.internal);
+            self.contact.evaluate(trial, flat, &around.limit);
+            residual.copy_from_slice(&self.internal);
+            self.contact.subtract_force(residual);
+            let slope = dot(residual, direction);
+            if slope.is_finite() && slope.abs() <= 0.7 * initial.abs() || attempt == 7 {
+                break;
+            }
+            if slope > 0.0 || !slope.is_finite() {
+                high = Some((step, slope));
+            } else {
+                (low, low_slope) = (step, slope);
+            }
+            step = match high {
+                None => 2.0 * step,
+                Some((top, top_slope)) if top_slope.is_finite() => {
+                    let guess = low - low_slope * (top - low) / (top_slope - low_slope);
+                    guess.clamp(low + 0.1 * (top - low), low + 0.9 * (top - low))
+                }
+                Some((top, _)) => low + 0.1 * (top - low),
+            };
+        }
+        std::mem::swap(u, trial);
+    }
+
+    /// Solves tangent·direction = −residual; `direction` holds M⁻¹·residual on entry.
+    fn conjugate_gradients(&mut self, residual: &[f64], direction: &mut Vec<f64>, tolerance: f64) {
+        let n = residual.len();
+        let mut r: Vec<f64> = residual.iter().map(|x| -x).collect();
+        let mut z: Vec<f64> = direction.iter().map(|x| -x).collect();
+        let mut p = z.clone();
+        let mut product = vec![0.0; n];
+        direction.fill(0.0);
+        let mut rho = dot(&r, &z);
+        let target = rho * tolerance * tolerance;
+        for _ in 0..KRYLOV_LIMIT {
+            self.effort.krylov += 1;
+            self.body.tangent_product(&p, &mut product);
+            self.contact.add_tangent_product(&p, &mut product);
+            let curvature = dot(&p, &product);
+            if curvature <= 0.0 {
+                break;
+            }
+            let step = rho / curvature;
+            for i in 0..n {
+                direction[i] += step * p[i];
+                r[i] -= step * product[i];
+            }
+            self.precondition(&r, &mut z);
+            let next = dot(&r, &z);
+            if next <= target {
+                break;
+            }
+            let beta = next / rho;
+            for i in 0..n {
+                p[i] = z[i] + beta * p[i];
+            }
+            rho = next;
+        }
+    }
+
+    /// Elastic stiffness with the contact stiffness, inverted exactly.
+    fn precondition(&mut self, residual: &[f64], solution: &mut [f64]) {
+        self.factors.to_modal(residual, &mut self.modal);
+        self.factors.forward(&mut self.modal);
+        let contact = &mut self.modal[self.factors.contact_offset()..];
+        let size = contact.len();
+        let factor = self.dense.factor.as_ref().expect("factorised before use");
+        factor.solve_in_place_with_conj(
+            faer::Conj::No,
+            MatMut::from_column_major_slice_mut(contact, size, 1),
+        );
+        self.factors.backward(&mut self.modal);
+        self.factors.to_nodal(&self.modal, solution);
+    }
+
+    /// Adds the present contact stiffness to the elastic one and factorises.
+    fn factorise_contact(&mut self) -> Result<(), StepFailure> {
+        let mut matrix = self.dense.elastic.clone();
+        add_contact_stiffness(&self.factors, &self.contact, &mut matrix);
+        self.dense.factor = Some(
+            matrix
+                .llt(Side::Lower)
+                .map_err(|_| StepFailure::ContactStiffness)?,
+        );
+        Ok(())
+    }
+
+    /// Body, contact and displacement.
+    pub fn into_parts(self) -> (Body, Contact, Vec<f64>) {
+        (self.body, self.contact, self.displacement)
+    }
+}
+
+/// What the mechanics of a step depends on from outside: temperature and the shear limits.
+pub struct Surroundings {
+    /// Limit of the shear traction at each contact point.
+    pub limit: Vec<f64>,
+    /// Temperature rise, if there is any.
+    pub rise: Option<Vec<f64>>,
+    /// Whether they agree with the state that they depend on.
+    pub settled: bool,
+}
+
+/// Adds the contact stiffness, transformed to harmonics ring by ring.
+fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &mut Mat<f64>) {
+    assert_eq!(factors.kind, FieldKind::Vector);
+    let columns = contact.columns;
+    let transform = &factors.transform;
+    let table = |c: usize| transform.of(factors.kind.is_odd(c));
+    let size = 3 * columns;
+    for ring in 0..contact.radii.len() {
+        let nodes = &contact.stiffness[ring * columns..(ring + 1) * columns];
+        if nodes.iter().all(|d| d[2][2] == 0.0) {
+            continue;
+        }
+        // Over (component, harmonic).
+        let mut local = vec![0.0; size * size];
+        for (c, d) in (0..9).map(|i| (i / 3, i % 3)) {
+            if nodes.iter().all(|node| node[c][d] == 0.0) {
+                continue;
+            }
+            for m in 0..columns {
+                for k in 0..columns {
+                    let sum: f64 = (0..columns)
+                        .map(|j| {
+                            table(c)[m * columns + j] * nodes[j][c][d] * table(d)[k * columns + j]
+                        })
+                        .sum();
+                    local[(c * columns + m) * size + d * columns + k] += sum;
+                }
+            }
+        }
+        if contact.radii[ring] == 0.0 {
+            local = axis_block(&local, columns);
+        }
+        for i in 0..size {
+            for j in 0..size {
+                matrix[(ring * size + i, ring * size + j)] += local[i * size + j];
+            }
+        }
+    }
+}
+
+/// The apex has u_z of m = 0 and the translation u_r = −u_θ of m = 1 only.
+fn axis_block(local: &[f64], columns: usize) -> Vec<f64> {
+    let size = 3 * columns;
+    let mut block = vec![0.0; size * size];
+    let axial = 2 * columns;
+    block[axial * size + axial] = local[axial * size + axial];
+    if columns > 1 {
+        let (r, t) = (1, columns + 1);
+        let at = |i: usize, j: usize| local[i * size + j];
+        block[r * size + r] = at(r, r) - at(r, t) - at(t, r) + at(t, t);
+        block[r * size + axial] = at(r, axial) - at(t, axial);
+        block[axial * size + r] = block[r * size + axial];
+    }
+    block
+}
+
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    // Four sums, in a fixed order, for the machine's vector units.
+    let mut sums = [0.0; 8];
+    let (a8, a_rest) = a.as_chunks::<8>();
+    let (b8, b_rest) = b.as_chunks::<8>();
+    for (x, y) in a8.iter().zip(b8) {
+        for l in 0..8 {
+            sums[l] = crate::lanes::fma(x[l], y[l], sums[l]);
+        }
+    }
+    sums.iter().sum::<f64>() + a_rest.iter().zip(b_rest).map(|(x, y)| x * y).sum::<f64>()
+}

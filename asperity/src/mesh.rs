@@ -1,0 +1,301 @@
+//! Graded quadrilateral mesh of the meridian half-plane of the hemisphere.
+//!
+//! Lengths in units of R; origin at the apex, so that the sphere is z = −r²/(1 + √(1−r²))
+//! without cancellation however small the contact, and the clamped base is z = −1.
+//!
+//! ```text
+//!   z
+//!   |  apex
+//!   o--+--+-+-+--+---.          block: fine elements around the contact,
+//!   +--+--+-+-+--+     `-.             r < 1.6 a, thin layers under the surface
+//!   +--+--+-+-+--+--.     \     fan: shells of growing thickness, the block's
+//!   |  :  : : :  :\   `.   \         outline swelling to the base and the sphere
+//!   |   shells     \    \  |
+//!   +---------------+----+-+ r  base: clamped, held at the initial temperature
+//! ```
+
+/// Where the mesh is fine: everything in units of the sphere's radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshSize {
+    /// Contact radius that the rings are laid out for.
+    pub contact_radius: f64,
+    /// n_c, elements per contact radius.
+    pub elements_per_radius: usize,
+}
+
+/// Nodes and quadrilaterals of the meridian.
+#[derive(Clone, Debug)]
+pub struct MeridianMesh {
+    /// (r, z) of each node.
+    pub nodes: Vec<[f64; 2]>,
+    /// Corners, counter-clockwise in (r, z).
+    pub quads: Vec<[u32; 4]>,
+    /// Nodes of the surface that can come into contact, by growing r; the apex is first.
+    pub contact: Vec<u32>,
+    /// True for the nodes of the clamped base.
+    pub is_base: Vec<bool>,
+}
+
+/// z of the sphere at radius r, in units of R, the apex being at 0.
+pub fn sphere_height(r: f64) -> f64 {
+    -r * r / (1.0 + (1.0 - r * r).max(0.0).sqrt())
+}
+
+/// Element size at the contact edge, at the centre, and at the surface in depth, in units of a/n_c.
+const EDGE_SIZE: f64 = 0.5;
+const CENTRE_SIZE: f64 = 1.6;
+const SURFACE_LAYER: f64 = 0.5;
+/// The rings keep their edge size up to here (in a): the contact grows while it slides.
+const GROWTH_ZONE: f64 = 1.25;
+/// Outer radius and depth of the fine block, in a.
+const BLOCK_RADIUS: f64 = 1.6;
+const BLOCK_DEPTH: f64 = 1.3;
+
+impl MeridianMesh {
+    pub fn new(size: MeshSize) -> Self {
+        let a = size.contact_radius;
+        let rings: Vec<f64> = ring_radii(size.elements_per_radius)
+            .iter()
+            .map(|r| r * a)
+            .collect();
+        let depths: Vec<f64> = layer_depths(size.elements_per_radius)
+            .iter()
+            .map(|d| d * a)
+            .collect();
+        let columns = rings.len() - 1;
+        let layers = depths.len() - 1;
+
+        let mut nodes = Vec::new();
+        for &depth in &depths {
+            for &r in &rings {
+                nodes.push([r, sphere_height(r) - depth]);
+            }
+        }
+        let block = |i: usize, k: usize| (k * (columns + 1) + i) as u32;
+        let mut quads = Vec::new();
+        for k in 0..layers {
+            for i in 0..columns {
+                quads.push([
+                    block(i, k + 1),
+                    block(i + 1, k + 1),
+                    block(i + 1, k),
+                    block(i, k),
+                ]);
+            }
+        }
+
+        // Outline of the block, from the axis below the contact to the surface beside it.
+        let mut outline: Vec<u32> = (0..=columns).map(|i| block(i, layers)).collect();
+        outline.extend((0..layers).rev().map(|k| block(columns, k)));
+        let growth = 1.0 + 3.0 / size.elements_per_radius as f64;
+        let block_size = BLOCK_RADIUS * a;
+        let shells = ((1.0 / block_size).ln() / growth.ln()).ceil().max(2.0) as usize;
+        let (start, last) = (outline.clone(), outline.len() - 1);
+        let mut previous = outline;
+        for shell in 1..=shells {
+            let t = shell as f64 / shells as f64;
+            let current: Vec<u32> = (0..=last)
+                .map(|p| {
+                    let uniform = p as f64 / last as f64;
+                    nodes.push(fan_point(nodes[start[p] as usize], uniform, t));
+                    (nodes.len() - 1) as u32
+                })
+                .collect();
+            for p in 0..last {
+                quads.push([previous[p], current[p], current[p + 1], previous[p + 1]]);
+            }
+            previous = current;
+        }
+        let mut is_base = vec![false; nodes.len()];
+        for &node in &previous {
+            is_base[node as usize] = true;
+        }
+        // Exactly on the axis, whatever the trigonometry left.
+        for node in &mut nodes {
+            if node[0] < 1e-12 {
+                node[0] = 0.0;
+            }
+        }
+        let contact = (0..=columns).map(|i| block(i, 0)).collect();
+        Self {
+            nodes,
+            quads,
+            contact,
+            is_base,
+        }
+    }
+
+    /// Radii of the rings that can come into contact.
+    pub fn contact_radii(&self) -> Vec<f64> {
+        self.contact
+            .iter()
+            .map(|&n| self.nodes[n as usize][0])
+            .collect()
+    }
+
+    pub fn on_axis(&self, node: usize) -> bool {
+        self.nodes[node][0] == 0.0
+    }
+}
+
+/// Point of the fan on the ray that starts at `start` on the block's outline.
+///
+/// In polar coordinates (ρ, ψ) about the apex, ψ counted from the axis downwards and scaled by
+/// the angle ψ_s(ρ) = acos(ρ/2) of the sphere's surface, ln ρ and ψ/ψ_s go linearly and smoothly
+/// from the outline (t = 0) to the base (t = 1), where ρ cos ψ = 1.
+fn fan_point(start: [f64; 2], uniform: f64, t: f64) -> [f64; 2] {
+    let surface_angle = |rho: f64| (0.5 * rho).acos();
+    let rho_start = start[0].hypot(start[1]);
+    let angle_start = if uniform >= 1.0 {
+        1.0
+    } else {
+        start[0].atan2(-start[1]) / surface_angle(rho_start)
+    };
+    let rho_end = base_distance(uniform, surface_angle);
+    let rho = (rho_start.ln() * (1.0 - t) + rho_end.ln() * t).exp();
+    let spread = 1.0 - (1.0 - t).powi(3);
+    let angle = (angle_start * (1.0 - spread) + uniform * spread) * surface_angle(rho);
+    [rho * angle.sin(), -rho * angle.cos()]
+}
+
+/// Distance ρ from the apex of the point of the base on the ray of scaled angle ψ/ψ_s: the root
+/// of ρ cos(ψ) = 1, which rises with ρ.
+fn base_distance(scaled_angle: f64, surface_angle: impl Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (1.0, std::f64::consts::SQRT_2);
+    for _ in 0..60 {
+        let rho = 0.5 * (low + high);
+        if rho * (scaled_angle * surface_angle(rho)).cos() < 1.0 {
+            low = rho;
+        } else {
+            high = rho;
+        }
+    }
+    0.5 * (low + high)
+}
+
+/// Radii of the rings in units of the contact radius: the edge, r = 1, lies midway between two.
+///
+/// The size shrinks linearly from the centre to the edge, stays as it is where the contact may
+/// grow, and grows again towards the rim of the block.
+fn ring_radii(n: usize) -> Vec<f64> {
+    let edge = EDGE_SIZE / n as f64;
+    let inner = 1.0 - 0.5 * edge;
+    // Sizes in arithmetic progression from about CENTRE_SIZE to EDGE_SIZE whose sum is `inner`.
+    let count = (inner / (0.5 * (CENTRE_SIZE + EDGE_SIZE) / n as f64))
+        .round()
+        .max(2.0) as usize;
+    let centre = 2.0 * inner / count as f64 - edge;
+    let mut radii = vec![0.0];
+    let mut r = 0.0;
+    for i in 0..count {
+        r += centre + (edge - centre) * i as f64 / (count - 1) as f64;
+        radii.push(r);
+    }
+    while r < GROWTH_ZONE {
+        r += edge;
+        radii.push(r);
+    }
+    let mut size = edge;
+    let growth = 1.0 + 3.0 / n as f64;
+    while r < BLOCK_RADIUS {
+        size *= growth;
+        r += size;
+        radii.push(r);
+    }
+    radii
+}
+
+/// Depths of the layers under the surface in units of the contact radius.
+fn layer_depths(n: usize) -> Vec<f64> {
+    let mut size = SURFACE_LAYER / n as f64;
+    let growth = 1.0 + 1.6 / n as f64;
+    let mut depths = vec![0.0];
+    let mut depth = 0.0;
+    while depth < BLOCK_DEPTH {
+        depth += size;
+        depths.push(depth);
+        size *= growth;
+    }
+    depths
+}
+
+/// Volume of the body of revolution, by Pappus' theorem on the two triangles of each element.
+#[cfg(test)]
+pub(crate) fn revolved_volume(mesh: &MeridianMesh) -> f64 {
+    let triangle = |p: [[f64; 2]; 3]| {
+        let double =
+            (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+        std::f64::consts::PI * double * (p[0][0] + p[1][0] + p[2][0]) / 3.0
+    };
+    let corner = |n: u32| mesh.nodes[n as usize];
+    mesh.quads
+        .iter()
+        .map(|&[a, b, c, d]| {
+            triangle([corner(a), corner(b), corner(c)])
+                + triangle([corner(a), corner(c), corner(d)])
+        })
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Smallest Jacobian over the corners of a quadrilateral, relative to its mean.
+    fn corner_quality(mesh: &MeridianMesh, quad: &[u32; 4]) -> f64 {
+        let p: Vec<[f64; 2]> = quad.iter().map(|&n| mesh.nodes[n as usize]).collect();
+        let jacobians: Vec<f64> = (0..4)
+            .map(|i| {
+                let (a, b, c) = (p[(i + 3) % 4], p[i], p[(i + 1) % 4]);
+                (c[0] - b[0]) * (a[1] - b[1]) - (c[1] - b[1]) * (a[0] - b[0])
+            })
+            .collect();
+        let mean = jacobians.iter().sum::<f64>() / 4.0;
+        assert!(mean > 0.0);
+        jacobians
+            .iter()
+            .fold(f64::INFINITY, |m, &j| m.min(j / mean))
+    }
+
+    #[test]
+    fn elements_are_convex_for_small_and_large_contacts() {
+        for a in [1e-4, 1e-2, 0.13, 0.3] {
+            for n in [4, 8, 16] {
+                let mesh = MeridianMesh::new(MeshSize {
+                    contact_radius: a,
+                    elements_per_radius: n,
+                });
+                let worst = mesh
+                    .quads
+                    .iter()
+                    .map(|q| corner_quality(&mesh, q))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(worst > 0.1, "a = {a}, n_c = {n}: {worst}");
+            }
+        }
+    }
+
+    #[test]
+    fn volume_approaches_the_hemisphere_at_second_order() {
+        let exact = 2.0 / 3.0 * std::f64::consts::PI;
+        let error = |n: usize| {
+            let mesh = MeridianMesh::new(MeshSize {
+                contact_radius: 0.05,
+                elements_per_radius: n,
+            });
+            (revolved_volume(&mesh) / exact - 1.0).abs()
+        };
+        assert!(error(16) < 0.02);
+        assert!(error(16) / error(32) > 3.0, "{} {}", error(16), error(32));
+    }
+
+    #[test]
+    fn the_edge_lies_midway_between_two_rings() {
+        for n in [6, 8, 12, 16, 32] {
+            let radii = ring_radii(n);
+            let after = radii.iter().position(|&r| r > 1.0).unwrap();
+            let middle = 0.5 * (radii[after - 1] + radii[after]);
+            assert!((middle - 1.0).abs() < 1e-12);
+        }
+    }
+}

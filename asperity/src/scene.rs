@@ -1,0 +1,140 @@
+//! What is simulated: material, asperity, interface, loading, model and numerics.
+//! SI units and kelvin throughout; plain data, no files.
+
+/// Growth of the yield strength with equivalent plastic strain ε_p at the initial temperature.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hardening {
+    None,
+    /// σ_Y + modulus·ε_p; modulus in Pa.
+    Linear {
+        modulus: f64,
+    },
+    /// σ_Y + modulus·ε_p^exponent (Johnson & Cook 1985: B, n); modulus in Pa.
+    JohnsonCook {
+        modulus: f64,
+        exponent: f64,
+    },
+    /// σ_Y·factor(ε_p), linear between the points, constant after the last.
+    Table {
+        plastic_strain: Vec<f64>,
+        factor: Vec<f64>,
+    },
+}
+
+/// Loss of yield strength with temperature, as a factor on the strength at the initial temperature.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Softening {
+    None,
+    /// 1 − ((T − reference)/(melting − reference))^exponent, between 0 and 1 (Johnson & Cook 1985).
+    JohnsonCook {
+        reference: f64,
+        melting: f64,
+        exponent: f64,
+    },
+    /// factor(T), linear between the points, constant outside them.
+    Table {
+        temperature: Vec<f64>,
+        factor: Vec<f64>,
+    },
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    pub youngs_modulus: f64,
+    pub poisson_ratio: f64,
+    /// At the initial temperature and zero plastic strain, Pa.
+    pub yield_strength: f64,
+    pub hardening: Hardening,
+    pub density: f64,
+    pub specific_heat: f64,
+    pub thermal_conductivity: f64,
+    pub thermal_expansion: f64,
+    pub softening: Softening,
+}
+
+/// Law of the tangential traction on the contact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FrictionLaw {
+    /// Slip at τ_c = f_τ σ_Y(T)/√3.
+    ShearStrength,
+    /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ_Y(T)/√3.
+    Coulomb {
+        friction: f64,
+        cap: bool,
+    },
+    FullStick,
+    Frictionless,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interface {
+    pub law: FrictionLaw,
+    /// f_τ.
+    pub strength_factor: f64,
+    /// f_h, share of the frictional heat that enters the asperity.
+    pub heat_partition: f64,
+    /// h_g, W/(m² K).
+    pub gap_conductance: f64,
+    /// β, share of the plastic work that becomes heat.
+    pub taylor_quinney: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Control {
+    Interference,
+    Load,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loading {
+    /// ω₀/ω_c.
+    pub interference: f64,
+    /// V, m/s; 0 is the isothermal limit.
+    pub slip_rate: f64,
+    /// In contact radii a₀ at the end of the press.
+    pub slip_distance: f64,
+    pub control: Control,
+    /// Of body and flat at the start, K.
+    pub temperature: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Switch {
+    Auto,
+    On,
+    Off,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kinematics {
+    Auto,
+    Small,
+    Finite,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Model {
+    pub heat: Switch,
+    pub kinematics: Kinematics,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numerics {
+    /// Relative; chooses what is not given.
+    pub accuracy: f64,
+    /// n_c.
+    pub elements_per_radius: Option<usize>,
+    /// N_θ over the half circle; a multiple of 4.
+    pub sectors: Option<usize>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    pub material: Material,
+    /// R, m.
+    pub radius: f64,
+    pub interface: Interface,
+    pub loading: Loading,
+    pub model: Model,
+    pub numerics: Numerics,
+}

@@ -1,0 +1,93 @@
+//! What can be wrong with a scene, a request or an override: one line each.
+
+/// Why a scene or a request was refused; the message is one line that names the place
+/// (a file or a `--set`), the key, the value and what is allowed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SceneFileError {
+    /// The file is not there or is not text.
+    #[error("{file}: cannot be read: {reason}")]
+    Unreadable {
+        /// Path as given.
+        file: String,
+        /// What the system said.
+        reason: String,
+    },
+    /// The file is not TOML.
+    #[error("{file}: line {line}: {reason}")]
+    Syntax {
+        /// Path as given.
+        file: String,
+        /// Counted from 1.
+        line: usize,
+        /// What the parser said.
+        reason: String,
+    },
+    /// An override is not of the form `section.key=value`.
+    #[error("--set {text}: {reason}")]
+    Override {
+        /// As given.
+        text: String,
+        /// What is expected.
+        reason: String,
+    },
+    /// A key or section that nothing reads.
+    #[error("{place}: unknown key {key}; {hint}")]
+    UnknownKey {
+        /// File or override.
+        place: String,
+        /// Full path of the key.
+        key: String,
+        /// Nearest known key, or all of them.
+        hint: String,
+    },
+    /// A key without a default is not given.
+    #[error("{place}: {key} is missing; it must be {allowed}")]
+    Missing {
+        /// File or override.
+        place: String,
+        /// Full path of the key, or several.
+        key: String,
+        /// What it may be.
+        allowed: String,
+    },
+    /// A value of the wrong type or out of range.
+    #[error("{place}: {key} = {value}: must be {allowed}")]
+    Invalid {
+        /// File or override.
+        place: String,
+        /// Full path of the key.
+        key: String,
+        /// As given.
+        value: String,
+        /// What it may be.
+        allowed: String,
+    },
+    /// Understood, but this version cannot do it.
+    #[error("{place}: {key} = {value}: not supported yet; {instead}")]
+    Unsupported {
+        /// File or override.
+        place: String,
+        /// Full path of the key.
+        key: String,
+        /// As given.
+        value: String,
+        /// What to do instead.
+        instead: String,
+    },
+}
+
+/// "did you mean …?" where a known key is near, all known keys otherwise.
+pub(super) fn hint(key: &str, known: &[&str]) -> String {
+    let score = |candidate: &&str| strsim::jaro_winkler(key, candidate);
+    let nearest = known
+        .iter()
+        .copied()
+        .max_by(|a, b| score(a).total_cmp(&score(b)));
+    match nearest {
+        Some(nearest) if score(&nearest) > 0.75 => {
+            format!("did you mean {nearest}? (known: {})", known.join(", "))
+        }
+        Some(nearest) => format!("nearest is {nearest} (known: {})", known.join(", ")),
+        None => "no key is allowed here".into(),
+    }
+}

@@ -1,0 +1,104 @@
+//! Section `[table]` of a request: lists or ranges of interference and slip rate.
+
+use toml::Value;
+
+use super::error::SceneFileError;
+use super::reader::{NOT_NEGATIVE, POSITIVE, Rule, Section};
+use crate::scene::Scene;
+
+/// A grid of scenes that differ in interference and slip rate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// All that the scenes share; its interference and slip rate are the first of the grid.
+    pub template: Scene,
+    /// ω₀/ω_c, rising.
+    pub interferences: Vec<f64>,
+    /// V, m/s, rising.
+    pub slip_rates: Vec<f64>,
+}
+
+impl Request {
+    /// The scene of one cell of the grid.
+    pub fn scene(&self, interference: usize, slip_rate: usize) -> Scene {
+        let mut scene = self.template.clone();
+        scene.loading.interference = self.interferences[interference];
+        scene.loading.slip_rate = self.slip_rates[slip_rate];
+        scene
+    }
+}
+
+/// A range has at most this many points.
+const MOST_POINTS: usize = 1000;
+
+/// Section `[table]`: interferences and slip rates.
+pub(super) fn table(root: &mut Section<'_>) -> Result<(Vec<f64>, Vec<f64>), SceneFileError> {
+    let mut section = root.take_section("table", &["interference", "slip_rate", "tolerance"])?;
+    if let Some(value) = section.take("tolerance") {
+        let key = section.full("tolerance");
+        return Err(SceneFileError::Unsupported {
+            place: section.origin().place(&key),
+            key,
+            value: value.to_string(),
+            instead: "leave it out and give the points of the table".into(),
+        });
+    }
+    Ok((
+        points(&mut section, "interference", "omega_0/omega_c", POSITIVE)?,
+        points(&mut section, "slip_rate", "m/s", NOT_NEGATIVE)?,
+    ))
+}
+
+/// A number, a rising list or a range.
+fn points(
+    section: &mut Section<'_>,
+    key: &str,
+    unit: &str,
+    rule: Rule,
+) -> Result<Vec<f64>, SceneFileError> {
+    match section.take(key) {
+        Some(Value::Table(range)) => {
+            let known = ["from", "to", "points", "spacing"];
+            let range = Section::new(section.full(key), range, &known, section.origin())?;
+            self::range(range, unit, rule)
+        }
+        Some(value) => {
+            let list = match value {
+                Value::Array(_) => value,
+                number => Value::Array(vec![number]),
+            };
+            let table = [(key.to_owned(), list)].into_iter().collect();
+            let path = section.full("");
+            let path = path.trim_end_matches('.');
+            Section::new(path, table, &[key], section.origin())?.rising(key, unit, rule)
+        }
+        None => Err(section.missing(
+            key,
+            format!(
+                "a list such as [1, 10] or a range such as \
+                 {{ from = 1, to = 100, points = 8, spacing = \"log\" }} ({unit})"
+            ),
+        )),
+    }
+}
+
+fn range(mut range: Section<'_>, unit: &str, rule: Rule) -> Result<Vec<f64>, SceneFileError> {
+    let logarithmic = range.choice("spacing", &[("log", true), ("linear", false)], Some(true))?;
+    let rule = if logarithmic { POSITIVE } else { rule };
+    let from = range.number("from", unit, rule, None)?;
+    let to = range.number("to", unit, rule, None)?;
+    if to <= from {
+        return Err(range.invalid("to", format!("{to:?}"), format!("above from = {from:?}")));
+    }
+    let Some(count) = range.count("points", (2, MOST_POINTS, 1))? else {
+        return Err(range.missing("points", format!("a whole number from 2 to {MOST_POINTS}")));
+    };
+    Ok((0..count)
+        .map(|i| match i as f64 / (count - 1) as f64 {
+            // The ends exactly as given.
+            0.0 => from,
+            1.0 => to,
+            share if logarithmic => from * (to / from).powf(share),
+            share => from + (to - from) * share,
+        })
+        .collect())
+}

@@ -1,0 +1,393 @@
+//! What is accepted, what is refused and with which words.
+
+use super::*;
+use crate::scene::{FrictionLaw, Hardening, Kinematics, Softening, Switch};
+
+const COMPLETE: &str = r#"
+[material]
+youngs_modulus = 200e9
+poisson_ratio = 0.3
+yield_strength = 400e6
+hardening = { law = "none" }
+density = 7850.0
+specific_heat = 475.0
+thermal_conductivity = 45.0
+thermal_expansion = 1.2e-5
+softening = { law = "johnson-cook", reference = 298.0, melting = 1793.0, exponent = 1.0 }
+
+[asperity]
+radius = 1e-3
+
+[interface]
+law = "shear-strength"
+strength_factor = 1.0
+heat_partition = 0.5
+gap_conductance = 0.0
+taylor_quinney = 0.9
+
+[loading]
+interference = 20.0
+slip_rate = 1.0
+slip_distance = 2.0
+control = "interference"
+temperature = 298.0
+
+[model]
+heat = "auto"
+kinematics = "auto"
+
+[numerics]
+accuracy = 0.02
+elements_per_radius = 16
+sectors = 16
+"#;
+
+const SHORT: &str = r#"
+[material]
+preset = "steel-4340"
+[asperity]
+radius = 1e-3
+[loading]
+interference = 20
+slip_rate = 1
+"#;
+
+const REQUEST: &str = r#"
+[material]
+preset = "copper"
+[asperity]
+radius = 1e-4
+[table]
+interference = { from = 0.1, to = 100, points = 4, spacing = "log" }
+slip_rate = [0.0, 0.1, 10]
+"#;
+
+fn set(overrides: &[&str]) -> Vec<String> {
+    overrides.iter().map(|&text| text.to_owned()).collect()
+}
+
+fn scene_with(overrides: &[&str]) -> Result<crate::scene::Scene, SceneFileError> {
+    parse_scene(COMPLETE, "scene.toml", &set(overrides))
+}
+
+/// The message, which must be one line with all of `parts`.
+fn refused(overrides: &[&str], parts: &[&str]) {
+    let message = scene_with(overrides).expect_err(overrides[0]).to_string();
+    assert!(!message.contains('\n'), "{message}");
+    for part in parts {
+        assert!(message.contains(part), "{message} lacks {part}");
+    }
+}
+
+#[test]
+fn complete_scene_is_read_as_written() {
+    let scene = scene_with(&[]).unwrap();
+    assert_eq!(scene.material.youngs_modulus, 200e9);
+    assert_eq!(scene.material.hardening, Hardening::None);
+    assert_eq!(scene.radius, 1e-3);
+    assert_eq!(scene.interface.law, FrictionLaw::ShearStrength);
+    assert_eq!(scene.loading.interference, 20.0);
+    assert_eq!(scene.model.heat, Switch::Auto);
+    assert_eq!(scene.model.kinematics, Kinematics::Auto);
+    assert_eq!(scene.numerics.sectors, Some(16));
+}
+
+#[test]
+fn defaults_are_those_of_the_documentation() {
+    let short = parse_scene(SHORT, "scene.toml", &[]).unwrap();
+    let complete = scene_with(&[]).unwrap();
+    assert_eq!(short.interface, complete.interface);
+    assert_eq!(short.loading, complete.loading);
+    assert_eq!(short.model, complete.model);
+    assert_eq!(short.numerics.accuracy, complete.numerics.accuracy);
+    assert_eq!(short.numerics.elements_per_radius, None);
+    assert_eq!(short.numerics.sectors, None);
+}
+
+#[test]
+fn keys_override_the_preset_and_set_overrides_the_file() {
+    let text = SHORT.replace("steel-4340\"", "steel-4340\"\nyield_strength = 5e8");
+    let scene = parse_scene(
+        &text,
+        "scene.toml",
+        &set(&[
+            "material.hardening.exponent=0.3",
+            "material.softening={law=\"none\"}",
+        ]),
+    )
+    .unwrap();
+    assert_eq!(scene.material.yield_strength, 5e8);
+    assert_eq!(scene.material.youngs_modulus, 205e9);
+    let expected = Hardening::JohnsonCook {
+        modulus: 510e6,
+        exponent: 0.3,
+    };
+    assert_eq!(scene.material.hardening, expected);
+    assert_eq!(scene.material.softening, Softening::None);
+}
+
+#[test]
+fn another_law_replaces_that_of_the_preset() {
+    let law = "material.hardening={law=\"linear\", modulus=1e9}";
+    let scene = parse_scene(SHORT, "scene.toml", &set(&[law])).unwrap();
+    assert_eq!(scene.material.hardening, Hardening::Linear { modulus: 1e9 });
+}
+
+#[test]
+fn written_scene_reads_back_the_same() {
+    let cases: [&[&str]; 8] = [
+        &[],
+        &["material.hardening={law=\"linear\", modulus=1.234567890123e9}"],
+        &["material.hardening={law=\"johnson-cook\", modulus=510e6, exponent=0.26}"],
+        &["material.hardening={law=\"table\", plastic_strain=[0, 0.1, 1], factor=[1, 1.1, 1.3]}"],
+        &["material.softening={law=\"table\", temperature=[293, 1473], factor=[1, 0]}"],
+        &[
+            "interface.law=coulomb",
+            "interface.friction=0.1",
+            "interface.cap=false",
+        ],
+        &[
+            "interface.law=full-stick",
+            "loading.control=load",
+            "model.kinematics=finite",
+        ],
+        &[
+            "interface.law=frictionless",
+            "asperity.radius=1e-8",
+            "model.heat=off",
+        ],
+    ];
+    for overrides in cases {
+        let scene = scene_with(overrides).unwrap();
+        let text = write_scene(&scene);
+        assert_eq!(parse_scene(&text, "written", &[]).unwrap(), scene, "{text}");
+    }
+    let short = parse_scene(SHORT, "scene.toml", &[]).unwrap();
+    assert_eq!(
+        parse_scene(&write_scene(&short), "written", &[]).unwrap(),
+        short
+    );
+}
+
+#[test]
+fn written_request_reads_back_the_same() {
+    let request = parse_request(REQUEST, "request.toml", &[]).unwrap();
+    let text = write_request(&request);
+    assert_eq!(
+        parse_request(&text, "written", &[]).unwrap(),
+        request,
+        "{text}"
+    );
+}
+
+#[test]
+fn ranges_are_spaced_as_asked() {
+    let request = parse_request(REQUEST, "request.toml", &[]).unwrap();
+    let expected = [0.1, 1.0, 10.0, 100.0];
+    for (value, expected) in request.interferences.iter().zip(expected) {
+        assert!((value / expected - 1.0).abs() < 1e-14);
+    }
+    assert_eq!(request.interferences.len(), 4);
+    assert_eq!(request.slip_rates, [0.0, 0.1, 10.0]);
+    assert_eq!(request.scene(3, 2).loading.interference, 100.0);
+    assert_eq!(request.scene(3, 2).loading.slip_rate, 10.0);
+    let linear = "table.slip_rate={from=0, to=2, points=3, spacing=\"linear\"}";
+    let request = parse_request(REQUEST, "request.toml", &set(&[linear])).unwrap();
+    assert_eq!(request.slip_rates, [0.0, 1.0, 2.0]);
+    let request = parse_request(REQUEST, "request.toml", &set(&["table.slip_rate=1"])).unwrap();
+    assert_eq!(request.slip_rates, [1.0]);
+}
+
+#[test]
+fn bad_requests_are_refused() {
+    let cases = [
+        ("table.interference=[]", "not empty"),
+        ("table.interference=[1, 1]", "rises"),
+        ("table.interference=[2, 1]", "rises"),
+        ("table.interference=[0, 1]", "positive"),
+        ("table.slip_rate=[-1]", "zero or a positive"),
+        ("table.slip_rate=[nan]", "zero or a positive"),
+        ("table.tolerance=0.01", "not supported yet"),
+        ("table.interference={from=0, to=1, points=3}", "positive"),
+        ("table.interference={from=2, to=1, points=3}", "above from"),
+        ("table.interference={from=1, to=2, points=1}", "from 2 to"),
+        ("table.interference={from=1, to=2}", "points is missing"),
+        (
+            "table.interference={from=1, to=2, points=2, spacing=\"sqrt\"}",
+            "\"log\"",
+        ),
+        ("loading.slip_rate=1", "table.slip_rate"),
+        ("table.interferance=[1]", "did you mean interference?"),
+        ("model.heat=on", "slip rate is 0"),
+    ];
+    for (text, part) in cases {
+        let error = parse_request(REQUEST, "request.toml", &set(&[text])).unwrap_err();
+        assert!(error.to_string().contains(part), "{error} lacks {part}");
+    }
+    assert!(
+        parse_request(SHORT, "scene.toml", &[])
+            .unwrap_err()
+            .to_string()
+            .contains("table")
+    );
+    let error = parse_scene(REQUEST, "request.toml", &[]).unwrap_err();
+    assert!(error.to_string().contains("asperity tabulate"), "{error}");
+}
+
+#[test]
+fn numbers_out_of_range_are_refused() {
+    for key in [
+        "material.youngs_modulus",
+        "material.yield_strength",
+        "material.density",
+        "material.specific_heat",
+        "material.thermal_conductivity",
+        "asperity.radius",
+        "interface.strength_factor",
+        "loading.interference",
+        "loading.slip_distance",
+        "loading.temperature",
+    ] {
+        for value in ["0", "-1.0", "nan", "inf", "-inf", "text", "[1]", "true"] {
+            refused(
+                &[&format!("{key}={value}")],
+                &[key, value, "a positive number", "--set"],
+            );
+        }
+    }
+    for value in ["0.5", "-0.1", "nan", "0.7"] {
+        let text = format!("material.poisson_ratio={value}");
+        refused(&[&text], &["material.poisson_ratio", "less than 0.5"]);
+    }
+    for value in ["0", "0.6", "-0.1", "nan"] {
+        refused(&[&format!("numerics.accuracy={value}")], &["at most 0.5"]);
+    }
+    for value in ["0", "3", "-8", "8.5", "1000000000"] {
+        let text = format!("numerics.elements_per_radius={value}");
+        refused(&[&text], &["a whole number from 4"]);
+    }
+    for value in ["0", "2", "6", "-4", "16.0"] {
+        refused(
+            &[&format!("numerics.sectors={value}")],
+            &["a multiple of 4"],
+        );
+    }
+    refused(
+        &["loading.slip_rate=-1"],
+        &["loading.slip_rate", "-1", "zero or a positive"],
+    );
+    refused(&["interface.heat_partition=1.1"], &["from 0 to 1"]);
+    refused(&["interface.gap_conductance=-1"], &["gap_conductance"]);
+    refused(
+        &["loading.temperature=1800"],
+        &["loading.temperature", "1793.0 K"],
+    );
+    refused(
+        &["material.yield_strength=400e9"],
+        &["below youngs_modulus"],
+    );
+    refused(
+        &["model.heat=on", "loading.slip_rate=0"],
+        &["model.heat", "isothermal"],
+    );
+}
+
+#[test]
+fn laws_are_checked_with_their_keys() {
+    refused(
+        &["interface.law=friction"],
+        &["\"shear-strength\"", "\"coulomb\""],
+    );
+    refused(
+        &["interface.friction=0.3"],
+        &["interface.friction", "coulomb"],
+    );
+    refused(
+        &["material.hardening={law=\"cubic\"}"],
+        &["material.hardening.law", "\"linear\""],
+    );
+    refused(
+        &["material.hardening=none"],
+        &["material.hardening", "\"none\""],
+    );
+    refused(
+        &["material.hardening={modulus=1e9}"],
+        &["material.hardening.law is missing"],
+    );
+    refused(
+        &["material.hardening.modulus=1e9"],
+        &["unknown key material.hardening.modulus"],
+    );
+    refused(
+        &["material.hardening={law=\"linear\", modulus=-1}"],
+        &["material.hardening.modulus", "-1"],
+    );
+    refused(
+        &["material.hardening={law=\"linear\", module=1}"],
+        &["did you mean modulus?"],
+    );
+    refused(
+        &["material.hardening={law=\"table\", plastic_strain=[0, 0.1], factor=[1]}"],
+        &["as long as plastic_strain"],
+    );
+    refused(
+        &["material.hardening={law=\"table\", plastic_strain=[0.1, 0.2], factor=[1, 1]}"],
+        &["starts at plastic strain 0"],
+    );
+    refused(
+        &["material.softening={law=\"table\", temperature=[300, 200], factor=[1, 0]}"],
+        &["rises"],
+    );
+    refused(
+        &["material.softening={law=\"table\", temperature=[], factor=[]}"],
+        &["not empty"],
+    );
+    refused(
+        &["material.softening.melting=200"],
+        &["material.softening.melting", "above reference"],
+    );
+}
+
+#[test]
+fn unknown_names_get_the_nearest_known_one() {
+    refused(
+        &["material.youngs_module=1"],
+        &[
+            "unknown key material.youngs_module",
+            "did you mean youngs_modulus?",
+        ],
+    );
+    refused(
+        &["materials.density=1"],
+        &["unknown key materials", "did you mean material?"],
+    );
+    refused(
+        &["material.preset=steel4340"],
+        &["did you mean steel-4340?"],
+    );
+}
+
+#[test]
+fn errors_of_the_file_name_the_file_and_the_line() {
+    let message = |text: &str| {
+        parse_scene(text, "a/scene.toml", &[])
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(message("[material\n").starts_with("a/scene.toml: line 1:"));
+    assert!(message("[material]\ndensity = = 3\n").starts_with("a/scene.toml: line 2:"));
+    assert!(message("density = 3\n").contains("a section"));
+    let missing = message("[asperity]\nradius = 1e-3\n");
+    assert!(
+        missing.contains("youngs_modulus") && missing.contains("steel-4340"),
+        "{missing}"
+    );
+    let negative = COMPLETE.replace("density = 7850.0", "density = -7850.0");
+    assert!(message(&negative).starts_with("a/scene.toml: material.density = -7850.0: must be"));
+    let unreadable = read_scene(Path::new("does/not/exist.toml"), &[]).unwrap_err();
+    assert!(
+        unreadable
+            .to_string()
+            .starts_with("does/not/exist.toml: cannot be read")
+    );
+}

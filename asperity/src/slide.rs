@@ -1,0 +1,385 @@
+//! The slide: increments of the flat's displacement, mechanics and heat coupled in each.
+
+use crate::body::Body;
+use crate::conduction::{Conduction, ContactHeat, HeatBalance};
+use crate::contact::{Contact, Flat, Status};
+use crate::harmonic::FactorError;
+use crate::mechanics::{Mechanics, StepFailure, Surroundings};
+use crate::press::extrapolate;
+use crate::problem::{Problem, SHEAR_RATIO};
+use crate::scene::FrictionLaw;
+
+/// Change of the shear limits between iterations, relative to the strength, that counts as none.
+const LIMIT_TOLERANCE: f64 = 1e-6;
+/// First increment in units of the elastic displacement at gross slip.
+const FIRST_INCREMENT: f64 = 0.1;
+/// Number of increments at least.
+const LEAST_INCREMENTS: f64 = 24.0;
+
+#[derive(Debug, thiserror::Error)]
+pub enum SlideFailure {
+    #[error(transparent)]
+    Factor(#[from] FactorError),
+    #[error("{0}")]
+    Step(#[from] StepFailure),
+    #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
+    OutgrewMesh { growth: f64 },
+    #[error("stopped on request")]
+    Cancelled,
+}
+
+/// State after one increment, dimensionless, energies of the half body since the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Instant {
+    pub slip: f64,
+    pub time: f64,
+    pub friction: f64,
+    pub load: f64,
+    pub area: f64,
+    pub stick_fraction: f64,
+    pub rise_max: f64,
+    pub rise_mean: f64,
+    pub plastic_strain_max: f64,
+    pub work: f64,
+    pub elastic: f64,
+    pub plastic: f64,
+    pub friction_work: f64,
+    pub springs: f64,
+    pub thermal_expansion: f64,
+    pub heat_in: f64,
+    pub heat_stored: f64,
+    pub heat_out: f64,
+}
+
+/// Contact fields at one instant: ring by ring, columns within.
+#[derive(Clone, Debug)]
+pub struct Fields {
+    pub slip: f64,
+    pub pressure: Vec<f64>,
+    pub shear: Vec<f64>,
+    pub rise: Vec<f64>,
+    pub path: Vec<f64>,
+}
+
+/// How finely the slide is divided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Increments {
+    /// Largest increment relative to the slip so far.
+    pub growth: f64,
+}
+
+pub struct Slide<'a> {
+    problem: &'a Problem,
+    pub mechanics: Mechanics,
+    conduction: Option<Conduction>,
+    /// VR/κ.
+    speed: f64,
+    interference: f64,
+    pub history: Vec<Instant>,
+    pub fields: Vec<Fields>,
+    pub cutbacks: usize,
+}
+
+/// Heat of friction: flow f_h τ_c(θ) v where the contact slips, less what the gap takes.
+struct FrictionHeat<'a> {
+    problem: &'a Problem,
+    contact: &'a Contact,
+    /// Slip speed.
+    speed: Vec<f64>,
+}
+
+impl ContactHeat for FrictionHeat<'_> {
+    fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
+        let problem = self.problem;
+        if self.contact.trial.status[point] == Status::Open {
+            return (0.0, 0.0);
+        }
+        let area = self.contact.areas[point];
+        let gap =
+            problem.gap_conductance * problem.heat_capacity * area * self.contact.cover[point];
+        let power = problem.heat_partition * area * self.speed[point];
+        let (traction, slope) = match problem.law {
+            FrictionLaw::ShearStrength => {
+                let strength = |t: f64| shear_strength(problem, t) * self.contact.cover[point];
+                let h = 0.01;
+                (
+                    strength(rise),
+                    ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0),
+                )
+            }
+            _ => {
+                let [r, t] = self.contact.trial.traction[point];
+                (r.hypot(t), 0.0)
+            }
+        };
+        (power * traction - gap * rise, power * slope - gap)
+    }
+}
+
+/// f_τ σ_Y(T)/√3.
+fn shear_strength(problem: &Problem, rise: f64) -> f64 {
+    problem.strength_factor * SHEAR_RATIO * problem.solid.initial_strength(rise)
+}
+
+/// Limit of the shear traction at each contact point.
+fn shear_limits(problem: &Problem, contact: &Contact, rise: Option<&[f64]>) -> Vec<f64> {
+    (0..contact.len())
+        .map(|i| {
+            let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
+            let strength = contact.cover[i] * shear_strength(problem, theta);
+            match problem.law {
+                FrictionLaw::ShearStrength => strength,
+                FrictionLaw::Coulomb { friction, cap } => {
+                    let coulomb = friction * contact.trial.pressure[i];
+                    if cap { coulomb.min(strength) } else { coulomb }
+                }
+                FrictionLaw::FullStick => f64::INFINITY,
+                FrictionLaw::Frictionless => 0.0,
+            }
+        })
+        .collect()
+}
+
+impl<'a> Slide<'a> {
+    /// A slide from the pressed state `mechanics`, at dimensionless speed VR/κ; with heat if
+    /// `conduction` is given.
+    pub fn new(
+        problem: &'a Problem,
+        mechanics: Mechanics,
+        conduction: Option<Conduction>,
+        speed: f64,
+    ) -> Self {
+        let mut slide = Self {
+            interference: problem.interference,
+            problem,
+            mechanics,
+            conduction,
+            speed,
+            history: Vec::new(),
+            fields: Vec::new(),
+            cutbacks: 0,
+        };
+        let start = slide.instant(0.0, Instant::default());
+        slide.history.push(start);
+        slide
+    }
+
+    /// Slides by `distance` (in R); `watch` is given the share done and may stop the slide.
+    pub fn run(
+        &mut self,
+        distance: f64,
+        increments: Increments,
+        mut watch: impl FnMut(f64) -> bool,
+    ) -> Result<(), SlideFailure> {
+        let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
+        let shear = self.problem.solid.moduli.shear;
+        // δ_s = τ₀a(2 − ν)/(2G), with 2 − ν taken as 2.
+        let elastic = self.problem.strength_factor.min(10.0) * SHEAR_RATIO * radius / shear;
+        let mut advance =
+            (FIRST_INCREMENT * increments.growth / 0.15 * elastic).min(distance / LEAST_INCREMENTS);
+        let mut before = self.mechanics.displacement.clone();
+        let mut slip_before = 0.0;
+        let mut slip = 0.0;
+        while slip < distance * (1.0 - 1e-9) {
+            if !watch(slip / distance) {
+                return Err(SlideFailure::Cancelled);
+            }
+            // No sliver of an increment at the end.
+            let left = distance - slip;
+            let increment = if left < 1.5 * advance {
+                if left <= advance { left } else { 0.5 * left }
+            } else {
+                advance
+            };
+            let next = if left <= increment {
+                distance
+            } else {
+                slip + increment
+            };
+            let committed = self.mechanics.displacement.clone();
+            let start = extrapolate(&before, &committed, slip_before, slip, next);
+            match self.step(slip, next, start) {
+                Ok(()) => {
+                    (before, slip_before, slip) = (committed, slip, next);
+                    let sticks = self.history.last().is_some_and(|i| i.stick_fraction > 0.0);
+                    let growth = if sticks {
+                        0.6 * increments.growth
+                    } else {
+                        increments.growth
+                    };
+                    let most = (growth * slip)
+                        .max(FIRST_INCREMENT * increments.growth / 0.15 * elastic)
+                        .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
+                    advance = (2.0 * advance).min(most);
+                }
+                Err(failure @ SlideFailure::Step(_)) => {
+                    self.mechanics.displacement = committed;
+                    self.cutbacks += 1;
+                    advance = 0.5 * increment;
+                    if advance < 1e-6 * elastic {
+                        return Err(failure);
+                    }
+                }
+                Err(failure) => return Err(failure),
+            }
+        }
+        watch(1.0);
+        Ok(())
+    }
+
+    /// One increment from slip to slip.
+    fn step(&mut self, from: f64, to: f64, start: Vec<f64>) -> Result<(), SlideFailure> {
+        let dt = if self.speed > 0.0 {
+            (to - from) / self.speed
+        } else {
+            0.0
+        };
+        let flat = Flat {
+            interference: self.interference,
+            displacement: to,
+        };
+        let problem = self.problem;
+        let conduction = &mut self.conduction;
+        let mut heated: Option<(Vec<f64>, HeatBalance)> = None;
+        let mut failure = None;
+        let mut last_limit: Option<Vec<f64>> = None;
+        let strength = shear_strength(problem, 0.0);
+        self.mechanics.solve(
+            flat,
+            start,
+            |body: &mut Body, contact: &mut Contact, iteration| {
+                let mut rise = conduction.as_ref().map(|c| c.committed.clone());
+                if iteration > 0 {
+                    contact.update_cover();
+                    if let Some(conduction) = conduction.as_mut() {
+                        match heat_step(problem, conduction, body, contact, dt) {
+                            Ok(result) => {
+                                rise = Some(result.0.clone());
+                                heated = Some(result);
+                            }
+                            Err(error) => failure = Some(error),
+                        }
+                    }
+                }
+                let limit = shear_limits(problem, contact, rise.as_deref());
+                let settled = iteration > 0
+                    && last_limit.as_ref().is_some_and(|last| {
+                        last.iter().zip(&limit).all(|(a, b)| {
+                            a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs())
+                        })
+                    });
+                last_limit = Some(limit.clone());
+                Surroundings {
+                    limit,
+                    rise,
+                    settled,
+                }
+            },
+        )?;
+        if let Some(error) = failure {
+            return Err(error.into());
+        }
+        let outermost = self.mechanics.contact.outermost().unwrap_or(0);
+        if outermost + 2 >= self.mechanics.contact.radii.len() {
+            let start = (self.history[0].area / std::f64::consts::PI).sqrt();
+            return Err(SlideFailure::OutgrewMesh {
+                growth: self.mechanics.contact.radii[outermost] / start,
+            });
+        }
+        let mut instant = self.instant(to, *self.history.last().expect("starts with the press"));
+        let old = Flat {
+            interference: self.interference,
+            displacement: from,
+        };
+        let interface = self.mechanics.contact.step_work(old, flat);
+        let energies = self.mechanics.body.step_energies();
+        let stored = |state| self.mechanics.body.elastic_energy(state);
+        let elastic = stored(&self.mechanics.body.trial) - stored(&self.mechanics.body.committed);
+        instant.time += dt;
+        instant.work += interface.of_flat;
+        instant.friction_work += interface.friction;
+        instant.springs += interface.springs;
+        instant.elastic += elastic;
+        instant.plastic += energies.plastic;
+        instant.thermal_expansion += energies.thermal_expansion;
+        if let (Some((rise, balance)), Some(conduction)) = (heated, self.conduction.as_mut()) {
+            instant.heat_in += balance.contact + balance.body;
+            instant.heat_out += balance.base;
+            instant.heat_stored = conduction.stored(&rise);
+            (instant.rise_max, instant.rise_mean) = contact_rise(&self.mechanics.contact, &rise);
+            conduction.committed = rise;
+        }
+        self.mechanics.body.commit();
+        self.mechanics.contact.commit();
+        self.history.push(instant);
+        Ok(())
+    }
+
+    /// Present state with the totals of `previous`.
+    fn instant(&self, slip: f64, previous: Instant) -> Instant {
+        let contact = &self.mechanics.contact;
+        Instant {
+            slip,
+            friction: contact.friction(&contact.trial),
+            load: contact.load(&contact.trial),
+            area: contact.area(&contact.trial),
+            stick_fraction: contact.stick_fraction(&contact.trial),
+            plastic_strain_max: self.mechanics.body.trial.largest_plastic_strain(),
+            ..previous
+        }
+    }
+
+    /// Contact fields of the present state.
+    pub fn record_fields(&mut self) {
+        let contact = &self.mechanics.contact;
+        let state = &contact.committed;
+        let rise = match &self.conduction {
+            Some(c) => (0..contact.len())
+                .map(|i| c.committed[contact.scalar_place(i)])
+                .collect(),
+            None => vec![0.0; contact.len()],
+        };
+        self.fields.push(Fields {
+            slip: self.history.last().map_or(0.0, |i| i.slip),
+            pressure: state.pressure.clone(),
+            shear: state.traction.iter().map(|t| t[0].hypot(t[1])).collect(),
+            rise,
+            path: state.slip.clone(),
+        });
+    }
+}
+
+/// Temperature after the step, given the slip and the plastic work of the mechanics' trial state.
+fn heat_step(
+    problem: &Problem,
+    conduction: &mut Conduction,
+    body: &Body,
+    contact: &Contact,
+    dt: f64,
+) -> Result<(Vec<f64>, HeatBalance), FactorError> {
+    let mut plastic = vec![0.0; body.mesh.field_length(1)];
+    if problem.taylor_quinney > 0.0 {
+        body.add_plastic_work(problem.taylor_quinney, &mut plastic);
+    }
+    let heat = FrictionHeat {
+        problem,
+        contact,
+        speed: (0..contact.len())
+            .map(|i| contact.point_slip(i) / dt)
+            .collect(),
+    };
+    conduction.advance(dt, &plastic, &heat)
+}
+
+/// Largest and mean temperature rise over the contact.
+fn contact_rise(contact: &Contact, rise: &[f64]) -> (f64, f64) {
+    let (mut largest, mut sum, mut area) = (0.0f64, 0.0, 0.0);
+    for i in (0..contact.len()).filter(|&i| contact.trial.status[i] != Status::Open) {
+        let value = rise[contact.scalar_place(i)];
+        let share = contact.areas[i] * contact.cover[i];
+        largest = largest.max(value);
+        sum += share * value;
+        area += share;
+    }
+    (largest, if area > 0.0 { sum / area } else { 0.0 })
+}

@@ -1,0 +1,154 @@
+//! What a table keeps of one run: scalars, and histories on the slips that all cells share.
+
+use tables::quantity::Quantity;
+use tables::steffen::Steffen;
+use tables::table::Cell;
+
+use crate::outcome::{Outcome, SlideStep};
+use crate::quantities::estimate;
+
+/// Number of slips at which histories are kept.
+const SLIP_POINTS: usize = 49;
+/// The first spacing is about 0.3 % of the slide: contacts of low interference start to slip
+/// after about a percent of their radius.
+const GRADING: f64 = 5.0;
+
+/// Slips s/a₀ from 0 to `slip_distance` (in a₀), dense at the start.
+pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
+    let last = (SLIP_POINTS - 1) as f64;
+    (0..SLIP_POINTS)
+        .map(|k| match k as f64 / last {
+            1.0 => slip_distance,
+            share => slip_distance * (GRADING * share).sinh() / GRADING.sinh(),
+        })
+        .collect()
+}
+
+/// A run as it enters the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finished {
+    /// Scalars, and histories on the slips of [`slip_grid`].
+    pub cell: Cell,
+    /// Of the run's account.
+    pub notes: Vec<String>,
+    /// Of the run's account.
+    pub warnings: Vec<String>,
+}
+
+impl Finished {
+    /// What is kept of `outcome`; `temperature` is that at the start, K.
+    pub fn new(outcome: &Outcome, slips: &[f64], temperature: f64) -> Self {
+        let mut cell = Cell::new();
+        for quantity in Quantity::ALL {
+            cell[quantity] = estimate(&outcome.summary, quantity);
+        }
+        let histories = resample(outcome, slips, temperature);
+        for (quantity, history) in Quantity::HISTORIES.into_iter().zip(histories) {
+            cell = cell.with_history(quantity, history);
+        }
+        cell.levelled = outcome.summary.levelled;
+        cell.wall_time = outcome.account.wall_time;
+        Self {
+            cell,
+            notes: outcome.account.notes.clone(),
+            warnings: outcome.account.warnings.clone(),
+        }
+    }
+}
+
+/// Histories of μ, Q, P, A and T_max, in the order of [`Quantity::HISTORIES`], at the slips
+/// `slips` (in a₀); NaN beyond the slide.
+fn resample(outcome: &Outcome, slips: &[f64], temperature: f64) -> [Vec<f64>; 5] {
+    let radius = outcome.summary.contact_radius.value;
+    let start = SlideStep {
+        load: outcome.press.last().map_or(f64::NAN, |step| step.load),
+        area: outcome.press.last().map_or(f64::NAN, |step| step.area),
+        temperature_max: temperature,
+        ..SlideStep::default()
+    };
+    let mut steps = vec![start];
+    for &step in &outcome.slide {
+        match step.slip > steps[steps.len() - 1].slip {
+            true => steps.push(step),
+            // A step at no slip replaces the state before it.
+            false => *steps.last_mut().expect("not empty") = step,
+        }
+    }
+    // The last step may miss the end of the slide by rounding.
+    let end = steps[steps.len() - 1].slip * (1.0 + 1e-9);
+    let abscissae: Vec<f64> = steps.iter().map(|step| step.slip).collect();
+    let [friction, load, area, temperature] = [
+        |step: &SlideStep| step.friction,
+        |step: &SlideStep| step.load,
+        |step: &SlideStep| step.area,
+        |step: &SlideStep| step.temperature_max,
+    ]
+    .map(|of| -> Vec<f64> {
+        let curve = Steffen::new(abscissae.clone(), steps.iter().map(of).collect());
+        let value = |slip: f64| match slip <= end {
+            true => curve.value(slip),
+            false => f64::NAN,
+        };
+        slips.iter().map(|slip| value(slip * radius)).collect()
+    });
+    // From the resampled forces, so that the three histories agree at every slip.
+    let mu = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
+    [mu, friction, load, area, temperature]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fake::{self, Fake};
+
+    #[test]
+    fn slips_rise_from_zero_to_the_end() {
+        let slips = slip_grid(2.0);
+        assert_eq!((slips[0], slips[SLIP_POINTS - 1]), (0.0, 2.0));
+        assert!(slips.windows(2).all(|pair| pair[1] > pair[0]));
+        assert!(slips[1] < 0.006);
+    }
+
+    #[test]
+    fn histories_start_unloaded_and_end_with_the_last_step() {
+        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
+        let last = outcome.slide.last().unwrap();
+        let ends = |quantity| {
+            let values = cell.history(quantity);
+            (values[0], *values.last().unwrap())
+        };
+        assert_eq!(ends(Quantity::Friction), (0.0, last.friction));
+        assert_eq!(ends(Quantity::Load), (last.load, last.load));
+        assert_eq!(
+            ends(Quantity::TemperatureMax),
+            (298.0, last.temperature_max)
+        );
+        assert_eq!(ends(Quantity::Mu), (0.0, last.friction / last.load));
+        assert_eq!(cell[Quantity::Mu], outcome.summary.mu);
+    }
+
+    #[test]
+    fn linear_histories_are_kept() {
+        let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        for step in &mut outcome.slide {
+            step.friction = 3.0 * step.slip;
+        }
+        let radius = outcome.summary.contact_radius.value;
+        let slips = slip_grid(2.0);
+        let cell = Finished::new(&outcome, &slips, 298.0).cell;
+        for (slip, friction) in slips.iter().zip(cell.history(Quantity::Friction)) {
+            assert!((friction - 3.0 * slip * radius).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn nothing_is_invented_beyond_the_end_of_a_slide() {
+        let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        outcome.slide.truncate(20);
+        let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
+        let friction = cell.history(Quantity::Friction);
+        assert!(friction.last().unwrap().is_nan());
+        assert!(friction[3].is_finite());
+    }
+}

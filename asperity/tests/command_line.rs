@@ -1,0 +1,125 @@
+//! The program from outside: exit status, messages, and that nothing is left behind by a
+//! command that was refused.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                     [loading]\ninterference = 20\nslip_rate = 1\n";
+const REQUEST: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+                       [table]\ninterference = [1, 10]\nslip_rate = [1]\n";
+
+fn asperity(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_asperity"))
+        .args(arguments)
+        .current_dir(directory)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// Exit status 2, one line on stderr with all of `parts`, and no new file.
+fn refused(arguments: &[&str], parts: &[&str]) {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("scene.toml"), SCENE).unwrap();
+    std::fs::write(directory.path().join("request.toml"), REQUEST).unwrap();
+    let output = asperity(directory.path(), arguments);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    for part in parts {
+        assert!(message.contains(part), "{message} lacks {part}");
+    }
+    assert!(output.stdout.is_empty());
+    assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 2);
+}
+
+#[test]
+fn bad_input_is_refused_before_any_work() {
+    let run = ["run", "scene.toml", "-o", "run.nc"];
+    let with = |more: &[&'static str]| [&run, more].concat();
+    refused(
+        &with(&["--set", "material.youngs_modulus=-1"]),
+        &["material.youngs_modulus", "-1", "a positive number (Pa)"],
+    );
+    refused(
+        &with(&["--set", "loading.interferance=3"]),
+        &["loading.interferance", "did you mean interference?"],
+    );
+    refused(&with(&["--plot", "run.pdf"]), &["run.pdf", "svg, png"]);
+    refused(
+        &["run", "none.toml", "-o", "run.nc"],
+        &["none.toml", "cannot be read"],
+    );
+    refused(
+        &["run", "scene.toml", "-o", "none/run.nc"],
+        &["none/run.nc", "cannot be written"],
+    );
+    refused(
+        &["run", "scene.toml", "-o", "scene.toml"],
+        &["is the input"],
+    );
+    refused(
+        &["run", "request.toml", "-o", "run.nc"],
+        &["asperity tabulate"],
+    );
+    refused(
+        &["tabulate", "scene.toml", "-o", "table.nc"],
+        &["table is missing"],
+    );
+    refused(
+        &[
+            "tabulate",
+            "request.toml",
+            "-o",
+            "table.nc",
+            "--set",
+            "table.tolerance=0.01",
+        ],
+        &["table.tolerance", "not supported yet"],
+    );
+    refused(&["materials", "steel4340"], &["steel4340", "steel-4340"]);
+}
+
+#[test]
+fn usage_errors_have_status_2_and_help_has_0() {
+    let here = Path::new(".");
+    for arguments in [&[][..], &["run"], &["run", "scene.toml"], &["fly"]] {
+        assert_eq!(
+            asperity(here, arguments).status.code(),
+            Some(2),
+            "{arguments:?}"
+        );
+    }
+    for arguments in [
+        &["--help"][..],
+        &["run", "--help"],
+        &["tabulate", "--help"],
+        &["--version"],
+    ] {
+        let output = asperity(here, arguments);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(text(&output.stdout).contains("asperity"));
+    }
+}
+
+#[test]
+fn materials_are_listed_with_units_and_sources() {
+    let here = Path::new(".");
+    let list = text(&asperity(here, &["materials"]).stdout);
+    assert_eq!(list.lines().count(), 6, "{list}");
+    let steel = text(&asperity(here, &["materials", "steel-4340"]).stdout);
+    let line = steel
+        .lines()
+        .find(|line| line.starts_with("yield_strength"))
+        .unwrap();
+    for part in ["7.92e8", "Pa", "Johnson & Cook 1985"] {
+        assert!(line.contains(part), "{line}");
+    }
+    let json = text(&asperity(here, &["materials", "copper", "--json"]).stdout);
+    let value: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(value["constants"]["yield_strength"]["value"], 90e6);
+}

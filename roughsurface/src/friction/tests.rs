@@ -1,0 +1,201 @@
+use super::*;
+use crate::heights::{Exponential, Gaussian, Heights};
+use crate::test_laws::PowerLaw;
+use tables::closed_forms::{ElasticPlastic, closed_form, hertz};
+
+fn surface(heights: Box<dyn Heights>) -> Surface {
+    Surface {
+        asperity_density: 1e10,
+        asperity_radius: 1e-4,
+        heights,
+    }
+}
+
+fn ask(
+    law: &dyn AsperityLaw,
+    surface: &Surface,
+    pressures: &[f64],
+    slip_rates: &[f64],
+    hold: Hold,
+) -> Result<Prediction, PredictionError> {
+    let query = Query {
+        pressing: Pressing::Pressure(pressures.to_vec()),
+        slip_rates: slip_rates.to_vec(),
+        hold,
+    };
+    predict(law, surface, &query, &Settings::default(), &|_, _| ())
+}
+
+const STEEL: ElasticPlastic = ElasticPlastic {
+    youngs_modulus: 200e9,
+    poisson_ratio: 0.3,
+    yield_strength: 400e6,
+};
+
+#[test]
+fn elastic_asperities_of_constant_strength_obey_amontons() {
+    // μ = [2/(√(3π) C)]/ψ with ψ = √(σ/ω_c): 0.4039/ψ at ν = 0.3.
+    let law = closed_form("hertz", &STEEL).unwrap();
+    let critical = law.critical_interference(1e-4);
+    let psi: f64 = 0.5;
+    let surface = surface(Box::new(Exponential::new(critical * psi * psi)));
+    let found = ask(law.as_ref(), &surface, &[1e2, 1e3, 1e4], &[1.0], Hold::Load).unwrap();
+    let c = hertz::yield_coefficient(0.3);
+    let exact = 2.0 / ((3.0 * std::f64::consts::PI).sqrt() * c * psi);
+    for row in &found.friction {
+        let mu = row[0].sliding.mu;
+        assert!(
+            (mu.value - exact).abs() < 1e-6 * exact,
+            "{} {exact}",
+            mu.value
+        );
+        assert!((mu.value - 0.4039 / psi).abs() < 1e-4 / psi);
+        assert!(mu.error < 1e-5);
+        // Static friction of a surface that creeps to its final value is within a
+        // few per cent of it.
+        assert!((row[0].mu_static.value / exact - 1.0).abs() < 0.03);
+        assert_eq!(row[0].energy.value, 0.0);
+    }
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    assert_eq!(found.flash_heating[0], Err(NoFit::TooFewSlipRates));
+}
+
+#[test]
+fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
+    // Each asperity slips at its own displacement and weakens to half within a few
+    // contact radii: their peaks do not add up.
+    let law = PowerLaw {
+        history: |_, slip, radius| {
+            let rise = (slip / (2e-3 * radius)).min(1.0);
+            rise * (0.5 + 0.5 * (-slip / (0.02 * radius)).exp())
+        },
+        ..PowerLaw::hertz()
+    };
+    let peak = PowerLaw::hertz();
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let found = ask(&law, &surface, &[1e6], &[1.0], Hold::Load).unwrap();
+    let bound = ask(&peak, &surface, &[1e6], &[1.0], Hold::Load).unwrap();
+    let (found, bound) = (&found.friction[0][0], &bound.friction[0][0]);
+    let ratio = found.mu_static.value / bound.sliding.mu.value;
+    assert!(ratio < 0.97 && ratio > 0.7, "{ratio}");
+    assert!((found.sliding.mu.value / bound.sliding.mu.value - 0.5).abs() < 1e-6);
+    assert!(found.energy.value > 0.0);
+}
+
+#[test]
+fn held_load_closes_the_gap_that_a_held_separation_keeps() {
+    // Nothing of the load changes with slip here, so both holds agree.
+    let law = PowerLaw::hertz();
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let load = ask(&law, &surface, &[1e6], &[1.0], Hold::Load).unwrap();
+    let separation = ask(&law, &surface, &[1e6], &[1.0], Hold::Separation).unwrap();
+    let (load, separation) = (&load.friction[0][0], &separation.friction[0][0]);
+    assert!((load.sliding.mu.value - separation.sliding.mu.value).abs() < 1e-6);
+    assert!((separation.sliding.pressure.value - 1e6).abs() < 2.0);
+    assert_eq!(load.sliding.pressure.value, 1e6);
+}
+
+#[test]
+fn errors_of_the_law_reach_every_result() {
+    let law = PowerLaw {
+        relative_error: 0.02,
+        ..PowerLaw::hertz()
+    };
+    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let found = ask(&law, &surface, &[1e6], &[1.0], Hold::Load).unwrap();
+    let sliding = found.friction[0][0].sliding;
+    // Q and P wrong by 2 % in opposite directions; μ does not depend on separation here.
+    assert!((sliding.mu.error / sliding.mu.value - 0.04).abs() < 1e-4);
+    // p falls by e per σ: 2 % of p is 2 % of σ; the area is 2 % wrong and moves 2 % with it.
+    assert!((sliding.separation.error / 1e-6 - 0.02).abs() < 1e-4);
+    assert!((sliding.area_fraction.error / sliding.area_fraction.value - 0.04).abs() < 1e-4);
+    assert!((sliding.contact_density.error / sliding.contact_density.value - 0.02).abs() < 1e-4);
+}
+
+#[test]
+fn load_beyond_the_table_is_refused_unless_extrapolation_is_asked() {
+    let law = PowerLaw {
+        limit: 20.0,
+        ..PowerLaw::hertz()
+    };
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let error = ask(&law, &surface, &[1e3, 1e8], &[1.0], Hold::Load).unwrap_err();
+    let message = error.to_string();
+    assert!(
+        message.starts_with("at 1e8 Pa and 1 m/s asperities pressed beyond 20.0000 omega_c"),
+        "{message}"
+    );
+    let query = Query {
+        pressing: Pressing::Separation(vec![0.0]),
+        slip_rates: vec![1.0],
+        hold: Hold::Separation,
+    };
+    let settings = Settings {
+        extrapolate: true,
+        ..Settings::default()
+    };
+    let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
+    let cell = &found.friction[0][0];
+    assert!(cell.outside_table > 0.01 && cell.sliding.mu.error > 0.0);
+    assert!(
+        found.warnings[0].contains("extrapolated"),
+        "{:?}",
+        found.warnings
+    );
+}
+
+#[test]
+fn flash_heating_of_the_asperities_is_that_of_the_surface() {
+    let law = PowerLaw {
+        history: |rate, _, _| 0.25 + 0.75 / (1.0 + (rate / 0.2f64).powi(8)).powf(0.125),
+        ..PowerLaw::hertz()
+    };
+    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let rates = [0.01, 0.05, 0.2, 0.5, 2.0];
+    let found = ask(&law, &surface, &[1e6], &rates, Hold::Load).unwrap();
+    let fitted = found.flash_heating[0].unwrap();
+    assert!((fitted.v_w.value - 0.2).abs() < 1e-5);
+    assert!((fitted.mu_w.value / fitted.mu_0.value - 0.25).abs() < 1e-5);
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let law = closed_form("jackson-green", &STEEL).unwrap();
+    let surface = surface(Box::new(Gaussian::new(0.5e-6)));
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| ask(law.as_ref(), &surface, &[1e5, 1e7], &[0.1, 1.0], Hold::Load).unwrap())
+    };
+    let (one, three) = (with(1), with(3));
+    for (a, b) in one
+        .friction
+        .iter()
+        .flatten()
+        .zip(three.friction.iter().flatten())
+    {
+        assert_eq!(a.mu_history, b.mu_history);
+        assert_eq!(a.mu_static, b.mu_static);
+        assert_eq!(a.sliding.separation, b.sliding.separation);
+    }
+}
+
+#[test]
+fn rates_outside_the_table_and_empty_gaps_are_refused() {
+    let law = PowerLaw::hertz();
+    let surface = surface(Box::new(crate::heights::Uniform::new(1e-6)));
+    let error = ask(&law, &surface, &[1e6], &[1e3], Hold::Load).unwrap_err();
+    assert!(error.to_string().contains("outside the table"));
+    let query = Query {
+        pressing: Pressing::Separation(vec![2e-6]),
+        slip_rates: vec![1.0],
+        hold: Hold::Separation,
+    };
+    let error = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "a separation of 2e-6 m leaves no asperity in contact"
+    );
+}

@@ -1,0 +1,356 @@
+//! Predictions as CF netCDF files.
+
+use crate::friction::{Friction, Prediction};
+use crate::query::{Hold, Pressing, Query};
+use std::path::Path;
+use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
+use tables::law::Estimate;
+
+/// A result over (pressure or separation, slip rate).
+struct Quantity {
+    name: &'static str,
+    units: &'static str,
+    long_name: &'static str,
+    value: fn(&Friction) -> Estimate,
+}
+
+const UNKNOWN: Estimate = Estimate {
+    value: f64::NAN,
+    error: f64::NAN,
+};
+
+/// Every result with an error. To add an output: a line here.
+const QUANTITIES: [Quantity; 13] = [
+    Quantity {
+        name: "mu",
+        units: "1",
+        long_name: "sliding friction coefficient at the end of the slide",
+        value: |f| f.sliding.mu,
+    },
+    Quantity {
+        name: "mu_static",
+        units: "1",
+        long_name: "friction coefficient where the friction-slip curve of the surface starts to slide",
+        value: |f| f.mu_static,
+    },
+    Quantity {
+        name: "Q",
+        units: "Pa",
+        long_name: "friction stress on the nominal area at the end of the slide",
+        value: |f| f.sliding.shear,
+    },
+    Quantity {
+        name: "G",
+        units: "J m-2",
+        long_name: "energy of slip weakening per nominal area, from the peak of the friction stress to the end of the slide",
+        value: |f| f.energy,
+    },
+    Quantity {
+        name: "G_stick_slip",
+        units: "J m-2",
+        long_name: "energy that the asperities release from full stick to full slip per nominal area",
+        value: |f| f.energy_stick_slip.unwrap_or(UNKNOWN),
+    },
+    Quantity {
+        name: "separation",
+        units: "m",
+        long_name: "distance of the flat from the reference plane of the heights before the slide",
+        value: |f| f.pressed.separation,
+    },
+    Quantity {
+        name: "separation_sliding",
+        units: "m",
+        long_name: "distance of the flat from the reference plane of the heights at the end of the slide",
+        value: |f| f.sliding.separation,
+    },
+    Quantity {
+        name: "pressure",
+        units: "Pa",
+        long_name: "nominal pressure before the slide",
+        value: |f| f.pressed.pressure,
+    },
+    Quantity {
+        name: "pressure_sliding",
+        units: "Pa",
+        long_name: "nominal pressure at the end of the slide",
+        value: |f| f.sliding.pressure,
+    },
+    Quantity {
+        name: "real_area_fraction",
+        units: "1",
+        long_name: "real over nominal contact area at the end of the slide",
+        value: |f| f.sliding.area_fraction,
+    },
+    Quantity {
+        name: "real_area_fraction_press",
+        units: "1",
+        long_name: "real over nominal contact area before the slide",
+        value: |f| f.pressed.area_fraction,
+    },
+    Quantity {
+        name: "contact_density",
+        units: "m-2",
+        long_name: "asperities in contact per nominal area at the end of the slide",
+        value: |f| f.sliding.contact_density,
+    },
+    Quantity {
+        name: "contact_density_press",
+        units: "m-2",
+        long_name: "asperities in contact per nominal area before the slide",
+        value: |f| f.pressed.contact_density,
+    },
+];
+
+/// Where a prediction comes from, as written to the global attributes.
+#[derive(Clone, Debug)]
+pub struct Origin<'a> {
+    /// Text of the surface file.
+    pub surface: &'a str,
+    /// The table as asked for: file, shipped name or `model:NAME`.
+    pub table: &'a str,
+    /// The command that made the prediction.
+    pub command: &'a str,
+}
+
+impl Origin<'_> {
+    /// Writes the global attributes that every file of this crate has.
+    pub(crate) fn write(
+        &self,
+        file: &mut DatasetWriter,
+        law: &str,
+        query: &Query,
+    ) -> Result<(), DatasetError> {
+        let hold = match query.hold {
+            Hold::Load => "load",
+            Hold::Separation => "separation",
+        };
+        for (name, value) in [
+            (
+                "source",
+                concat!("roughsurface ", env!("CARGO_PKG_VERSION")),
+            ),
+            ("history", self.command),
+            ("surface", self.surface),
+            ("table", self.table),
+            ("law", law),
+            ("hold", hold),
+        ] {
+            file.attribute(name, value)?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes the coordinates of pressures or separations and of slip rates; returns the
+/// name of the former.
+pub(crate) fn grid_coordinates(
+    file: &mut DatasetWriter,
+    query: &Query,
+) -> Result<&'static str, DatasetError> {
+    let (row, units, long_name) = match query.pressing {
+        Pressing::Pressure(_) => ("pressure", "Pa", "nominal pressure before the slide"),
+        Pressing::Separation(_) => (
+            "separation",
+            "m",
+            "distance of the flat from the reference plane of the heights before the slide",
+        ),
+    };
+    file.coordinate(row, query.pressing.values(), &described(units, long_name))?;
+    let rates = &query.slip_rates;
+    file.coordinate("slip_rate", rates, &described("m s-1", "slip rate"))?;
+    Ok(row)
+}
+
+const COMMENT: &str = "Greenwood-Williamson integration of one-asperity friction over summit heights. \
+NAME_error is an estimate of the absolute error of NAME: error of the table with one sign in all \
+asperities, quadrature, slip grid and pressure. Independent asperities of one radius, rigid smooth flat. \
+Under held load the flat sinks as asperities lose load; each asperity then follows the slide tabulated \
+at its present interference.";
+
+/// Writes `friction.nc`: under a temporary name first, so the file appears whole or not at all.
+pub fn write(path: &Path, prediction: &Prediction, origin: &Origin) -> Result<(), DatasetError> {
+    let mut file = DatasetWriter::create(path, "Friction of a rough surface")?;
+    origin.write(&mut file, &prediction.law, &prediction.query)?;
+    file.attribute("comment", COMMENT)?;
+    if !prediction.warnings.is_empty() {
+        file.attribute("warnings", prediction.warnings.join("\n").as_str())?;
+    }
+
+    let row = grid_coordinates(&mut file, &prediction.query)?;
+    file.coordinate("slip", &prediction.slip, &described("m", "slip"))?;
+
+    let grid = [row, "slip_rate"];
+    let cells: Vec<&Friction> = prediction.friction.iter().flatten().collect();
+    // The coordinate takes the place of what it is.
+    for quantity in QUANTITIES.iter().filter(|quantity| quantity.name != row) {
+        let values: Vec<Estimate> = cells.iter().map(|cell| (quantity.value)(cell)).collect();
+        let described = (quantity.units, quantity.long_name);
+        with_error(&mut file, quantity.name, &grid, described, &values)?;
+    }
+    for (name, units, long_name, value) in [
+        (
+            "outside_table_fraction",
+            "1",
+            "largest share of the load carried beyond the range of the table during the slide",
+            (|cell: &&Friction| cell.outside_table) as fn(&&Friction) -> f64,
+        ),
+        (
+            "inception_slip",
+            "m",
+            "slip at which static friction is reached",
+            |cell| cell.inception_slip,
+        ),
+    ] {
+        let values: Vec<f64> = cells.iter().map(value).collect();
+        file.reals(name, &grid, &values, &described(units, long_name))?;
+    }
+    let history: Vec<Estimate> = cells
+        .iter()
+        .flat_map(|cell| cell.mu_history.clone())
+        .collect();
+    let described_history = ("1", "friction coefficient along the slide");
+    let grid_and_slip = [row, "slip_rate", "slip"];
+    with_error(
+        &mut file,
+        "mu_history",
+        &grid_and_slip,
+        described_history,
+        &history,
+    )?;
+
+    for (name, units, long_name, pick) in [
+        (
+            "mu_0",
+            "1",
+            "friction coefficient at low slip rate, flash-heating fit",
+            (|fit| fit.mu_0) as fn(crate::flash_heating::FlashHeating) -> Estimate,
+        ),
+        (
+            "mu_w",
+            "1",
+            "friction coefficient of fully weakened contacts, flash-heating fit",
+            |fit| fit.mu_w,
+        ),
+        (
+            "V_w",
+            "m s-1",
+            "slip rate at which weakening starts, flash-heating fit",
+            |fit| fit.v_w,
+        ),
+    ] {
+        let fits = prediction.flash_heating.iter();
+        let values: Vec<Estimate> = fits.map(|fit| fit.map_or(UNKNOWN, pick)).collect();
+        with_error(&mut file, name, &[row], (units, long_name), &values)?;
+    }
+    file.finish()
+}
+
+pub(crate) fn described(units: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
+    vec![("units", units.into()), ("long_name", long_name.into())]
+}
+
+/// A variable and, named in its `ancillary_variables`, the one of its errors.
+fn with_error(
+    file: &mut DatasetWriter,
+    name: &str,
+    dimensions: &[&str],
+    (units, long_name): (&str, &str),
+    estimates: &[Estimate],
+) -> Result<(), DatasetError> {
+    let error_name = format!("{name}_error");
+    let mut attributes = described(units, long_name);
+    attributes.push(("ancillary_variables", error_name.as_str().into()));
+    let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
+    let errors: Vec<f64> = estimates.iter().map(|estimate| estimate.error).collect();
+    file.reals(name, dimensions, &values, &attributes)?;
+    let error_long_name = format!("estimated absolute error of the {long_name}");
+    file.reals(
+        &error_name,
+        dimensions,
+        &errors,
+        &described(units, &error_long_name),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::{Settings, predict};
+    use crate::surface_file::SurfaceFile;
+    use crate::test_laws::PowerLaw;
+    use tables::dataset::DatasetReader;
+
+    fn prediction(query: &str) -> Prediction {
+        let text = format!(
+            "surface = {{ asperity_density = 1e10, asperity_radius = 1e-4, \
+             heights = {{ distribution = \"exponential\", std = 1e-6 }} }}\n[query]\n{query}"
+        );
+        let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
+        let law = PowerLaw {
+            relative_error: 0.01,
+            history: |rate, _, _| 1.0 / (1.0 + rate),
+            ..PowerLaw::hertz()
+        };
+        predict(
+            &law,
+            &file.surface,
+            &file.query,
+            &Settings::default(),
+            &|_, _| (),
+        )
+        .unwrap()
+    }
+
+    /// Writes the prediction, reads it with `read`, and returns the bytes.
+    fn written(name: &str, prediction: &Prediction, read: impl Fn(&DatasetReader)) -> Vec<u8> {
+        let path =
+            std::env::temp_dir().join(format!("roughsurface-{name}-{}.nc", std::process::id()));
+        let origin = Origin {
+            surface: "text",
+            table: "model:test",
+            command: "test",
+        };
+        write(&path, prediction, &origin).unwrap();
+        read(&DatasetReader::open(&path).unwrap());
+        let bytes = std::fs::read(&path).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        let prediction = prediction("pressure = [1e5, 1e6]\nslip_rate = [0.1, 1.0, 10.0]");
+        let bytes = written("pressure", &prediction, |file| {
+            assert_eq!(file.coordinate("pressure").unwrap(), [1e5, 1e6]);
+            assert_eq!(file.coordinate("slip").unwrap(), prediction.slip);
+            let mu = file.reals("mu", &[2, 3]).unwrap();
+            let error = file.reals("mu_error", &[2, 3]).unwrap();
+            for (index, cell) in prediction.friction.iter().flatten().enumerate() {
+                assert_eq!(mu[index], cell.sliding.mu.value);
+                assert_eq!(error[index], cell.sliding.mu.error);
+            }
+            let shape = [2, 3, prediction.slip.len()];
+            let history = file.reals("mu_history", &shape).unwrap();
+            assert_eq!(history[0], prediction.friction[0][0].mu_history[0].value);
+            for name in ["mu_static", "Q", "G", "separation", "real_area_fraction"] {
+                let values = file.reals(name, &[2, 3]).unwrap();
+                assert!(values.iter().all(|value| value.is_finite()), "{name}");
+            }
+            assert_eq!(file.reals("V_w", &[2]).unwrap().len(), 2);
+            assert_eq!(file.attribute_text("surface").unwrap(), "text");
+        });
+        // The same again gives the same bytes.
+        assert!(bytes == written("again", &prediction, |_| ()));
+    }
+
+    #[test]
+    fn separations_are_a_coordinate_too_and_missing_fits_are_fill_values() {
+        let prediction = prediction("separation = [0.0, 2e-6]\nslip_rate = [0.1]");
+        written("separation", &prediction, |file| {
+            assert_eq!(file.coordinate("separation").unwrap(), [0.0, 2e-6]);
+            assert_eq!(file.reals("pressure", &[2, 1]).unwrap().len(), 2);
+            let fitted = file.reals("mu_0", &[2]).unwrap();
+            assert!(fitted.iter().all(|value| value.is_nan()));
+        });
+    }
+}

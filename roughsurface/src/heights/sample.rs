@@ -1,0 +1,81 @@
+use super::{Heights, HeightsError, Random};
+use rand::RngExt;
+use std::path::Path;
+
+/// Measured heights, each standing for an equal share of the summits.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// Highest first, m.
+    heights: Vec<f64>,
+    std: f64,
+}
+
+impl Sample {
+    /// A set of at least two different finite heights (m).
+    pub fn new(mut heights: Vec<f64>) -> Option<Self> {
+        heights.sort_by(|one, other| other.total_cmp(one));
+        let count = heights.len() as f64;
+        let mean = heights.iter().sum::<f64>() / count;
+        let variance = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / count;
+        (variance > 0.0 && variance.is_finite()).then_some(Self {
+            heights,
+            std: variance.sqrt(),
+        })
+    }
+
+    /// Reads heights in metres, separated by white space or commas; `#` starts a comment.
+    pub fn read(file: &Path) -> Result<Self, HeightsError> {
+        let error = |allowed: String| HeightsError {
+            key: "file",
+            value: Some(format!("\"{}\"", file.display())),
+            allowed,
+        };
+        let text = std::fs::read_to_string(file)
+            .map_err(|reason| error(format!("cannot be read: {reason}")))?;
+        let mut heights = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let content = line.split('#').next().unwrap_or_default();
+            for word in content
+                .split([' ', '\t', ','])
+                .filter(|word| !word.is_empty())
+            {
+                match word.parse::<f64>() {
+                    Ok(height) if height.is_finite() => heights.push(height),
+                    _ => {
+                        return Err(error(format!(
+                            "line {}: \"{word}\" is not a height in metres",
+                            index + 1
+                        )));
+                    }
+                }
+            }
+        }
+        Self::new(heights)
+            .ok_or_else(|| error("must hold at least two different heights in metres".into()))
+    }
+}
+
+impl Heights for Sample {
+    fn ln_density(&self, _height: f64) -> f64 {
+        unreachable!("measured heights are summed one by one")
+    }
+    fn tail(&self, height: f64) -> f64 {
+        let above = self.heights.partition_point(|&z| z > height);
+        above as f64 / self.heights.len() as f64
+    }
+    fn mode(&self) -> f64 {
+        self.heights[self.heights.len() / 2]
+    }
+    fn support(&self) -> (f64, f64) {
+        (self.heights[self.heights.len() - 1], self.heights[0])
+    }
+    fn standard_deviation(&self) -> f64 {
+        self.std
+    }
+    fn draw(&self, random: &mut Random) -> f64 {
+        self.heights[random.random_range(0..self.heights.len())]
+    }
+    fn measured(&self) -> Option<&[f64]> {
+        Some(&self.heights)
+    }
+}

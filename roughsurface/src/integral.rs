@@ -1,0 +1,354 @@
+//! Integrals of what one asperity does over the heights of all:
+//! η ∫ f(z − d) φ(z) dz for load, friction, area and number at once
+//! (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242).
+
+use crate::asperity_at_slip::AsperityAtSlip;
+use crate::contact_state::{ContactState, Integral};
+use crate::heights::Heights;
+use crate::panels::*;
+use tables::law::LookupError;
+
+/// Share of the load outside the range of a law that may be ignored.
+///
+/// A tenth of a per cent is far below the errors of any table; more is refused
+/// unless the caller asks for extrapolation.
+pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
+
+/// Halvings after which a panel is left as it is, its error counted.
+const MOST_ROUNDS: usize = 60;
+
+/// Across a panel the logarithm of the density may change by this much before the
+/// panel is halved unseen: ten points still see the exponential, and the error
+/// control does the rest.
+const DENSITY_RANGE: f64 = 12.0;
+
+/// The start of contact of a law without kinks and the growth of the panels
+/// beyond the last kink: each is twice as long in √ω as the one before.
+const FIRST_PANEL: f64 = 1.0;
+
+/// Summits of a surface at one slip rate and slip, for any separation.
+pub struct HeightIntegral<'a> {
+    asperity: AsperityAtSlip<'a>,
+    heights: &'a dyn Heights,
+    asperity_density: f64,
+    tolerance: f64,
+    /// Panels that every separation shares, and those between edges of the density.
+    kept: PanelTree,
+    passing: PanelTree,
+    /// Panels that together cover ω from zero upwards.
+    roots: Vec<Root>,
+}
+
+/// A panel between kinks of the law, sampled only where there are summits: a
+/// table may have gaps where nobody looks.
+struct Root {
+    from: f64,
+    to: f64,
+    panel: Option<usize>,
+}
+
+#[derive(Clone, Copy)]
+struct Leaf {
+    kept: bool,
+    panel: usize,
+    value: Sums,
+    error: Sums,
+}
+
+impl<'a> HeightIntegral<'a> {
+    /// `asperity_density` in 1/m²; `tolerance` is the relative error asked of
+    /// load, friction and area.
+    pub fn new(
+        asperity: AsperityAtSlip<'a>,
+        heights: &'a dyn Heights,
+        asperity_density: f64,
+        tolerance: f64,
+    ) -> Self {
+        let mut breaks = asperity.breaks();
+        if breaks.is_empty() {
+            breaks.push(FIRST_PANEL);
+        }
+        let mut from = 0.0;
+        let root = |place: f64| {
+            let root = Root {
+                from,
+                to: place.sqrt(),
+                panel: None,
+            };
+            from = root.to;
+            root
+        };
+        Self {
+            asperity,
+            heights,
+            asperity_density,
+            tolerance,
+            kept: PanelTree::default(),
+            passing: PanelTree::default(),
+            roots: breaks.into_iter().map(root).collect(),
+        }
+    }
+
+    /// Load, friction, area and number of contacts at `separation` (m).
+    pub fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
+        if let Some(heights) = self.heights.measured() {
+            return self.summed(heights, separation);
+        }
+        let leaves = self.leaves(separation)?;
+        let mut state = self.state(separation, &leaves);
+        if state.outside > NEGLIGIBLE_SHARE {
+            state.reach = self.reach(&leaves);
+        }
+        Ok(state)
+    }
+
+    /// Panels fine enough for the tolerance, by ascending interference.
+    fn leaves(&mut self, separation: f64) -> Result<Vec<Leaf>, LookupError> {
+        self.passing.clear();
+        let mut leaves = Vec::new();
+        self.cover(separation, &mut leaves)?;
+        for _ in 0..MOST_ROUNDS {
+            let total = sum(leaves.iter().map(|leaf| &leaf.value));
+            let error = sum(leaves.iter().map(|leaf| &leaf.error));
+            let excessive = |error: &Sums, share: f64| {
+                [LOAD, FRICTION, AREA]
+                    .iter()
+                    .any(|&k| error[k] > self.tolerance * total[k].abs() * share)
+            };
+            if !excessive(&error, 1.0) {
+                break;
+            }
+            let share = 0.5 / leaves.len() as f64;
+            let poor: Vec<bool> = leaves
+                .iter()
+                .map(|leaf| excessive(&leaf.error, share))
+                .collect();
+            let mut finer = Vec::with_capacity(leaves.len() + 8);
+            for (leaf, poor) in leaves.iter().zip(poor) {
+                let panel = self.tree(leaf.kept).panel(leaf.panel);
+                // Below the spacing of numbers there is nothing to halve.
+                if !poor || panel.to - panel.from < 1e-14 * panel.to {
+                    finer.push(*leaf);
+                    continue;
+                }
+                for half in self.halves(leaf.kept, leaf.panel)? {
+                    finer.push(self.leaf(leaf.kept, half, separation)?);
+                }
+            }
+            leaves = finer;
+        }
+        Ok(leaves)
+    }
+
+    /// Covers all interferences that matter with panels in which the density is
+    /// smooth and does not hide its weight between the points.
+    fn cover(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
+        let critical = self.asperity.critical_interference();
+        let mode = self.heights.mode();
+        let peak = self.heights.ln_density(mode.max(separation));
+        // Loads grow as a power of ω; 16 leaves a factor of 10⁷ for that growth.
+        let negligible = peak + self.tolerance.ln() - 16.0;
+        let (lowest, highest) = self.heights.support();
+
+        let mut pending: Vec<(bool, usize)> = Vec::new();
+        for position in 0.. {
+            if position == self.roots.len() {
+                let from = self.roots[position - 1].to;
+                self.roots.push(Root {
+                    from,
+                    to: 2.0 * from,
+                    panel: None,
+                });
+            }
+            let root = &mut self.roots[position];
+            let start = separation + critical * root.from.powi(2);
+            let end = separation + critical * root.to.powi(2);
+            if start >= highest || (start > mode && self.heights.ln_density(start) < negligible) {
+                break;
+            }
+            if end <= lowest || (end < mode && self.heights.ln_density(end) < negligible) {
+                continue;
+            }
+            let panel = match root.panel {
+                Some(panel) => panel,
+                None => self.kept.add(&self.asperity, root.from, root.to)?,
+            };
+            root.panel = Some(panel);
+            pending.push((true, panel));
+        }
+        // The last shall be first: panels leave the stack by ascending interference.
+        pending.reverse();
+        while let Some((kept, index)) = pending.pop() {
+            let (from, to) = {
+                let panel = self.tree(kept).panel(index);
+                (panel.from, panel.to)
+            };
+            let bottom = (separation + critical * from * from).max(lowest);
+            let top = (separation + critical * to * to).min(highest);
+            if bottom >= top {
+                continue;
+            }
+            let nearest_mode = self.heights.ln_density(mode.clamp(bottom, top));
+            if nearest_mode < negligible {
+                continue;
+            }
+            // Densities that vanish at their edge are left to the error control.
+            let seen = |height: f64| match self.heights.ln_density(height) {
+                f64::NEG_INFINITY => self.heights.ln_density(0.5 * (bottom + top)),
+                density => density,
+            };
+            let farthest = seen(bottom).min(seen(top));
+            let range = nearest_mode - farthest.max(negligible);
+            if range > DENSITY_RANGE && to - from > 1e-12 * to {
+                let [first, second] = self.halves(kept, index)?;
+                pending.push((kept, second));
+                pending.push((kept, first));
+                continue;
+            }
+            let edge = [lowest, highest]
+                .into_iter()
+                .map(|height| ((height - separation) / critical).max(0.0).sqrt())
+                .find(|&edge| edge > from + 1e-12 * to && edge < to - 1e-12 * to);
+            match edge {
+                Some(edge) => {
+                    let first = self.passing.add(&self.asperity, from, edge)?;
+                    let second = self.passing.add(&self.asperity, edge, to)?;
+                    pending.push((false, second));
+                    pending.push((false, first));
+                }
+                None => leaves.push(self.leaf(kept, index, separation)?),
+            }
+        }
+        Ok(())
+    }
+
+    fn tree(&self, kept: bool) -> &PanelTree {
+        if kept { &self.kept } else { &self.passing }
+    }
+
+    fn halves(&mut self, kept: bool, panel: usize) -> Result<[usize; 2], LookupError> {
+        let tree = if kept {
+            &mut self.kept
+        } else {
+            &mut self.passing
+        };
+        tree.halves(&self.asperity, panel)
+    }
+
+    /// Integral over the two halves of a panel; the difference from the whole is
+    /// its error, a generous one.
+    fn leaf(&mut self, kept: bool, panel: usize, separation: f64) -> Result<Leaf, LookupError> {
+        let halves = self.halves(kept, panel)?;
+        let tree = self.tree(kept);
+        let whole = tree.panel(panel).integral(self.heights, separation);
+        let parts = halves.map(|half| tree.panel(half).integral(self.heights, separation));
+        let value: Sums = std::array::from_fn(|k| parts[0][k] + parts[1][k]);
+        Ok(Leaf {
+            kept,
+            panel,
+            value,
+            error: std::array::from_fn(|k| (value[k] - whole[k]).abs()),
+        })
+    }
+
+    fn state(&self, separation: f64, leaves: &[Leaf]) -> ContactState {
+        let total = sum(leaves.iter().map(|leaf| &leaf.value));
+        let error = sum(leaves.iter().map(|leaf| &leaf.error));
+        self.scaled(self.heights.tail(separation), &total, &error)
+    }
+
+    /// From sums per asperity to values per nominal area.
+    fn scaled(&self, tail: f64, total: &Sums, error: &Sums) -> ContactState {
+        let density = self.asperity_density;
+        let integral = |value: usize, law_error: usize| Integral {
+            value: density * total[value],
+            law_error: density * total[law_error],
+            // Rounding of the sums themselves.
+            quadrature_error: density * (error[value] + 4.0 * f64::EPSILON * total[value].abs()),
+        };
+        let share = |part: usize| {
+            if total[LOAD] > 0.0 {
+                total[part] / total[LOAD]
+            } else {
+                0.0
+            }
+        };
+        ContactState {
+            pressure: integral(LOAD, LOAD_ERROR),
+            shear: integral(FRICTION, FRICTION_ERROR),
+            area_fraction: integral(AREA, AREA_ERROR),
+            energy: self
+                .asperity
+                .knows_energy()
+                .then(|| integral(ENERGY, ENERGY_ERROR)),
+            contact_density: density * tail,
+            loaded_radius: share(LOAD_RADIUS),
+            outside: share(LOAD_OUTSIDE),
+            reach: self.asperity.limit(),
+        }
+    }
+
+    /// Interference beyond which a negligible share of the load remains.
+    fn reach(&self, leaves: &[Leaf]) -> f64 {
+        let total: f64 = leaves.iter().map(|leaf| leaf.value[LOAD]).sum();
+        let negligible = NEGLIGIBLE_SHARE * total;
+        let mut beyond = 0.0;
+        for leaf in leaves.iter().rev() {
+            let with_leaf = beyond + leaf.value[LOAD];
+            if with_leaf > negligible {
+                // The load left falls about exponentially across the panel.
+                let panel = self.tree(leaf.kept).panel(leaf.panel);
+                let share = if beyond > 0.0 {
+                    (with_leaf / negligible).ln() / (with_leaf / beyond).ln()
+                } else {
+                    1.0
+                };
+                return (panel.from + share * (panel.to - panel.from)).powi(2);
+            }
+            beyond = with_leaf;
+        }
+        self.asperity.limit()
+    }
+
+    /// Sum over a finite set of heights, highest first.
+    fn summed(&self, heights: &[f64], separation: f64) -> Result<ContactState, LookupError> {
+        let critical = self.asperity.critical_interference();
+        let weight = 1.0 / heights.len() as f64;
+        let mut total = [0.0; QUANTITIES];
+        let mut highest_load = Vec::new();
+        for &height in heights.iter().take_while(|&&height| height > separation) {
+            let interference = (height - separation) / critical;
+            let values = quantities(&self.asperity, interference)?;
+            for (sum, value) in total.iter_mut().zip(values) {
+                *sum += weight * value;
+            }
+            highest_load.push((interference, weight * values[LOAD]));
+        }
+        let tail = self.heights.tail(separation);
+        let mut state = self.scaled(tail, &total, &[0.0; QUANTITIES]);
+        if state.outside > NEGLIGIBLE_SHARE {
+            let mut beyond = 0.0;
+            for (interference, load) in highest_load {
+                beyond += load;
+                if beyond > NEGLIGIBLE_SHARE * total[LOAD] {
+                    state.reach = interference;
+                    break;
+                }
+            }
+        }
+        Ok(state)
+    }
+}
+
+fn sum<'s>(parts: impl Iterator<Item = &'s Sums>) -> Sums {
+    let mut total = [0.0; QUANTITIES];
+    for part in parts {
+        for (sum, value) in total.iter_mut().zip(part) {
+            *sum += value;
+        }
+    }
+    total
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,32 @@
+//! Friction of a rough surface from the friction of one asperity.
+//!
+//! A rough surface is a crowd of spherical summits of one radius, their heights
+//! spread over a distribution, against a smooth rigid flat (Greenwood &
+//! Williamson 1966). What one summit does, [`tables::law::AsperityLaw`], is
+//! integrated over the heights at each slip; the friction of the surface is read
+//! from that curve, not from the asperities' own peaks, because asperities pressed
+//! more and less reach theirs at different slips.
+//!
+//! Not modelled: interaction of neighbouring asperities, adhesion, a deformable
+//! or rough counter-face.
+
+pub mod asperity_at_slip;
+pub mod contact_state;
+pub mod flash_heating;
+pub mod friction;
+pub mod friction_figure;
+pub mod friction_file;
+pub mod heights;
+pub mod integral;
+pub mod law_source;
+pub mod monte_carlo;
+pub mod monte_carlo_file;
+mod panels;
+pub mod query;
+pub mod separation;
+pub mod slip_curve;
+pub mod summary;
+pub mod surface_file;
+
+#[cfg(test)]
+mod test_laws;

@@ -1,0 +1,326 @@
+//! Finite surfaces: friction of surfaces with a given number of asperities, their
+//! heights drawn at random, and how much it scatters from one to the next.
+//!
+//! [`friction`](crate::friction) gives the mean of a surface without end; a specimen
+//! of a few hundred asperities, of which a dozen touch, is one draw.
+
+use crate::asperity_at_slip::AsperityAtSlip;
+use crate::contact_state::ContactState;
+use crate::friction::{PredictionError, Settings};
+use crate::heights::{Heights, Random, Sample};
+use crate::integral::{HeightIntegral, NEGLIGIBLE_SHARE};
+use crate::query::{Hold, Pressing, Query, Surface};
+use crate::separation::separation_for;
+use rand::{RngExt, SeedableRng};
+use rayon::prelude::*;
+use tables::law::AsperityLaw;
+
+/// Finite surfaces asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampling {
+    /// Asperities of one surface, in contact or not.
+    pub asperities: usize,
+    /// Surfaces drawn.
+    pub realizations: usize,
+    /// Seed of the heights: the same seed gives the same surfaces.
+    pub seed: u64,
+    /// Slip at which friction is read, m.
+    pub slip: f64,
+}
+
+/// One finite surface under one pressure at one slip rate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Draw {
+    /// Friction over load after the slip, 1; NaN if nothing touches.
+    pub mu: f64,
+    /// Nominal pressure, Pa.
+    pub pressure: f64,
+    /// Distance of the flat from the plane of the heights, m.
+    pub separation: f64,
+    /// Real over nominal contact area, 1.
+    pub area_fraction: f64,
+    /// Asperities in contact.
+    pub contacts: f64,
+    /// Share of the load beyond the range of the law, 1.
+    pub outside: f64,
+}
+
+/// Mean and scatter of a quantity over the surfaces drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Scatter {
+    pub mean: f64,
+    /// Half width of the 95 % confidence interval of the mean.
+    pub mean_error: f64,
+    pub standard_deviation: f64,
+    /// 2.5 and 97.5 % quantiles: where 95 % of the surfaces lie.
+    pub lower: f64,
+    pub upper: f64,
+}
+
+/// Half width of a 95 % interval in standard deviations, for many draws.
+const NORMAL_95: f64 = 1.959_963_984_540_054;
+
+impl Scatter {
+    /// Of the values that are numbers; NaN throughout if there are none.
+    pub fn of(values: impl Iterator<Item = f64>) -> Self {
+        let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+        values.sort_by(f64::total_cmp);
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        let standard_deviation = (squares / (count - 1.0)).sqrt();
+        let quantile = |share: f64| {
+            let Some(last) = values.len().checked_sub(1) else {
+                return f64::NAN;
+            };
+            let place = share * last as f64;
+            let below = place.floor() as usize;
+            let next = values[(below + 1).min(last)];
+            values[below] + (place - below as f64) * (next - values[below])
+        };
+        Self {
+            mean,
+            mean_error: NORMAL_95 * standard_deviation / count.sqrt(),
+            standard_deviation,
+            lower: quantile(0.025),
+            upper: quantile(0.975),
+        }
+    }
+}
+
+/// Finite surfaces and what became of them.
+#[derive(Clone, Debug)]
+pub struct Samples {
+    pub query: Query,
+    pub sampling: Sampling,
+    pub law: String,
+    /// One row per pressure or separation, one column per slip rate, then the surfaces.
+    pub draws: Vec<Vec<Vec<Draw>>>,
+    pub warnings: Vec<String>,
+}
+
+impl Samples {
+    /// Scatter of a quantity at one pressure or separation and slip rate.
+    pub fn scatter(&self, row: usize, rate: usize, quantity: impl Fn(&Draw) -> f64) -> Scatter {
+        Scatter::of(self.draws[row][rate].iter().map(quantity))
+    }
+}
+
+/// Draws finite surfaces and slides them by [`Sampling::slip`].
+///
+/// Each surface has a seed of its own, drawn in order, so the result does not depend
+/// on the number of threads; the same surfaces meet every pressure and slip rate.
+/// With the load held the separation is that of the end of the slide; with the
+/// separation held it is that of the pressure before the slide.
+pub fn sample(
+    law: &dyn AsperityLaw,
+    surface: &Surface,
+    query: &Query,
+    sampling: &Sampling,
+    settings: &Settings,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Samples, PredictionError> {
+    query.check_slip_rates(law, surface.asperity_radius)?;
+    let mut seeds = Random::seed_from_u64(sampling.seed);
+    let seeds: Vec<u64> = (0..sampling.realizations).map(|_| seeds.random()).collect();
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let surfaces = seeds
+        .into_par_iter()
+        .map(|seed| {
+            let mut random = Random::seed_from_u64(seed);
+            let heights = (0..sampling.asperities)
+                .map(|_| surface.heights.draw(&mut random))
+                .collect();
+            let drawn = draw(law, surface, query, sampling, settings, heights);
+            let count = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+            progress(count, sampling.realizations);
+            drawn
+        })
+        .collect::<Vec<_>>();
+    let surfaces = surfaces.into_iter().collect::<Result<Vec<_>, _>>()?;
+
+    let rates = query.slip_rates.len();
+    let draws: Vec<Vec<Vec<Draw>>> = (0..query.pressing.values().len())
+        .map(|row| {
+            (0..rates)
+                .map(|rate| {
+                    surfaces
+                        .iter()
+                        .map(|drawn| drawn[row * rates + rate])
+                        .collect()
+                })
+                .collect()
+        })
+        .collect();
+    let warnings = warnings(query, &draws);
+    Ok(Samples {
+        query: query.clone(),
+        sampling: *sampling,
+        law: law.name(),
+        draws,
+        warnings,
+    })
+}
+
+/// One surface at every pressure or separation and slip rate, row by row.
+fn draw(
+    law: &dyn AsperityLaw,
+    surface: &Surface,
+    query: &Query,
+    sampling: &Sampling,
+    settings: &Settings,
+    heights: Vec<f64>,
+) -> Result<Vec<Draw>, PredictionError> {
+    let Some(heights) = Sample::new(heights) else {
+        // A single asperity, or none, has no distribution to speak of.
+        return Err(PredictionError::NoContact {
+            pressing: "a surface of less than two asperities".into(),
+        });
+    };
+    let tolerance = settings.tolerance;
+    let mut draws = Vec::new();
+    for (row, &value) in query.pressing.values().iter().enumerate() {
+        for &slip_rate in &query.slip_rates {
+            let asperity = AsperityAtSlip::new(law, surface.asperity_radius, slip_rate, 0.0)?;
+            let at_slip = |slip: f64| {
+                let asperity = asperity.after(slip);
+                HeightIntegral::new(asperity, &heights, surface.asperity_density, tolerance)
+            };
+            let (mut before, mut after) = (at_slip(0.0), at_slip(sampling.slip));
+            let pressed = match query.pressing {
+                Pressing::Pressure(_) => None,
+                Pressing::Separation(_) => Some((value, before.at(value)?)),
+            };
+            let (separation, state) = match (query.hold, pressed) {
+                (Hold::Separation, Some((separation, _))) => (separation, after.at(separation)?),
+                (Hold::Separation, None) => {
+                    let start = heights.mode();
+                    let carried = separation_for(&mut before, &heights, value, start, tolerance)?;
+                    (carried.separation, after.at(carried.separation)?)
+                }
+                (Hold::Load, pressed) => {
+                    let pressure = pressed.map_or(value, |(_, state)| state.pressure.value);
+                    if pressure > 0.0 {
+                        let start = heights.mode();
+                        let carried =
+                            separation_for(&mut after, &heights, pressure, start, tolerance)?;
+                        (carried.separation, carried.state)
+                    } else {
+                        (value, ContactState::default())
+                    }
+                }
+            };
+            if state.outside > NEGLIGIBLE_SHARE && !settings.extrapolate {
+                return Err(PredictionError::OutsideTable {
+                    pressing: query.pressing.describe(row),
+                    slip_rate,
+                    limit: law.interference_limit(),
+                    reach: state.reach,
+                    share: state.outside,
+                });
+            }
+            let asperities = sampling.asperities as f64;
+            draws.push(Draw {
+                mu: state.friction_coefficient().value,
+                pressure: state.pressure.value,
+                separation,
+                area_fraction: state.area_fraction.value,
+                contacts: state.contact_density / surface.asperity_density * asperities,
+                outside: state.outside,
+            });
+        }
+    }
+    Ok(draws)
+}
+
+fn warnings(query: &Query, draws: &[Vec<Vec<Draw>>]) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for (row, columns) in draws.iter().enumerate() {
+        for (slip_rate, surfaces) in query.slip_rates.iter().zip(columns) {
+            let place = format!("{}, {slip_rate} m/s", query.pressing.describe(row));
+            let count = surfaces.len();
+            let outside = surfaces.iter().map(|draw| draw.outside).fold(0.0, f64::max);
+            if outside > NEGLIGIBLE_SHARE {
+                warnings.push(format!(
+                    "{place}: up to {:.2} % of the load of a surface lies beyond the table and is extrapolated",
+                    100.0 * outside
+                ));
+            }
+            let idle = surfaces.iter().filter(|draw| draw.mu.is_nan()).count();
+            if idle > 0 {
+                warnings.push(format!(
+                    "{place}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient"
+                ));
+            }
+        }
+    }
+    warnings
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::heights::Exponential;
+    use crate::test_laws::PowerLaw;
+
+    fn samples(asperities: usize, threads: usize) -> Samples {
+        let law = PowerLaw::hertz();
+        let surface = Surface {
+            asperity_density: 1e10,
+            asperity_radius: 1e-4,
+            heights: Box::new(Exponential::new(1e-6)),
+        };
+        let query = Query {
+            pressing: Pressing::Pressure(vec![1e6, 1e8]),
+            slip_rates: vec![1.0],
+            hold: Hold::Load,
+        };
+        let sampling = Sampling {
+            asperities,
+            realizations: 300,
+            seed: 7,
+            slip: 1.0,
+        };
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        let settings = Settings::default();
+        pool.install(|| sample(&law, &surface, &query, &sampling, &settings, &|_, _| ()).unwrap())
+    }
+
+    #[test]
+    fn large_surfaces_approach_the_integral_and_small_ones_scatter() {
+        // A quarter of the summits touch. Exponential heights: μ = Q₀ (σ/ω_c) / (P₀ Γ(5/2) (σ/ω_c)^{3/2}) at any load.
+        let exact = 1e-4 / (1e-3 * libm::tgamma(2.5) * 10f64.sqrt());
+        let (small, large) = (samples(50, 2), samples(2000, 2));
+        let mu = large.scatter(1, 0, |draw| draw.mu);
+        // A ratio of sums is biased by the order of 1/n, 0.1 % here, on top of the scatter.
+        assert!(
+            (mu.mean - exact).abs() < 2.0 * mu.mean_error + 2e-3 * exact,
+            "{mu:?} {exact}"
+        );
+        let scattered = small.scatter(1, 0, |draw| draw.mu);
+        // Scatter falls as 1/√n: by 6.3 from 50 to 2000, give or take its own uncertainty.
+        let ratio = scattered.standard_deviation / mu.standard_deviation;
+        assert!(ratio > 4.0 && ratio < 10.0, "{ratio}");
+        assert!(scattered.lower < exact && exact < scattered.upper);
+    }
+
+    #[test]
+    fn threads_do_not_change_a_bit() {
+        assert_eq!(samples(40, 1).draws, samples(40, 3).draws);
+    }
+
+    #[test]
+    fn scatter_of_known_values() {
+        let scatter = Scatter::of((0..=100).map(f64::from).chain([f64::NAN]));
+        assert_eq!(
+            (scatter.mean, scatter.lower, scatter.upper),
+            (50.0, 2.5, 97.5)
+        );
+        // n = 101 consecutive numbers: variance n(n+1)/12.
+        assert!((scatter.standard_deviation - (101.0f64 * 102.0 / 12.0).sqrt()).abs() < 1e-12);
+        assert!(Scatter::of(std::iter::empty()).mean.is_nan());
+    }
+}

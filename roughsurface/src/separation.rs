@@ -1,0 +1,208 @@
+//! The separation at which a surface carries a nominal pressure.
+
+use crate::contact_state::ContactState;
+use crate::heights::Heights;
+use crate::integral::HeightIntegral;
+use tables::law::LookupError;
+
+/// Why no separation carries the pressure.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SeparationError {
+    #[error(transparent)]
+    Lookup(#[from] LookupError),
+    #[error(
+        "no separation between {from:e} and {to:e} m carries a nominal pressure of {pressure:e} Pa"
+    )]
+    NotFound { pressure: f64, from: f64, to: f64 },
+}
+
+/// A state that carries the asked pressure, and how it changes with separation.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried {
+    /// Distance of the flat from the plane of the heights, m.
+    pub separation: f64,
+    pub state: ContactState,
+    /// State a little closer to the surface, at `separation − step`.
+    closer: ContactState,
+    step: f64,
+}
+
+impl Carried {
+    /// The state at `separation` (m), with its sensitivity to separation.
+    pub fn at(
+        integral: &mut HeightIntegral,
+        heights: &dyn Heights,
+        separation: f64,
+    ) -> Result<Self, LookupError> {
+        // Wide against the rounding of the integrals, narrow against their curvature.
+        let step = 1e-4 * heights.standard_deviation();
+        Ok(Self {
+            separation,
+            state: integral.at(separation)?,
+            closer: integral.at(separation - step)?,
+            step,
+        })
+    }
+
+    /// |d(quantity)/d(separation)|, unit of the quantity per metre.
+    pub fn slope(&self, quantity: impl Fn(&ContactState) -> f64) -> f64 {
+        (quantity(&self.closer) - quantity(&self.state)).abs() / self.step
+    }
+
+    /// Error of the separation (m): of the pressure, through its slope, and of the
+    /// root, whose pressure differs from the `asked` one.
+    pub fn separation_error(&self, asked: f64) -> f64 {
+        let pressure = self.state.pressure.estimate();
+        let wrong = pressure.error + (pressure.value - asked).abs();
+        let slope = self.slope(|state| state.pressure.value);
+        if slope > 0.0 {
+            wrong / slope
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+/// Steps of the bracketing and of the root search: doubling reaches any
+/// separation of interest in a few, halving any accuracy in sixty.
+const MOST_STEPS: usize = 200;
+
+/// Finds the separation at which the nominal pressure is `pressure` (Pa) to a
+/// relative `tolerance`, starting from a guess `start` (m).
+///
+/// Pressure falls with separation, in its logarithm almost linearly, so a
+/// bracketed secant in ln(p) takes a few steps.
+pub fn separation_for(
+    integral: &mut HeightIntegral,
+    heights: &dyn Heights,
+    pressure: f64,
+    start: f64,
+    tolerance: f64,
+) -> Result<Carried, SeparationError> {
+    let mut excess = |separation: f64| -> Result<f64, LookupError> {
+        let carried = integral.at(separation)?.pressure.value;
+        Ok((carried / pressure).ln())
+    };
+    let std = heights.standard_deviation();
+    let value = excess(start)?;
+    let mut closer = (start, value);
+    let mut farther = (start, value);
+    let mut stride = 0.25 * std;
+    for _ in 0..MOST_STEPS {
+        if closer.1 < 0.0 {
+            farther = closer;
+            let separation = closer.0 - stride;
+            closer = (separation, excess(separation)?);
+        } else if farther.1 > 0.0 {
+            closer = farther;
+            let separation = farther.0 + stride;
+            farther = (separation, excess(separation)?);
+        } else {
+            break;
+        }
+        stride *= 2.0;
+    }
+    let not_found = SeparationError::NotFound {
+        pressure,
+        from: closer.0,
+        to: farther.0,
+    };
+    if closer.1 < 0.0 || farther.1 > 0.0 || closer.1.is_nan() || farther.1.is_nan() {
+        return Err(not_found);
+    }
+
+    // Illinois: the value kept at an end that does not move is halved, so that both close in.
+    let (mut weight_closer, mut weight_farther) = (closer.1, farther.1);
+    let mut width = f64::INFINITY;
+    let mut best = if closer.1.abs() < farther.1.abs() {
+        closer
+    } else {
+        farther
+    };
+    for step in 0..MOST_STEPS {
+        if best.1.abs() <= tolerance {
+            break;
+        }
+        let gap = farther.0 - closer.0;
+        if gap <= 4.0 * f64::EPSILON * closer.0.abs().max(farther.0.abs()).max(std) {
+            break;
+        }
+        // No contact at the far end has no logarithm; and a secant that does not
+        // halve the bracket in three steps has lost its way.
+        let secant = closer.0 + gap * weight_closer / (weight_closer - weight_farther);
+        let lost = step % 3 == 2 && gap > 0.5 * width;
+        if step % 3 == 2 {
+            width = gap;
+        }
+        let next = if secant.is_finite() && secant > closer.0 && secant < farther.0 && !lost {
+            secant
+        } else {
+            0.5 * (closer.0 + farther.0)
+        };
+        let value = excess(next)?;
+        if value >= 0.0 {
+            closer = (next, value);
+            weight_closer = value;
+            weight_farther *= 0.5;
+        } else {
+            farther = (next, value);
+            weight_farther = value;
+            weight_closer *= 0.5;
+        }
+        if value.abs() < best.1.abs() {
+            best = (next, value);
+        }
+    }
+    if !best.1.is_finite() {
+        return Err(not_found);
+    }
+    Ok(Carried::at(integral, heights, best.0)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::asperity_at_slip::AsperityAtSlip;
+    use crate::heights::{Exponential, Gaussian, Sample, Uniform};
+    use crate::test_laws::PowerLaw;
+
+    #[test]
+    fn the_pressure_of_a_separation_leads_back_to_it() {
+        let law = PowerLaw::hertz();
+        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+        let std = 1e-6;
+        let heights: [Box<dyn Heights>; 3] = [
+            Box::new(Gaussian::new(std)),
+            Box::new(Exponential::new(std)),
+            Box::new(Uniform::new(std)),
+        ];
+        for heights in heights {
+            let heights = heights.as_ref();
+            let mut integral = HeightIntegral::new(asperity.clone(), heights, 1e10, 1e-12);
+            for place in [-3.0, -0.5, 0.1, 1.0, 1.6] {
+                let wanted = place * std;
+                let pressure = integral.at(wanted).unwrap().pressure.value;
+                let found = separation_for(&mut integral, heights, pressure, 0.0, 1e-12).unwrap();
+                // d(ln p)/dd is of order 1/std, so 1e-12 in ln p is 1e-12 std in d;
+                // hundredfold for the flat ends.
+                assert!(
+                    (found.separation - wanted).abs() < 1e-10 * std,
+                    "{place}: {:e} against {wanted:e}",
+                    found.separation
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn few_measured_heights_carry_a_light_load_too() {
+        let law = PowerLaw::hertz();
+        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+        let heights = Sample::new(vec![0.0, 1e-6, 2.5e-6]).unwrap();
+        let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1e10, 1e-10);
+        let found = separation_for(&mut integral, &heights, 1e-3, 0.0, 1e-10).unwrap();
+        assert!(found.separation < 2.5e-6 && found.separation > 2.4e-6);
+        // The interference is 1e-14 m of a height of 2.5e-6 m: eight digits are left.
+        assert!((found.state.pressure.value - 1e-3).abs() < 1e-10);
+    }
+}

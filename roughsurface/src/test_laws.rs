@@ -1,0 +1,82 @@
+//! Laws of one asperity with exact integrals, for tests.
+
+use tables::law::{AsperityLaw, Estimate, LookupError, Response};
+
+/// P, Q and A as powers of ω/ω_c, rate dependence and slip hardening by choice.
+#[derive(Clone, Debug)]
+pub struct PowerLaw {
+    /// (factor, exponent) of load (N), friction (N) and area (m²).
+    pub load: (f64, f64),
+    pub friction: (f64, f64),
+    pub area: (f64, f64),
+    /// ω_c, m.
+    pub critical: f64,
+    pub limit: f64,
+    pub relative_error: f64,
+    /// Friction as a factor of slip rate (m/s), slip (m) and contact radius (m).
+    pub history: fn(f64, f64, f64) -> f64,
+}
+
+impl PowerLaw {
+    /// Unit load and area with Hertz exponents, ω_c = 0.1 µm, Q = 1e8 Pa times A.
+    pub fn hertz() -> Self {
+        Self {
+            load: (1e-3, 1.5),
+            friction: (1e-4, 1.0),
+            area: (1e-12, 1.0),
+            critical: 1e-7,
+            limit: f64::INFINITY,
+            relative_error: 0.0,
+            history: |_, _, _| 1.0,
+        }
+    }
+}
+
+impl AsperityLaw for PowerLaw {
+    fn name(&self) -> String {
+        "power law".into()
+    }
+    fn critical_interference(&self, _radius: f64) -> f64 {
+        self.critical
+    }
+    fn interference_limit(&self) -> f64 {
+        self.limit
+    }
+    fn breaks(&self) -> Vec<f64> {
+        Vec::new()
+    }
+    fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
+        (0.0, 100.0)
+    }
+    fn response(
+        &self,
+        _radius: f64,
+        interference: f64,
+        slip_rate: f64,
+        slip: f64,
+    ) -> Result<Response, LookupError> {
+        if interference > self.limit {
+            return Err(LookupError::InterferenceAbove {
+                interference,
+                limit: self.limit,
+            });
+        }
+        let estimate = |(factor, exponent): (f64, f64)| {
+            let value = factor * interference.powf(exponent);
+            Estimate {
+                value,
+                error: self.relative_error * value,
+            }
+        };
+        let area = estimate(self.area);
+        let contact_radius = (area.value / std::f64::consts::PI).sqrt();
+        let history = (self.history)(slip_rate, slip, contact_radius);
+        let friction = estimate((self.friction.0 * history, self.friction.1));
+        Ok(Response {
+            load: estimate(self.load),
+            friction,
+            area,
+            temperature_max: Estimate::default(),
+        })
+    }
+}

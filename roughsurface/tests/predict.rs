@@ -1,0 +1,340 @@
+//! The program from surface file and table to friction.nc: results, exit status, messages.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use roughsurface::friction::{Settings, predict};
+use roughsurface::surface_file::SurfaceFile;
+use tables::closed_forms::{ElasticPlastic, closed_form, hertz};
+use tables::dataset::DatasetReader;
+use tables::law::{AsperityLaw, Estimate, LookupError, Response};
+use tables::quantity::Quantity;
+use tables::table::{Axes, Cell, Metadata, Table};
+
+const SURFACE: &str = r#"
+[surface]
+asperity_density = 1e10
+asperity_radius = 100e-6
+heights = { distribution = "gaussian", std = 0.05e-6 }
+[query]
+pressure = [1e5, 1e6, 1e7]
+slip_rate = [0.1, 0.3, 1.0, 3.0, 10.0]
+[material]
+youngs_modulus = 200e9
+poisson_ratio = 0.3
+yield_strength = 400e6
+"#;
+
+const STEEL: ElasticPlastic = ElasticPlastic {
+    youngs_modulus: 200e9,
+    poisson_ratio: 0.3,
+    yield_strength: 400e6,
+};
+
+/// Jackson–Green asperities that weaken with slip rate once they have slid by a
+/// tenth of their contact radius.
+struct Weakening(Box<dyn AsperityLaw>);
+
+impl Weakening {
+    fn new() -> Self {
+        Self(closed_form("jackson-green", &STEEL).unwrap())
+    }
+}
+
+impl AsperityLaw for Weakening {
+    fn name(&self) -> String {
+        "weakening".into()
+    }
+    fn critical_interference(&self, radius: f64) -> f64 {
+        self.0.critical_interference(radius)
+    }
+    fn interference_limit(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn breaks(&self) -> Vec<f64> {
+        self.0.breaks()
+    }
+    fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
+        (0.0, f64::INFINITY)
+    }
+    fn response(
+        &self,
+        radius: f64,
+        interference: f64,
+        slip_rate: f64,
+        slip: f64,
+    ) -> Result<Response, LookupError> {
+        let mut response = self.0.response(radius, interference, slip_rate, slip)?;
+        let contact_radius = (response.area.value / std::f64::consts::PI).sqrt();
+        let slid = 1.0 - (-slip / (0.1 * contact_radius).max(f64::MIN_POSITIVE)).exp();
+        // V R is what a table scales with.
+        let hot = slip_rate * radius / 1e-4;
+        response.friction.value *= 1.0 - 0.7 * slid * hot / (1.0 + hot);
+        Ok(response)
+    }
+}
+
+fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
+    let share = |i: usize| i as f64 / (points - 1) as f64;
+    (0..points)
+        .map(|i| from * (to / from).powf(share(i)))
+        .collect()
+}
+
+/// The law as a table for spheres ten times as large as those of the surface.
+fn table(law: &dyn AsperityLaw, interference_to: f64) -> Table {
+    let radius = 1e-3;
+    let mut slip = vec![0.0];
+    slip.extend(spaced(1e-4, 2.0, 40));
+    let axes = Axes {
+        interference: spaced(0.02, interference_to, 26),
+        slip_rate: spaced(1e-3, 2.0, 12),
+        slip,
+    };
+    let metadata = Metadata {
+        title: "test".into(),
+        asperity_radius: radius,
+        critical_interference: law.critical_interference(radius),
+        contact_modulus: STEEL.contact_modulus(),
+        poisson_ratio: STEEL.poisson_ratio,
+        yield_strength: STEEL.yield_strength,
+        strength_factor: Some(1.0),
+        temperature: 298.0,
+        ..Metadata::default()
+    };
+    let mut table = Table::new(axes.clone(), metadata).unwrap();
+    for (i, &interference) in axes.interference.iter().enumerate() {
+        for (j, &rate) in axes.slip_rate.iter().enumerate() {
+            let at = |slip: f64| law.response(radius, interference, rate, slip).unwrap();
+            let contact_radius = (at(0.0).area.value / std::f64::consts::PI).sqrt();
+            let states: Vec<Response> = axes.slip.iter().map(|s| at(s * contact_radius)).collect();
+            let history = |value: fn(&Response) -> Estimate| -> Vec<f64> {
+                states.iter().map(|state| value(state).value).collect()
+            };
+            let (load, friction, area) = (
+                history(|s| s.load),
+                history(|s| s.friction),
+                history(|s| s.area),
+            );
+            let end = axes.slip.len() - 1;
+            let mu: Vec<f64> = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
+            let cell = Cell::new()
+                .with(Quantity::ContactRadius, contact_radius, 0.0)
+                .with(Quantity::Mu, mu[end], 0.0)
+                .with(Quantity::Load, load[end], 0.0)
+                .with(Quantity::LoadPress, load[0], 0.0)
+                .with(Quantity::Friction, friction[end], 0.0)
+                .with(Quantity::Area, area[end], 0.0)
+                .with(Quantity::AreaPress, area[0], 0.0)
+                .with(Quantity::TemperatureMax, 298.0, 0.0)
+                .with_history(Quantity::Mu, mu)
+                .with_history(Quantity::Load, load)
+                .with_history(Quantity::Friction, friction)
+                .with_history(Quantity::Area, area)
+                .with_history(Quantity::TemperatureMax, vec![298.0; axes.slip.len()]);
+            table.set_cell(i, j, cell).unwrap();
+        }
+    }
+    table
+}
+
+/// A folder for one test, removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder =
+            std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        std::fs::write(folder.join("surface.toml"), SURFACE).unwrap();
+        Self(folder)
+    }
+
+    fn run(&self, arguments: &str) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_roughsurface"))
+            .args(arguments.split_whitespace())
+            .current_dir(&self.0)
+            // Programs started by tests that run at the same time inherit the lock of a
+            // table that this one is writing.
+            .env("HDF5_USE_FILE_LOCKING", "FALSE")
+            .output()
+            .unwrap()
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
+    let folder = Folder::new("table");
+    let law = Weakening::new();
+    table(&law, 200.0).write(&folder.path("table.nc")).unwrap();
+    let output = folder.run("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let summary = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(summary.lines().count(), 1 + 15 + 1 + 2 + 3, "{summary}");
+    assert!(std::fs::metadata(folder.path("f.svg")).unwrap().len() > 10_000);
+
+    let surface = SurfaceFile::read(&folder.path("surface.toml")).unwrap();
+    let settings = Settings::default();
+    let exact = predict(
+        &law,
+        &surface.surface,
+        &surface.query,
+        &settings,
+        &|_, _| (),
+    )
+    .unwrap();
+    let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
+    let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
+    let (mu, mu_error) = (read("mu"), read("mu_error"));
+    let (mu_static, energy, area) = (read("mu_static"), read("G"), read("real_area_fraction"));
+    let separation = read("separation");
+    for (i, cell) in exact.friction.iter().flatten().enumerate() {
+        let off = (mu[i] - cell.sliding.mu.value).abs();
+        assert!(
+            off <= mu_error[i] && off < 5e-3 * mu[i],
+            "mu {off} ±{}",
+            mu_error[i]
+        );
+        // Between table points the law is known to a few parts in a thousand.
+        assert!((mu_static[i] / cell.mu_static.value - 1.0).abs() < 0.01);
+        assert!((area[i] / cell.sliding.area_fraction.value - 1.0).abs() < 5e-3);
+        assert!((separation[i] - cell.pressed.separation.value).abs() < 1e-3 * 0.05e-6);
+        assert!(
+            (energy[i] / cell.energy.value - 1.0).abs() < 0.02,
+            "G {}",
+            energy[i]
+        );
+        assert!(mu_static[i] > mu[i] && energy[i] > 0.0);
+    }
+    assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
+    assert_eq!(file.attribute_text("table").unwrap(), "table.nc");
+}
+
+#[test]
+fn load_beyond_the_table_is_refused_or_extrapolated() {
+    let folder = Folder::new("beyond");
+    let law = Weakening::new();
+    table(&law, 20.0).write(&folder.path("table.nc")).unwrap();
+    let output = folder.run("predict surface.toml --table table.nc -o friction.nc");
+    assert_eq!(output.status.code(), Some(2));
+    let message = stderr(&output);
+    assert!(message.contains("beyond 20.0000 omega_c") && message.contains("--extrapolate"));
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(!folder.path("friction.nc").exists());
+
+    let output = folder.run("predict surface.toml --table table.nc -o friction.nc --extrapolate");
+    assert_eq!(output.status.code(), Some(0));
+    assert!(stderr(&output).contains("extrapolated"));
+    let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
+    let outside = file.reals("outside_table_fraction", &[3, 5]).unwrap();
+    assert!(outside.iter().all(|share| *share > 1e-3 && *share < 1.0));
+}
+
+#[test]
+fn elastic_asperities_of_constant_strength_with_exponential_heights() {
+    // μ = 0.4039/ψ at ν = 0.3 and any load, for ψ small enough to stay elastic.
+    let folder = Folder::new("elastic");
+    let critical = hertz::critical_interference(STEEL.contact_modulus(), 0.3, 400e6, 1e-4);
+    let std = format!("{:e}", 0.04 * critical);
+    let text = SURFACE
+        .replace("gaussian", "exponential")
+        .replace("0.05e-6", &std)
+        .replace("[1e5, 1e6, 1e7]", "[1e1, 1e2]")
+        .replace("[0.1, 0.3, 1.0, 3.0, 10.0]", "[1.0]");
+    std::fs::write(folder.path("surface.toml"), text).unwrap();
+    let output = folder.run("predict surface.toml --table model:constant-shear -o f.nc --json");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    for cell in summary["friction"].as_array().unwrap() {
+        let mu = cell["mu"]["value"].as_f64().unwrap();
+        // Four published digits; the share of asperities past yield is e^{−25}.
+        assert!((mu * 0.2 / 0.4039 - 1.0).abs() < 2e-4, "{mu}");
+    }
+}
+
+#[test]
+fn threads_change_nothing_and_random_surfaces_repeat() {
+    let folder = Folder::new("threads");
+    for (command, name) in [
+        ("predict surface.toml --table model:brizmer", "friction.nc"),
+        (
+            "sample surface.toml --table model:brizmer --asperities 200 --realizations 20 --seed 3",
+            "mc.nc",
+        ),
+    ] {
+        let values = |threads: usize| {
+            let output = folder.run(&format!("{command} -o {name} -q --threads {threads}"));
+            assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+            assert!(output.stdout.is_empty() && output.stderr.is_empty());
+            let file = DatasetReader::open(&folder.path(name)).unwrap();
+            let shape: &[usize] = if name == "mc.nc" {
+                &[3, 5, 20]
+            } else {
+                &[3, 5]
+            };
+            file.reals("mu", shape).unwrap()
+        };
+        assert_eq!(values(1), values(3));
+    }
+}
+
+#[test]
+fn bad_input_ends_with_status_two_and_one_line() {
+    let folder = Folder::new("input");
+    std::fs::write(
+        folder.path("typo.toml"),
+        SURFACE.replace("pressure", "presure"),
+    )
+    .unwrap();
+    for (arguments, message) in [
+        (
+            "predict typo.toml --table model:hertz -o f.nc",
+            "did you mean pressure?",
+        ),
+        (
+            "predict none.toml --table model:hertz -o f.nc",
+            "none.toml: cannot be read",
+        ),
+        (
+            "predict surface.toml --table model:herz -o f.nc",
+            "kogut-etsion",
+        ),
+        (
+            "predict surface.toml --table none.nc -o f.nc",
+            "cannot read none.nc",
+        ),
+        (
+            "predict surface.toml --table model:hertz -o no/f.nc",
+            "its folder does not exist",
+        ),
+        (
+            "predict surface.toml --table model:hertz -o f.nc --plot f.pdf",
+            "must be one of svg, png",
+        ),
+    ] {
+        let output = folder.run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        let text = stderr(&output);
+        assert!(
+            text.contains(message) && text.lines().count() == 1,
+            "{text}"
+        );
+    }
+    let usage = folder.run("predict surface.toml");
+    assert_eq!(usage.status.code(), Some(2));
+    assert!(!Path::new(&folder.path("f.nc")).exists());
+}

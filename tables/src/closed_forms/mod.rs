@@ -1,0 +1,14 @@
+//! Closed forms of the literature for one spherical asperity on a rigid flat.
+//!
+//! One module per model, with plain functions in the units of the paper; [`closed_form`]
+//! wraps them as an [`AsperityLaw`](crate::law::AsperityLaw). They are the references of the
+//! tests, the comparison models of `roughsurface`, and what a table continues into where it ends.
+
+pub mod brizmer;
+pub mod hertz;
+pub mod jackson_green;
+pub mod kogut_etsion;
+mod model;
+pub mod partial_slip;
+
+pub use model::{ClosedForm, ElasticPlastic, NAMES, UnknownClosedForm, closed_form};

@@ -1,0 +1,260 @@
+//! Figures of both programs: panels of curves, as SVG or PNG by the extension of the file.
+//!
+//! Curves differ in colour (Okabe & Ito's palette, told apart by colour-blind readers), dash
+//! and marker, so that they can be told apart in grey as well. No fonts of the system are used;
+//! the same figure gives the same bytes.
+
+mod draw;
+
+use std::path::Path;
+
+use kuva::backend::png::PngBackend;
+use kuva::backend::svg::SvgBackend;
+use kuva::render::figure::Figure as Sheet;
+
+use draw::Medium;
+
+/// A sheet of panels, two in a row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Figure {
+    pub title: String,
+    pub panels: Vec<Panel>,
+}
+
+/// One pair of axes with its curves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Panel {
+    pub title: String,
+    pub x: Axis,
+    pub y: Axis,
+    pub curves: Vec<Curve>,
+}
+
+/// Label, with the unit, and scale of an axis.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Axis {
+    pub label: String,
+    pub log: bool,
+}
+
+/// A line through points; points that are not finite, or not positive on a logarithmic axis,
+/// are left out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Curve {
+    /// Empty: not in the legend.
+    pub label: String,
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+    /// Absolute errors of `y`, drawn as bars on few points and as a band on many.
+    pub error: Option<Vec<f64>>,
+}
+
+/// Why a figure was not made.
+#[derive(Debug, thiserror::Error)]
+pub enum FigureError {
+    #[error("cannot draw {path}: the extension must be one of svg, png")]
+    Extension { path: String },
+    #[error("cannot write {path}: {reason}")]
+    Write { path: String, reason: String },
+}
+
+/// Width and height of a panel, in points.
+const PANEL_SIZE: (f64, f64) = (560.0, 380.0);
+
+/// Pixels per point of a PNG.
+const PIXELS: f32 = 2.0;
+
+impl Axis {
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self {
+            label: label.into(),
+            log: false,
+        }
+    }
+
+    pub fn logarithmic(label: impl Into<String>) -> Self {
+        Self {
+            label: label.into(),
+            log: true,
+        }
+    }
+}
+
+impl Curve {
+    pub fn new(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
+        Self {
+            label: label.into(),
+            x,
+            y,
+            error: None,
+        }
+    }
+
+    pub fn with_error(mut self, error: Vec<f64>) -> Self {
+        self.error = Some(error);
+        self
+    }
+}
+
+impl Figure {
+    /// Whether `path` has an extension that [`Figure::save`] knows: to be asked before a long
+    /// computation.
+    pub fn check_extension(path: &Path) -> Result<(), FigureError> {
+        extension(path).map(|_| ())
+    }
+
+    /// Draws the figure into a file.
+    pub fn save(&self, path: &Path) -> Result<(), FigureError> {
+        let failed = |reason: String| FigureError::Write {
+            path: path.display().to_string(),
+            reason,
+        };
+        let bytes = match extension(path)? {
+            Extension::Svg => self.svg().into_bytes(),
+            Extension::Png => {
+                let backend = PngBackend::new().with_scale(PIXELS);
+                backend
+                    .render_scene(&self.sheet(Medium::Raster).render())
+                    .map_err(failed)?
+            }
+        };
+        std::fs::write(path, bytes).map_err(|error| failed(error.to_string()))
+    }
+
+    /// The figure as SVG.
+    pub fn svg(&self) -> String {
+        renumbered(&SvgBackend::new().render_scene(&self.sheet(Medium::Vector).render()))
+    }
+
+    fn sheet(&self, medium: Medium) -> Sheet {
+        let columns = self.panels.len().clamp(1, 2);
+        let rows = self.panels.len().div_ceil(columns).max(1);
+        let (plots, layouts): (Vec<_>, Vec<_>) =
+            (self.panels.iter()).map(|panel| panel.draw(medium)).unzip();
+        // The last row may have one panel only; it then takes the whole width.
+        let mut cells: Vec<Vec<usize>> = (0..self.panels.len()).map(|cell| vec![cell]).collect();
+        if self.panels.len() < rows * columns {
+            if let Some(last) = cells.last_mut() {
+                last.push(self.panels.len());
+            } else {
+                cells.push(vec![0]);
+            }
+        }
+        let mut sheet = Sheet::new(rows, columns)
+            .with_structure(cells)
+            .with_plots(plots)
+            .with_layouts(layouts)
+            .with_cell_size(PANEL_SIZE.0, PANEL_SIZE.1)
+            .with_padding(18.0)
+            .with_spacing(22.0);
+        if !self.title.is_empty() {
+            sheet = sheet.with_title(self.title.as_str());
+        }
+        sheet
+    }
+}
+
+/// The library numbers clipping paths through the life of the program; here they are numbered
+/// through the figure, so that equal figures are equal files.
+fn renumbered(svg: &str) -> String {
+    const PREFIX: &str = "kuva-clip-";
+    let mut known: Vec<&str> = Vec::new();
+    let mut pieces = svg.split(PREFIX);
+    let mut result = pieces.next().unwrap_or_default().to_string();
+    for piece in pieces {
+        let digits = piece
+            .find(|c: char| !c.is_ascii_digit())
+            .unwrap_or(piece.len());
+        let (id, rest) = piece.split_at(digits);
+        let number = known.iter().position(|k| *k == id).unwrap_or_else(|| {
+            known.push(id);
+            known.len() - 1
+        });
+        result.push_str(&format!("{PREFIX}{number}{rest}"));
+    }
+    result
+}
+
+enum Extension {
+    Svg,
+    Png,
+}
+
+fn extension(path: &Path) -> Result<Extension, FigureError> {
+    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+    match extension.to_str() {
+        Some("svg") => Ok(Extension::Svg),
+        Some("png") => Ok(Extension::Png),
+        _ => Err(FigureError::Extension {
+            path: path.display().to_string(),
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn figure() -> Figure {
+        let x: Vec<f64> = (0..9).map(|n| 10f64.powf(n as f64 / 4.0 - 1.0)).collect();
+        let curve = |n: usize| {
+            let y: Vec<f64> = x.iter().map(|x| 0.3 / (1.0 + x / n as f64)).collect();
+            let error = y.iter().map(|y| 0.05 * y).collect();
+            Curve::new(format!("{n} ω_c"), x.clone(), y).with_error(error)
+        };
+        Figure {
+            title: "Friction".to_string(),
+            panels: vec![Panel {
+                title: "weakening".to_string(),
+                x: Axis::logarithmic("slip rate V (m/s)"),
+                y: Axis::linear("friction coefficient"),
+                curves: (1..4).map(curve).collect(),
+            }],
+        }
+    }
+
+    #[test]
+    fn svg_and_png_are_written_and_reproducible() {
+        for extension in ["svg", "PNG"] {
+            let name = format!("tables-figure-{}.{extension}", std::process::id());
+            let path = std::env::temp_dir().join(name);
+            figure().save(&path).unwrap();
+            let bytes = std::fs::read(&path).unwrap();
+            figure().save(&path).unwrap();
+            assert!(bytes == std::fs::read(&path).unwrap(), "{extension}");
+            assert!(bytes.len() > 2000);
+            std::fs::remove_file(&path).unwrap();
+        }
+    }
+
+    #[test]
+    fn labels_and_units_are_in_the_figure() {
+        let svg = figure().svg();
+        for text in ["slip rate V (m/s)", "friction coefficient", "3 ω_c"] {
+            assert!(svg.contains(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_left_out() {
+        let mut figure = figure();
+        figure.panels[0].curves = vec![
+            Curve::new("zero", vec![0.0, 1.0, 2.0], vec![1.0, f64::NAN, 3.0]),
+            Curve::new("nothing", vec![0.0], vec![1.0]),
+        ];
+        let points = figure.panels[0].visible(&figure.panels[0].curves[0]);
+        assert_eq!(points, [(2.0, 3.0, 0.0)]);
+        figure.svg();
+        figure.panels.clear();
+        figure.svg();
+    }
+
+    #[test]
+    fn other_extensions_are_refused() {
+        let error = figure().save(Path::new("plot.pdf")).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "cannot draw plot.pdf: the extension must be one of svg, png"
+        );
+    }
+}

@@ -1,0 +1,358 @@
+//! Points of a table with what interpolation needs of them.
+//!
+//! The interpolation error is estimated by leaving points out: each inner point of an axis is
+//! predicted from its neighbours, and the relative misfit stands for the error of intervals
+//! twice as long as those in use. Halving them halves the error at a kink, which is what is
+//! assumed (the cubic is of third order where the data are smooth, which makes this an upper
+//! estimate there). Between two points the estimate varies as 4t(1−t), being zero on them.
+
+use crate::quantity::Quantity;
+use crate::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
+use crate::table::{Status, Table};
+
+/// What the response of a table consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Field {
+    Load,
+    Friction,
+    Area,
+    /// T_max above the initial temperature: it follows power laws, T itself does not.
+    TemperatureRise,
+}
+
+pub(super) const FIELDS: usize = 4;
+
+/// One number for each [`Field`].
+pub(super) type Values = [f64; FIELDS];
+
+const QUANTITIES: [Quantity; FIELDS] = [
+    Quantity::Load,
+    Quantity::Friction,
+    Quantity::Area,
+    Quantity::TemperatureMax,
+];
+
+/// Error of the interpolation over that of the prediction of left-out points.
+const REFINEMENT: f64 = 0.5;
+
+#[derive(Debug)]
+pub(super) struct Nodes {
+    rates: usize,
+    slip: Vec<f64>,
+    /// Histories of each (i, j), or none: values and slopes per unit of s/a₀ for each slip.
+    histories: Vec<Option<Vec<[Values; 2]>>>,
+    /// Relative error of the results at each (i, j, k).
+    given: Vec<Values>,
+    /// Relative misfit of the point (i, j, k) when predicted along interference, slip rate, slip.
+    misfit: [Vec<Values>; 3],
+}
+
+impl Nodes {
+    pub(super) fn new(table: &Table, log_interference: &[f64], rate_coordinate: &[f64]) -> Self {
+        let slip = table.axes().slip.clone();
+        let (_, rates) = table.shape();
+        let base = table.metadata().temperature;
+        let mut nodes = Self {
+            rates,
+            histories: table
+                .grid()
+                .map(|(i, j)| history(table, i, j, base))
+                .collect(),
+            given: (table.grid().map(|(i, j)| given_error(table, i, j, base)))
+                .flat_map(|error| std::iter::repeat_n(error, slip.len()))
+                .collect(),
+            misfit: Default::default(),
+            slip,
+        };
+        let slips = nodes.slip.clone();
+        nodes.misfit = [
+            nodes.misfits(
+                log_interference,
+                |(i, j, k), n| (i + n, j, k),
+                |(i, _, _)| i,
+            ),
+            nodes.misfits(rate_coordinate, |(i, j, k), n| (i, j + n, k), |(_, j, _)| j),
+            nodes.misfits(&slips, |(i, j, k), n| (i, j, k + n), |(_, _, k)| k),
+        ];
+        nodes
+    }
+
+    pub(super) fn is_present(&self, i: usize, j: usize) -> bool {
+        self.histories[i * self.rates + j].is_some()
+    }
+
+    pub(super) fn locate_slip(&self, ratio: f64) -> Location {
+        locate(&self.slip, ratio)
+    }
+
+    /// State at a point of the grid after some slip; none where there are no results.
+    pub(super) fn state(&self, i: usize, j: usize, slip: Location) -> Option<Values> {
+        let history = self.histories[i * self.rates + j].as_ref()?;
+        let Location { index, t } = slip;
+        let [start, start_slope] = history[index];
+        if t == 0.0 {
+            return Some(start);
+        }
+        let [end, end_slope] = history[index + 1];
+        let h = self.slip[index + 1] - self.slip[index];
+        Some(std::array::from_fn(|f| {
+            hermite(h, t, start[f], end[f], start_slope[f], end_slope[f])
+        }))
+    }
+
+    /// Relative error at a place: that of the results, linearly, and that of interpolation.
+    pub(super) fn relative_error(&self, place: Location, rate: Location, slip: Location) -> Values {
+        let mut error = [0.0; FIELDS];
+        let corner = |i: usize, j: usize, k: usize| (i * self.rates + j) * self.slip.len() + k;
+        let nearest = |at: Location| at.index + usize::from(at.t > 0.5);
+        let (i, j, k) = (nearest(place), nearest(rate), nearest(slip));
+        for (i, share_i) in ends(place) {
+            for (j, share_j) in ends(rate) {
+                let given = &self.given[corner(i, j, k)];
+                for (error, given) in error.iter_mut().zip(given) {
+                    *error += share_i * share_j * given;
+                }
+            }
+        }
+        let along = [
+            (place, corner(place.index, j, k), corner(1, 0, 0)),
+            (rate, corner(i, rate.index, k), corner(0, 1, 0)),
+            (slip, corner(i, j, slip.index), 1),
+        ];
+        for (misfit, (at, position, stride)) in self.misfit.iter().zip(along) {
+            let bump = 4.0 * at.t * (1.0 - at.t) * REFINEMENT;
+            if bump <= 0.0 {
+                continue;
+            }
+            let (one, other) = (&misfit[position], &misfit[position + stride]);
+            for (field, error) in error.iter_mut().enumerate() {
+                *error += bump * one[field].max(other[field]);
+            }
+        }
+        error
+    }
+
+    /// The nodes at one slip rate, as nodes with a single column: `row` is the state of a row
+    /// after some slip. The error of interpolating along the slip rate joins that of the results.
+    pub(super) fn at_rate(
+        &self,
+        rate: Location,
+        row: impl Fn(usize, Location) -> Option<Values>,
+    ) -> Self {
+        let rows = self.histories.len() / self.rates;
+        let j = rate.index + usize::from(rate.t > 0.5);
+        let point = |k: usize| match k + 1 < self.slip.len() {
+            true => Location { index: k, t: 0.0 },
+            false => Location {
+                index: k.saturating_sub(1),
+                t: if k == 0 { 0.0 } else { 1.0 },
+            },
+        };
+        let history = |i: usize| {
+            let states = (0..self.slip.len()).map(|k| row(i, point(k)));
+            Some(with_slopes(&self.slip, states.collect::<Option<Vec<_>>>()?))
+        };
+        let place = |i: usize| Location { index: i, t: 0.0 };
+        let slips = self.slip.len();
+        let column = |misfit: &Vec<Values>| -> Vec<Values> {
+            if misfit.is_empty() {
+                return Vec::new();
+            }
+            (0..rows)
+                .flat_map(|i| &misfit[(i * self.rates + j) * slips..][..slips])
+                .copied()
+                .collect()
+        };
+        Self {
+            rates: 1,
+            slip: self.slip.clone(),
+            histories: (0..rows).map(history).collect(),
+            given: (0..rows)
+                .flat_map(|i| (0..slips).map(move |k| (i, k)))
+                .map(|(i, k)| self.relative_error(place(i), rate, point(k)))
+                .collect(),
+            misfit: [column(&self.misfit[0]), Vec::new(), column(&self.misfit[2])],
+        }
+    }
+
+    /// Misfits along one axis; `step` moves by n points along it, `index` is the place on it.
+    fn misfits(
+        &self,
+        axis: &[f64],
+        step: impl Fn((usize, usize, usize), usize) -> (usize, usize, usize),
+        index: impl Fn((usize, usize, usize)) -> usize,
+    ) -> Vec<Values> {
+        let value = |(i, j, k): (usize, usize, usize)| {
+            let history = self.histories[i * self.rates + j].as_ref()?;
+            Some(history[k][0])
+        };
+        let slips = self.slip.len();
+        let points = (0..self.histories.len())
+            .flat_map(|cell| (0..slips).map(move |k| (cell, k)))
+            .map(|(cell, k)| (cell / self.rates, cell % self.rates, k));
+        let misfit = |point: (usize, usize, usize)| -> Values {
+            // The origin of the line through this point along the axis.
+            let own = index(point);
+            let origin = match step((0, 0, 0), 1) {
+                (1, _, _) => (0, point.1, point.2),
+                (_, 1, _) => (point.0, 0, point.2),
+                _ => (point.0, point.1, 0),
+            };
+            let line = |n: usize| value(step(origin, n));
+            // End points cannot be left out: they take the misfit of their neighbour.
+            let inner = own.clamp(1, axis.len().saturating_sub(2).max(1));
+            left_out(axis, line, inner).unwrap_or([0.0; FIELDS])
+        };
+        points.map(misfit).collect()
+    }
+}
+
+/// Relative misfit of the point `own` of a line when predicted from the others.
+fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) -> Option<Values> {
+    if axis.len() == 2 {
+        // Nothing to leave out: the two means that a middle could have.
+        let (a, b) = (line(0)?, line(1)?);
+        return Some(std::array::from_fn(|f| {
+            let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
+            let misfit = (mean - geometric).abs() / geometric.abs().max(f64::MIN_POSITIVE);
+            if geometric > 0.0 {
+                misfit.min(1.0) / REFINEMENT
+            } else {
+                0.0
+            }
+        }));
+    }
+    if axis.len() < 2 || own + 1 >= axis.len() {
+        return None;
+    }
+    let (left, right, actual) = (line(own - 1)?, line(own + 1)?, line(own)?);
+    let outer_left = own.checked_sub(2).and_then(|i| Some((i, line(i)?)));
+    let outer_right = (own + 2 < axis.len()).then(|| line(own + 2)).flatten();
+    let outer_right = outer_right.map(|v| (own + 2, v));
+    let h = axis[own + 1] - axis[own - 1];
+    let t = (axis[own] - axis[own - 1]) / h;
+    let gaps = [
+        outer_left.map(|(i, _)| axis[own - 1] - axis[i]),
+        outer_right.map(|(i, _)| axis[i] - axis[own + 1]),
+    ];
+    Some(std::array::from_fn(|f| {
+        let outer = [
+            outer_left.map(|(_, v)| v[f]),
+            outer_right.map(|(_, v)| v[f]),
+        ];
+        let predicted = blend_one(gaps, h, t, outer, [left[f], right[f]]);
+        if actual[f] == 0.0 {
+            0.0
+        } else {
+            ((predicted - actual[f]) / actual[f]).abs()
+        }
+    }))
+}
+
+/// Monotone cubic between two points with optional outer ones; of the logarithms if all are
+/// positive. `gaps` are the distances to the outer points.
+pub(super) fn blend_one(
+    gaps: [Option<f64>; 2],
+    h: f64,
+    t: f64,
+    outer: [Option<f64>; 2],
+    inner: [f64; 2],
+) -> f64 {
+    let positive = |value: Option<f64>| value.is_none_or(|value| value > 0.0);
+    let logarithmic = inner[0] > 0.0 && inner[1] > 0.0 && positive(outer[0]) && positive(outer[1]);
+    let scale = |value: f64| if logarithmic { value.ln() } else { value };
+    let (y0, y1) = (scale(inner[0]), scale(inner[1]));
+    let secant = (y1 - y0) / h;
+    let neighbour = |side: usize, end: f64| -> Option<(f64, f64)> {
+        let (gap, value) = (gaps[side]?, outer[side]?);
+        let rise = if side == 0 {
+            end - scale(value)
+        } else {
+            scale(value) - end
+        };
+        Some((gap, rise / gap))
+    };
+    let (before, after) = (neighbour(0, y0), neighbour(1, y1));
+    let slope = |near: Option<(f64, f64)>, far: Option<(f64, f64)>| match (near, far) {
+        (Some((gap, d)), _) => inner_slope(gap, h, d, secant),
+        (None, Some((gap, d))) => end_slope(h, gap, secant, d),
+        (None, None) => secant,
+    };
+    let value = hermite(h, t, y0, y1, slope(before, after), slope(after, before));
+    if logarithmic { value.exp() } else { value }
+}
+
+/// The two ends of an interval with their shares.
+fn ends(place: Location) -> impl Iterator<Item = (usize, f64)> {
+    let Location { index, t } = place;
+    [(index, 1.0 - t), (index + 1, t)]
+        .into_iter()
+        .filter(|(_, share)| *share > 0.0)
+}
+
+fn history(table: &Table, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 2]>> {
+    // Without a₀ there is no telling where on the slip axis a slip lies.
+    let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
+    let slip = &table.axes().slip;
+    let columns = QUANTITIES.map(|quantity| {
+        let shift = if quantity.is_temperature() { base } else { 0.0 };
+        let values = cell.history(quantity).iter().map(|value| value - shift);
+        values.collect::<Vec<f64>>()
+    });
+    let mechanical = &columns[..Field::TemperatureRise as usize];
+    if mechanical.iter().flatten().any(|value| !value.is_finite()) {
+        return None;
+    }
+    let states = (0..slip.len()).map(|k| std::array::from_fn(|f| columns[f][k]));
+    Some(with_slopes(slip, states.collect()))
+}
+
+/// States along the slip axis, each with its slope.
+fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
+    let slopes: [Vec<f64>; FIELDS] = std::array::from_fn(|f| {
+        let column: Vec<f64> = states.iter().map(|state| state[f]).collect();
+        steffen::slopes(slip, &column)
+    });
+    let slope = |k: usize| std::array::from_fn(|f| slopes[f][k]);
+    (states.into_iter().enumerate())
+        .map(|(k, state)| [state, slope(k)])
+        .collect()
+}
+
+fn given_error(table: &Table, i: usize, j: usize, base: f64) -> Values {
+    let Some(cell) = table.cell(i, j) else {
+        return [f64::NAN; FIELDS];
+    };
+    QUANTITIES.map(|quantity| {
+        let shift = if quantity.is_temperature() { base } else { 0.0 };
+        let (value, error) = (cell[quantity].value - shift, cell[quantity].error);
+        if error == 0.0 || value == 0.0 {
+            // An unheated contact has an exact temperature, whatever its error says.
+            0.0
+        } else {
+            (error / value).abs()
+        }
+    })
+}
+
+/// ln a₀ of each row: a₀ belongs to the press and does not depend on the slip rate.
+pub(super) fn log_contact_radii(table: &Table) -> Vec<f64> {
+    let (rows, rates) = table.shape();
+    let radius = |i: usize| {
+        let known = (0..rates)
+            .filter_map(|j| table.cell(i, j))
+            .map(|cell| cell[Quantity::ContactRadius].value)
+            .find(|radius| *radius > 0.0);
+        known.map_or(f64::NAN, f64::ln)
+    };
+    (0..rows).map(radius).collect()
+}
+
+/// Why there is no response at a point.
+pub(super) fn reason(status: &Status) -> String {
+    match status {
+        Status::Done(_) => "the table has no complete results there".to_string(),
+        Status::NotRun => "not run".to_string(),
+        Status::Failed(reason) => format!("the run failed: {reason}"),
+    }
+}

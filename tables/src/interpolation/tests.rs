@@ -1,0 +1,357 @@
+use super::*;
+use crate::closed_forms::{ClosedForm, ElasticPlastic, hertz};
+use crate::quantity::Quantity;
+use crate::table::{Axes, Cell, Metadata};
+
+const STEEL: ElasticPlastic = ElasticPlastic {
+    youngs_modulus: 200e9,
+    poisson_ratio: 0.3,
+    yield_strength: 400e6,
+};
+const RADIUS: f64 = 1e-3;
+const BASE: f64 = 298.0;
+/// V* of 1/(1 + V/V*) for the contact of first yield, m/s.
+const WEAKENING_RATE: f64 = 4.0;
+
+/// A smooth asperity to interpolate: Jackson & Green with strength that falls with slip rate,
+/// contact radius and slip.
+fn truth(interference: f64, slip_rate: f64, slip: f64) -> Response {
+    let law = ClosedForm::new("jackson-green", &STEEL).unwrap();
+    let cold = law.response(RADIUS, interference, 0.0, slip).unwrap();
+    let contact_radius = (cold.area.value / std::f64::consts::PI).sqrt();
+    let critical = hertz::contact_radius(RADIUS, STEEL.critical_interference(RADIUS));
+    let ratio = slip / contact_radius;
+    let heating = slip_rate / WEAKENING_RATE * contact_radius / critical * (ratio / (1.0 + ratio));
+    let drop = 1.0 - 0.1 * ratio / (1.0 + ratio);
+    let exact = |value| Estimate { value, error: 0.0 };
+    Response {
+        load: exact(cold.load.value * drop),
+        friction: exact(cold.friction.value / (1.0 + heating)),
+        area: cold.area,
+        temperature_max: exact(BASE + 900.0 * heating / (1.0 + heating)),
+    }
+}
+
+fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
+    let step = (to / from).ln() / (points - 1) as f64;
+    (0..points)
+        .map(|i| from * (i as f64 * step).exp())
+        .collect()
+}
+
+fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
+    let slip = vec![
+        0.0, 1e-4, 2e-4, 4e-4, 7e-4, 1e-3, 1.3e-3, 1.6e-3, 2e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.35,
+        0.5, 0.75, 1.0, 1.35, 1.7, 2.0,
+    ];
+    let metadata = Metadata {
+        asperity_radius: RADIUS,
+        critical_interference: STEEL.critical_interference(RADIUS),
+        contact_modulus: STEEL.contact_modulus(),
+        poisson_ratio: STEEL.poisson_ratio,
+        yield_strength: STEEL.yield_strength,
+        strength_factor: Some(1.0),
+        temperature: BASE,
+        heat_partition: 0.5,
+        ..Metadata::default()
+    };
+    let axes = Axes {
+        interference,
+        slip_rate,
+        slip,
+    };
+    let mut table = Table::new(axes.clone(), metadata).unwrap();
+    for (i, omega) in axes.interference.iter().enumerate() {
+        for (j, rate) in axes.slip_rate.iter().enumerate() {
+            let area = truth(*omega, 0.0, 0.0).area.value;
+            let a0 = (area / std::f64::consts::PI).sqrt();
+            let states: Vec<Response> = (axes.slip.iter())
+                .map(|slip| truth(*omega, *rate, slip * a0))
+                .collect();
+            let end = states[states.len() - 1];
+            let column = |field: fn(&Response) -> Estimate| -> Vec<f64> {
+                states.iter().map(|state| field(state).value).collect()
+            };
+            let (p, q) = (column(|s| s.load), column(|s| s.friction));
+            let mu = q.iter().zip(&p).map(|(q, p)| q / p).collect();
+            let cell = Cell::new()
+                .with(Quantity::ContactRadius, a0, 0.0)
+                .with(Quantity::Load, end.load.value, 0.0)
+                .with(
+                    Quantity::Friction,
+                    end.friction.value,
+                    0.02 * end.friction.value,
+                )
+                .with(Quantity::Area, area, 0.0)
+                .with(Quantity::Mu, end.friction.value / end.load.value, 0.0)
+                .with(Quantity::EnergyRelease, 1e-3 * a0, 0.0)
+                .with(Quantity::TemperatureMax, end.temperature_max.value, 0.0)
+                .with_history(Quantity::Load, p)
+                .with_history(Quantity::Friction, q)
+                .with_history(Quantity::Mu, mu)
+                .with_history(Quantity::Area, column(|s| s.area))
+                .with_history(Quantity::TemperatureMax, column(|s| s.temperature_max));
+            table.set_cell(i, j, cell).unwrap();
+        }
+    }
+    table
+}
+
+fn table() -> Table {
+    let mut rates = log_spaced(0.1, 10.0, 5);
+    rates.insert(0, 0.0);
+    table_of(log_spaced(0.5, 100.0, 8), rates)
+}
+
+fn relative(value: f64, reference: f64) -> f64 {
+    (value / reference - 1.0).abs()
+}
+
+#[test]
+fn points_of_the_table_come_back() {
+    let table = table();
+    let axes = table.axes().clone();
+    for omega in &axes.interference {
+        for rate in &axes.slip_rate {
+            let area = truth(*omega, 0.0, 0.0).area.value;
+            let slip = 0.35 * (area / std::f64::consts::PI).sqrt();
+            let here = table.response(RADIUS, *omega, *rate, slip).unwrap();
+            let there = truth(*omega, *rate, slip);
+            for (a, b) in [
+                (here.load, there.load),
+                (here.friction, there.friction),
+                (here.area, there.area),
+                (here.temperature_max, there.temperature_max),
+            ] {
+                assert!(
+                    relative(a.value, b.value) < 1e-9,
+                    "{omega} {rate}: {a:?} {b:?}"
+                );
+            }
+            assert!(relative(here.friction.error, 0.02 * here.friction.value) < 1e-6);
+        }
+    }
+}
+
+#[test]
+fn between_points_it_is_accurate_and_knows_how_accurate() {
+    let table = table();
+    let (mut worst, mut inside, mut asked) = (0.0_f64, 0, 0);
+    for omega in log_spaced(0.51, 99.0, 41) {
+        for rate in log_spaced(0.03, 9.9, 23) {
+            for part in [0.0007, 0.15, 0.6, 1.9] {
+                let area = truth(omega, 0.0, 0.0).area.value;
+                let slip = part * (area / std::f64::consts::PI).sqrt();
+                let here = table.response(RADIUS, omega, rate, slip).unwrap();
+                let there = truth(omega, rate, slip);
+                let errors = here.friction.error - 0.02 * here.friction.value;
+                let actual = (here.friction.value - there.friction.value).abs();
+                worst = worst.max(actual / there.friction.value);
+                asked += 1;
+                inside += usize::from(actual <= errors.max(1e-5 * here.friction.value));
+            }
+        }
+    }
+    let covered = inside as f64 / asked as f64;
+    println!("worst {worst}, covered {covered}");
+    assert!(worst < 0.02, "{worst}");
+    assert!(covered > 0.9, "{covered}");
+}
+
+#[test]
+fn power_laws_are_exact() {
+    let table = table_of(vec![0.1, 0.3, 1.8], vec![0.0]);
+    for omega in [0.13, 0.2, 0.9, 1.7] {
+        let here = table.response(RADIUS, omega, 0.0, 0.0).unwrap();
+        let there = truth(omega, 0.0, 0.0);
+        assert!(relative(here.load.value, there.load.value) < 1e-9);
+        assert!(relative(here.area.value, there.area.value) < 1e-9);
+    }
+}
+
+#[test]
+fn continuous_and_elastic_below_the_first_row() {
+    let table = table();
+    for (rate, slip) in [(0.0, 1e-9), (0.3, 1e-6), (10.0, 1e-4)] {
+        let above = table
+            .response(RADIUS, 0.5 * (1.0 + 1e-9), rate, slip)
+            .unwrap();
+        let below = table
+            .response(RADIUS, 0.5 * (1.0 - 1e-9), rate, slip)
+            .unwrap();
+        assert!(relative(below.friction.value, above.friction.value) < 1e-6);
+        assert!(relative(below.load.value, above.load.value) < 1e-6);
+        assert!(relative(below.area.value, above.area.value) < 1e-6);
+        let (t_below, t_above) = (below.temperature_max.value, above.temperature_max.value);
+        assert!((t_below - t_above).abs() < 1e-4);
+    }
+    // Deep below, τ = τ_c(T₀) and P is Hertz's, whatever the slip rate.
+    let omega = 1e-9;
+    let small = table.response(RADIUS, omega, 10.0, 1e-3).unwrap();
+    let strength = small.friction.value / small.area.value;
+    assert!(relative(strength, STEEL.shear_strength()) < 1e-4);
+    let load = hertz::hertz_load(
+        STEEL.contact_modulus(),
+        RADIUS,
+        omega * STEEL.critical_interference(RADIUS),
+    );
+    assert!(relative(small.load.value, load) < 1e-4);
+    assert!((small.temperature_max.value - BASE).abs() < 0.1);
+    let none = table.response(RADIUS, 0.0, 1.0, 0.0).unwrap();
+    assert_eq!((none.load.value, none.friction.value), (0.0, 0.0));
+}
+
+#[test]
+fn isothermal_limit_is_approached_monotonically() {
+    let table = table();
+    let mut last = f64::INFINITY;
+    for step in 0..=100 {
+        let rate = 0.2 * step as f64 / 100.0;
+        let friction = table.response(RADIUS, 20.0, rate, 1e-3).unwrap().friction;
+        assert!(friction.value < last, "{rate}");
+        last = friction.value;
+    }
+}
+
+#[test]
+fn other_radii_see_the_same_dimensionless_asperity() {
+    let table = table();
+    let here = table.response(RADIUS, 7.0, 1.0, 1e-6).unwrap();
+    let there = table.response(0.1 * RADIUS, 7.0, 10.0, 1e-7).unwrap();
+    assert!(relative(there.friction.value, 0.01 * here.friction.value) < 1e-12);
+    assert!(relative(there.load.value, 0.01 * here.load.value) < 1e-12);
+    assert!(relative(there.temperature_max.value, here.temperature_max.value) < 1e-12);
+    let (_, to) = table.slip_rate_range(0.1 * RADIUS);
+    assert!(relative(to, 100.0) < 1e-9);
+    let energy = |radius, rate| table.estimate(Quantity::EnergyRelease, radius, 7.0, rate);
+    let (one, tenth) = (
+        energy(RADIUS, 1.0).unwrap(),
+        energy(0.1 * RADIUS, 10.0).unwrap(),
+    );
+    assert!(relative(tenth.value, 0.1 * one.value) < 1e-12);
+
+    let mut metadata = table.metadata().clone();
+    metadata.gap_conductance = 1e4;
+    let mut fixed = table.clone();
+    fixed.set_metadata(metadata);
+    assert!(fixed.response(RADIUS, 7.0, 1.0, 0.0).is_ok());
+    let refused = fixed.response(2.0 * RADIUS, 7.0, 1.0, 0.0).unwrap_err();
+    assert!(matches!(refused, LookupError::RadiusFixed { .. }));
+}
+
+#[test]
+fn last_slip_is_held() {
+    let table = table();
+    let end = table.response(RADIUS, 7.0, 1.0, 1e-2).unwrap();
+    let later = table.response(RADIUS, 7.0, 1.0, 1.0).unwrap();
+    assert_eq!(end, later);
+}
+
+#[test]
+fn outside_and_missing_are_refused_with_their_reason() {
+    let mut table = table();
+    let ask = |table: &Table, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
+    assert!(matches!(
+        ask(&table, 101.0, 1.0),
+        Err(LookupError::InterferenceAbove { .. })
+    ));
+    assert!(ask(&table, 100.0, 10.0).is_ok());
+    assert!(matches!(
+        ask(&table, 1.0, 11.0),
+        Err(LookupError::SlipRateOutside { .. })
+    ));
+    table.mark_failed(3, 2, "no convergence");
+    let omega = table.axes().interference[3];
+    let message = ask(&table, 1.01 * omega, 0.2).unwrap_err().to_string();
+    assert!(
+        message.ends_with("the run failed: no convergence"),
+        "{message}"
+    );
+    // A neighbour that is missing only makes the slopes one-sided.
+    assert!(ask(&table, 1.01 * omega, 5.0).is_ok());
+    assert!(ask(&table, 0.2, 0.2).is_ok());
+}
+
+#[test]
+fn scalars_below_the_first_row_are_elastic() {
+    let table = table();
+    let omega = 1e-7;
+    let load = table.estimate(Quantity::Load, RADIUS, omega, 1.0).unwrap();
+    let hertz = hertz::hertz_load(
+        STEEL.contact_modulus(),
+        RADIUS,
+        omega * STEEL.critical_interference(RADIUS),
+    );
+    assert!(relative(load.value, hertz) < 1e-3);
+    let mu = table.estimate(Quantity::Mu, RADIUS, omega, 1.0).unwrap();
+    assert!(relative(mu.value, 0.5370 / omega.sqrt()) < 2e-3);
+    let hot = table.estimate(Quantity::TemperatureMax, RADIUS, omega, 1.0);
+    assert!((hot.unwrap().value - BASE).abs() < 0.1);
+}
+
+#[test]
+fn fixed_slip_rate_gives_the_same_response() {
+    let table = table();
+    for (radius, rate) in [
+        (RADIUS, 0.7),
+        (RADIUS, 0.0),
+        (RADIUS, 0.05),
+        (2.0 * RADIUS, 5.0),
+    ] {
+        let fixed = table.at_slip_rate(radius, rate).unwrap();
+        for omega in log_spaced(0.01, 100.0, 23) {
+            for slip in [0.0, 1e-8, 3e-7, 4e-5, 1e-2] {
+                let general = table.response(radius, omega, rate, slip).unwrap();
+                let here = fixed(omega, slip).unwrap();
+                // The order of interpolation along slip and slip rate differs.
+                let distance = (here.friction.value - general.friction.value).abs();
+                let allowed = 1e-9 * general.friction.value + 0.5 * general.friction.error;
+                assert!(
+                    distance <= allowed,
+                    "{omega} {rate} {slip}: {distance} {allowed}"
+                );
+                assert!((here.load.value - general.load.value).abs() <= 1e-3 * here.load.value);
+                let errors = here.friction.error / general.friction.error;
+                assert!(
+                    slip == 0.0 || (0.7..1.4).contains(&errors),
+                    "{omega} {slip} {errors}"
+                );
+            }
+        }
+        assert!(fixed(101.0, 0.0).is_err());
+    }
+    assert!(table.at_slip_rate(RADIUS, 11.0).is_err());
+}
+
+#[test]
+fn overview_is_drawn() {
+    let svg = table().figure().svg();
+    assert!(svg.contains("Sliding friction") && svg.contains("slip rate V (m/s)"));
+}
+
+/// Run by hand for the time of a call: `cargo test --release -p tables -- --ignored --nocapture`.
+#[test]
+#[ignore = "a measurement"]
+fn time_per_call() {
+    let table = table();
+    let calls = 1_000_000;
+    let start = std::time::Instant::now();
+    let mut sum = 0.0;
+    for call in 0..calls {
+        let omega = 0.1 + 90.0 * call as f64 / calls as f64;
+        sum += table.response(RADIUS, omega, 0.7, 1e-6).unwrap().load.value;
+    }
+    let each = start.elapsed().as_secs_f64() / calls as f64;
+    println!("{:.0} ns per call ({sum:e})", 1e9 * each);
+    let fixed = table.at_slip_rate(RADIUS, 0.7).unwrap();
+    let start = std::time::Instant::now();
+    for call in 0..calls {
+        let omega = 0.1 + 90.0 * call as f64 / calls as f64;
+        sum += fixed(omega, 1e-6).unwrap().load.value;
+    }
+    let each = start.elapsed().as_secs_f64() / calls as f64;
+    println!(
+        "{:.0} ns per call at a fixed slip rate ({sum:e})",
+        1e9 * each
+    );
+}

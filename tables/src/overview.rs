@@ -1,0 +1,167 @@
+//! A table at a glance.
+
+use crate::figure::{Axis, Curve, Figure, Panel};
+use crate::quantity::Quantity;
+use crate::table::{Cell, Table};
+
+/// Curves that a panel can hold and stay legible.
+const MOST_CURVES: usize = 6;
+
+const INTERFERENCE_LABEL: &str = "interference ω₀/ω_c";
+const RATE_LABEL: &str = "slip rate V (m/s)";
+
+/// What a panel shows: title, axis, value and error of a cell.
+type Shown = (&'static str, &'static str, fn(&Cell) -> (f64, f64));
+
+const SHOWN: [Shown; 3] = [
+    (
+        "Sliding friction",
+        "friction coefficient Q/P",
+        friction_coefficient,
+    ),
+    (
+        "Friction stress",
+        "friction stress Q/A (MPa)",
+        friction_stress,
+    ),
+    ("Heating", "highest temperature (K)", temperature),
+];
+
+impl Table {
+    /// Sliding friction, friction stress and temperature against slip rate for a selection of
+    /// interferences (against interference where there are less than two positive slip rates),
+    /// and friction along the slide.
+    pub fn figure(&self) -> Figure {
+        let positive = self.axes().slip_rate.iter().filter(|rate| **rate > 0.0);
+        let over_rate = positive.count() >= 2;
+        let mut panels: Vec<Panel> = (SHOWN.iter())
+            .map(|shown| match over_rate {
+                true => self.over_slip_rate(shown),
+                false => self.over_interference(shown),
+            })
+            .collect();
+        panels.insert(2, self.along_the_slide());
+        Figure {
+            title: self.metadata().title.clone(),
+            panels,
+        }
+    }
+
+    fn over_slip_rate(&self, (title, label, value): &Shown) -> Panel {
+        let axes = self.axes();
+        let curve = |i: usize| {
+            let at = |j: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
+            let points = (0..axes.slip_rate.len()).map(at);
+            let (y, error) = points.unzip();
+            let label = format!("{} ω_c", short(axes.interference[i]));
+            Curve::new(label, axes.slip_rate.clone(), y).with_error(error)
+        };
+        Panel {
+            title: title.to_string(),
+            x: Axis::logarithmic(RATE_LABEL),
+            y: Axis::linear(*label),
+            curves: selection(axes.interference.len()).map(curve).collect(),
+        }
+    }
+
+    fn over_interference(&self, (title, label, value): &Shown) -> Panel {
+        let axes = self.axes();
+        let curve = |j: usize| {
+            let at = |i: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
+            let points = (0..axes.interference.len()).map(at);
+            let (y, error) = points.unzip();
+            let label = rate_label(axes.slip_rate[j]);
+            Curve::new(label, axes.interference.clone(), y).with_error(error)
+        };
+        Panel {
+            title: title.to_string(),
+            x: Axis::logarithmic(INTERFERENCE_LABEL),
+            y: Axis::linear(*label),
+            curves: selection(axes.slip_rate.len()).map(curve).collect(),
+        }
+    }
+
+    /// Friction against slip at the middle interference, a curve for each slip rate.
+    fn along_the_slide(&self) -> Panel {
+        let axes = self.axes();
+        let middle = axes.interference.len() / 2;
+        let curve = |j: usize| {
+            let history = |cell: &Cell| cell.history(Quantity::Mu).to_vec();
+            let y = self.cell(middle, j).map(history).unwrap_or_default();
+            Curve::new(rate_label(axes.slip_rate[j]), axes.slip.clone(), y)
+        };
+        Panel {
+            title: format!("Along the slide, {} ω_c", short(axes.interference[middle])),
+            x: Axis::linear("slip s/a₀"),
+            y: Axis::linear("friction coefficient Q/P"),
+            curves: selection(axes.slip_rate.len()).map(curve).collect(),
+        }
+    }
+}
+
+/// At most [`MOST_CURVES`] of so many, first and last among them.
+fn selection(number: usize) -> impl Iterator<Item = usize> {
+    let shown = number.min(MOST_CURVES);
+    let last = number.saturating_sub(1);
+    (0..shown).map(move |n| match shown {
+        1 => 0,
+        _ => (n * last + (shown - 1) / 2) / (shown - 1),
+    })
+}
+
+/// Three digits are enough in a legend.
+fn short(value: f64) -> String {
+    let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 6) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_string(),
+        false => text,
+    }
+}
+
+fn rate_label(rate: f64) -> String {
+    match rate {
+        0.0 => "isothermal".to_string(),
+        rate => format!("{} m/s", short(rate)),
+    }
+}
+
+fn friction_coefficient(cell: &Cell) -> (f64, f64) {
+    let estimate = cell[Quantity::Mu];
+    (estimate.value, estimate.error)
+}
+
+fn friction_stress(cell: &Cell) -> (f64, f64) {
+    let (force, area) = (cell[Quantity::Friction], cell[Quantity::Area]);
+    let stress = 1e-6 * force.value / area.value;
+    let relative = (force.error / force.value).abs() + (area.error / area.value).abs();
+    (stress, stress * relative)
+}
+
+fn temperature(cell: &Cell) -> (f64, f64) {
+    let estimate = cell[Quantity::TemperatureMax];
+    (estimate.value, estimate.error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn selection_spans_the_axis() {
+        let chosen = |number| selection(number).collect::<Vec<_>>();
+        assert_eq!(chosen(0), [0; 0]);
+        assert_eq!(chosen(1), [0]);
+        assert_eq!(chosen(4), [0, 1, 2, 3]);
+        assert_eq!(chosen(12), [0, 2, 4, 7, 9, 11]);
+    }
+
+    #[test]
+    fn legends_are_short() {
+        assert_eq!(short(0.123456), "0.123");
+        assert_eq!(short(100.0), "100");
+        assert_eq!(short(10.0), "10");
+        assert_eq!(short(2.5), "2.5");
+        assert_eq!(rate_label(0.0), "isothermal");
+    }
+}
