@@ -92,11 +92,7 @@ impl BodyState {
 
     /// The same axisymmetric state in each of `lanes` sectors.
     fn spread(&self, lanes: usize) -> Self {
-        let spread = |v: &[f64]| {
-            v.iter()
-                .flat_map(|&x| std::iter::repeat_n(x, lanes))
-                .collect()
-        };
+        let spread = |v: &[f64]| v.iter().flat_map(|&x| std::iter::repeat_n(x, lanes)).collect();
         Self {
             plastic_strain: spread(&self.plastic_strain),
             deviator: spread(&self.deviator),
@@ -157,26 +153,24 @@ impl Body {
         by_lanes!(self.internal_force_lanes(u, rise, force));
     }
 
-    fn internal_force_lanes<const W: usize>(
-        &mut self,
-        u: &[f64],
-        rise: Option<&[f64]>,
-        force: &mut [f64],
-    ) {
+    fn internal_force_lanes<const W: usize>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
         force.fill(0.0);
         let lanes = self.mesh.sectors.lanes();
         for e in 0..self.mesh.elements.len() {
             for first in (0..lanes).step_by(W) {
                 let element = &self.mesh.elements[e];
                 let displacement = self.mesh.gather_vector::<W>(u, element, first);
-                let nodal_rise =
-                    rise.map(|field| self.mesh.gather_scalar::<W>(field, element, first));
+                let nodal_rise = rise.map(|field| self.mesh.gather_scalar::<W>(field, element, first));
                 let (point_rise, mean_rise) = self.temperatures(element, nodal_rise);
+                let weakest = nodal_rise.map_or(1.0, |nodal| {
+                    let hottest = nodal.iter().flatten().fold(0.0f64, |m, &t| m.max(t));
+                    self.solid.softening_factor(hottest).min(1.0)
+                });
                 let (deviators, dilatation) = deviators_and_dilatation(element, &displacement);
                 let mut mean_stress = [0.0; W];
                 for l in 0..W {
-                    mean_stress[l] = self.solid.moduli.bulk
-                        * (dilatation[l] - 3.0 * self.expansion * mean_rise[l]);
+                    mean_stress[l] =
+                        self.solid.moduli.bulk * (dilatation[l] - 3.0 * self.expansion * mean_rise[l]);
                 }
                 let at = e * lanes + first;
                 self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
@@ -186,7 +180,7 @@ impl Body {
                 let mut flows = false;
                 for q in 0..POINTS {
                     let (mut stress, flowing) =
-                        self.point_stress::<W>(e, q, first, &deviators[q], &point_rise[q]);
+                        self.point_stress::<W>(e, q, first, &deviators[q], &point_rise[q], weakest);
                     flows |= flowing;
                     let weight = self.mesh.elements[e].weight[q];
                     for (i, component) in stress.iter_mut().enumerate() {
@@ -195,15 +189,10 @@ impl Body {
                             component[l] = weight * (component[l] + mean);
                         }
                     }
-                    add_stress_force(
-                        &self.mesh.elements[e].gradient[q],
-                        &stress,
-                        &mut nodal_force,
-                    );
+                    add_stress_force(&self.mesh.elements[e].gradient[q], &stress, &mut nodal_force);
                 }
                 self.tangent.flows[e * lanes + first] = flows;
-                self.mesh
-                    .scatter_vector(&nodal_force, &self.mesh.elements[e], first, force);
+                self.mesh.scatter_vector(&nodal_force, &self.mesh.elements[e], first, force);
             }
         }
     }
@@ -241,6 +230,7 @@ impl Body {
         first: usize,
         deviator: &[Lanes<W>; TENSOR],
         rise: &Lanes<W>,
+        weakest: f64,
     ) -> ([Lanes<W>; TENSOR], bool) {
         let lanes = self.mesh.sectors.lanes();
         let point = e * POINTS + q;
@@ -262,19 +252,18 @@ impl Body {
         let mut any = false;
         for l in 0..W {
             let strength = self.committed.strength[scalar + l];
-            // Strength falls with temperature: without a rise no softening need be evaluated.
-            let limit = if rise[l] == 0.0 {
-                strength
-            } else {
-                strength * self.solid.softening_factor(rise[l])
+            // No softening factor need be evaluated where the lowest one in the element keeps the
+            // point elastic.
+            let least = weakest * strength;
+            flowing[l] = squared[l] > least * least && {
+                let limit = strength * self.solid.softening_factor(rise[l]);
+                squared[l] > limit * limit
             };
-            flowing[l] = squared[l] > limit * limit;
             any |= flowing[l];
         }
         for i in 0..TENSOR {
             let at = tensor(i);
-            self.trial.plastic_strain[at..at + W]
-                .copy_from_slice(&self.committed.plastic_strain[at..at + W]);
+            self.trial.plastic_strain[at..at + W].copy_from_slice(&self.committed.plastic_strain[at..at + W]);
         }
         for l in 0..W {
             self.trial.accumulated[scalar + l] = self.committed.accumulated[scalar + l];
@@ -294,8 +283,7 @@ impl Body {
                 let shear = self.solid.moduli.shear;
                 let ratio = 3.0 * shear * increment / trial;
                 self.trial.accumulated[scalar + l] = strain + increment;
-                self.trial.strength[scalar + l] =
-                    self.solid.yield_strength(strain + increment, 0.0);
+                self.trial.strength[scalar + l] = self.solid.yield_strength(strain + increment, 0.0);
                 self.tangent.coefficients[coefficient(0) + l] = two_shear * (1.0 - ratio);
                 // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive.
                 self.tangent.coefficients[coefficient(1) + l] =
@@ -304,8 +292,7 @@ impl Body {
                 for i in 0..TENSOR {
                     let direction = stress[i][l] / norm;
                     self.tangent.coefficients[coefficient(2 + i) + l] = direction;
-                    self.trial.plastic_strain[tensor(i) + l] +=
-                        increment * 1.5f64.sqrt() * direction;
+                    self.trial.plastic_strain[tensor(i) + l] += increment * 1.5f64.sqrt() * direction;
                     stress[i][l] *= 1.0 - ratio;
                 }
             }
@@ -336,8 +323,7 @@ impl Body {
                 } else {
                     crate::elastic::element_force(element, self.solid.moduli, &displacement)
                 };
-                self.mesh
-                    .scatter_vector(&nodal_force, element, first, force);
+                self.mesh.scatter_vector(&nodal_force, element, first, force);
             }
         }
     }
@@ -374,15 +360,9 @@ impl Body {
             for (i, component) in stress.iter_mut().enumerate() {
                 let direction = coefficient(2 + i);
                 for l in 0..W {
-                    let mean = if i < 3 {
-                        self.solid.moduli.bulk * dilatation[l]
-                    } else {
-                        0.0
-                    };
-                    component[l] = weight
-                        * (shear[l] * component[l]
-                            + radial[l] * projection[l] * direction[l]
-                            + mean);
+                    let mean = if i < 3 { self.solid.moduli.bulk * dilatation[l] } else { 0.0 };
+                    component[l] =
+                        weight * (shear[l] * component[l] + radial[l] * projection[l] * direction[l] + mean);
                 }
             }
             add_stress_force(&element.gradient[q], &stress, &mut force);
@@ -406,15 +386,8 @@ impl Body {
                 energy += element.volume * p * p / (2.0 * moduli.bulk);
                 for q in 0..POINTS {
                     let s = |i: usize| state.deviator[((e * POINTS + q) * TENSOR + i) * lanes + l];
-                    let squared: f64 = (0..TENSOR)
-                        .map(|i| {
-                            if i < 3 {
-                                s(i) * s(i)
-                            } else {
-                                2.0 * s(i) * s(i)
-                            }
-                        })
-                        .sum();
+                    let squared: f64 =
+                        (0..TENSOR).map(|i| if i < 3 { s(i) * s(i) } else { 2.0 * s(i) * s(i) }).sum();
                     energy += element.weight[q] * squared / (4.0 * moduli.shear);
                 }
             }
@@ -431,11 +404,7 @@ impl Body {
                 let at = (point * TENSOR + i) * lanes + l;
                 let mean = 0.5 * (self.committed.deviator[at] + self.trial.deviator[at]);
                 let change = self.trial.plastic_strain[at] - self.committed.plastic_strain[at];
-                if i < 3 {
-                    mean * change
-                } else {
-                    2.0 * mean * change
-                }
+                if i < 3 { mean * change } else { 2.0 * mean * change }
             })
             .sum()
     }
@@ -451,8 +420,7 @@ impl Body {
                 let rise = self.trial.rise[at] - self.committed.rise[at];
                 energies.thermal_expansion += element.volume * mean * 3.0 * self.expansion * rise;
                 for q in 0..POINTS {
-                    energies.plastic +=
-                        element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
+                    energies.plastic += element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
                 }
             }
         }
@@ -469,8 +437,7 @@ impl Body {
             for l in 0..lanes {
                 let mut share = [[0.0; 1]; 8];
                 for q in 0..POINTS {
-                    let work =
-                        factor * element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
+                    let work = factor * element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
                     for (n, value) in share.iter_mut().enumerate() {
                         value[0] += self.shapes[q][n] * work;
                     }
@@ -498,28 +465,15 @@ mod tests {
             specific_heat: 475.0,
             thermal_conductivity: 45.0,
             thermal_expansion: 1.2e-5,
-            softening: Softening::JohnsonCook {
-                reference: 298.0,
-                melting: 1793.0,
-                exponent: 1.0,
-            },
+            softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.0 },
         };
-        let meridian = MeridianMesh::new(MeshSize {
-            contact_radius: 0.1,
-            elements_per_radius: 4,
-        });
+        let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
         let mesh = RevolvedMesh::new(meridian, sectors);
-        Body::new(
-            mesh,
-            Solid::new(&material, 298.0),
-            material.thermal_expansion,
-        )
+        Body::new(mesh, Solid::new(&material, 298.0), material.thermal_expansion)
     }
 
     fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
-        (0..n)
-            .map(|i| scale * (i as f64 * 0.37 + phase).sin())
-            .collect()
+        (0..n).map(|i| scale * (i as f64 * 0.37 + phase).sin()).collect()
     }
 
     #[test]
@@ -527,27 +481,18 @@ mod tests {
         for hardening in [
             Hardening::None,
             Hardening::Linear { modulus: 2e9 },
-            Hardening::JohnsonCook {
-                modulus: 510e6,
-                exponent: 0.26,
-            },
+            Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 },
         ] {
             let mut body = body(hardening, Sectors::full(4));
             let n = body.mesh.field_length(3);
-            let rise: Vec<f64> = wave(body.mesh.field_length(1), 100.0, 0.3)
-                .iter()
-                .map(|t| t + 150.0)
-                .collect();
+            let rise: Vec<f64> =
+                wave(body.mesh.field_length(1), 100.0, 0.3).iter().map(|t| t + 150.0).collect();
             // Strains of a few per cent in the fine elements; history from a first step.
             let first = wave(n, 2e-4, 0.1);
             let mut force = vec![0.0; n];
             body.internal_force(&first, None, &mut force);
             body.commit();
-            let u: Vec<f64> = first
-                .iter()
-                .zip(wave(n, 1e-4, 1.0))
-                .map(|(a, b)| a + b)
-                .collect();
+            let u: Vec<f64> = first.iter().zip(wave(n, 1e-4, 1.0)).map(|(a, b)| a + b).collect();
             let d = wave(n, 1e-4, 2.0);
             let at = |body: &mut Body, t: f64| {
                 let x: Vec<f64> = u.iter().zip(&d).map(|(a, b)| a + t * b).collect();
@@ -562,10 +507,8 @@ mod tests {
             let mut product = vec![0.0; n];
             body.tangent_product(&d, &mut product);
             let norm = product.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let error = (0..n)
-                .map(|i| ((plus[i] - minus[i]) / (2.0 * h) - product[i]).powi(2))
-                .sum::<f64>()
-                .sqrt();
+            let error =
+                (0..n).map(|i| ((plus[i] - minus[i]) / (2.0 * h) - product[i]).powi(2)).sum::<f64>().sqrt();
             assert!(error < 1e-6 * norm, "{error} {norm}");
         }
     }
@@ -580,18 +523,11 @@ mod tests {
         body.commit();
         let rise = wave(body.mesh.field_length(1), 50.0, 0.0);
         body.internal_force(&u1, Some(&rise), &mut f1);
-        let work: f64 = (0..n)
-            .map(|i| 0.5 * (f0[i] + f1[i]) * (u1[i] - u0[i]))
-            .sum();
-        let MechanicalEnergies {
-            plastic,
-            thermal_expansion,
-        } = body.step_energies();
+        let work: f64 = (0..n).map(|i| 0.5 * (f0[i] + f1[i]) * (u1[i] - u0[i])).sum();
+        let MechanicalEnergies { plastic, thermal_expansion } = body.step_energies();
         let elastic = body.elastic_energy(&body.trial) - body.elastic_energy(&body.committed);
         assert!(plastic > 0.0);
-        assert!(
-            (work - elastic - plastic - thermal_expansion).abs() < 1e-12 * work.abs().max(plastic)
-        );
+        assert!((work - elastic - plastic - thermal_expansion).abs() < 1e-12 * work.abs().max(plastic));
         let mut nodal = vec![0.0; body.mesh.field_length(1)];
         body.add_plastic_work(1.0, &mut nodal);
         assert!((nodal.iter().sum::<f64>() - plastic).abs() < 1e-12 * plastic);
@@ -599,13 +535,8 @@ mod tests {
 
     #[test]
     fn axisymmetric_and_revolved_bodies_agree() {
-        let mut flat = body(
-            Hardening::JohnsonCook {
-                modulus: 510e6,
-                exponent: 0.26,
-            },
-            Sectors::axisymmetric(8),
-        );
+        let mut flat =
+            body(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 }, Sectors::axisymmetric(8));
         let n = flat.mesh.field_length(3);
         let mut u = wave(n, 2e-4, 0.1);
         for node in 0..flat.mesh.node_count() {
@@ -626,9 +557,6 @@ mod tests {
                 assert!((sum - force[3 * node + c]).abs() < 1e-12 * scale);
             }
         }
-        assert_eq!(
-            round.trial.largest_plastic_strain(),
-            flat.committed.largest_plastic_strain()
-        );
+        assert_eq!(round.trial.largest_plastic_strain(), flat.committed.largest_plastic_strain());
     }
 }

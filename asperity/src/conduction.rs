@@ -156,9 +156,8 @@ impl Conduction {
             let mut jacobian = matrix.contact.clone();
             contact.copy_from_slice(&free);
             for ring in 0..size / columns {
-                let points: Vec<(f64, f64)> = (0..columns)
-                    .map(|j| heat.flow(ring * columns + j, rise[ring * columns + j]))
-                    .collect();
+                let points: Vec<(f64, f64)> =
+                    (0..columns).map(|j| heat.flow(ring * columns + j, rise[ring * columns + j])).collect();
                 let load: Vec<f64> = (0..columns)
                     .map(|j| scale * (points[j].0 - points[j].1 * rise[ring * columns + j]))
                     .collect();
@@ -177,9 +176,7 @@ impl Conduction {
                     }
                 }
             }
-            let factor = jacobian
-                .llt(Side::Lower)
-                .expect("heat flow falls with temperature");
+            let factor = jacobian.llt(Side::Lower).expect("heat flow falls with temperature");
             factor.solve_in_place_with_conj(
                 faer::Conj::No,
                 MatMut::from_column_major_slice_mut(contact, size, 1),
@@ -190,9 +187,7 @@ impl Conduction {
                 let harmonics = if self.is_apex(ring) { 1 } else { columns };
                 for j in 0..columns {
                     let value: f64 = (0..harmonics)
-                        .map(|m| {
-                            factors.transform.even[m * columns + j] * contact[ring * columns + m]
-                        })
+                        .map(|m| factors.transform.even[m * columns + j] * contact[ring * columns + m])
                         .sum();
                     change = change.max((value - rise[ring * columns + j]).abs());
                     largest = largest.max(value.abs());
@@ -209,9 +204,7 @@ impl Conduction {
     }
 
     fn is_apex(&self, ring: usize) -> bool {
-        self.mesh
-            .meridian
-            .on_axis(self.mesh.meridian.contact[ring] as usize)
+        self.mesh.meridian.on_axis(self.mesh.meridian.contact[ring] as usize)
     }
 
     fn on_base(&self, place: usize) -> bool {
@@ -222,31 +215,21 @@ impl Conduction {
     fn base_flow(&self, rise: &[f64]) -> f64 {
         let mut flow = vec![0.0; rise.len()];
         self.conduct(rise, &mut flow);
-        -(0..flow.len())
-            .filter(|&i| self.on_base(i))
-            .map(|i| flow[i])
-            .sum::<f64>()
+        -(0..flow.len()).filter(|&i| self.on_base(i)).map(|i| flow[i]).sum::<f64>()
     }
 
     /// K·θ.
     fn conduct(&self, rise: &[f64], flow: &mut [f64]) {
         flow.fill(0.0);
         let mesh = &self.mesh;
-        let touches_base =
-            |nodes: &[u32; 4]| nodes.iter().any(|&n| mesh.meridian.is_base[n as usize]);
+        let touches_base = |nodes: &[u32; 4]| nodes.iter().any(|&n| mesh.meridian.is_base[n as usize]);
         // Only the base is asked for.
-        for (e, element) in mesh
-            .elements
-            .iter()
-            .enumerate()
-            .filter(|(_, e)| touches_base(&e.nodes))
-        {
+        for (e, element) in mesh.elements.iter().enumerate().filter(|(_, e)| touches_base(&e.nodes)) {
             let matrix = element_matrix(mesh, e, 0.0, self.capacity);
             for sector in 0..mesh.sectors.lanes() {
                 let nodal = mesh.gather_scalar::<1>(rise, element, sector);
-                let out = std::array::from_fn(|i| {
-                    [(0..8).map(|j| matrix[i * 8 + j] * nodal[j][0]).sum::<f64>()]
-                });
+                let out =
+                    std::array::from_fn(|i| [(0..8).map(|j| matrix[i * 8 + j] * nodal[j][0]).sum::<f64>()]);
                 mesh.scatter_scalar::<1>(&out, element, sector, flow);
             }
         }
@@ -263,9 +246,7 @@ impl Conduction {
 /// does not depend on θ is then free of any error from the sectors.
 fn round_geometry(mesh: &RevolvedMesh, e: usize) -> [([[f64; 3]; 8], f64); POINTS] {
     let half = 0.5 * mesh.sectors.angle();
-    let corners = mesh.elements[e]
-        .nodes
-        .map(|n| mesh.meridian.nodes[n as usize]);
+    let corners = mesh.elements[e].nodes.map(|n| mesh.meridian.nodes[n as usize]);
     let shapes = shape_at_points();
     let local = local_gradients_at_points();
     std::array::from_fn(|q| {
@@ -333,34 +314,21 @@ mod tests {
     #[test]
     fn disc_source_follows_carslaw_and_jaeger() {
         for sectors in [Sectors::axisymmetric(8), Sectors::full(4)] {
-            let size = MeshSize {
-                contact_radius: 0.01,
-                elements_per_radius: 16,
-            };
+            let size = MeshSize { contact_radius: 0.01, elements_per_radius: 16 };
             let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
             let areas = mesh.contact_areas();
             // The heated disc ends between two rings: its radius from its discrete area.
             let radii = mesh.meridian.contact_radii();
             let columns = sectors.columns();
-            let source = Uniform {
-                areas: &areas,
-                radius: size.contact_radius,
-                radii,
-                columns,
-            };
+            let source = Uniform { areas: &areas, radius: size.contact_radius, radii, columns };
             let total: f64 = (0..areas.len()).map(|i| source.flow(i, 0.0).0).sum();
             let a = (2.0 * total / std::f64::consts::PI).sqrt();
             let mut conduction = Conduction::new(&mesh, 1.0).unwrap();
             let none = vec![0.0; mesh.field_length(1)];
             let (mut t, mut dt) = (0.0, 1e-4 * a * a);
             let (mut given, mut lost) = (0.0, 0.0);
-            let mut checks = [
-                (0.1, 0.352882),
-                (1.0, 0.729097),
-                (2.0, 0.804583),
-                (10.0, 0.911164),
-            ]
-            .into_iter();
+            let mut checks =
+                [(0.1, 0.352882), (1.0, 0.729097), (2.0, 0.804583), (10.0, 0.911164)].into_iter();
             let mut next = checks.next();
             while let Some((fourier, exact)) = next {
                 let end = fourier * a * a;
@@ -373,18 +341,12 @@ mod tests {
                 dt *= 1.15;
                 if t >= end * (1.0 - 1e-12) {
                     let centre = conduction.committed[conduction.contact_places[0]] / a;
-                    assert!(
-                        (centre / exact - 1.0).abs() < 0.01,
-                        "Fo = {fourier}: {centre} {exact}"
-                    );
+                    assert!((centre / exact - 1.0).abs() < 0.01, "Fo = {fourier}: {centre} {exact}");
                     next = checks.next();
                 }
             }
             let stored = conduction.stored(&conduction.committed);
-            assert!(
-                (given - stored - lost).abs() < 1e-9 * given,
-                "{given} {stored} {lost}"
-            );
+            assert!((given - stored - lost).abs() < 1e-9 * given, "{given} {stored} {lost}");
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Contact of the asperity's surface with the rigid flat, node by node.
 //!
 //! Normal: unilateral, p ≥ 0. Tangential: stick below a given limit of the shear traction, slip
-//! along the traction at the limit. Both as an augmented Lagrangian: the traction of a step is
-//! the last one plus a spring times what the constraint is off by, so that the springs are
-//! numerical only and their stretch vanishes from step to step. The law is associative (the
-//! limit is given), the tangent symmetric.
+//! along the traction at the limit. Both by stiff springs, which cost nothing as the
+//! preconditioner inverts them exactly: they yield by about 1/200 of what a layer one ring spacing
+//! thick would, and that vanishes with the mesh. The law is associative (the limit is given), the
+//! tangent symmetric.
 //!
 //! Fields over the contact are ring by ring, columns of θ within: `[ring*columns + j]`; vectors
 //! have (r, θ) components. Areas and forces are those of the half body.
@@ -13,8 +13,8 @@ use crate::element::RevolvedMesh;
 use crate::mesh::sphere_height;
 
 /// Stiffness of the constraint springs in units of E*/(ring spacing).
-const NORMAL_SPRING: f64 = 50.0;
-const TANGENTIAL_SPRING: f64 = 2.0;
+const NORMAL_SPRING: f64 = 200.0;
+const TANGENTIAL_SPRING: f64 = 5.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -85,9 +85,7 @@ impl ContactState {
 
     fn spread(&self, columns: usize) -> Self {
         fn spread<T: Copy>(v: &[T], columns: usize) -> Vec<T> {
-            v.iter()
-                .flat_map(|&x| std::iter::repeat_n(x, columns))
-                .collect()
+            v.iter().flat_map(|&x| std::iter::repeat_n(x, columns)).collect()
         }
         Self {
             status: spread(&self.status, columns),
@@ -119,12 +117,8 @@ impl Contact {
             nodes: mesh.meridian.contact.clone(),
             areas: mesh.contact_areas(),
             height: radii.iter().map(|&r| sphere_height(r)).collect(),
-            normal_spring: (0..=last)
-                .map(|k| NORMAL_SPRING * modulus / spacing(k))
-                .collect(),
-            tangential_spring: (0..=last)
-                .map(|k| TANGENTIAL_SPRING * modulus / spacing(k))
-                .collect(),
+            normal_spring: (0..=last).map(|k| NORMAL_SPRING * modulus / spacing(k)).collect(),
+            tangential_spring: (0..=last).map(|k| TANGENTIAL_SPRING * modulus / spacing(k)).collect(),
             committed: ContactState::new(points),
             trial: ContactState::new(points),
             cover: vec![1.0; points],
@@ -138,11 +132,8 @@ impl Contact {
         let mut contact = Self::new(mesh, modulus);
         contact.committed = axisymmetric.committed.spread(contact.columns);
         contact.trial = contact.committed.clone();
-        contact.cover = axisymmetric
-            .cover
-            .iter()
-            .flat_map(|&c| std::iter::repeat_n(c, contact.columns))
-            .collect();
+        contact.cover =
+            axisymmetric.cover.iter().flat_map(|&c| std::iter::repeat_n(c, contact.columns)).collect();
         contact
     }
 
@@ -152,8 +143,7 @@ impl Contact {
 
     /// Place of component c of contact point i in a vector field.
     pub fn place(&self, point: usize, component: usize) -> usize {
-        (self.nodes[point / self.columns] as usize * 3 + component) * self.columns
-            + point % self.columns
+        (self.nodes[point / self.columns] as usize * 3 + component) * self.columns + point % self.columns
     }
 
     /// Place of contact point i in a scalar field.
@@ -168,13 +158,10 @@ impl Contact {
             let ring = i / self.columns;
             let (sin, cos) = self.angles[i % self.columns].sin_cos();
             let at = |c: usize| u[self.place(i, c)];
-            let relative = [
-                flat.displacement * cos - at(0),
-                -flat.displacement * sin - at(1),
-            ];
+            let relative = [flat.displacement * cos - at(0), -flat.displacement * sin - at(1)];
             let penetration = self.height[ring] + at(2) + flat.interference;
             let (normal, tangential) = (self.normal_spring[ring], self.tangential_spring[ring]);
-            let pressure = self.committed.pressure[i] + normal * penetration;
+            let pressure = normal * penetration;
             let state = &mut self.trial;
             state.gap[i] = -penetration;
             state.relative[i] = relative;
@@ -194,9 +181,7 @@ impl Contact {
                 Status::Open => self.committed.relative[i],
                 _ => self.committed.anchor[i],
             };
-            let attempt: [f64; 2] = std::array::from_fn(|c| {
-                self.committed.traction[i][c] + tangential * (relative[c] - anchor[c])
-            });
+            let attempt: [f64; 2] = std::array::from_fn(|c| tangential * (relative[c] - anchor[c]));
             let size = attempt[0].hypot(attempt[1]);
             if size <= limit[i] && limit[i] > 0.0 {
                 state.status[i] = Status::Stick;
@@ -208,15 +193,10 @@ impl Contact {
                 }
             } else {
                 state.status[i] = Status::Slip;
-                let direction = if size > 0.0 {
-                    [attempt[0] / size, attempt[1] / size]
-                } else {
-                    [1.0, 0.0]
-                };
+                let direction = if size > 0.0 { [attempt[0] / size, attempt[1] / size] } else { [1.0, 0.0] };
                 let rotation = if size > 0.0 { limit[i] / size } else { 0.0 };
                 state.traction[i] = direction.map(|d| limit[i] * d);
-                // After the step the spring is unstretched and the traction remembered.
-                state.anchor[i] = relative;
+                state.anchor[i] = std::array::from_fn(|c| relative[c] - state.traction[i][c] / tangential);
                 state.slip[i] = self.committed.slip[i] + (size - limit[i]) / tangential;
                 for c in 0..2 {
                     for d in 0..2 {
@@ -276,29 +256,19 @@ impl Contact {
         self.cover.fill(1.0);
         for j in 0..self.columns {
             let at = |ring: usize| ring * self.columns + j;
-            let Some(last) = (0..rings)
-                .rev()
-                .find(|&k| self.trial.status[at(k)] != Status::Open)
-            else {
+            let Some(last) = (0..rings).rev().find(|&k| self.trial.status[at(k)] != Status::Open) else {
                 continue;
             };
             if last == 0 || last + 2 >= rings {
                 continue;
             }
             let (gap, beyond) = (self.trial.gap[at(last + 1)], self.trial.gap[at(last + 2)]);
-            let widths = (self.radii[last + 2] - self.radii[last + 1])
-                / (self.radii[last + 1] - self.radii[last]);
-            let open = if beyond > gap {
-                (gap / (beyond - gap) * widths / OPEN_GAP).clamp(0.0, 1.0)
-            } else {
-                1.0
-            };
+            let widths =
+                (self.radii[last + 2] - self.radii[last + 1]) / (self.radii[last + 1] - self.radii[last]);
+            let open =
+                if beyond > gap { (gap / (beyond - gap) * widths / OPEN_GAP).clamp(0.0, 1.0) } else { 1.0 };
             let inner = self.trial.pressure[at(last - 1)];
-            let load = if inner > 0.0 {
-                (self.trial.pressure[at(last)] / inner).min(1.0)
-            } else {
-                1.0
-            };
+            let load = if inner > 0.0 { (self.trial.pressure[at(last)] / inner).min(1.0) } else { 1.0 };
             // A ring about to lift off covers nothing.
             let filled = (1.0 - open) * (load / 0.1).min(1.0);
             let excess = EXCESS * (load - ELASTIC_LOAD * filled).max(0.0) * (1.0 - filled);
@@ -308,10 +278,7 @@ impl Contact {
 
     /// Outermost ring in contact.
     pub fn outermost(&self) -> Option<usize> {
-        (0..self.len())
-            .rev()
-            .find(|&i| self.trial.status[i] != Status::Open)
-            .map(|i| i / self.columns)
+        (0..self.len()).rev().find(|&i| self.trial.status[i] != Status::Open).map(|i| i / self.columns)
     }
 
     pub fn commit(&mut self) {
@@ -320,16 +287,12 @@ impl Contact {
 
     /// Normal force of the whole asperity.
     pub fn load(&self, state: &ContactState) -> f64 {
-        2.0 * (0..self.len())
-            .map(|i| self.areas[i] * state.pressure[i])
-            .sum::<f64>()
+        2.0 * (0..self.len()).map(|i| self.areas[i] * state.pressure[i]).sum::<f64>()
     }
 
     /// Friction force along +x of the whole asperity.
     pub fn friction(&self, state: &ContactState) -> f64 {
-        2.0 * (0..self.len())
-            .map(|i| self.areas[i] * self.along_x(i, state.traction[i]))
-            .sum::<f64>()
+        2.0 * (0..self.len()).map(|i| self.areas[i] * self.along_x(i, state.traction[i])).sum::<f64>()
     }
 
     pub fn along_x(&self, point: usize, v: [f64; 2]) -> f64 {
@@ -350,18 +313,11 @@ impl Contact {
     /// Share of the contact area that sticks.
     pub fn stick_fraction(&self, state: &ContactState) -> f64 {
         let area = self.sum_where(state, |s| s != Status::Open);
-        if area > 0.0 {
-            self.sum_where(state, |s| s == Status::Stick) / area
-        } else {
-            0.0
-        }
+        if area > 0.0 { self.sum_where(state, |s| s == Status::Stick) / area } else { 0.0 }
     }
 
     fn sum_where(&self, state: &ContactState, pick: impl Fn(Status) -> bool) -> f64 {
-        (0..self.len())
-            .filter(|&i| pick(state.status[i]))
-            .map(|i| self.areas[i] * self.cover[i])
-            .sum()
+        (0..self.len()).filter(|&i| pick(state.status[i])).map(|i| self.areas[i] * self.cover[i]).sum()
     }
 
     /// Work of the flat and dissipation at the interface over the step, by the trapezoidal rule.
@@ -370,9 +326,8 @@ impl Contact {
         for i in 0..self.len() {
             let area = self.areas[i];
             let pressure = 0.5 * (self.committed.pressure[i] + self.trial.pressure[i]);
-            let traction: [f64; 2] = std::array::from_fn(|c| {
-                0.5 * (self.committed.traction[i][c] + self.trial.traction[i][c])
-            });
+            let traction: [f64; 2] =
+                std::array::from_fn(|c| 0.5 * (self.committed.traction[i][c] + self.trial.traction[i][c]));
             let displacement = to.displacement - from.displacement;
             work.of_flat += area
                 * (pressure * (to.interference - from.interference)
@@ -387,8 +342,7 @@ impl Contact {
     pub fn point_friction_work(&self, point: usize) -> f64 {
         (0..2)
             .map(|c| {
-                let traction =
-                    0.5 * (self.committed.traction[point][c] + self.trial.traction[point][c]);
+                let traction = 0.5 * (self.committed.traction[point][c] + self.trial.traction[point][c]);
                 traction * (self.trial.relative[point][c] - self.committed.relative[point][c])
             })
             .sum()

@@ -33,11 +33,7 @@ pub fn element_force<const W: usize>(
         let mut stress = deviators[q];
         for (i, component) in stress.iter_mut().enumerate() {
             for l in 0..W {
-                let volumetric = if i < 3 {
-                    moduli.bulk * dilatation[l]
-                } else {
-                    0.0
-                };
+                let volumetric = if i < 3 { moduli.bulk * dilatation[l] } else { 0.0 };
                 component[l] = weight * (2.0 * moduli.shear * component[l] + volumetric);
             }
         }
@@ -74,10 +70,7 @@ mod tests {
     #[test]
     fn harmonic_solver_agrees_with_a_plain_sparse_factorisation() {
         for count in [4, 8] {
-            let meridian = MeridianMesh::new(MeshSize {
-                contact_radius: 0.1,
-                elements_per_radius: 4,
-            });
+            let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
             let mesh = RevolvedMesh::new(meridian, Sectors::full(count));
             let moduli = Moduli::new(500.0, 0.3);
             let sectors = mesh.sectors;
@@ -93,11 +86,7 @@ mod tests {
                     return None;
                 }
                 let next = number.len();
-                Some(
-                    *number
-                        .entry((node, if on_axis { 0 } else { j }, d))
-                        .or_insert(next),
-                )
+                Some(*number.entry((node, if on_axis { 0 } else { j }, d)).or_insert(next))
             };
             let mut triplets = Vec::new();
             for (e, element) in mesh.elements.iter().enumerate() {
@@ -108,10 +97,8 @@ mod tests {
                     let rotation = [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]];
                     for a in 0..24 {
                         for b in 0..24 {
-                            let ua =
-                                unknown(element.nodes[a / 3 % 4] as usize, sector + a / 12, a % 3);
-                            let ub =
-                                unknown(element.nodes[b / 3 % 4] as usize, sector + b / 12, b % 3);
+                            let ua = unknown(element.nodes[a / 3 % 4] as usize, sector + a / 12, a % 3);
+                            let ub = unknown(element.nodes[b / 3 % 4] as usize, sector + b / 12, b % 3);
                             if let (Some(i), Some(j)) = (ua, ub) {
                                 let mut value = 0.0;
                                 for c in 0..3 {
@@ -128,8 +115,7 @@ mod tests {
                 }
             }
             let n = number.len();
-            let matrix =
-                SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &triplets).unwrap();
+            let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &triplets).unwrap();
 
             // Any force: Cartesian per unknown, and the same in nodal cylindrical components.
             let force: Vec<f64> = (0..n).map(|i| (i as f64 * 1.37).sin()).collect();
@@ -150,9 +136,7 @@ mod tests {
             let exact = matrix.sp_cholesky(faer::Side::Lower).unwrap().solve(&rhs);
 
             let pattern = HarmonicPattern::new(&mesh, FieldKind::Vector).unwrap();
-            let factors = pattern
-                .factorise(&mesh, |e| element_stiffness(&mesh, e, moduli))
-                .unwrap();
+            let factors = pattern.factorise(&mesh, |e| element_stiffness(&mesh, e, moduli)).unwrap();
             let mut solution = vec![0.0; mesh.field_length(3)];
             let mut modal = vec![0.0; factors.modal_length()];
             factors.solve(&cylindrical, &mut solution, &mut modal);
@@ -166,10 +150,7 @@ mod tests {
                     1 => at(0) * sin + at(1) * cos,
                     _ => at(2),
                 };
-                assert!(
-                    (value - exact[(i, 0)]).abs() < 1e-10 * largest,
-                    "{count} {node} {j} {d}: {value}"
-                );
+                assert!((value - exact[(i, 0)]).abs() < 1e-10 * largest, "{count} {node} {j} {d}: {value}");
             }
         }
     }

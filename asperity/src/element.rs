@@ -38,10 +38,7 @@ pub struct Element {
 fn shape(xi: f64, eta: f64, zeta: f64) -> [f64; NODES] {
     std::array::from_fn(|n| {
         let side = if n < 4 { -1.0 } else { 1.0 };
-        0.125
-            * (1.0 + CORNER_XI[n % 4] * xi)
-            * (1.0 + CORNER_ETA[n % 4] * eta)
-            * (1.0 + side * zeta)
+        0.125 * (1.0 + CORNER_XI[n % 4] * xi) * (1.0 + CORNER_ETA[n % 4] * eta) * (1.0 + side * zeta)
     })
 }
 
@@ -99,11 +96,7 @@ impl Element {
             }
             // Reference axes (ξ, η, ζ) = (r, z, θ) are left-handed in (x, y, z).
             weight[q] = -jacobian.determinant();
-            assert!(
-                weight[q] > 0.0,
-                "inverted element at r, z = {:?}",
-                corners[0]
-            );
+            assert!(weight[q] > 0.0, "inverted element at r, z = {:?}", corners[0]);
             let inverse = jacobian.try_inverse().expect("positive volume");
             for n in 0..NODES {
                 for d in 0..3 {
@@ -112,12 +105,7 @@ impl Element {
             }
         }
         let volume = weight.iter().sum();
-        Self {
-            nodes,
-            gradient,
-            weight,
-            volume,
-        }
+        Self { nodes, gradient, weight, volume }
     }
 }
 
@@ -139,12 +127,7 @@ impl RevolvedMesh {
             .map(|quad| Element::new(quad.map(|n| meridian.nodes[n as usize]), *quad, sectors))
             .collect();
         let half = 0.5 * sectors.angle();
-        Self {
-            meridian,
-            sectors,
-            elements,
-            half: (half.cos(), half.sin()),
-        }
+        Self { meridian, sectors, elements, half: (half.cos(), half.sin()) }
     }
 
     pub fn node_count(&self) -> usize {
@@ -208,16 +191,9 @@ impl RevolvedMesh {
             let (radial, rest) = field[base..base + 3 * columns].split_at(columns);
             let (hoop, axial) = rest.split_at(columns);
             for side in 0..2 {
-                let start = if self.sectors.axisymmetric {
-                    0
-                } else {
-                    first + side
-                };
-                let (radial, hoop, axial) = (
-                    &radial[start..start + W],
-                    &hoop[start..start + W],
-                    &axial[start..start + W],
-                );
+                let start = if self.sectors.axisymmetric { 0 } else { first + side };
+                let (radial, hoop, axial) =
+                    (&radial[start..start + W], &hoop[start..start + W], &axial[start..start + W]);
                 let sin = if side == 0 { -sin } else { sin };
                 let target = &mut values[a + 4 * side];
                 for l in 0..W {
@@ -247,11 +223,7 @@ impl RevolvedMesh {
             let (radial, rest) = field[base..base + 3 * columns].split_at_mut(columns);
             let (hoop, axial) = rest.split_at_mut(columns);
             for side in 0..2 {
-                let start = if self.sectors.axisymmetric {
-                    0
-                } else {
-                    first + side
-                };
+                let start = if self.sectors.axisymmetric { 0 } else { first + side };
                 let radial = &mut radial[start..start + W];
                 let hoop = &mut hoop[start..start + W];
                 let axial = &mut axial[start..start + W];
@@ -279,11 +251,7 @@ impl RevolvedMesh {
         for a in 0..4 {
             let base = element.nodes[a] as usize * columns;
             for side in 0..2 {
-                let start = if self.sectors.axisymmetric {
-                    0
-                } else {
-                    first + side
-                };
+                let start = if self.sectors.axisymmetric { 0 } else { first + side };
                 values[a + 4 * side].copy_from_slice(&field[base + start..base + start + W]);
             }
         }
@@ -304,11 +272,7 @@ impl RevolvedMesh {
         for a in 0..4 {
             let base = element.nodes[a] as usize * columns;
             for side in 0..2 {
-                let start = if self.sectors.axisymmetric {
-                    0
-                } else {
-                    first + side
-                };
+                let start = if self.sectors.axisymmetric { 0 } else { first + side };
                 for l in 0..W {
                     field[base + start + l] += multiplicity * values[a + 4 * side][l];
                 }
@@ -397,10 +361,7 @@ mod tests {
     use crate::mesh::MeshSize;
 
     fn mesh(sectors: Sectors) -> RevolvedMesh {
-        let meridian = MeridianMesh::new(MeshSize {
-            contact_radius: 0.05,
-            elements_per_radius: 4,
-        });
+        let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: 4 });
         RevolvedMesh::new(meridian, sectors)
     }
 
@@ -425,18 +386,15 @@ mod tests {
     fn linear_displacements_have_their_exact_strain_everywhere() {
         let mesh = mesh(Sectors::full(8));
         // Symmetric about y = 0: u_x, u_z even and u_y odd in y.
-        let u = nodal(&mesh, |[x, y, z]| {
-            [0.3 * x - 0.2 * z + 1.0, 0.7 * y, 0.5 * x + 0.1 * z]
-        });
+        let u = nodal(&mesh, |[x, y, z]| [0.3 * x - 0.2 * z + 1.0, 0.7 * y, 0.5 * x + 0.1 * z]);
         for element in &mesh.elements {
             for first in [0, 4] {
                 let local = mesh.gather_vector::<4>(&u, element, first);
                 let (deviators, dilatation) = deviators_and_dilatation(element, &local);
                 for l in 0..4 {
                     // Rotate the exact strain into the sector's frame.
-                    let (sin, cos) = ((first + l) as f64 * mesh.sectors.angle()
-                        + 0.5 * mesh.sectors.angle())
-                    .sin_cos();
+                    let (sin, cos) =
+                        ((first + l) as f64 * mesh.sectors.angle() + 0.5 * mesh.sectors.angle()).sin_cos();
                     let (exx, eyy, ezz, exz): (f64, f64, f64, f64) = (0.3, 0.7, 0.1, 0.15);
                     let third = (exx + eyy + ezz) / 3.0;
                     let exact = [
@@ -463,8 +421,7 @@ mod tests {
         for count in [4, 8, 16] {
             let mesh = mesh(Sectors::full(count));
             let total: f64 = mesh.nodal_volumes().iter().sum();
-            let axisymmetric =
-                RevolvedMesh::new(mesh.meridian.clone(), Sectors::axisymmetric(count));
+            let axisymmetric = RevolvedMesh::new(mesh.meridian.clone(), Sectors::axisymmetric(count));
             let alike: f64 = axisymmetric.nodal_volumes().iter().sum();
             assert!((total / alike - 1.0).abs() < 1e-12);
             let exact = 0.5 * crate::mesh::revolved_volume(&mesh.meridian);

@@ -38,10 +38,7 @@ pub struct Fake {
 }
 
 fn estimate(value: f64) -> Estimate {
-    Estimate {
-        value,
-        error: 0.01 * value.abs(),
-    }
+    Estimate { value, error: 0.01 * value.abs() }
 }
 
 impl Fake {
@@ -96,10 +93,7 @@ impl Fake {
                 inception: InceptionCriterion::FullSlip,
                 levelled: true,
             },
-            grid: ContactGrid {
-                theta: vec![0.0, 1.0],
-                r: vec![0.0, 1e-5, 2e-5],
-            },
+            grid: ContactGrid { theta: vec![0.0, 1.0], r: vec![0.0, 1e-5, 2e-5] },
             snapshots: vec![Snapshot {
                 slip: 1e-5,
                 pressure: vec![1e9; 6],
@@ -131,12 +125,7 @@ impl Simulator for Fake {
         Ok(scene.clone())
     }
 
-    fn slide(
-        &self,
-        pressed: &Scene,
-        slip_rate: f64,
-        _watch: &dyn Watch,
-    ) -> Result<Outcome, SimulationError> {
+    fn slide(&self, pressed: &Scene, slip_rate: f64, _watch: &dyn Watch) -> Result<Outcome, SimulationError> {
         self.slides.fetch_add(1, Ordering::Relaxed);
         if self.slide_panics == Some(slip_rate) {
             panic!("this slide panics");

@@ -11,10 +11,8 @@ type History = (&'static str, fn(&SlideStep) -> f64);
 const FRICTION: [History; 1] = [("", |step| step.mu)];
 const FORCES: [History; 2] = [("Q", |step| step.friction), ("P", |step| step.load)];
 const AREA: [History; 1] = [("", |step| step.area)];
-const TEMPERATURES: [History; 2] = [
-    ("highest", |step| step.temperature_max),
-    ("mean", |step| step.temperature_mean),
-];
+const TEMPERATURES: [History; 2] =
+    [("highest", |step| step.temperature_max), ("mean", |step| step.temperature_mean)];
 const ENERGIES: [History; 5] = [
     ("work of the flat", |step| step.work),
     ("elastic", |step| step.energy_elastic),
@@ -40,12 +38,7 @@ pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Figure {
             panel("Forces", "force", "N", &FORCES),
             panel("Contact area", "contact area A", "m²", &AREA),
             panel("Contact temperature", "temperature", "K", &TEMPERATURES),
-            panel(
-                "Energies since the start of the slide",
-                "energy",
-                "J",
-                &ENERGIES,
-            ),
+            panel("Energies since the start of the slide", "energy", "J", &ENERGIES),
         ],
     }
 }

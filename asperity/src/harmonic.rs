@@ -65,21 +65,14 @@ impl ThetaTransform {
         let mut even = vec![0.0; columns * columns];
         let mut odd = vec![0.0; columns * columns];
         for m in 0..columns {
-            let norm = if m == 0 || m == sectors.count {
-                n
-            } else {
-                0.5 * n
-            };
+            let norm = if m == 0 || m == sectors.count { n } else { 0.5 * n };
             for j in 0..columns {
                 // Reduce m·j so that zeros come out as zeros.
                 let turns = (m * j) % (2 * sectors.count);
                 let angle = turns as f64 * sectors.angle();
                 even[m * columns + j] = angle.cos() / norm.sqrt();
-                odd[m * columns + j] = if turns.is_multiple_of(sectors.count) {
-                    0.0
-                } else {
-                    angle.sin() / norm.sqrt()
-                };
+                odd[m * columns + j] =
+                    if turns.is_multiple_of(sectors.count) { 0.0 } else { angle.sin() / norm.sqrt() };
             }
         }
         Self { columns, even, odd }
@@ -134,9 +127,8 @@ impl HarmonicPattern {
         }
 
         // Minimum-degree order of the interior nodes, then the contact rings.
-        let interior_nodes: Vec<usize> = (0..nodes)
-            .filter(|&n| !is_contact[n] && !meridian.is_base[n])
-            .collect();
+        let interior_nodes: Vec<usize> =
+            (0..nodes).filter(|&n| !is_contact[n] && !meridian.is_base[n]).collect();
         let mut local = vec![usize::MAX; nodes];
         for (i, &node) in interior_nodes.iter().enumerate() {
             local[node] = i;
@@ -156,21 +148,13 @@ impl HarmonicPattern {
         let n = interior_nodes.len();
         let graph = SymbolicSparseColMatRef::new_checked(n, n, &column_start, None, &row);
         let (mut order, mut rank) = (vec![0usize; n], vec![0usize; n]);
-        let mut memory = MemBuffer::try_new(amd::order_scratch::<usize>(n, row.len()))
+        let mut memory =
+            MemBuffer::try_new(amd::order_scratch::<usize>(n, row.len())).map_err(|_| FactorError::Memory)?;
+        amd::order(&mut order, &mut rank, graph, amd::Control::default(), MemStack::new(&mut memory))
             .map_err(|_| FactorError::Memory)?;
-        amd::order(
-            &mut order,
-            &mut rank,
-            graph,
-            amd::Control::default(),
-            MemStack::new(&mut memory),
-        )
-        .map_err(|_| FactorError::Memory)?;
         let mut position = vec![ABSENT; nodes * components];
-        let sequence = order
-            .iter()
-            .map(|&i| interior_nodes[i])
-            .chain(meridian.contact.iter().map(|&n| n as usize));
+        let sequence =
+            order.iter().map(|&i| interior_nodes[i]).chain(meridian.contact.iter().map(|&n| n as usize));
         let mut unknowns = 0;
         for node in sequence {
             for c in 0..components {
@@ -185,9 +169,7 @@ impl HarmonicPattern {
         for quad in &meridian.quads {
             for &a in quad {
                 for &b in quad {
-                    for (ca, cb) in
-                        (0..components * components).map(|i| (i / components, i % components))
-                    {
+                    for (ca, cb) in (0..components * components).map(|i| (i / components, i % components)) {
                         let i = position[a as usize * components + ca];
                         let j = position[b as usize * components + cb];
                         if i != ABSENT && j != ABSENT && i <= j {
@@ -202,8 +184,7 @@ impl HarmonicPattern {
             columns[j].extend(interior..=j);
         }
         let (column_start, row) = compress(&mut columns);
-        let pattern =
-            SymbolicSparseColMatRef::new_checked(unknowns, unknowns, &column_start, None, &row);
+        let pattern = SymbolicSparseColMatRef::new_checked(unknowns, unknowns, &column_start, None, &row);
         let mut memory = MemBuffer::try_new(StackReq::any_of(&[
             simplicial::prefactorize_symbolic_cholesky_scratch::<usize>(unknowns, row.len()),
             simplicial::factorize_simplicial_symbolic_cholesky_scratch::<usize>(unknowns),
@@ -224,15 +205,7 @@ impl HarmonicPattern {
             MemStack::new(&mut memory),
         )
         .map_err(|_| FactorError::Memory)?;
-        Ok(Self {
-            kind,
-            unknowns,
-            interior,
-            position,
-            column_start,
-            row,
-            symbolic,
-        })
+        Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic })
     }
 
     /// Factors of the operator whose sector-element matrices are given.
@@ -251,27 +224,16 @@ impl HarmonicPattern {
         let mut values = vec![vec![0.0; self.row.len()]; columns];
         let entry = |i: usize, j: usize| {
             let column = self.column_start[j]..self.column_start[j + 1];
-            column.start
-                + self.row[column]
-                    .binary_search(&i)
-                    .expect("entry is in the pattern")
+            column.start + self.row[column].binary_search(&i).expect("entry is in the pattern")
         };
         for (e, element) in mesh.elements.iter().enumerate() {
             let sector_matrix = self.rotate(&matrix(e), sectors.angle());
             let place: Vec<u32> = (0..rows)
-                .map(|i| {
-                    self.position
-                        [element.nodes[i / components] as usize * components + i % components]
-                })
+                .map(|i| self.position[element.nodes[i / components] as usize * components + i % components])
                 .collect();
-            let axis: Vec<bool> = element
-                .nodes
-                .iter()
-                .map(|&n| mesh.meridian.on_axis(n as usize))
-                .collect();
+            let axis: Vec<bool> = element.nodes.iter().map(|&n| mesh.meridian.on_axis(n as usize)).collect();
             for (m, values) in values.iter_mut().enumerate() {
-                let mut local =
-                    self.harmonic_matrix(&sector_matrix, 0.5 * m as f64 * sectors.angle());
+                let mut local = self.harmonic_matrix(&sector_matrix, 0.5 * m as f64 * sectors.angle());
                 self.constrain_axis(&mut local, &axis, m);
                 for i in 0..rows {
                     for j in 0..rows {
@@ -414,9 +376,7 @@ impl HarmonicPattern {
             unknowns: self.unknowns,
             interior: self.interior,
             position: self.position.clone(),
-            on_axis: (0..mesh.node_count())
-                .map(|n| mesh.meridian.on_axis(n))
-                .collect(),
+            on_axis: (0..mesh.node_count()).map(|n| mesh.meridian.on_axis(n)).collect(),
             column_start: Vec::with_capacity(self.interior + 1),
             row: Vec::with_capacity(sparse - self.interior),
             value: vec![0.0; (sparse - self.interior) * lanes],
@@ -426,20 +386,14 @@ impl HarmonicPattern {
         for j in 0..self.interior {
             factors.column_start.push(factors.row.len() as u32);
             debug_assert_eq!(rows[columns[j]], j);
-            factors.row.extend(
-                rows[columns[j] + 1..columns[j + 1]]
-                    .iter()
-                    .map(|&i| i as u32),
-            );
+            factors.row.extend(rows[columns[j] + 1..columns[j + 1]].iter().map(|&i| i as u32));
         }
         factors.column_start.push(factors.row.len() as u32);
 
-        let mut memory =
-            MemBuffer::try_new(simplicial::factorize_simplicial_numeric_llt_scratch::<
-                usize,
-                f64,
-            >(self.unknowns))
-            .map_err(|_| FactorError::Memory)?;
+        let mut memory = MemBuffer::try_new(
+            simplicial::factorize_simplicial_numeric_llt_scratch::<usize, f64>(self.unknowns),
+        )
+        .map_err(|_| FactorError::Memory)?;
         let mut lower = vec![0.0; self.symbolic.len_val()];
         for (m, values) in values.iter().enumerate() {
             simplicial::factorize_simplicial_numeric_llt::<usize, f64>(
@@ -551,8 +505,7 @@ impl HarmonicFactors {
             }
             (FieldKind::Vector, 1) if columns > 1 => {
                 // The place of u_r is the one before.
-                modal[target - columns + 1] -=
-                    dot(&self.transform.odd[columns..2 * columns], source);
+                modal[target - columns + 1] -= dot(&self.transform.odd[columns..2 * columns], source);
             }
             (FieldKind::Vector, 0 | 1) => {}
             _ => modal[target] += dot(&self.transform.even[..columns], source),
@@ -575,10 +528,7 @@ impl HarmonicFactors {
                 let table = self.transform.of(self.kind.is_odd(c));
                 if !self.on_axis[node] {
                     for (m, &value) in source.iter().enumerate() {
-                        for (t, w) in target
-                            .iter_mut()
-                            .zip(&table[m * columns..(m + 1) * columns])
-                        {
+                        for (t, w) in target.iter_mut().zip(&table[m * columns..(m + 1) * columns]) {
                             *t = fma(value, *w, *t);
                         }
                     }
@@ -674,8 +624,7 @@ impl HarmonicFactors {
             for l in 0..lanes {
                 x[j * lanes + l] *= self.inverse_diagonal[j * lanes + l];
                 for e in self.column_start[j] as usize..self.column_start[j + 1] as usize {
-                    x[self.row[e] as usize * lanes + l] -=
-                        self.value[e * lanes + l] * x[j * lanes + l];
+                    x[self.row[e] as usize * lanes + l] -= self.value[e * lanes + l] * x[j * lanes + l];
                 }
             }
         }
@@ -686,8 +635,7 @@ impl HarmonicFactors {
         for j in (0..self.interior).rev() {
             for l in 0..lanes {
                 for e in self.column_start[j] as usize..self.column_start[j + 1] as usize {
-                    x[j * lanes + l] -=
-                        self.value[e * lanes + l] * x[self.row[e] as usize * lanes + l];
+                    x[j * lanes + l] -= self.value[e * lanes + l] * x[self.row[e] as usize * lanes + l];
                 }
                 x[j * lanes + l] *= self.inverse_diagonal[j * lanes + l];
             }

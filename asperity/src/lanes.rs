@@ -5,11 +5,7 @@ pub type Lanes<const W: usize> = [f64; W];
 /// a·b + c, fused where the machine does that in one instruction.
 #[inline(always)]
 pub fn fma(a: f64, b: f64, c: f64) -> f64 {
-    if cfg!(target_feature = "fma") {
-        a.mul_add(b, c)
-    } else {
-        a * b + c
-    }
+    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }
 
 /// c += a·b for a scalar a.

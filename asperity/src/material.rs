@@ -32,10 +32,7 @@ pub struct Return {
 impl Solid {
     pub fn new(material: &Material, initial_temperature: f64) -> Self {
         let mut solid = Self {
-            moduli: Moduli::new(
-                material.youngs_modulus / material.yield_strength,
-                material.poisson_ratio,
-            ),
+            moduli: Moduli::new(material.youngs_modulus / material.yield_strength, material.poisson_ratio),
             hardening: material.hardening.clone(),
             yield_strength: material.yield_strength,
             softening: material.softening.clone(),
@@ -51,19 +48,11 @@ impl Solid {
         let temperature = self.initial_temperature + rise;
         let factor = match &self.softening {
             Softening::None => 1.0,
-            Softening::JohnsonCook {
-                reference,
-                melting,
-                exponent,
-            } => {
-                let homologous =
-                    ((temperature - reference) / (melting - reference)).clamp(0.0, 1.0);
+            Softening::JohnsonCook { reference, melting, exponent } => {
+                let homologous = ((temperature - reference) / (melting - reference)).clamp(0.0, 1.0);
                 1.0 - homologous.powf(*exponent)
             }
-            Softening::Table {
-                temperature: knots,
-                factor,
-            } => interpolate(knots, factor, temperature).0,
+            Softening::Table { temperature: knots, factor } => interpolate(knots, factor, temperature).0,
         };
         factor / self.initial_factor
     }
@@ -89,10 +78,7 @@ impl Solid {
                 let power = b * strain.powf(*exponent);
                 (1.0 + power, exponent * power / strain)
             }
-            Hardening::Table {
-                plastic_strain,
-                factor,
-            } => interpolate(plastic_strain, factor, strain),
+            Hardening::Table { plastic_strain, factor } => interpolate(plastic_strain, factor, strain),
         }
     }
 
@@ -130,21 +116,13 @@ impl Solid {
             }
             let step = residual / (stiffness + factor * slope);
             let next = x + step;
-            let converged =
-                step.abs() <= 1e-15 * (x.abs() + step.abs()) || residual.abs() <= 1e-15 * trial;
-            x = if next >= low && next <= high {
-                next
-            } else {
-                0.5 * (low + high)
-            };
+            let converged = step.abs() <= 1e-15 * (x.abs() + step.abs()) || residual.abs() <= 1e-15 * trial;
+            x = if next >= low && next <= high { next } else { 0.5 * (low + high) };
             if converged {
                 break;
             }
         }
-        Return {
-            increment: x,
-            slope: factor * self.hardened(strain + x).1,
-        }
+        Return { increment: x, slope: factor * self.hardened(strain + x).1 }
     }
 }
 
@@ -175,11 +153,7 @@ mod tests {
             specific_heat: 475.0,
             thermal_conductivity: 44.5,
             thermal_expansion: 1.23e-5,
-            softening: Softening::JohnsonCook {
-                reference: 298.0,
-                melting: 1793.0,
-                exponent: 1.03,
-            },
+            softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.03 },
         };
         Solid::new(&material, 298.0)
     }
@@ -189,14 +163,8 @@ mod tests {
         let laws = [
             Hardening::None,
             Hardening::Linear { modulus: 2e9 },
-            Hardening::JohnsonCook {
-                modulus: 510e6,
-                exponent: 0.26,
-            },
-            Hardening::Table {
-                plastic_strain: vec![0.0, 0.01, 0.3],
-                factor: vec![1.0, 1.2, 1.5],
-            },
+            Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 },
+            Hardening::Table { plastic_strain: vec![0.0, 0.01, 0.3], factor: vec![1.0, 1.2, 1.5] },
         ];
         for law in laws {
             let solid = steel(law);
@@ -220,10 +188,7 @@ mod tests {
 
     #[test]
     fn molten_material_has_no_strength() {
-        let solid = steel(Hardening::JohnsonCook {
-            modulus: 510e6,
-            exponent: 0.26,
-        });
+        let solid = steel(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
         assert_eq!(solid.initial_strength(1495.0), 0.0);
         assert_eq!(solid.initial_strength(1e5), 0.0);
         let Return { increment, slope } = solid.return_map(1.0, 0.0, 2000.0);

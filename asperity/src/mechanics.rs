@@ -11,16 +11,16 @@ use crate::contact::{Contact, Flat};
 use crate::harmonic::{FieldKind, HarmonicFactors};
 
 /// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
-const NEWTON_TOLERANCE: f64 = 1e-7;
+const NEWTON_TOLERANCE: f64 = 5e-7;
+/// Residual below which a state is good enough to ask for its temperature and contact edge.
+const REFRESH: f64 = 3e-2;
 const NEWTON_LIMIT: usize = 40;
 const KRYLOV_LIMIT: usize = 400;
 
 /// Why a step was not solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StepFailure {
-    #[error(
-        "Newton's method did not converge in {NEWTON_LIMIT} iterations (residual {residual:.1e})"
-    )]
+    #[error("Newton's method did not converge in {NEWTON_LIMIT} iterations (residual {residual:.1e})")]
     Newton { residual: f64 },
     #[error("a number is not finite")]
     NotFinite,
@@ -53,12 +53,7 @@ pub struct Mechanics {
 }
 
 impl Mechanics {
-    pub fn new(
-        body: Body,
-        contact: Contact,
-        factors: Arc<HarmonicFactors>,
-        displacement: Vec<f64>,
-    ) -> Self {
+    pub fn new(body: Body, contact: Contact, factors: Arc<HarmonicFactors>, displacement: Vec<f64>) -> Self {
         let n = factors.contact_unknowns() * factors.harmonics();
         let harmonics = factors.harmonics();
         let mut elastic = Mat::<f64>::zeros(n, n);
@@ -74,10 +69,7 @@ impl Mechanics {
         Self {
             internal: vec![0.0; displacement.len()],
             modal: vec![0.0; factors.modal_length()],
-            dense: ContactStiffness {
-                elastic,
-                factor: None,
-            },
+            dense: ContactStiffness { elastic, factor: None },
             body,
             contact,
             factors,
@@ -88,23 +80,24 @@ impl Mechanics {
 
     /// Solves one step: on success body, contact and displacement hold the trial state.
     ///
-    /// `limits` gives the limit of the shear traction at each contact point; it is asked anew in
-    /// each iteration, with the trial state of the one before, and the step is solved when both
-    /// the residual and the change of the limits are small. `start` is the first guess.
+    /// `surroundings` gives temperature and shear limits; it is asked anew in each iteration, with
+    /// the trial state of the one before, and answers nothing when they shall stay as they are.
+    /// The step is solved when the residual is small and they have settled. `start` is the first
+    /// guess.
     pub fn solve(
         &mut self,
         flat: Flat,
         start: Vec<f64>,
-        mut surroundings: impl FnMut(&mut Body, &mut Contact, usize) -> Surroundings,
+        mut surroundings: impl FnMut(&mut Body, &mut Contact, usize) -> Option<Surroundings>,
     ) -> Result<(), StepFailure> {
         let mut u = start;
         let n = u.len();
         let mut residual = vec![0.0; n];
         let mut direction = vec![0.0; n];
         let mut trial = vec![0.0; n];
-        let mut around = surroundings(&mut self.body, &mut self.contact, 0);
-        self.body
-            .internal_force(&u, around.rise.as_deref(), &mut self.internal);
+        let mut around =
+            surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
+        self.body.internal_force(&u, around.rise.as_deref(), &mut self.internal);
         let mut last = f64::INFINITY;
         for iteration in 0..NEWTON_LIMIT {
             self.contact.evaluate(&u, flat, &around.limit);
@@ -113,8 +106,7 @@ impl Mechanics {
             self.factorise_contact()?;
             self.precondition(&residual, &mut direction);
             let norm = dot(&residual, &direction).max(0.0).sqrt();
-            let reference =
-                (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
+            let reference = (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
             if !norm.is_finite() {
                 return Err(StepFailure::NotFinite);
             }
@@ -129,12 +121,15 @@ impl Mechanics {
             let forcing = (0.1 * NEWTON_TOLERANCE * scale / norm).clamp(1e-3, 0.05);
             self.conjugate_gradients(&residual, &mut direction, forcing);
             self.line_search(&mut u, &mut trial, &direction, &mut residual, flat, &around);
-            let next = surroundings(&mut self.body, &mut self.contact, iteration + 1);
-            if next.rise.is_some() {
-                self.body
-                    .internal_force(&u, next.rise.as_deref(), &mut self.internal);
+            let near = norm <= REFRESH * scale;
+            if let Some(next) =
+                near.then(|| surroundings(&mut self.body, &mut self.contact, iteration + 1)).flatten()
+            {
+                around = next;
+                if around.rise.is_some() {
+                    self.body.internal_force(&u, around.rise.as_deref(), &mut self.internal);
+                }
             }
-            around = next;
         }
         Err(StepFailure::Newton { residual: last })
     }
@@ -158,8 +153,7 @@ impl Mechanics {
             for ((t, &x), &d) in trial.iter_mut().zip(u.iter()).zip(direction) {
                 *t = x + step * d;
             }
-            self.body
-                .internal_force(trial, around.rise.as_deref(), &mut self.internal);
+            self.body.internal_force(trial, around.rise.as_deref(), &mut self.internal);
             self.contact.evaluate(trial, flat, &around.limit);
             residual.copy_from_slice(&self.internal);
             self.contact.subtract_force(residual);
@@ -227,10 +221,8 @@ impl Mechanics {
         let contact = &mut self.modal[self.factors.contact_offset()..];
         let size = contact.len();
         let factor = self.dense.factor.as_ref().expect("factorised before use");
-        factor.solve_in_place_with_conj(
-            faer::Conj::No,
-            MatMut::from_column_major_slice_mut(contact, size, 1),
-        );
+        factor
+            .solve_in_place_with_conj(faer::Conj::No, MatMut::from_column_major_slice_mut(contact, size, 1));
         self.factors.backward(&mut self.modal);
         self.factors.to_nodal(&self.modal, solution);
     }
@@ -239,11 +231,7 @@ impl Mechanics {
     fn factorise_contact(&mut self) -> Result<(), StepFailure> {
         let mut matrix = self.dense.elastic.clone();
         add_contact_stiffness(&self.factors, &self.contact, &mut matrix);
-        self.dense.factor = Some(
-            matrix
-                .llt(Side::Lower)
-                .map_err(|_| StepFailure::ContactStiffness)?,
-        );
+        self.dense.factor = Some(matrix.llt(Side::Lower).map_err(|_| StepFailure::ContactStiffness)?);
         Ok(())
     }
 
@@ -284,9 +272,7 @@ fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &
             for m in 0..columns {
                 for k in 0..columns {
                     let sum: f64 = (0..columns)
-                        .map(|j| {
-                            table(c)[m * columns + j] * nodes[j][c][d] * table(d)[k * columns + j]
-                        })
+                        .map(|j| table(c)[m * columns + j] * nodes[j][c][d] * table(d)[k * columns + j])
                         .sum();
                     local[(c * columns + m) * size + d * columns + k] += sum;
                 }

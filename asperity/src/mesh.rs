@@ -54,14 +54,8 @@ const BLOCK_DEPTH: f64 = 1.3;
 impl MeridianMesh {
     pub fn new(size: MeshSize) -> Self {
         let a = size.contact_radius;
-        let rings: Vec<f64> = ring_radii(size.elements_per_radius)
-            .iter()
-            .map(|r| r * a)
-            .collect();
-        let depths: Vec<f64> = layer_depths(size.elements_per_radius)
-            .iter()
-            .map(|d| d * a)
-            .collect();
+        let rings: Vec<f64> = ring_radii(size.elements_per_radius).iter().map(|r| r * a).collect();
+        let depths: Vec<f64> = layer_depths(size.elements_per_radius).iter().map(|d| d * a).collect();
         let columns = rings.len() - 1;
         let layers = depths.len() - 1;
 
@@ -75,12 +69,7 @@ impl MeridianMesh {
         let mut quads = Vec::new();
         for k in 0..layers {
             for i in 0..columns {
-                quads.push([
-                    block(i, k + 1),
-                    block(i + 1, k + 1),
-                    block(i + 1, k),
-                    block(i, k),
-                ]);
+                quads.push([block(i, k + 1), block(i + 1, k + 1), block(i + 1, k), block(i, k)]);
             }
         }
 
@@ -117,20 +106,12 @@ impl MeridianMesh {
             }
         }
         let contact = (0..=columns).map(|i| block(i, 0)).collect();
-        Self {
-            nodes,
-            quads,
-            contact,
-            is_base,
-        }
+        Self { nodes, quads, contact, is_base }
     }
 
     /// Radii of the rings that can come into contact.
     pub fn contact_radii(&self) -> Vec<f64> {
-        self.contact
-            .iter()
-            .map(|&n| self.nodes[n as usize][0])
-            .collect()
+        self.contact.iter().map(|&n| self.nodes[n as usize][0]).collect()
     }
 
     pub fn on_axis(&self, node: usize) -> bool {
@@ -146,11 +127,7 @@ impl MeridianMesh {
 fn fan_point(start: [f64; 2], uniform: f64, t: f64) -> [f64; 2] {
     let surface_angle = |rho: f64| (0.5 * rho).acos();
     let rho_start = start[0].hypot(start[1]);
-    let angle_start = if uniform >= 1.0 {
-        1.0
-    } else {
-        start[0].atan2(-start[1]) / surface_angle(rho_start)
-    };
+    let angle_start = if uniform >= 1.0 { 1.0 } else { start[0].atan2(-start[1]) / surface_angle(rho_start) };
     let rho_end = base_distance(uniform, surface_angle);
     let rho = (rho_start.ln() * (1.0 - t) + rho_end.ln() * t).exp();
     let spread = 1.0 - (1.0 - t).powi(3);
@@ -181,9 +158,7 @@ fn ring_radii(n: usize) -> Vec<f64> {
     let edge = EDGE_SIZE / n as f64;
     let inner = 1.0 - 0.5 * edge;
     // Sizes in arithmetic progression from about CENTRE_SIZE to EDGE_SIZE whose sum is `inner`.
-    let count = (inner / (0.5 * (CENTRE_SIZE + EDGE_SIZE) / n as f64))
-        .round()
-        .max(2.0) as usize;
+    let count = (inner / (0.5 * (CENTRE_SIZE + EDGE_SIZE) / n as f64)).round().max(2.0) as usize;
     let centre = 2.0 * inner / count as f64 - edge;
     let mut radii = vec![0.0];
     let mut r = 0.0;
@@ -223,16 +198,14 @@ fn layer_depths(n: usize) -> Vec<f64> {
 #[cfg(test)]
 pub(crate) fn revolved_volume(mesh: &MeridianMesh) -> f64 {
     let triangle = |p: [[f64; 2]; 3]| {
-        let double =
-            (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+        let double = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
         std::f64::consts::PI * double * (p[0][0] + p[1][0] + p[2][0]) / 3.0
     };
     let corner = |n: u32| mesh.nodes[n as usize];
     mesh.quads
         .iter()
         .map(|&[a, b, c, d]| {
-            triangle([corner(a), corner(b), corner(c)])
-                + triangle([corner(a), corner(c), corner(d)])
+            triangle([corner(a), corner(b), corner(c)]) + triangle([corner(a), corner(c), corner(d)])
         })
         .sum()
 }
@@ -252,24 +225,15 @@ mod tests {
             .collect();
         let mean = jacobians.iter().sum::<f64>() / 4.0;
         assert!(mean > 0.0);
-        jacobians
-            .iter()
-            .fold(f64::INFINITY, |m, &j| m.min(j / mean))
+        jacobians.iter().fold(f64::INFINITY, |m, &j| m.min(j / mean))
     }
 
     #[test]
     fn elements_are_convex_for_small_and_large_contacts() {
         for a in [1e-4, 1e-2, 0.13, 0.3] {
             for n in [4, 8, 16] {
-                let mesh = MeridianMesh::new(MeshSize {
-                    contact_radius: a,
-                    elements_per_radius: n,
-                });
-                let worst = mesh
-                    .quads
-                    .iter()
-                    .map(|q| corner_quality(&mesh, q))
-                    .fold(f64::INFINITY, f64::min);
+                let mesh = MeridianMesh::new(MeshSize { contact_radius: a, elements_per_radius: n });
+                let worst = mesh.quads.iter().map(|q| corner_quality(&mesh, q)).fold(f64::INFINITY, f64::min);
                 assert!(worst > 0.1, "a = {a}, n_c = {n}: {worst}");
             }
         }
@@ -279,10 +243,7 @@ mod tests {
     fn volume_approaches_the_hemisphere_at_second_order() {
         let exact = 2.0 / 3.0 * std::f64::consts::PI;
         let error = |n: usize| {
-            let mesh = MeridianMesh::new(MeshSize {
-                contact_radius: 0.05,
-                elements_per_radius: n,
-            });
+            let mesh = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: n });
             (revolved_volume(&mesh) / exact - 1.0).abs()
         };
         assert!(error(16) < 0.02);

@@ -31,11 +31,7 @@ pub fn with_error(estimate: Estimate, unit: &str) -> String {
         error => error.log10().floor() as i32,
     };
     let decimals = usize::try_from(1 - error_exponent).unwrap_or(0).min(12);
-    format!(
-        "{:.decimals$}{suffix} ± {:.decimals$}{suffix}{unit}",
-        value / scale,
-        error / scale
-    )
+    format!("{:.decimals$}{suffix} ± {:.decimals$}{suffix}{unit}", value / scale, error / scale)
 }
 
 /// Six digits without trailing zeros.
@@ -79,15 +75,6 @@ mod tests {
     fn missing_values_and_errors_are_said() {
         assert_eq!(shown(f64::NAN, 1.0, "N"), "not available");
         assert_eq!(shown(0.5, f64::NAN, "1"), "0.5 ± ? (error unknown)");
-        assert_eq!(
-            as_json(
-                Estimate {
-                    value: f64::NAN,
-                    error: 1.0
-                },
-                "N"
-            )["value"],
-            Value::Null
-        );
+        assert_eq!(as_json(Estimate { value: f64::NAN, error: 1.0 }, "N")["value"], Value::Null);
     }
 }

@@ -1,4 +1,5 @@
-//! The press: a θ-independent problem in full stick, without heat.
+//! The press: a θ-independent problem without heat, in full stick (without friction if the
+//! interface has none).
 
 use crate::body::Body;
 use crate::contact::{Contact, Flat};
@@ -6,6 +7,7 @@ use crate::harmonic::FactorError;
 use crate::mechanics::{Mechanics, StepFailure, Surroundings};
 use crate::mesh::MeshSize;
 use crate::problem::{Discretisation, Problem};
+use crate::scene::FrictionLaw;
 use crate::sectors::Sectors;
 
 /// Increments for each ring of nodes that comes into contact.
@@ -16,10 +18,7 @@ pub enum PressFailure {
     #[error(transparent)]
     Factor(#[from] FactorError),
     #[error("interference {interference:.4} omega_c: {failure}")]
-    Step {
-        interference: f64,
-        failure: StepFailure,
-    },
+    Step { interference: f64, failure: StepFailure },
 }
 
 /// One increment of the press, dimensionless.
@@ -35,7 +34,6 @@ pub fn press_on(
     problem: &Problem,
     size: MeshSize,
     sectors: usize,
-    stick: bool,
 ) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
     let discretisation = Discretisation::new(problem, size, Sectors::axisymmetric(sectors))?;
     let mesh = discretisation.mesh;
@@ -44,7 +42,7 @@ pub fn press_on(
     let body = Body::new(mesh, problem.solid.clone(), problem.expansion);
     let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement);
 
-    let limit = if stick { f64::INFINITY } else { 0.0 };
+    let limit = if problem.law == FrictionLaw::Frictionless { 0.0 } else { f64::INFINITY };
     let count = (INCREMENTS_PER_RING * size.elements_per_radius as f64).ceil();
     let mut increments = Vec::new();
     let mut before = (0.0, mechanics.displacement.clone());
@@ -55,22 +53,11 @@ pub fn press_on(
     while radius < 1.0 {
         let next = (radius + advance).min(1.0);
         let interference = problem.interference * next * next;
-        let start = extrapolate(
-            &before.1,
-            &mechanics.displacement,
-            before.0,
-            done,
-            interference,
-        );
+        let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
-        let flat = Flat {
-            interference,
-            displacement: 0.0,
-        };
-        let outcome = mechanics.solve(flat, start, |_, contact, _| Surroundings {
-            limit: vec![limit; contact.len()],
-            rise: None,
-            settled: true,
+        let flat = Flat { interference, displacement: 0.0 };
+        let outcome = mechanics.solve(flat, start, |_, contact, _| {
+            Some(Surroundings { limit: vec![limit; contact.len()], rise: None, settled: true })
         });
         match outcome {
             Ok(()) => {
@@ -104,20 +91,7 @@ pub fn press_on(
 }
 
 /// Straight on from the last two solutions.
-pub fn extrapolate(
-    before: &[f64],
-    now: &[f64],
-    t_before: f64,
-    t_now: f64,
-    t_next: f64,
-) -> Vec<f64> {
-    let factor = if t_now > t_before {
-        ((t_next - t_now) / (t_now - t_before)).min(3.0)
-    } else {
-        0.0
-    };
-    now.iter()
-        .zip(before)
-        .map(|(x, y)| x + factor * (x - y))
-        .collect()
+pub fn extrapolate(before: &[f64], now: &[f64], t_before: f64, t_now: f64, t_next: f64) -> Vec<f64> {
+    let factor = if t_now > t_before { ((t_next - t_now) / (t_now - t_before)).min(3.0) } else { 0.0 };
+    now.iter().zip(before).map(|(x, y)| x + factor * (x - y)).collect()
 }

@@ -74,12 +74,8 @@ impl Problem {
     pub fn new(scene: &Scene) -> Self {
         let material = &scene.material;
         let e_star = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
-        let critical = hertz::critical_interference(
-            e_star,
-            material.poisson_ratio,
-            material.yield_strength,
-            1.0,
-        );
+        let critical =
+            hertz::critical_interference(e_star, material.poisson_ratio, material.yield_strength, 1.0);
         let capacity = material.density * material.specific_heat;
         let diffusivity = material.thermal_conductivity / capacity;
         Self {
@@ -93,8 +89,7 @@ impl Problem {
             heat_capacity: capacity / material.yield_strength,
             heat_partition: scene.interface.heat_partition,
             taylor_quinney: scene.interface.taylor_quinney,
-            gap_conductance: scene.interface.gap_conductance * scene.radius
-                / material.thermal_conductivity,
+            gap_conductance: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
             units: Units {
                 length: scene.radius,
                 stress: material.yield_strength,
@@ -126,9 +121,6 @@ impl Discretisation {
         let moduli = problem.solid.moduli;
         let factors = HarmonicPattern::new(&mesh, FieldKind::Vector)?
             .factorise(&mesh, |e| element_stiffness(&mesh, e, moduli))?;
-        Ok(Self {
-            mesh,
-            factors: Arc::new(factors),
-        })
+        Ok(Self { mesh, factors: Arc::new(factors) })
     }
 }

@@ -22,17 +22,9 @@ impl Resolution {
     /// the square of the element size.
     pub fn choose(numerics: &Numerics) -> Self {
         let from_accuracy = (8.0 * (0.05 / numerics.accuracy).sqrt()).ceil() as usize;
-        let elements = numerics
-            .elements_per_radius
-            .unwrap_or(from_accuracy.clamp(6, 48).next_multiple_of(2));
-        let sectors = numerics
-            .sectors
-            .unwrap_or(if numerics.accuracy >= 0.02 { 8 } else { 16 });
-        Self {
-            elements_per_radius: elements,
-            sectors,
-            growth: 0.15 * (8.0 / elements as f64).sqrt(),
-        }
+        let elements = numerics.elements_per_radius.unwrap_or(from_accuracy.clamp(6, 48).next_multiple_of(2));
+        let sectors = numerics.sectors.unwrap_or(if numerics.accuracy >= 0.02 { 8 } else { 16 });
+        Self { elements_per_radius: elements, sectors, growth: 0.15 * (8.0 / elements as f64).sqrt() }
     }
 
     /// Half as fine in every direction (sectors come in fours).
@@ -94,9 +86,7 @@ pub fn choose_heat(scene: &Scene, slip_rate: f64, number: f64, notes: &mut Vec<S
             false
         }
         None => {
-            notes.push(format!(
-                "heat is included: softening number f_h tau_0 V a/(k dT_m) = {number:.2e}"
-            ));
+            notes.push(format!("heat is included: softening number f_h tau_0 V a/(k dT_m) = {number:.2e}"));
             true
         }
     }

@@ -35,12 +35,7 @@ const fn column<T>(
     long_name: &'static str,
     of: fn(&T) -> f64,
 ) -> Column<T> {
-    Column {
-        name,
-        unit,
-        long_name,
-        of,
-    }
+    Column { name, unit, long_name, of }
 }
 
 #[rustfmt::skip]
@@ -72,44 +67,20 @@ const PRESS: [Column<PressStep>; 3] = [
     column("area_press", "m2", "contact area during the press", |s| s.area),
 ];
 
-type Field = (
-    &'static str,
-    &'static str,
-    &'static str,
-    fn(&Snapshot) -> &Vec<f64>,
-);
+type Field = (&'static str, &'static str, &'static str, fn(&Snapshot) -> &Vec<f64>);
 
 const FIELDS: [Field; 4] = [
     ("pressure", "Pa", "contact pressure", |s| &s.pressure),
-    ("shear", "Pa", "magnitude of the tangential traction", |s| {
-        &s.shear
-    }),
-    (
-        "temperature",
-        "K",
-        "temperature of the contact plane",
-        |s| &s.temperature,
-    ),
-    (
-        "slip_distance",
-        "m",
-        "slip since the start of the slide",
-        |s| &s.slip_distance,
-    ),
+    ("shear", "Pa", "magnitude of the tangential traction", |s| &s.shear),
+    ("temperature", "K", "temperature of the contact plane", |s| &s.temperature),
+    ("slip_distance", "m", "slip since the start of the slide", |s| &s.slip_distance),
 ];
 
 /// Write the file; it appears whole or not at all.
-pub fn write(
-    path: &Path,
-    scene: &Scene,
-    outcome: &Outcome,
-    about: &About<'_>,
-) -> Result<(), DatasetError> {
+pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -> Result<(), DatasetError> {
     let loading = &scene.loading;
-    let title = format!(
-        "Sliding of one asperity at {} omega_c and {} m/s",
-        loading.interference, loading.slip_rate
-    );
+    let title =
+        format!("Sliding of one asperity at {} omega_c and {} m/s", loading.interference, loading.slip_rate);
     let completion = match about.incomplete {
         None => "complete".to_owned(),
         Some(reason) => format!("incomplete: {reason}"),
@@ -121,13 +92,7 @@ pub fn write(
     file.attribute("completion", completion)?;
     file.attribute("notes", outcome.account.notes.join("\n"))?;
     file.attribute("warnings", outcome.account.warnings.join("\n"))?;
-    columns(
-        &mut file,
-        "step_press",
-        &PRESS,
-        &outcome.press,
-        "interference_press",
-    )?;
+    columns(&mut file, "step_press", &PRESS, &outcome.press, "interference_press")?;
     columns(&mut file, "step", &SLIDE, &outcome.slide, "slip time")?;
     estimates(&mut file, outcome)?;
     account(&mut file, outcome)?;
@@ -154,10 +119,7 @@ fn columns<T>(
         if !coordinates.split(' ').any(|name| name == column.name) {
             attributes.push(("coordinates", coordinates.into()));
         }
-        if QUANTITIES
-            .iter()
-            .any(|quantity| quantity.name == column.name)
-        {
+        if QUANTITIES.iter().any(|quantity| quantity.name == column.name) {
             let error = format!("{}_error", column.name);
             attributes.push(("ancillary_variables", error.into()));
         }
@@ -225,13 +187,7 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
         ("heat", "whether heat was simulated", account.heat.into(), &yes_no),
     ];
     for (name, long_name, value, meanings) in flags {
-        file.flags(
-            name,
-            &[],
-            &[value],
-            meanings,
-            &[("long_name", long_name.into())],
-        )?;
+        file.flags(name, &[], &[value], meanings, &[("long_name", long_name.into())])?;
     }
     Ok(())
 }
@@ -250,10 +206,7 @@ fn fields(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErro
     file.coordinate("theta", &grid.theta, &attributes)?;
     file.coordinate("r", &grid.r, &described("m", "distance from the axis"))?;
     for (name, unit, long_name, of) in FIELDS {
-        let values: Vec<f64> = snapshots
-            .iter()
-            .flat_map(|s| of(s).iter().copied())
-            .collect();
+        let values: Vec<f64> = snapshots.iter().flat_map(|s| of(s).iter().copied()).collect();
         let mut attributes = described(unit, long_name);
         attributes.push(("coordinates", "snapshot_slip".into()));
         file.reals(name, &["snapshot", "theta", "r"], &values, &attributes)?;
@@ -273,10 +226,7 @@ mod tests {
 
     fn write_fake(directory: &Path, outcome: &Outcome) -> std::path::PathBuf {
         let path = directory.join("run.nc");
-        let about = About {
-            history: "2000-01-01T00:00:00Z: test".into(),
-            incomplete: None,
-        };
+        let about = About { history: "2000-01-01T00:00:00Z: test".into(), incomplete: None };
         write(&path, &fake::scene(20.0, 1.0), outcome, &about).unwrap();
         path
     }
@@ -350,15 +300,9 @@ mod tests {
     #[test]
     fn a_directory_that_does_not_exist_is_an_error() {
         let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
-        let about = About {
-            history: String::new(),
-            incomplete: None,
-        };
+        let about = About { history: String::new(), incomplete: None };
         let path = Path::new("does/not/exist/run.nc");
         let error = write(path, &fake::scene(20.0, 1.0), &outcome, &about).unwrap_err();
-        assert!(
-            error.to_string().contains("does/not/exist/run.nc"),
-            "{error}"
-        );
+        assert!(error.to_string().contains("does/not/exist/run.nc"), "{error}");
     }
 }

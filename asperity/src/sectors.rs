@@ -20,17 +20,11 @@ pub struct Sectors {
 
 impl Sectors {
     pub fn full(count: usize) -> Self {
-        Self {
-            count,
-            axisymmetric: false,
-        }
+        Self { count, axisymmetric: false }
     }
 
     pub fn axisymmetric(count: usize) -> Self {
-        Self {
-            count,
-            axisymmetric: true,
-        }
+        Self { count, axisymmetric: true }
     }
 
     /// Values stored per node and component, which is also the number of harmonics.
@@ -45,11 +39,7 @@ impl Sectors {
 
     /// Sectors that each computed one stands for.
     pub fn multiplicity(&self) -> f64 {
-        if self.axisymmetric {
-            self.count as f64
-        } else {
-            1.0
-        }
+        if self.axisymmetric { self.count as f64 } else { 1.0 }
     }
 
     /// Angle of a sector, Δ.
@@ -64,9 +54,7 @@ impl Sectors {
 
     /// θ_j of each column.
     pub fn angles(&self) -> Vec<f64> {
-        (0..self.columns())
-            .map(|j| j as f64 * self.angle())
-            .collect()
+        (0..self.columns()).map(|j| j as f64 * self.angle()).collect()
     }
 
     /// Share of the half circle that belongs to column j.
@@ -82,9 +70,6 @@ impl Sectors {
 
     /// Spreads a θ-independent field over all columns.
     pub fn spread(&self, axisymmetric: &[f64]) -> Vec<f64> {
-        axisymmetric
-            .iter()
-            .flat_map(|&value| std::iter::repeat_n(value, self.columns()))
-            .collect()
+        axisymmetric.iter().flat_map(|&value| std::iter::repeat_n(value, self.columns())).collect()
     }
 }

@@ -81,9 +81,7 @@ impl Pressed {
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Clock::now();
     if scene.loading.control == Control::Load {
-        return Err(SimulationError::Unsupported(
-            "loading.control = \"load\"; use \"interference\"".into(),
-        ));
+        return Err(SimulationError::Unsupported("loading.control = \"load\"; use \"interference\"".into()));
     }
     if scene.model.kinematics == Kinematics::Finite {
         return Err(SimulationError::Unsupported(
@@ -99,13 +97,7 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
     let radius = coarse.contact.radius(&coarse.contact.committed);
     let fine = press_mesh(&problem, fine, radius, watch)?;
     watch.progress("press", 1.0, "");
-    Ok(Pressed {
-        scene: scene.clone(),
-        problem,
-        fine,
-        coarse,
-        wall_time: clock.elapsed().as_secs_f64(),
-    })
+    Ok(Pressed { scene: scene.clone(), problem, fine, coarse, wall_time: clock.elapsed().as_secs_f64() })
 }
 
 /// Presses on meshes laid out for the contact radius, until the edge lies where the mesh expects it.
@@ -122,20 +114,16 @@ fn press_mesh(
         if watch.cancelled() {
             return Err(SimulationError::Cancelled { partial: None });
         }
-        let size = MeshSize {
-            contact_radius: radius,
-            elements_per_radius: resolution.elements_per_radius,
-        };
+        let size = MeshSize { contact_radius: radius, elements_per_radius: resolution.elements_per_radius };
         let (mechanics, increments) =
-            press::press_on(problem, size, resolution.sectors, true).map_err(press_error)?;
+            press::press_on(problem, size, resolution.sectors).map_err(press_error)?;
         let reached = mechanics.contact.radius(&mechanics.contact.committed);
         let spacing = 0.5 / resolution.elements_per_radius as f64;
         if (reached / radius - 1.0).abs() <= CLOSE_ENOUGH * spacing || layout == LAYOUTS {
             let effort = mechanics.effort;
             let (body, contact, displacement) = mechanics.into_parts();
-            let discretisation =
-                Discretisation::new(problem, size, Sectors::full(resolution.sectors))
-                    .map_err(|e| press_error(e.into()))?;
+            let discretisation = Discretisation::new(problem, size, Sectors::full(resolution.sectors))
+                .map_err(|e| press_error(e.into()))?;
             return Ok(PressedMesh {
                 resolution,
                 discretisation,
@@ -154,20 +142,11 @@ fn press_mesh(
 fn press_error(failure: PressFailure) -> SimulationError {
     let (at, reason) = match failure {
         PressFailure::Factor(error) => ("the elastic stiffness".into(), error.to_string()),
-        PressFailure::Step {
-            interference,
-            failure,
-        } => (
-            format!("interference {interference:.4} omega_c"),
-            failure.to_string(),
-        ),
+        PressFailure::Step { interference, failure } => {
+            (format!("interference {interference:.4} omega_c"), failure.to_string())
+        }
     };
-    SimulationError::NotConverged {
-        stage: "press",
-        at,
-        reason,
-        partial: None,
-    }
+    SimulationError::NotConverged { stage: "press", at, reason, partial: None }
 }
 
 /// One slide on one mesh, as far as it came.
@@ -191,26 +170,14 @@ fn slide_mesh(
     let body = Body::revolve(&pressed.body, mesh.clone());
     let contact = Contact::revolve(&pressed.contact, mesh, problem.contact_modulus);
     let displacement = mesh.sectors.spread(&pressed.displacement);
-    let mechanics = Mechanics::new(
-        body,
-        contact,
-        pressed.discretisation.factors.clone(),
-        displacement,
-    );
+    let mechanics = Mechanics::new(body, contact, pressed.discretisation.factors.clone(), displacement);
     let conduction = if heat {
         Some(Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?)
     } else {
         None
     };
-    let mut slide = Slide::new(
-        problem,
-        mechanics,
-        conduction,
-        if heat { speed } else { 0.0 },
-    );
-    let increments = Increments {
-        growth: pressed.resolution.growth,
-    };
+    let mut slide = Slide::new(problem, mechanics, conduction, if heat { speed } else { 0.0 });
+    let increments = Increments { growth: pressed.resolution.growth };
     slide.record_fields();
     let failure = slide.run(distance, increments, watch).err();
     slide.record_fields();
@@ -224,11 +191,7 @@ fn slide_mesh(
 }
 
 /// Slide the pressed asperity at `slip_rate` (m/s).
-pub fn slide(
-    pressed: &Pressed,
-    slip_rate: f64,
-    watch: &dyn Watch,
-) -> Result<Outcome, SimulationError> {
+pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
     let clock = Clock::now();
     let problem = &pressed.problem;
     let scene = &pressed.scene;
@@ -241,49 +204,30 @@ pub fn slide(
     let ratio = scene.loading.slip_distance;
     // Each mesh slides as far in units of its own contact radius.
     let distance = |mesh: &PressedMesh| ratio * mesh.contact.radius(&mesh.contact.committed);
-    let fine = slide_mesh(
-        &pressed.fine,
-        problem,
-        speed,
-        heat,
-        distance(&pressed.fine),
-        |done| {
-            watch.progress("slide", 0.85 * done, "fine mesh");
-            !watch.cancelled()
-        },
-    )?;
+    let fine = slide_mesh(&pressed.fine, problem, speed, heat, distance(&pressed.fine), |done| {
+        watch.progress("slide", 0.85 * done, "fine mesh");
+        !watch.cancelled()
+    })?;
     let complete = fine.failure.is_none();
     let coarse = if complete {
-        slide_mesh(
-            &pressed.coarse,
-            problem,
-            speed,
-            heat,
-            distance(&pressed.coarse),
-            |done| {
-                watch.progress("slide", 0.85 + 0.15 * done, "coarse mesh");
-                !watch.cancelled()
-            },
-        )?
+        slide_mesh(&pressed.coarse, problem, speed, heat, distance(&pressed.coarse), |done| {
+            watch.progress("slide", 0.85 + 0.15 * done, "coarse mesh");
+            !watch.cancelled()
+        })?
     } else {
-        Slid {
-            history: vec![],
-            fields: vec![],
-            effort: Effort::default(),
-            cutbacks: 0,
-            failure: None,
-        }
+        Slid { history: vec![], fields: vec![], effort: Effort::default(), cutbacks: 0, failure: None }
     };
 
     let mut warnings = Vec::new();
     summary::warn(scene, &fine.history, &mut warnings);
-    let fine_scalars =
-        summary::Scalars::new(problem, scene, &pressed.fine.increments, &fine.history);
-    let coarse_scalars = (complete && coarse.failure.is_none()).then(|| {
-        summary::Scalars::new(problem, scene, &pressed.coarse.increments, &coarse.history)
-    });
+    let fine_scalars = summary::Scalars::new(problem, scene, &pressed.fine.increments, &fine.history);
+    let coarse_scalars = (complete && coarse.failure.is_none())
+        .then(|| summary::Scalars::new(problem, scene, &pressed.coarse.increments, &coarse.history));
     if coarse_scalars.is_none() {
-        warnings.push("the coarse companion run did not finish: errors are unknown and given as the values themselves".into());
+        warnings.push(
+            "the coarse companion run did not finish: errors are unknown and given as the values themselves"
+                .into(),
+        );
     }
     let account = Account {
         elements_per_radius: pressed.fine.resolution.elements_per_radius,
@@ -296,10 +240,7 @@ pub fn slide(
         krylov_iterations: pressed.fine.effort.krylov + fine.effort.krylov,
         wall_time: pressed.wall_time + clock.elapsed().as_secs_f64(),
         notes: {
-            notes.insert(
-                0,
-                pressed.fine.resolution.describe(&pressed.coarse.resolution),
-            );
+            notes.insert(0, pressed.fine.resolution.describe(&pressed.coarse.resolution));
             notes
         },
         warnings,
@@ -316,15 +257,10 @@ pub fn slide(
     );
     match fine.failure {
         None => Ok(outcome),
-        Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled {
-            partial: Some(Box::new(outcome)),
-        }),
+        Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled { partial: Some(Box::new(outcome)) }),
         Some(failure) => Err(SimulationError::NotConverged {
             stage: "slide",
-            at: format!(
-                "slip {:.4e} m",
-                fine.history.last().map_or(0.0, |i| i.slip) * units.length
-            ),
+            at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * units.length),
             reason: failure.to_string(),
             partial: Some(Box::new(outcome)),
         }),
@@ -340,9 +276,7 @@ impl Pressed {
 /// Press and slide as the scene says.
 pub fn simulate(scene: &Scene, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
-        return Err(SimulationError::Unsupported(
-            "model.heat = \"on\" at slip rate 0".into(),
-        ));
+        return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
     slide(&press(scene, watch)?, scene.loading.slip_rate, watch)
 }

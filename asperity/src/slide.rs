@@ -10,7 +10,10 @@ use crate::problem::{Problem, SHEAR_RATIO};
 use crate::scene::FrictionLaw;
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
-const LIMIT_TOLERANCE: f64 = 1e-6;
+const LIMIT_TOLERANCE: f64 = 3e-5;
+/// Updates of temperature and contact edge in a step: each leaves about a fifth of the change of
+/// the one before (measured), so what is left after these is some per mille of a step's change.
+const COUPLING_LIMIT: usize = 4;
 /// First increment in units of the elastic displacement at gross slip.
 const FIRST_INCREMENT: f64 = 0.1;
 /// Number of increments at least.
@@ -75,6 +78,7 @@ pub struct Slide<'a> {
     /// VR/κ.
     speed: f64,
     interference: f64,
+    sources: HeatSources,
     pub history: Vec<Instant>,
     pub fields: Vec<Fields>,
     pub cutbacks: usize,
@@ -95,17 +99,13 @@ impl ContactHeat for FrictionHeat<'_> {
             return (0.0, 0.0);
         }
         let area = self.contact.areas[point];
-        let gap =
-            problem.gap_conductance * problem.heat_capacity * area * self.contact.cover[point];
+        let gap = problem.gap_conductance * problem.heat_capacity * area * self.contact.cover[point];
         let power = problem.heat_partition * area * self.speed[point];
         let (traction, slope) = match problem.law {
             FrictionLaw::ShearStrength => {
                 let strength = |t: f64| shear_strength(problem, t) * self.contact.cover[point];
                 let h = 0.01;
-                (
-                    strength(rise),
-                    ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0),
-                )
+                (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
             }
             _ => {
                 let [r, t] = self.contact.trial.traction[point];
@@ -155,6 +155,7 @@ impl<'a> Slide<'a> {
             mechanics,
             conduction,
             speed,
+            sources: HeatSources::default(),
             history: Vec::new(),
             fields: Vec::new(),
             cutbacks: 0,
@@ -186,27 +187,16 @@ impl<'a> Slide<'a> {
             }
             // No sliver of an increment at the end.
             let left = distance - slip;
-            let increment = if left < 1.5 * advance {
-                if left <= advance { left } else { 0.5 * left }
-            } else {
-                advance
-            };
-            let next = if left <= increment {
-                distance
-            } else {
-                slip + increment
-            };
+            let increment =
+                if left < 1.5 * advance { if left <= advance { left } else { 0.5 * left } } else { advance };
+            let next = if left <= increment { distance } else { slip + increment };
             let committed = self.mechanics.displacement.clone();
             let start = extrapolate(&before, &committed, slip_before, slip, next);
             match self.step(slip, next, start) {
                 Ok(()) => {
                     (before, slip_before, slip) = (committed, slip, next);
                     let sticks = self.history.last().is_some_and(|i| i.stick_fraction > 0.0);
-                    let growth = if sticks {
-                        0.6 * increments.growth
-                    } else {
-                        increments.growth
-                    };
+                    let growth = if sticks { 0.6 * increments.growth } else { increments.growth };
                     let most = (growth * slip)
                         .max(FIRST_INCREMENT * increments.growth / 0.15 * elastic)
                         .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
@@ -229,53 +219,49 @@ impl<'a> Slide<'a> {
 
     /// One increment from slip to slip.
     fn step(&mut self, from: f64, to: f64, start: Vec<f64>) -> Result<(), SlideFailure> {
-        let dt = if self.speed > 0.0 {
-            (to - from) / self.speed
-        } else {
-            0.0
-        };
-        let flat = Flat {
-            interference: self.interference,
-            displacement: to,
-        };
+        let dt = if self.speed > 0.0 { (to - from) / self.speed } else { 0.0 };
+        let flat = Flat { interference: self.interference, displacement: to };
         let problem = self.problem;
         let conduction = &mut self.conduction;
         let mut heated: Option<(Vec<f64>, HeatBalance)> = None;
         let mut failure = None;
         let mut last_limit: Option<Vec<f64>> = None;
         let strength = shear_strength(problem, 0.0);
-        self.mechanics.solve(
-            flat,
-            start,
-            |body: &mut Body, contact: &mut Contact, iteration| {
-                let mut rise = conduction.as_ref().map(|c| c.committed.clone());
-                if iteration > 0 {
-                    contact.update_cover();
-                    if let Some(conduction) = conduction.as_mut() {
-                        match heat_step(problem, conduction, body, contact, dt) {
-                            Ok(result) => {
-                                rise = Some(result.0.clone());
-                                heated = Some(result);
-                            }
-                            Err(error) => failure = Some(error),
-                        }
+        let before = &self.sources;
+        let mut sources = HeatSources::default();
+        let (mut frozen, mut refreshed) = (false, 0);
+        self.mechanics.solve(flat, start, |body: &mut Body, contact: &mut Contact, iteration| {
+            if frozen {
+                return None;
+            }
+            if iteration > 0 {
+                contact.update_cover();
+            }
+            let mut rise = None;
+            if let Some(conduction) = conduction.as_mut() {
+                // The first guess heats as the step before did.
+                sources =
+                    if iteration == 0 { before.clone() } else { HeatSources::of(problem, body, contact, dt) };
+                match sources.heat(problem, conduction, contact, dt) {
+                    Ok(result) => {
+                        rise = Some(result.0.clone());
+                        heated = Some(result);
                     }
+                    Err(error) => failure = Some(error),
                 }
-                let limit = shear_limits(problem, contact, rise.as_deref());
-                let settled = iteration > 0
-                    && last_limit.as_ref().is_some_and(|last| {
-                        last.iter().zip(&limit).all(|(a, b)| {
-                            a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs())
-                        })
-                    });
-                last_limit = Some(limit.clone());
-                Surroundings {
-                    limit,
-                    rise,
-                    settled,
-                }
-            },
-        )?;
+            }
+            let limit = shear_limits(problem, contact, rise.as_deref());
+            // Once they no longer change they are held, and Newton's method converges fast.
+            let agrees = last_limit.as_ref().is_some_and(|last| {
+                last.iter()
+                    .zip(&limit)
+                    .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
+            });
+            refreshed += 1;
+            frozen = agrees || refreshed > COUPLING_LIMIT;
+            last_limit = Some(limit.clone());
+            Some(Surroundings { limit, rise, settled: frozen })
+        })?;
         if let Some(error) = failure {
             return Err(error.into());
         }
@@ -287,10 +273,7 @@ impl<'a> Slide<'a> {
             });
         }
         let mut instant = self.instant(to, *self.history.last().expect("starts with the press"));
-        let old = Flat {
-            interference: self.interference,
-            displacement: from,
-        };
+        let old = Flat { interference: self.interference, displacement: from };
         let interface = self.mechanics.contact.step_work(old, flat);
         let energies = self.mechanics.body.step_energies();
         let stored = |state| self.mechanics.body.elastic_energy(state);
@@ -311,6 +294,7 @@ impl<'a> Slide<'a> {
         }
         self.mechanics.body.commit();
         self.mechanics.contact.commit();
+        self.sources = sources;
         self.history.push(instant);
         Ok(())
     }
@@ -334,9 +318,7 @@ impl<'a> Slide<'a> {
         let contact = &self.mechanics.contact;
         let state = &contact.committed;
         let rise = match &self.conduction {
-            Some(c) => (0..contact.len())
-                .map(|i| c.committed[contact.scalar_place(i)])
-                .collect(),
+            Some(c) => (0..contact.len()).map(|i| c.committed[contact.scalar_place(i)]).collect(),
             None => vec![0.0; contact.len()],
         };
         self.fields.push(Fields {
@@ -349,26 +331,37 @@ impl<'a> Slide<'a> {
     }
 }
 
-/// Temperature after the step, given the slip and the plastic work of the mechanics' trial state.
-fn heat_step(
-    problem: &Problem,
-    conduction: &mut Conduction,
-    body: &Body,
-    contact: &Contact,
-    dt: f64,
-) -> Result<(Vec<f64>, HeatBalance), FactorError> {
-    let mut plastic = vec![0.0; body.mesh.field_length(1)];
-    if problem.taylor_quinney > 0.0 {
-        body.add_plastic_work(problem.taylor_quinney, &mut plastic);
+/// What heats the body over a step: slip speeds at the contact points, plastic power at the nodes.
+#[derive(Clone, Debug, Default)]
+struct HeatSources {
+    speed: Vec<f64>,
+    plastic: Vec<f64>,
+}
+
+impl HeatSources {
+    /// Those of the mechanics' trial state.
+    fn of(problem: &Problem, body: &Body, contact: &Contact, dt: f64) -> Self {
+        let mut plastic = vec![0.0; body.mesh.field_length(1)];
+        if problem.taylor_quinney > 0.0 {
+            body.add_plastic_work(problem.taylor_quinney / dt, &mut plastic);
+        }
+        Self { speed: (0..contact.len()).map(|i| contact.point_slip(i) / dt).collect(), plastic }
     }
-    let heat = FrictionHeat {
-        problem,
-        contact,
-        speed: (0..contact.len())
-            .map(|i| contact.point_slip(i) / dt)
-            .collect(),
-    };
-    conduction.advance(dt, &plastic, &heat)
+
+    /// Temperature after a step with these sources.
+    fn heat(
+        &self,
+        problem: &Problem,
+        conduction: &mut Conduction,
+        contact: &Contact,
+        dt: f64,
+    ) -> Result<(Vec<f64>, HeatBalance), FactorError> {
+        let mut plastic: Vec<f64> = self.plastic.iter().map(|power| power * dt).collect();
+        plastic.resize(conduction.committed.len(), 0.0);
+        let mut speed = self.speed.clone();
+        speed.resize(contact.len(), 0.0);
+        conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed })
+    }
 }
 
 /// Largest and mean temperature rise over the contact.

@@ -29,6 +29,9 @@ struct Inception {
     load: f64,
     /// (work of the flat − change of elastic energy)/A, per area.
     energy_release: f64,
+    /// Half the differences between the states on both sides of it.
+    slip_bracket: f64,
+    energy_bracket: f64,
 }
 
 /// The scalars of one history, SI.
@@ -49,6 +52,8 @@ pub struct Scalars {
     temperature_max: f64,
     temperature_mean: f64,
     inception_slip: f64,
+    inception_slip_bracket: f64,
+    energy_release_bracket: f64,
     inception: InceptionCriterion,
     levelled: bool,
 }
@@ -60,19 +65,11 @@ impl Scalars {
         let pressed = press.last().expect("a press has increments");
         let inception = inception(history);
         let mu = |i: &Instant| {
-            if i.load > 0.0 {
-                i.friction / i.load
-            } else {
-                0.0
-            }
+            if i.load > 0.0 { i.friction / i.load } else { 0.0 }
         };
         Self {
             mu: mu(last),
-            mu_static: if inception.load > 0.0 {
-                inception.friction / inception.load
-            } else {
-                0.0
-            },
+            mu_static: if inception.load > 0.0 { inception.friction / inception.load } else { 0.0 },
             mu_peak: history.iter().map(mu).fold(0.0, f64::max),
             friction: last.friction * units.force(),
             friction_static: inception.friction * units.force(),
@@ -87,6 +84,8 @@ impl Scalars {
                 + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
             temperature_mean: scene.loading.temperature + last.rise_mean,
             inception_slip: inception.slip * units.length,
+            inception_slip_bracket: inception.slip_bracket * units.length,
+            energy_release_bracket: inception.energy_bracket * units.stress * units.length,
             inception: inception.criterion,
             levelled: levelled(history),
         }
@@ -95,52 +94,59 @@ impl Scalars {
 
 /// First state without sticking points, or where the secant stiffness of the increments,
 /// interpolated between their middles, falls below the given share of the first.
+///
+/// The sticking share of the contact falls about linearly with slip: it is followed straight on
+/// from the last two states with sticking points to where it vanishes.
 fn inception(history: &[Instant]) -> Inception {
-    let state = |i: &Instant, criterion| Inception {
-        criterion,
-        slip: i.slip,
-        friction: i.friction,
-        load: i.load,
-        energy_release: if i.area > 0.0 {
-            2.0 * (i.work - i.elastic) / i.area
-        } else {
-            0.0
-        },
-    };
     let stiffness: Vec<(f64, f64)> = history
         .windows(2)
-        .map(|w| {
-            (
-                0.5 * (w[0].slip + w[1].slip),
-                (w[1].friction - w[0].friction) / (w[1].slip - w[0].slip),
-            )
-        })
+        .map(|w| (0.5 * (w[0].slip + w[1].slip), (w[1].friction - w[0].friction) / (w[1].slip - w[0].slip)))
         .collect();
     let first = stiffness.first().map_or(0.0, |s| s.1);
     for n in 1..history.len() {
         if history[n].stick_fraction == 0.0 && history[n].friction > 0.0 {
-            return state(&history[n], InceptionCriterion::FullSlip);
+            let (before, now) = (history[n - 1], history[n]);
+            let mut slip = now.slip;
+            if n >= 2 && history[n - 2].stick_fraction > before.stick_fraction {
+                let rate = (history[n - 2].stick_fraction - before.stick_fraction)
+                    / (before.slip - history[n - 2].slip);
+                slip = (before.slip + before.stick_fraction / rate).min(now.slip);
+            }
+            return Inception::at(history, slip, n, InceptionCriterion::FullSlip);
         }
         let (at, now) = stiffness[n - 1];
         if now < STIFFNESS_SHARE * first {
-            let (before_at, before) = if n >= 2 {
-                stiffness[n - 2]
-            } else {
-                (0.0, first)
-            };
+            let (before_at, before) = if n >= 2 { stiffness[n - 2] } else { (0.0, first) };
             let share = ((before - STIFFNESS_SHARE * first) / (before - now)).clamp(0.0, 1.0);
             let slip = before_at + share * (at - before_at);
-            return state(&between(history, slip), InceptionCriterion::Stiffness);
+            return Inception::at(history, slip, n, InceptionCriterion::Stiffness);
         }
     }
-    state(history.last().expect("not empty"), InceptionCriterion::None)
+    let last = history.len() - 1;
+    Inception::at(history, history[last].slip, last, InceptionCriterion::None)
+}
+
+impl Inception {
+    /// At `slip`, somewhere between the states n − 1 and n.
+    fn at(history: &[Instant], slip: f64, n: usize, criterion: InceptionCriterion) -> Self {
+        let state = between(history, slip);
+        let release = |i: &Instant| if i.area > 0.0 { 2.0 * (i.work - i.elastic) / i.area } else { 0.0 };
+        let (low, high) = (history[n.saturating_sub(1)], history[n]);
+        Self {
+            criterion,
+            slip,
+            friction: state.friction,
+            load: state.load,
+            energy_release: release(&state),
+            slip_bracket: 0.5 * (high.slip - low.slip),
+            energy_bracket: 0.5 * (release(&high) - release(&low)).abs(),
+        }
+    }
 }
 
 /// History interpolated linearly in slip.
 fn between(history: &[Instant], slip: f64) -> Instant {
-    let after = history
-        .partition_point(|i| i.slip < slip)
-        .clamp(1, history.len() - 1);
+    let after = history.partition_point(|i| i.slip < slip).clamp(1, history.len() - 1);
     let (a, b) = (history[after - 1], history[after]);
     let t = ((slip - a.slip) / (b.slip - a.slip)).clamp(0.0, 1.0);
     let mix = |x: f64, y: f64| x + t * (y - x);
@@ -158,15 +164,10 @@ fn between(history: &[Instant], slip: f64) -> Instant {
 /// ∫(τ̄ − τ̄_end) ds from the peak of τ̄ = Q/A to the end, trapezoidal.
 fn weakening(history: &[Instant]) -> f64 {
     let stress = |i: &Instant| {
-        if i.area > 0.0 {
-            i.friction / i.area
-        } else {
-            0.0
-        }
+        if i.area > 0.0 { i.friction / i.area } else { 0.0 }
     };
-    let peak = (0..history.len())
-        .max_by(|&a, &b| stress(&history[a]).total_cmp(&stress(&history[b])))
-        .unwrap_or(0);
+    let peak =
+        (0..history.len()).max_by(|&a, &b| stress(&history[a]).total_cmp(&stress(&history[b]))).unwrap_or(0);
     let end = history.last().map_or(0.0, stress);
     history[peak..]
         .windows(2)
@@ -187,11 +188,13 @@ fn levelled(history: &[Instant]) -> bool {
 /// Values with the difference from the coarse run as their error.
 ///
 /// A second-order method is off by a third of that difference, a first-order one by all of it.
+/// Sliding inception lies between two states, which adds its own part.
 pub fn estimate(fine: &Scalars, coarse: Option<&Scalars>) -> Summary {
     let of = |pick: fn(&Scalars) -> f64| Estimate {
         value: pick(fine),
         error: coarse.map_or(pick(fine).abs(), |c| (pick(fine) - pick(c)).abs()),
     };
+    let bracketed = |e: Estimate, bracket: f64| Estimate { error: e.error + bracket, ..e };
     Summary {
         mu: of(|s| s.mu),
         mu_static: of(|s| s.mu_static),
@@ -203,11 +206,11 @@ pub fn estimate(fine: &Scalars, coarse: Option<&Scalars>) -> Summary {
         area: of(|s| s.area),
         area_press: of(|s| s.area_press),
         contact_radius: of(|s| s.contact_radius),
-        energy_release: of(|s| s.energy_release),
+        energy_release: bracketed(of(|s| s.energy_release), fine.energy_release_bracket),
         energy_weakening: of(|s| s.energy_weakening),
         temperature_max: of(|s| s.temperature_max),
         temperature_mean: of(|s| s.temperature_mean),
-        inception_slip: of(|s| s.inception_slip),
+        inception_slip: bracketed(of(|s| s.inception_slip), fine.inception_slip_bracket),
         inception: fine.inception,
         levelled: fine.levelled,
     }
@@ -216,10 +219,7 @@ pub fn estimate(fine: &Scalars, coarse: Option<&Scalars>) -> Summary {
 /// What the reader must know.
 pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
     let equal_strength = scene.interface.strength_factor >= 1.0
-        && matches!(
-            scene.interface.law,
-            FrictionLaw::ShearStrength | FrictionLaw::FullStick
-        );
+        && matches!(scene.interface.law, FrictionLaw::ShearStrength | FrictionLaw::FullStick);
     let plastic = history.last().is_some_and(|i| i.plastic_strain_max > 0.0);
     if equal_strength && scene.material.hardening == Hardening::None && plastic {
         warnings.push(
@@ -258,18 +258,14 @@ pub fn outcome(
             time: i.time * units.time,
             friction: i.friction * units.force(),
             load: i.load * units.force(),
-            mu: if i.load > 0.0 {
-                i.friction / i.load
-            } else {
-                0.0
-            },
+            mu: if i.load > 0.0 { i.friction / i.load } else { 0.0 },
             area: i.area * units.area(),
             stick_fraction: i.stick_fraction,
             temperature_max: units.temperature + i.rise_max,
             temperature_mean: units.temperature + i.rise_mean,
             plastic_strain_max: i.plastic_strain_max,
             work: energy(i.work),
-            energy_elastic: energy(i.elastic - i.springs),
+            energy_elastic: energy(i.elastic + i.springs),
             dissipation_plastic: energy(i.plastic),
             dissipation_friction: energy(i.friction_work),
             work_thermal_expansion: energy(i.thermal_expansion),
@@ -293,10 +289,7 @@ pub fn outcome(
             slip: f.slip * units.length,
             pressure: turn(&f.pressure, units.stress),
             shear: turn(&f.shear, units.stress),
-            temperature: turn(&f.rise, 1.0)
-                .iter()
-                .map(|t| units.temperature + t)
-                .collect(),
+            temperature: turn(&f.rise, 1.0).iter().map(|t| units.temperature + t).collect(),
             slip_distance: turn(&f.path, units.length),
         })
         .collect();

@@ -10,11 +10,7 @@ const REQUEST: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-
                        [table]\ninterference = [1, 10]\nslip_rate = [1]\n";
 
 fn asperity(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_asperity"))
-        .args(arguments)
-        .current_dir(directory)
-        .output()
-        .unwrap()
+    Command::new(env!("CARGO_BIN_EXE_asperity")).args(arguments).current_dir(directory).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -50,35 +46,13 @@ fn bad_input_is_refused_before_any_work() {
         &["loading.interferance", "did you mean interference?"],
     );
     refused(&with(&["--plot", "run.pdf"]), &["run.pdf", "svg, png"]);
+    refused(&["run", "none.toml", "-o", "run.nc"], &["none.toml", "cannot be read"]);
+    refused(&["run", "scene.toml", "-o", "none/run.nc"], &["none/run.nc", "cannot be written"]);
+    refused(&["run", "scene.toml", "-o", "scene.toml"], &["is the input"]);
+    refused(&["run", "request.toml", "-o", "run.nc"], &["asperity tabulate"]);
+    refused(&["tabulate", "scene.toml", "-o", "table.nc"], &["table is missing"]);
     refused(
-        &["run", "none.toml", "-o", "run.nc"],
-        &["none.toml", "cannot be read"],
-    );
-    refused(
-        &["run", "scene.toml", "-o", "none/run.nc"],
-        &["none/run.nc", "cannot be written"],
-    );
-    refused(
-        &["run", "scene.toml", "-o", "scene.toml"],
-        &["is the input"],
-    );
-    refused(
-        &["run", "request.toml", "-o", "run.nc"],
-        &["asperity tabulate"],
-    );
-    refused(
-        &["tabulate", "scene.toml", "-o", "table.nc"],
-        &["table is missing"],
-    );
-    refused(
-        &[
-            "tabulate",
-            "request.toml",
-            "-o",
-            "table.nc",
-            "--set",
-            "table.tolerance=0.01",
-        ],
+        &["tabulate", "request.toml", "-o", "table.nc", "--set", "table.tolerance=0.01"],
         &["table.tolerance", "not supported yet"],
     );
     refused(&["materials", "steel4340"], &["steel4340", "steel-4340"]);
@@ -88,18 +62,9 @@ fn bad_input_is_refused_before_any_work() {
 fn usage_errors_have_status_2_and_help_has_0() {
     let here = Path::new(".");
     for arguments in [&[][..], &["run"], &["run", "scene.toml"], &["fly"]] {
-        assert_eq!(
-            asperity(here, arguments).status.code(),
-            Some(2),
-            "{arguments:?}"
-        );
+        assert_eq!(asperity(here, arguments).status.code(), Some(2), "{arguments:?}");
     }
-    for arguments in [
-        &["--help"][..],
-        &["run", "--help"],
-        &["tabulate", "--help"],
-        &["--version"],
-    ] {
+    for arguments in [&["--help"][..], &["run", "--help"], &["tabulate", "--help"], &["--version"]] {
         let output = asperity(here, arguments);
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
         assert!(text(&output.stdout).contains("asperity"));
@@ -112,10 +77,7 @@ fn materials_are_listed_with_units_and_sources() {
     let list = text(&asperity(here, &["materials"]).stdout);
     assert_eq!(list.lines().count(), 6, "{list}");
     let steel = text(&asperity(here, &["materials", "steel-4340"]).stdout);
-    let line = steel
-        .lines()
-        .find(|line| line.starts_with("yield_strength"))
-        .unwrap();
+    let line = steel.lines().find(|line| line.starts_with("yield_strength")).unwrap();
     for part in ["7.92e8", "Pa", "Johnson & Cook 1985"] {
         assert!(line.contains(part), "{line}");
     }

@@ -43,20 +43,14 @@ impl<'a> AsperityAtSlip<'a> {
 
     /// The same asperities after another slip (m).
     pub fn after(&self, slip: f64) -> Self {
-        Self {
-            slip,
-            ..self.clone()
-        }
+        Self { slip, ..self.clone() }
     }
 
     /// The same asperities, asked for their energy release too if the law knows it.
     pub fn asked_for_energy(&self) -> Self {
         let probe = self.limit.min(1.0);
         let answer = self.law.energy_release(self.radius, probe, self.slip_rate);
-        Self {
-            with_energy: matches!(answer, Ok(Some(_))),
-            ..self.clone()
-        }
+        Self { with_energy: matches!(answer, Ok(Some(_))), ..self.clone() }
     }
 
     /// Whether [`energy_release`](Self::energy_release) has an answer.
@@ -109,14 +103,9 @@ impl<'a> AsperityAtSlip<'a> {
             return Ok(Estimate::default());
         }
         let inside = interference.min(self.limit);
-        let answer = self
-            .law
-            .energy_release(self.radius, inside, self.slip_rate)?;
+        let answer = self.law.energy_release(self.radius, inside, self.slip_rate)?;
         // Known at one interference and not at another: not known.
-        let last = answer.unwrap_or(Estimate {
-            value: f64::NAN,
-            error: f64::NAN,
-        });
+        let last = answer.unwrap_or(Estimate { value: f64::NAN, error: f64::NAN });
         if interference <= self.limit {
             return Ok(last);
         }
@@ -126,9 +115,6 @@ impl<'a> AsperityAtSlip<'a> {
     fn continued(&self, last: Estimate, interference: f64) -> Estimate {
         let growth = interference / self.limit;
         let doubt = EXPONENT_DOUBT * growth.ln();
-        Estimate {
-            value: last.value * growth,
-            error: (last.error + last.value.abs() * doubt) * growth,
-        }
+        Estimate { value: last.value * growth, error: (last.error + last.value.abs() * doubt) * growth }
     }
 }

@@ -15,10 +15,7 @@ pub struct Integral {
 impl Integral {
     /// Value with the sum of the errors.
     pub fn estimate(&self) -> Estimate {
-        Estimate {
-            value: self.value,
-            error: self.law_error + self.quadrature_error,
-        }
+        Estimate { value: self.value, error: self.law_error + self.quadrature_error }
     }
 }
 
@@ -50,9 +47,6 @@ impl ContactState {
     pub fn friction_coefficient(&self) -> Estimate {
         let (shear, pressure) = (self.shear.estimate(), self.pressure.estimate());
         let value = shear.value / pressure.value;
-        Estimate {
-            value,
-            error: (shear.error + value.abs() * pressure.error) / pressure.value,
-        }
+        Estimate { value, error: (shear.error + value.abs() * pressure.error) / pressure.value }
     }
 }

@@ -58,11 +58,7 @@ fn linear_fit(slip_rates: &[f64], mu: &[Estimate], v_w: f64) -> (f64, f64, f64) 
     }
     let drop = if square > 0.0 { cross / square } else { 0.0 };
     let mu_w = mean_mu - drop * mean_share;
-    let misfit = shares
-        .iter()
-        .zip(mu)
-        .map(|(share, m)| (mu_w + drop * share - m.value).powi(2))
-        .sum();
+    let misfit = shares.iter().zip(mu).map(|(share, m)| (mu_w + drop * share - m.value).powi(2)).sum();
     (mu_w + drop, mu_w, misfit)
 }
 
@@ -83,10 +79,8 @@ pub fn fit(slip_rates: &[f64], mu: &[Estimate]) -> Result<FlashHeating, NoFit> {
     }
     let (rates, mu): (Vec<f64>, Vec<Estimate>) = points.into_iter().unzip();
     let values = || mu.iter().map(|m| m.value);
-    let (lowest, highest) = (
-        values().fold(f64::INFINITY, f64::min),
-        values().fold(f64::NEG_INFINITY, f64::max),
-    );
+    let (lowest, highest) =
+        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     // Below the tolerance of the integrals a difference means nothing.
     if highest - lowest <= 1e-6 * highest.abs() {
         return Err(NoFit::NoRateDependence);
@@ -105,8 +99,7 @@ pub fn fit(slip_rates: &[f64], mu: &[Estimate]) -> Result<FlashHeating, NoFit> {
     let ln_v = golden_section(misfit_at, place(best - 1), place(best + 1));
     let v_w = ln_v.exp();
     let (mu_0, mu_w, squares) = linear_fit(&rates, &mu, v_w);
-    let errors =
-        parameter_errors(&rates, &mu, mu_0 - mu_w, v_w, squares).ok_or(NoFit::OnsetOutside)?;
+    let errors = parameter_errors(&rates, &mu, mu_0 - mu_w, v_w, squares).ok_or(NoFit::OnsetOutside)?;
     let estimate = |value: f64, error: f64| Estimate { value, error };
     Ok(FlashHeating {
         mu_0: estimate(mu_0, errors[0]),
@@ -130,13 +123,7 @@ fn golden_section(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) ->
 }
 
 /// Standard errors of (μ_0, μ_w, V_w) from the misfit, plus the errors of μ.
-fn parameter_errors(
-    rates: &[f64],
-    mu: &[Estimate],
-    drop: f64,
-    v_w: f64,
-    squares: f64,
-) -> Option<[f64; 3]> {
+fn parameter_errors(rates: &[f64], mu: &[Estimate], drop: f64, v_w: f64, squares: f64) -> Option<[f64; 3]> {
     // V_w in units of itself keeps the normal equations well scaled.
     let rows: Vec<[f64; 3]> = rates
         .iter()
@@ -155,11 +142,7 @@ fn parameter_errors(
     }
     let inverse = inverse(&normal)?;
     let freedom = rates.len() as f64 - 3.0;
-    let variance = if freedom > 0.0 {
-        squares / freedom
-    } else {
-        0.0
-    };
+    let variance = if freedom > 0.0 { squares / freedom } else { 0.0 };
     let scales = [1.0, 1.0, v_w];
     Some(std::array::from_fn(|i| {
         let scatter = (variance * inverse[i][i].max(0.0)).sqrt();
@@ -193,13 +176,7 @@ mod tests {
     use super::*;
 
     fn curve(rates: &[f64], error: f64) -> Vec<Estimate> {
-        rates
-            .iter()
-            .map(|&rate| Estimate {
-                value: 0.15 + 0.45 * remaining(rate, 0.2),
-                error,
-            })
-            .collect()
+        rates.iter().map(|&rate| Estimate { value: 0.15 + 0.45 * remaining(rate, 0.2), error }).collect()
     }
 
     #[test]
@@ -224,22 +201,12 @@ mod tests {
         let shifted: Vec<Estimate> = curve(&rates, 0.0)
             .iter()
             .enumerate()
-            .map(|(i, m)| Estimate {
-                value: m.value + if i % 2 == 0 { 0.01 } else { -0.01 },
-                error: 0.0,
-            })
+            .map(|(i, m)| Estimate { value: m.value + if i % 2 == 0 { 0.01 } else { -0.01 }, error: 0.0 })
             .collect();
         let other = fit(&rates, &shifted).unwrap();
         // Errors of first order: allow half as much again.
-        for (one, two) in [
-            (fitted.mu_0, other.mu_0),
-            (fitted.mu_w, other.mu_w),
-            (fitted.v_w, other.v_w),
-        ] {
-            assert!(
-                (one.value - two.value).abs() < 1.5 * one.error,
-                "{one:?} {two:?}"
-            );
+        for (one, two) in [(fitted.mu_0, other.mu_0), (fitted.mu_w, other.mu_w), (fitted.v_w, other.v_w)] {
+            assert!((one.value - two.value).abs() < 1.5 * one.error, "{one:?} {two:?}");
             assert!(two.error > 0.0);
         }
     }
@@ -247,10 +214,7 @@ mod tests {
     #[test]
     fn curves_without_an_onset_are_not_fitted() {
         let rates = [0.01, 0.1, 1.0];
-        let flat = [Estimate {
-            value: 0.5,
-            error: 0.0,
-        }; 3];
+        let flat = [Estimate { value: 0.5, error: 0.0 }; 3];
         assert_eq!(fit(&rates, &flat), Err(NoFit::NoRateDependence));
         assert_eq!(fit(&rates[..2], &flat[..2]), Err(NoFit::TooFewSlipRates));
         let beyond = [1.0, 2.0, 4.0, 8.0];
@@ -261,8 +225,7 @@ mod tests {
     fn the_slope_is_the_derivative() {
         for rate in [0.05, 0.2, 0.9] {
             let step = 1e-6;
-            let difference =
-                (remaining(rate, 0.2 + step) - remaining(rate, 0.2 - step)) / (2.0 * step);
+            let difference = (remaining(rate, 0.2 + step) - remaining(rate, 0.2 - step)) / (2.0 * step);
             // Central differences of values with 16 digits: ten are left.
             assert!((difference - remaining_slope(rate, 0.2)).abs() < 1e-8);
         }

@@ -36,11 +36,7 @@ impl Default for Settings {
     /// Integrals to a millionth and neighbouring slips 6 % apart: both far below the errors
     /// of tables.
     fn default() -> Self {
-        Self {
-            tolerance: 1e-6,
-            slip_points: 193,
-            extrapolate: false,
-        }
+        Self { tolerance: 1e-6, slip_points: 193, extrapolate: false }
     }
 }
 
@@ -93,13 +89,7 @@ pub enum PredictionError {
         "at {pressing} and {slip_rate} m/s asperities pressed beyond {limit:.4} omega_c, where the table ends, carry {:.2} % of the load; a table up to about {reach:.4} omega_c would do, or extrapolate",
         100.0 * .share
     )]
-    OutsideTable {
-        pressing: String,
-        slip_rate: f64,
-        limit: f64,
-        reach: f64,
-        share: f64,
-    },
+    OutsideTable { pressing: String, slip_rate: f64, limit: f64, reach: f64, share: f64 },
     #[error("{pressing} leaves no asperity in contact")]
     NoContact { pressing: String },
 }
@@ -119,20 +109,13 @@ pub fn predict(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Prediction, PredictionError> {
     let sweep = Sweep::new(law, surface, query, settings)?;
-    let pressed = (0..query.slip_rates.len())
-        .into_par_iter()
-        .map(|rate| sweep.press(rate))
-        .collect::<Vec<_>>();
+    let pressed =
+        (0..query.slip_rates.len()).into_par_iter().map(|rate| sweep.press(rate)).collect::<Vec<_>>();
     let pressed = pressed.into_iter().collect::<Result<Vec<_>, _>>()?;
 
-    let radii = pressed
-        .iter()
-        .flatten()
-        .map(|carried| carried.state.loaded_radius);
+    let radii = pressed.iter().flatten().map(|carried| carried.state.loaded_radius);
     let (smallest, largest) = radii
-        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), radius| {
-            (low.min(radius), high.max(radius))
-        });
+        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), radius| (low.min(radius), high.max(radius)));
     let slip = slip_grid(smallest, largest, settings.slip_points);
 
     let tasks = query.slip_rates.len() * slip.len();
@@ -159,13 +142,7 @@ pub fn predict(
                         .iter()
                         .map(|rows| rows[row])
                         .collect();
-                    sweep.evaluate(
-                        (row, rate),
-                        &pressed[rate][row],
-                        &slip,
-                        &curve,
-                        &mut warnings,
-                    )
+                    sweep.evaluate((row, rate), &pressed[rate][row], &slip, &curve, &mut warnings)
                 })
                 .collect()
         })
@@ -177,14 +154,7 @@ pub fn predict(
             flash_heating::fit(&query.slip_rates, &mu)
         })
         .collect();
-    Ok(Prediction {
-        query: query.clone(),
-        law: law.name(),
-        slip,
-        friction,
-        flash_heating,
-        warnings,
-    })
+    Ok(Prediction { query: query.clone(), law: law.name(), slip, friction, flash_heating, warnings })
 }
 
 /// Slip (m) at which [`predict`] ends its slides.
@@ -202,14 +172,10 @@ pub fn end_of_slide(
 
 /// Smallest and largest contact radius of the loaded asperities, m.
 fn loaded_radii(pressed: &[Vec<Carried>]) -> (f64, f64) {
-    let radii = pressed
-        .iter()
-        .flatten()
-        .map(|carried| carried.state.loaded_radius);
-    radii.fold(
-        (f64::INFINITY, 0.0),
-        |(low, high): (f64, f64), radius: f64| (low.min(radius), high.max(radius)),
-    )
+    let radii = pressed.iter().flatten().map(|carried| carried.state.loaded_radius);
+    radii.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), radius: f64| {
+        (low.min(radius), high.max(radius))
+    })
 }
 
 struct Sweep<'a> {
@@ -232,13 +198,7 @@ impl<'a> Sweep<'a> {
         query.check_slip_rates(law, radius)?;
         let rates = query.slip_rates.iter();
         let asperities = rates.map(|&rate| AsperityAtSlip::new(law, radius, rate, 0.0));
-        Ok(Self {
-            law,
-            surface,
-            query,
-            settings,
-            asperities: asperities.collect::<Result<_, _>>()?,
-        })
+        Ok(Self { law, surface, query, settings, asperities: asperities.collect::<Result<_, _>>()? })
     }
 
     fn integral(&self, asperity: AsperityAtSlip<'a>) -> HeightIntegral<'a> {
@@ -252,10 +212,8 @@ impl<'a> Sweep<'a> {
 
     /// The surface under every pressure or separation, before the slide, per slip rate.
     fn press_all(&self) -> Result<Vec<Vec<Carried>>, PredictionError> {
-        let pressed = (0..self.query.slip_rates.len())
-            .into_par_iter()
-            .map(|rate| self.press(rate))
-            .collect::<Vec<_>>();
+        let pressed =
+            (0..self.query.slip_rates.len()).into_par_iter().map(|rate| self.press(rate)).collect::<Vec<_>>();
         pressed.into_iter().collect()
     }
 
@@ -267,19 +225,13 @@ impl<'a> Sweep<'a> {
         let mut pressed = Vec::new();
         for (row, &value) in self.query.pressing.values().iter().enumerate() {
             let carried = match self.query.pressing {
-                Pressing::Pressure(_) => separation_for(
-                    &mut integral,
-                    heights,
-                    value,
-                    start,
-                    self.settings.tolerance,
-                )?,
+                Pressing::Pressure(_) => {
+                    separation_for(&mut integral, heights, value, start, self.settings.tolerance)?
+                }
                 Pressing::Separation(_) => Carried::at(&mut integral, heights, value)?,
             };
             if carried.state.pressure.value <= 0.0 {
-                return Err(PredictionError::NoContact {
-                    pressing: self.query.pressing.describe(row),
-                });
+                return Err(PredictionError::NoContact { pressing: self.query.pressing.describe(row) });
             }
             start = carried.separation;
             pressed.push(carried);
@@ -288,22 +240,15 @@ impl<'a> Sweep<'a> {
     }
 
     /// The surface after `slip` (m), for every pressure or separation.
-    fn slide(
-        &self,
-        rate: usize,
-        slip: f64,
-        pressed: &[Carried],
-    ) -> Result<Vec<SlipState>, PredictionError> {
+    fn slide(&self, rate: usize, slip: f64, pressed: &[Carried]) -> Result<Vec<SlipState>, PredictionError> {
         let heights = self.surface.heights.as_ref();
         let mut integral = self.integral(self.asperities[rate].after(slip));
         let mut states = Vec::with_capacity(pressed.len());
         for (row, before) in pressed.iter().enumerate() {
             let state = match self.query.hold {
-                Hold::Separation => SlipState::at_separation(&Carried::at(
-                    &mut integral,
-                    heights,
-                    before.separation,
-                )?),
+                Hold::Separation => {
+                    SlipState::at_separation(&Carried::at(&mut integral, heights, before.separation)?)
+                }
                 Hold::Load => {
                     let pressure = match &self.query.pressing {
                         Pressing::Pressure(pressures) => pressures[row],
@@ -354,11 +299,7 @@ impl<'a> Sweep<'a> {
             mu_history,
             outside_table: curve.iter().map(|state| state.outside).fold(0.0, f64::max),
         };
-        let place = format!(
-            "{}, {} m/s",
-            self.query.pressing.describe(row),
-            self.query.slip_rates[rate]
-        );
+        let place = format!("{}, {} m/s", self.query.pressing.describe(row), self.query.slip_rates[rate]);
         if friction.outside_table > NEGLIGIBLE_SHARE {
             warnings.push(format!(
                 "{place}: {:.2} % of the load lies beyond the table and is extrapolated",

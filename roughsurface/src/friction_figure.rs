@@ -20,10 +20,7 @@ pub fn figure(prediction: &Prediction) -> Figure {
                 prediction,
                 "Static and sliding friction",
                 FRICTION_LABEL,
-                &[
-                    ("", |friction| friction.sliding.mu),
-                    ("static, ", |friction| friction.mu_static),
-                ],
+                &[("", |friction| friction.sliding.mu), ("static, ", |friction| friction.mu_static)],
             ),
             along_the_slide(prediction),
             Panel {
@@ -48,9 +45,7 @@ fn chosen(count: usize, most: usize) -> Vec<usize> {
 }
 
 fn values_and_errors(estimates: impl Iterator<Item = Estimate>) -> (Vec<f64>, Vec<f64>) {
-    estimates
-        .map(|estimate| (estimate.value, estimate.error))
-        .unzip()
+    estimates.map(|estimate| (estimate.value, estimate.error)).unzip()
 }
 
 fn row_label(prediction: &Prediction, row: usize) -> String {
@@ -72,13 +67,11 @@ fn short(value: f64) -> String {
 
 fn over_slip_rate(prediction: &Prediction) -> Panel {
     let rates = &prediction.query.slip_rates;
-    let curves = chosen(prediction.friction.len(), MOST_CURVES)
-        .into_iter()
-        .map(|row| {
-            let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
-            let (y, error) = values_and_errors(mu);
-            Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error)
-        });
+    let curves = chosen(prediction.friction.len(), MOST_CURVES).into_iter().map(|row| {
+        let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
+        let (y, error) = values_and_errors(mu);
+        Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error)
+    });
     Panel {
         title: "Sliding friction".into(),
         x: Axis::logarithmic("slip rate V (m/s)"),
@@ -105,20 +98,12 @@ fn over_pressing(prediction: &Prediction, title: &str, label: &str, shown: &[Sho
             curves.push(Curve::new(label, values.to_vec(), y).with_error(error));
         }
     }
-    Panel {
-        title: title.into(),
-        x,
-        y: Axis::linear(label),
-        curves,
-    }
+    Panel { title: title.into(), x, y: Axis::linear(label), curves }
 }
 
 fn along_the_slide(prediction: &Prediction) -> Panel {
     let rates = chosen(prediction.query.slip_rates.len(), 3);
-    let rows = chosen(
-        prediction.friction.len(),
-        (MOST_CURVES / rates.len()).min(2),
-    );
+    let rows = chosen(prediction.friction.len(), (MOST_CURVES / rates.len()).min(2));
     let mut curves = Vec::new();
     for row in rows {
         for &rate in &rates {

@@ -14,10 +14,7 @@ struct Quantity {
     value: fn(&Friction) -> Estimate,
 }
 
-const UNKNOWN: Estimate = Estimate {
-    value: f64::NAN,
-    error: f64::NAN,
-};
+const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
 
 /// Every result with an error. To add an output: a line here.
 const QUANTITIES: [Quantity; 13] = [
@@ -125,10 +122,7 @@ impl Origin<'_> {
             Hold::Separation => "separation",
         };
         for (name, value) in [
-            (
-                "source",
-                concat!("roughsurface ", env!("CARGO_PKG_VERSION")),
-            ),
+            ("source", concat!("roughsurface ", env!("CARGO_PKG_VERSION"))),
             ("history", self.command),
             ("surface", self.surface),
             ("table", self.table),
@@ -194,29 +188,15 @@ pub fn write(path: &Path, prediction: &Prediction, origin: &Origin) -> Result<()
             "largest share of the load carried beyond the range of the table during the slide",
             (|cell: &&Friction| cell.outside_table) as fn(&&Friction) -> f64,
         ),
-        (
-            "inception_slip",
-            "m",
-            "slip at which static friction is reached",
-            |cell| cell.inception_slip,
-        ),
+        ("inception_slip", "m", "slip at which static friction is reached", |cell| cell.inception_slip),
     ] {
         let values: Vec<f64> = cells.iter().map(value).collect();
         file.reals(name, &grid, &values, &described(units, long_name))?;
     }
-    let history: Vec<Estimate> = cells
-        .iter()
-        .flat_map(|cell| cell.mu_history.clone())
-        .collect();
+    let history: Vec<Estimate> = cells.iter().flat_map(|cell| cell.mu_history.clone()).collect();
     let described_history = ("1", "friction coefficient along the slide");
     let grid_and_slip = [row, "slip_rate", "slip"];
-    with_error(
-        &mut file,
-        "mu_history",
-        &grid_and_slip,
-        described_history,
-        &history,
-    )?;
+    with_error(&mut file, "mu_history", &grid_and_slip, described_history, &history)?;
 
     for (name, units, long_name, pick) in [
         (
@@ -225,18 +205,8 @@ pub fn write(path: &Path, prediction: &Prediction, origin: &Origin) -> Result<()
             "friction coefficient at low slip rate, flash-heating fit",
             (|fit| fit.mu_0) as fn(crate::flash_heating::FlashHeating) -> Estimate,
         ),
-        (
-            "mu_w",
-            "1",
-            "friction coefficient of fully weakened contacts, flash-heating fit",
-            |fit| fit.mu_w,
-        ),
-        (
-            "V_w",
-            "m s-1",
-            "slip rate at which weakening starts, flash-heating fit",
-            |fit| fit.v_w,
-        ),
+        ("mu_w", "1", "friction coefficient of fully weakened contacts, flash-heating fit", |fit| fit.mu_w),
+        ("V_w", "m s-1", "slip rate at which weakening starts, flash-heating fit", |fit| fit.v_w),
     ] {
         let fits = prediction.flash_heating.iter();
         let values: Vec<Estimate> = fits.map(|fit| fit.map_or(UNKNOWN, pick)).collect();
@@ -264,12 +234,7 @@ fn with_error(
     let errors: Vec<f64> = estimates.iter().map(|estimate| estimate.error).collect();
     file.reals(name, dimensions, &values, &attributes)?;
     let error_long_name = format!("estimated absolute error of the {long_name}");
-    file.reals(
-        &error_name,
-        dimensions,
-        &errors,
-        &described(units, &error_long_name),
-    )
+    file.reals(&error_name, dimensions, &errors, &described(units, &error_long_name))
 }
 
 #[cfg(test)]
@@ -286,30 +251,15 @@ mod tests {
              heights = {{ distribution = \"exponential\", std = 1e-6 }} }}\n[query]\n{query}"
         );
         let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
-        let law = PowerLaw {
-            relative_error: 0.01,
-            history: |rate, _, _| 1.0 / (1.0 + rate),
-            ..PowerLaw::hertz()
-        };
-        predict(
-            &law,
-            &file.surface,
-            &file.query,
-            &Settings::default(),
-            &|_, _| (),
-        )
-        .unwrap()
+        let law =
+            PowerLaw { relative_error: 0.01, history: |rate, _, _| 1.0 / (1.0 + rate), ..PowerLaw::hertz() };
+        predict(&law, &file.surface, &file.query, &Settings::default(), &|_, _| ()).unwrap()
     }
 
     /// Writes the prediction, reads it with `read`, and returns the bytes.
     fn written(name: &str, prediction: &Prediction, read: impl Fn(&DatasetReader)) -> Vec<u8> {
-        let path =
-            std::env::temp_dir().join(format!("roughsurface-{name}-{}.nc", std::process::id()));
-        let origin = Origin {
-            surface: "text",
-            table: "model:test",
-            command: "test",
-        };
+        let path = std::env::temp_dir().join(format!("roughsurface-{name}-{}.nc", std::process::id()));
+        let origin = Origin { surface: "text", table: "model:test", command: "test" };
         write(&path, prediction, &origin).unwrap();
         read(&DatasetReader::open(&path).unwrap());
         let bytes = std::fs::read(&path).unwrap();

@@ -70,11 +70,7 @@ impl<'a> HeightIntegral<'a> {
         }
         let mut from = 0.0;
         let root = |place: f64| {
-            let root = Root {
-                from,
-                to: place.sqrt(),
-                panel: None,
-            };
+            let root = Root { from, to: place.sqrt(), panel: None };
             from = root.to;
             root
         };
@@ -111,18 +107,13 @@ impl<'a> HeightIntegral<'a> {
             let total = sum(leaves.iter().map(|leaf| &leaf.value));
             let error = sum(leaves.iter().map(|leaf| &leaf.error));
             let excessive = |error: &Sums, share: f64| {
-                [LOAD, FRICTION, AREA]
-                    .iter()
-                    .any(|&k| error[k] > self.tolerance * total[k].abs() * share)
+                [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > self.tolerance * total[k].abs() * share)
             };
             if !excessive(&error, 1.0) {
                 break;
             }
             let share = 0.5 / leaves.len() as f64;
-            let poor: Vec<bool> = leaves
-                .iter()
-                .map(|leaf| excessive(&leaf.error, share))
-                .collect();
+            let poor: Vec<bool> = leaves.iter().map(|leaf| excessive(&leaf.error, share)).collect();
             let mut finer = Vec::with_capacity(leaves.len() + 8);
             for (leaf, poor) in leaves.iter().zip(poor) {
                 let panel = self.tree(leaf.kept).panel(leaf.panel);
@@ -154,11 +145,7 @@ impl<'a> HeightIntegral<'a> {
         for position in 0.. {
             if position == self.roots.len() {
                 let from = self.roots[position - 1].to;
-                self.roots.push(Root {
-                    from,
-                    to: 2.0 * from,
-                    panel: None,
-                });
+                self.roots.push(Root { from, to: 2.0 * from, panel: None });
             }
             let root = &mut self.roots[position];
             let start = separation + critical * root.from.powi(2);
@@ -227,11 +214,7 @@ impl<'a> HeightIntegral<'a> {
     }
 
     fn halves(&mut self, kept: bool, panel: usize) -> Result<[usize; 2], LookupError> {
-        let tree = if kept {
-            &mut self.kept
-        } else {
-            &mut self.passing
-        };
+        let tree = if kept { &mut self.kept } else { &mut self.passing };
         tree.halves(&self.asperity, panel)
     }
 
@@ -243,12 +226,7 @@ impl<'a> HeightIntegral<'a> {
         let whole = tree.panel(panel).integral(self.heights, separation);
         let parts = halves.map(|half| tree.panel(half).integral(self.heights, separation));
         let value: Sums = std::array::from_fn(|k| parts[0][k] + parts[1][k]);
-        Ok(Leaf {
-            kept,
-            panel,
-            value,
-            error: std::array::from_fn(|k| (value[k] - whole[k]).abs()),
-        })
+        Ok(Leaf { kept, panel, value, error: std::array::from_fn(|k| (value[k] - whole[k]).abs()) })
     }
 
     fn state(&self, separation: f64, leaves: &[Leaf]) -> ContactState {
@@ -267,20 +245,13 @@ impl<'a> HeightIntegral<'a> {
             quadrature_error: density * (error[value] + 4.0 * f64::EPSILON * total[value].abs()),
         };
         let share = |part: usize| {
-            if total[LOAD] > 0.0 {
-                total[part] / total[LOAD]
-            } else {
-                0.0
-            }
+            if total[LOAD] > 0.0 { total[part] / total[LOAD] } else { 0.0 }
         };
         ContactState {
             pressure: integral(LOAD, LOAD_ERROR),
             shear: integral(FRICTION, FRICTION_ERROR),
             area_fraction: integral(AREA, AREA_ERROR),
-            energy: self
-                .asperity
-                .knows_energy()
-                .then(|| integral(ENERGY, ENERGY_ERROR)),
+            energy: self.asperity.knows_energy().then(|| integral(ENERGY, ENERGY_ERROR)),
             contact_density: density * tail,
             loaded_radius: share(LOAD_RADIUS),
             outside: share(LOAD_OUTSIDE),

@@ -10,10 +10,7 @@ use tables::table::Table;
 #[derive(Debug, thiserror::Error)]
 pub enum LawSourceError {
     #[error("--table model:{name}: {reason}")]
-    Unknown {
-        name: String,
-        reason: UnknownClosedForm,
-    },
+    Unknown { name: String, reason: UnknownClosedForm },
     #[error(
         "--table model:{name} needs a section [material] in the surface file, with youngs_modulus (Pa), poisson_ratio and yield_strength (Pa)"
     )]
@@ -29,14 +26,9 @@ pub fn asperity_law(
     material: Option<&ElasticPlastic>,
 ) -> Result<Box<dyn AsperityLaw>, LawSourceError> {
     if let Some(name) = asked.strip_prefix("model:") {
-        let unknown = |reason| LawSourceError::Unknown {
-            name: name.to_string(),
-            reason,
-        };
+        let unknown = |reason| LawSourceError::Unknown { name: name.to_string(), reason };
         let Some(material) = material else {
-            return Err(LawSourceError::NoMaterial {
-                name: name.to_string(),
-            });
+            return Err(LawSourceError::NoMaterial { name: name.to_string() });
         };
         return closed_form(name, material).map_err(unknown);
     }
@@ -52,23 +44,14 @@ mod tests {
 
     #[test]
     fn closed_forms_need_a_known_name_and_a_material() {
-        let steel = ElasticPlastic {
-            youngs_modulus: 200e9,
-            poisson_ratio: 0.3,
-            yield_strength: 400e6,
-        };
-        assert_eq!(
-            asperity_law("model:hertz", Some(&steel)).unwrap().name(),
-            "hertz"
-        );
+        let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+        assert_eq!(asperity_law("model:hertz", Some(&steel)).unwrap().name(), "hertz");
         let message = |asked: &str, material| match asperity_law(asked, material) {
             Ok(_) => panic!("{asked} was found"),
             Err(error) => error.to_string(),
         };
         assert!(message("model:herz", Some(&steel)).contains("kogut-etsion"));
         assert!(message("model:hertz", None).contains("[material]"));
-        assert!(
-            message("no-such-table.nc", None).starts_with("--table: cannot read no-such-table.nc")
-        );
+        assert!(message("no-such-table.nc", None).starts_with("--table: cannot read no-such-table.nc"));
     }
 }

@@ -191,22 +191,15 @@ fn run_predict(options: &Predict) -> Result<(), Failure> {
             law.interference_limit()
         );
     }
-    let settings = Settings {
-        extrapolate: options.extrapolate,
-        ..Settings::default()
-    };
+    let settings = Settings { extrapolate: options.extrapolate, ..Settings::default() };
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "slips");
     let started = std::time::Instant::now();
     let prediction = pool
         .install(|| {
-            predict(
-                law.as_ref(),
-                &file.surface,
-                &file.query,
-                &settings,
-                &|done, total| progress.show(done, total),
-            )
+            predict(law.as_ref(), &file.surface, &file.query, &settings, &|done, total| {
+                progress.show(done, total)
+            })
         })
         .map_err(failure)?;
     progress.clear();
@@ -219,24 +212,13 @@ fn run_predict(options: &Predict) -> Result<(), Failure> {
             started.elapsed().as_secs_f64()
         );
     }
-    let origin = Origin {
-        surface: &file.text,
-        table: &options.table,
-        command: &command_line(),
-    };
+    let origin = Origin { surface: &file.text, table: &options.table, command: &command_line() };
     friction_file::write(&options.output, &prediction, &origin)
         .map_err(|error| Failure::Run(error.into()))?;
     if let Some(plot) = &options.plot {
-        figure(&prediction)
-            .save(plot)
-            .map_err(|error| Failure::Run(error.into()))?;
+        figure(&prediction).save(plot).map_err(|error| Failure::Run(error.into()))?;
     }
-    report(
-        &options.run,
-        &prediction.warnings,
-        || summary::text(&prediction),
-        || summary::json(&prediction),
-    );
+    report(&options.run, &prediction.warnings, || summary::text(&prediction), || summary::json(&prediction));
     Ok(())
 }
 
@@ -244,10 +226,7 @@ fn run_sample(options: &SampleOptions) -> Result<(), Failure> {
     let file = SurfaceFile::read(&options.surface).map_err(input)?;
     let law = asperity_law(&options.table, file.material.as_ref()).map_err(input)?;
     check_folder(&options.output)?;
-    let settings = Settings {
-        extrapolate: options.extrapolate,
-        ..Settings::default()
-    };
+    let settings = Settings { extrapolate: options.extrapolate, ..Settings::default() };
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "surfaces");
     let samples = pool
@@ -262,22 +241,13 @@ fn run_sample(options: &SampleOptions) -> Result<(), Failure> {
                 seed: options.seed,
                 slip,
             };
-            sample(
-                law.as_ref(),
-                &file.surface,
-                &file.query,
-                &sampling,
-                &settings,
-                &|done, total| progress.show(done, total),
-            )
+            sample(law.as_ref(), &file.surface, &file.query, &sampling, &settings, &|done, total| {
+                progress.show(done, total)
+            })
         })
         .map_err(failure)?;
     progress.clear();
-    let origin = Origin {
-        surface: &file.text,
-        table: &options.table,
-        command: &command_line(),
-    };
+    let origin = Origin { surface: &file.text, table: &options.table, command: &command_line() };
     monte_carlo_file::write(&options.output, &samples, &origin)
         .map_err(|error| Failure::Run(error.into()))?;
     report(
@@ -332,11 +302,7 @@ fn check_folder(path: &Path) -> Result<(), Failure> {
     if folder.is_dir() && !path.is_dir() {
         return Ok(());
     }
-    let reason = if path.is_dir() {
-        "it is a folder"
-    } else {
-        "its folder does not exist"
-    };
+    let reason = if path.is_dir() { "it is a folder" } else { "its folder does not exist" };
     Err(input(anyhow!("cannot write {}: {reason}", path.display())))
 }
 
@@ -371,11 +337,7 @@ struct Progress {
 impl Progress {
     fn new(options: &RunOptions, what: &'static str) -> Self {
         let terminal = std::io::stderr().is_terminal();
-        Self {
-            shown: options.progress || (terminal && !options.quiet),
-            terminal,
-            what,
-        }
+        Self { shown: options.progress || (terminal && !options.quiet), terminal, what }
     }
 
     fn show(&self, done: usize, total: usize) {

@@ -128,9 +128,7 @@ pub fn sample(
         .into_par_iter()
         .map(|seed| {
             let mut random = Random::seed_from_u64(seed);
-            let heights = (0..sampling.asperities)
-                .map(|_| surface.heights.draw(&mut random))
-                .collect();
+            let heights = (0..sampling.asperities).map(|_| surface.heights.draw(&mut random)).collect();
             let drawn = draw(law, surface, query, sampling, settings, heights);
             let count = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             progress(count, sampling.realizations);
@@ -142,24 +140,11 @@ pub fn sample(
     let rates = query.slip_rates.len();
     let draws: Vec<Vec<Vec<Draw>>> = (0..query.pressing.values().len())
         .map(|row| {
-            (0..rates)
-                .map(|rate| {
-                    surfaces
-                        .iter()
-                        .map(|drawn| drawn[row * rates + rate])
-                        .collect()
-                })
-                .collect()
+            (0..rates).map(|rate| surfaces.iter().map(|drawn| drawn[row * rates + rate]).collect()).collect()
         })
         .collect();
     let warnings = warnings(query, &draws);
-    Ok(Samples {
-        query: query.clone(),
-        sampling: *sampling,
-        law: law.name(),
-        draws,
-        warnings,
-    })
+    Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), draws, warnings })
 }
 
 /// One surface at every pressure or separation and slip rate, row by row.
@@ -173,9 +158,7 @@ fn draw(
 ) -> Result<Vec<Draw>, PredictionError> {
     let Some(heights) = Sample::new(heights) else {
         // A single asperity, or none, has no distribution to speak of.
-        return Err(PredictionError::NoContact {
-            pressing: "a surface of less than two asperities".into(),
-        });
+        return Err(PredictionError::NoContact { pressing: "a surface of less than two asperities".into() });
     };
     let tolerance = settings.tolerance;
     let mut draws = Vec::new();
@@ -202,8 +185,7 @@ fn draw(
                     let pressure = pressed.map_or(value, |(_, state)| state.pressure.value);
                     if pressure > 0.0 {
                         let start = heights.mode();
-                        let carried =
-                            separation_for(&mut after, &heights, pressure, start, tolerance)?;
+                        let carried = separation_for(&mut after, &heights, pressure, start, tolerance)?;
                         (carried.separation, carried.state)
                     } else {
                         (value, ContactState::default())
@@ -270,21 +252,10 @@ mod tests {
             asperity_radius: 1e-4,
             heights: Box::new(Exponential::new(1e-6)),
         };
-        let query = Query {
-            pressing: Pressing::Pressure(vec![1e6, 1e8]),
-            slip_rates: vec![1.0],
-            hold: Hold::Load,
-        };
-        let sampling = Sampling {
-            asperities,
-            realizations: 300,
-            seed: 7,
-            slip: 1.0,
-        };
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
+        let query =
+            Query { pressing: Pressing::Pressure(vec![1e6, 1e8]), slip_rates: vec![1.0], hold: Hold::Load };
+        let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: 1.0 };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let settings = Settings::default();
         pool.install(|| sample(&law, &surface, &query, &sampling, &settings, &|_, _| ()).unwrap())
     }
@@ -296,10 +267,7 @@ mod tests {
         let (small, large) = (samples(50, 2), samples(2000, 2));
         let mu = large.scatter(1, 0, |draw| draw.mu);
         // A ratio of sums is biased by the order of 1/n, 0.1 % here, on top of the scatter.
-        assert!(
-            (mu.mean - exact).abs() < 2.0 * mu.mean_error + 2e-3 * exact,
-            "{mu:?} {exact}"
-        );
+        assert!((mu.mean - exact).abs() < 2.0 * mu.mean_error + 2e-3 * exact, "{mu:?} {exact}");
         let scattered = small.scatter(1, 0, |draw| draw.mu);
         // Scatter falls as 1/√n: by 6.3 from 50 to 2000, give or take its own uncertainty.
         let ratio = scattered.standard_deviation / mu.standard_deviation;
@@ -315,10 +283,7 @@ mod tests {
     #[test]
     fn scatter_of_known_values() {
         let scatter = Scatter::of((0..=100).map(f64::from).chain([f64::NAN]));
-        assert_eq!(
-            (scatter.mean, scatter.lower, scatter.upper),
-            (50.0, 2.5, 97.5)
-        );
+        assert_eq!((scatter.mean, scatter.lower, scatter.upper), (50.0, 2.5, 97.5));
         // n = 101 consecutive numbers: variance n(n+1)/12.
         assert!((scatter.standard_deviation - (101.0f64 * 102.0 / 12.0).sqrt()).abs() < 1e-12);
         assert!(Scatter::of(std::iter::empty()).mean.is_nan());

@@ -14,27 +14,12 @@ type Quantity = (&'static str, &'static str, &'static str, fn(&Draw) -> f64);
 const QUANTITIES: [Quantity; 6] = [
     ("mu", "1", "sliding friction coefficient", |d| d.mu),
     ("pressure_sliding", "Pa", "nominal pressure", |d| d.pressure),
-    (
-        "separation_sliding",
-        "m",
-        "distance of the flat from the reference plane of the heights",
-        |d| d.separation,
-    ),
-    (
-        "real_area_fraction",
-        "1",
-        "real over nominal contact area",
-        |d| d.area_fraction,
-    ),
-    ("contacts", "1", "number of asperities in contact", |d| {
-        d.contacts
+    ("separation_sliding", "m", "distance of the flat from the reference plane of the heights", |d| {
+        d.separation
     }),
-    (
-        "outside_table_fraction",
-        "1",
-        "share of the load carried beyond the range of the table",
-        |d| d.outside,
-    ),
+    ("real_area_fraction", "1", "real over nominal contact area", |d| d.area_fraction),
+    ("contacts", "1", "number of asperities in contact", |d| d.contacts),
+    ("outside_table_fraction", "1", "share of the load carried beyond the range of the table", |d| d.outside),
 ];
 
 /// Name, long name and value of what is said about a scatter.
@@ -42,20 +27,10 @@ type Statistic = (&'static str, &'static str, fn(&Scatter) -> f64);
 
 const STATISTICS: [Statistic; 5] = [
     ("mean", "mean over the surfaces of the", |s| s.mean),
-    (
-        "mean_error",
-        "half width of the 95 % confidence interval of the mean of the",
-        |s| s.mean_error,
-    ),
-    ("std", "standard deviation over the surfaces of the", |s| {
-        s.standard_deviation
-    }),
-    ("lower", "2.5 % quantile over the surfaces of the", |s| {
-        s.lower
-    }),
-    ("upper", "97.5 % quantile over the surfaces of the", |s| {
-        s.upper
-    }),
+    ("mean_error", "half width of the 95 % confidence interval of the mean of the", |s| s.mean_error),
+    ("std", "standard deviation over the surfaces of the", |s| s.standard_deviation),
+    ("lower", "2.5 % quantile over the surfaces of the", |s| s.lower),
+    ("upper", "97.5 % quantile over the surfaces of the", |s| s.upper),
 ];
 
 /// Writes `mc.nc`; the file appears whole or not at all.
@@ -77,12 +52,8 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
     for (name, units, long_name, value) in QUANTITIES {
         let values: Vec<f64> = draws.iter().map(|draw| value(draw)).collect();
         file.reals(name, &all, &values, &described(units, long_name))?;
-        let scatters: Vec<Scatter> = samples
-            .draws
-            .iter()
-            .flatten()
-            .map(|surfaces| Scatter::of(surfaces.iter().map(value)))
-            .collect();
+        let scatters: Vec<Scatter> =
+            samples.draws.iter().flatten().map(|surfaces| Scatter::of(surfaces.iter().map(value))).collect();
         for (statistic, words, of) in STATISTICS {
             let values: Vec<f64> = scatters.iter().map(of).collect();
             let name = format!("{name}_{statistic}");
@@ -170,21 +141,10 @@ mod tests {
             seed: u64::MAX,
             slip: end_of_slide(&law, &file.surface, &file.query, &settings).unwrap(),
         };
-        let samples = sample(
-            &law,
-            &file.surface,
-            &file.query,
-            &sampling,
-            &settings,
-            &|_, _| (),
-        );
+        let samples = sample(&law, &file.surface, &file.query, &sampling, &settings, &|_, _| ());
         let samples = samples.unwrap();
         let path = std::env::temp_dir().join(format!("roughsurface-mc-{}.nc", std::process::id()));
-        let origin = Origin {
-            surface: text,
-            table: "model:test",
-            command: "test",
-        };
+        let origin = Origin { surface: text, table: "model:test", command: "test" };
         write(&path, &samples, &origin).unwrap();
         let read = DatasetReader::open(&path).unwrap();
         let mu = read.reals("mu", &[2, 1, 20]).unwrap();

@@ -126,31 +126,19 @@ impl PanelTree {
     }
 
     /// Adds a panel over u = `from` to `to` and returns its index.
-    pub fn add(
-        &mut self,
-        asperity: &AsperityAtSlip,
-        from: f64,
-        to: f64,
-    ) -> Result<usize, LookupError> {
+    pub fn add(&mut self, asperity: &AsperityAtSlip, from: f64, to: f64) -> Result<usize, LookupError> {
         self.panels.push(Panel::new(asperity, from, to)?);
         Ok(self.panels.len() - 1)
     }
 
     /// The two halves of a panel, sampled at the first call.
-    pub fn halves(
-        &mut self,
-        asperity: &AsperityAtSlip,
-        index: usize,
-    ) -> Result<[usize; 2], LookupError> {
+    pub fn halves(&mut self, asperity: &AsperityAtSlip, index: usize) -> Result<[usize; 2], LookupError> {
         if let Some(children) = self.panels[index].children {
             return Ok(children);
         }
         let (from, to) = (self.panels[index].from, self.panels[index].to);
         let middle = 0.5 * (from + to);
-        let children = [
-            self.add(asperity, from, middle)?,
-            self.add(asperity, middle, to)?,
-        ];
+        let children = [self.add(asperity, from, middle)?, self.add(asperity, middle, to)?];
         self.panels[index].children = Some(children);
         Ok(children)
     }

@@ -61,16 +61,8 @@ impl Query {
     /// Refuses slip rates outside the range of the law for asperities of `radius` (m).
     pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radius: f64) -> Result<(), LookupError> {
         let (from, to) = law.slip_rate_range(radius);
-        match self
-            .slip_rates
-            .iter()
-            .find(|rate| !(from..=to).contains(*rate))
-        {
-            Some(&slip_rate) => Err(LookupError::SlipRateOutside {
-                slip_rate,
-                from,
-                to,
-            }),
+        match self.slip_rates.iter().find(|rate| !(from..=to).contains(*rate)) {
+            Some(&slip_rate) => Err(LookupError::SlipRateOutside { slip_rate, from, to }),
             None => Ok(()),
         }
     }

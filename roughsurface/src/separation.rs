@@ -10,9 +10,7 @@ use tables::law::LookupError;
 pub enum SeparationError {
     #[error(transparent)]
     Lookup(#[from] LookupError),
-    #[error(
-        "no separation between {from:e} and {to:e} m carries a nominal pressure of {pressure:e} Pa"
-    )]
+    #[error("no separation between {from:e} and {to:e} m carries a nominal pressure of {pressure:e} Pa")]
     NotFound { pressure: f64, from: f64, to: f64 },
 }
 
@@ -55,11 +53,7 @@ impl Carried {
         let pressure = self.state.pressure.estimate();
         let wrong = pressure.error + (pressure.value - asked).abs();
         let slope = self.slope(|state| state.pressure.value);
-        if slope > 0.0 {
-            wrong / slope
-        } else {
-            f64::INFINITY
-        }
+        if slope > 0.0 { wrong / slope } else { f64::INFINITY }
     }
 }
 
@@ -102,11 +96,7 @@ pub fn separation_for(
         }
         stride *= 2.0;
     }
-    let not_found = SeparationError::NotFound {
-        pressure,
-        from: closer.0,
-        to: farther.0,
-    };
+    let not_found = SeparationError::NotFound { pressure, from: closer.0, to: farther.0 };
     if closer.1 < 0.0 || farther.1 > 0.0 || closer.1.is_nan() || farther.1.is_nan() {
         return Err(not_found);
     }
@@ -114,11 +104,7 @@ pub fn separation_for(
     // Illinois: the value kept at an end that does not move is halved, so that both close in.
     let (mut weight_closer, mut weight_farther) = (closer.1, farther.1);
     let mut width = f64::INFINITY;
-    let mut best = if closer.1.abs() < farther.1.abs() {
-        closer
-    } else {
-        farther
-    };
+    let mut best = if closer.1.abs() < farther.1.abs() { closer } else { farther };
     for step in 0..MOST_STEPS {
         if best.1.abs() <= tolerance {
             break;
@@ -171,11 +157,8 @@ mod tests {
         let law = PowerLaw::hertz();
         let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
         let std = 1e-6;
-        let heights: [Box<dyn Heights>; 3] = [
-            Box::new(Gaussian::new(std)),
-            Box::new(Exponential::new(std)),
-            Box::new(Uniform::new(std)),
-        ];
+        let heights: [Box<dyn Heights>; 3] =
+            [Box::new(Gaussian::new(std)), Box::new(Exponential::new(std)), Box::new(Uniform::new(std))];
         for heights in heights {
             let heights = heights.as_ref();
             let mut integral = HeightIntegral::new(asperity.clone(), heights, 1e10, 1e-12);

@@ -40,18 +40,9 @@ impl SlipState {
         area_fraction.error += shift * carried.slope(|state| state.area_fraction.value);
         Self {
             mu,
-            shear: Estimate {
-                value: mu.value * asked,
-                error: mu.error * asked,
-            },
-            pressure: Estimate {
-                value: asked,
-                error: (state.pressure.value - asked).abs(),
-            },
-            separation: Estimate {
-                value: carried.separation,
-                error: shift,
-            },
+            shear: Estimate { value: mu.value * asked, error: mu.error * asked },
+            pressure: Estimate { value: asked, error: (state.pressure.value - asked).abs() },
+            separation: Estimate { value: carried.separation, error: shift },
             area_fraction,
             contact_density: Estimate {
                 value: state.contact_density,
@@ -108,11 +99,7 @@ pub fn inception(slip: &[f64], mu: &[Estimate]) -> Inception {
 
 fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     let slope = |i: usize| (mu[i + 1].value - mu[i].value) / (slip[i + 1] - slip[i]);
-    let at_node = |i: usize, reached: bool| Inception {
-        slip: slip[i],
-        mu: mu[i],
-        reached,
-    };
+    let at_node = |i: usize, reached: bool| Inception { slip: slip[i], mu: mu[i], reached };
     let last = slip.len() - 1;
     if last == 0 {
         return at_node(0, false);
@@ -136,10 +123,7 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     let rise = (place - slip[knee]) * 0.5 * (at_knot + threshold);
     Inception {
         slip: place,
-        mu: Estimate {
-            value: mu[knee].value + rise,
-            error: mu[knee].error,
-        },
+        mu: Estimate { value: mu[knee].value + rise, error: mu[knee].error },
         reached: true,
     }
 }
@@ -166,10 +150,7 @@ pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
     let coarse_slip: Vec<f64> = (0..slip.len()).filter(kept).map(|i| slip[i]).collect();
     let coarse_shear: Vec<Estimate> = (0..slip.len()).filter(kept).map(|i| shear[i]).collect();
     let coarse = released(&coarse_slip, &coarse_shear, |point| point.value - end.value);
-    Estimate {
-        value,
-        error: changed + relative * value + (value - coarse).abs(),
-    }
+    Estimate { value, error: changed + relative * value + (value - coarse).abs() }
 }
 
 /// Trapezoidal integral from the peak of τ to the end.
@@ -204,10 +185,7 @@ mod tests {
 
     fn curve(mu: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<Estimate>) {
         let slip = slip_grid(1.0, 1.0, 97);
-        let values = slip.iter().map(|&s| Estimate {
-            value: mu(s),
-            error: 0.0,
-        });
+        let values = slip.iter().map(|&s| Estimate { value: mu(s), error: 0.0 });
         let values = values.collect();
         (slip, values)
     }
@@ -226,8 +204,7 @@ mod tests {
 
     #[test]
     fn a_curve_with_a_peak_slides_at_the_peak() {
-        let (slip, mu) =
-            curve(|s| 0.3 * (s / 0.02) * (1.0 - s / 0.02).exp() + 0.2 * (s / (s + 0.01)));
+        let (slip, mu) = curve(|s| 0.3 * (s / 0.02) * (1.0 - s / 0.02).exp() + 0.2 * (s / (s + 0.01)));
         let highest = mu.iter().map(|m| m.value).fold(0.0, f64::max);
         let found = inception(&slip, &mu);
         assert!((found.mu.value / highest - 1.0).abs() < 2e-3);

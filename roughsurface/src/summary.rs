@@ -17,11 +17,7 @@ pub fn with_error(estimate: Estimate) -> String {
     if value != 0.0 && !(-3.0..5.0).contains(&magnitude) {
         return format!("{value:.3e} ±{error:.0e}");
     }
-    let of_error = if error > 0.0 && error.is_finite() {
-        1.0 - error.log10().floor()
-    } else {
-        f64::INFINITY
-    };
+    let of_error = if error > 0.0 && error.is_finite() { 1.0 - error.log10().floor() } else { f64::INFINITY };
     let digits = of_error.min(3.0 - magnitude.max(-3.0)).clamp(0.0, 6.0) as usize;
     let shown = format!("{error:.digits$}");
     // An error that would be shown as zero is shown by its size.
@@ -39,18 +35,10 @@ const COLUMNS: [Column; 7] = [
     ("mu", |f| with_error(f.sliding.mu)),
     ("Q [Pa]", |f| format!("{:.3e}", f.sliding.shear.value)),
     ("G [J/m2]", |f| format!("{:.3e}", f.energy.value)),
-    ("area fraction", |f| {
-        format!("{:.3e}", f.sliding.area_fraction.value)
-    }),
-    ("separation [m]", |f| {
-        format!("{:.3e}", f.sliding.separation.value)
-    }),
+    ("area fraction", |f| format!("{:.3e}", f.sliding.area_fraction.value)),
+    ("separation [m]", |f| format!("{:.3e}", f.sliding.separation.value)),
     ("outside table", |f| {
-        if f.outside_table < 5e-5 {
-            "-".into()
-        } else {
-            format!("{:.2} %", 100.0 * f.outside_table)
-        }
+        if f.outside_table < 5e-5 { "-".into() } else { format!("{:.2} %", 100.0 * f.outside_table) }
     }),
 ];
 
@@ -87,11 +75,7 @@ pub fn text(prediction: &Prediction) -> String {
     if prediction.query.slip_rates.len() > 1 {
         text.push('\n');
         text.push_str("Flash heating, mu = mu_w + (mu_0 - mu_w)/[1 + (V/V_w)^8]^(1/8):\n");
-        let mut rows = vec![
-            [row_head, "mu_0", "mu_w", "V_w [m/s]"]
-                .map(String::from)
-                .to_vec(),
-        ];
+        let mut rows = vec![[row_head, "mu_0", "mu_w", "V_w [m/s]"].map(String::from).to_vec()];
         for (value, fit) in pressing.iter().zip(&prediction.flash_heating) {
             let mut row = vec![format!("{value:.3e}")];
             match fit {

@@ -41,11 +41,7 @@ pub enum SurfaceFileError {
     #[error("{}: cannot be read: {reason}", .file.display())]
     Unreadable { file: PathBuf, reason: String },
     #[error("{}{}: {what}", .file.display(), .line.map(|line| format!(":{line}")).unwrap_or_default())]
-    Content {
-        file: PathBuf,
-        line: Option<usize>,
-        what: String,
-    },
+    Content { file: PathBuf, line: Option<usize>, what: String },
 }
 
 #[derive(Deserialize)]
@@ -81,11 +77,10 @@ fn held_load() -> Hold {
 impl SurfaceFile {
     /// Reads and checks a surface file.
     pub fn read(file: &Path) -> Result<Self, SurfaceFileError> {
-        let text =
-            std::fs::read_to_string(file).map_err(|reason| SurfaceFileError::Unreadable {
-                file: file.to_path_buf(),
-                reason: reason.to_string(),
-            })?;
+        let text = std::fs::read_to_string(file).map_err(|reason| SurfaceFileError::Unreadable {
+            file: file.to_path_buf(),
+            reason: reason.to_string(),
+        })?;
         Self::parse(file, text)
     }
 
@@ -113,27 +108,16 @@ impl SurfaceFile {
 }
 
 fn build(keys: FileKeys, folder: &Path, text: &str) -> Result<SurfaceFile, String> {
-    let SurfaceKeys {
-        asperity_density,
-        asperity_radius,
-        heights,
-    } = keys.surface;
+    let SurfaceKeys { asperity_density, asperity_radius, heights } = keys.surface;
     positive("surface.asperity_density", asperity_density, "1/m2")?;
     positive("surface.asperity_radius", asperity_radius, "m")?;
-    let heights =
-        heights::build(&heights, folder).map_err(|error| format!("surface.heights.{error}"))?;
+    let heights = heights::build(&heights, folder).map_err(|error| format!("surface.heights.{error}"))?;
 
     let pressing = match (keys.query.pressure, keys.query.separation) {
-        (Some(values), None) => {
-            Pressing::Pressure(list("query.pressure", values, "Pa", |p| p > 0.0)?)
-        }
-        (None, Some(values)) => {
-            Pressing::Separation(list("query.separation", values, "m", |_| true)?)
-        }
+        (Some(values), None) => Pressing::Pressure(list("query.pressure", values, "Pa", |p| p > 0.0)?),
+        (None, Some(values)) => Pressing::Separation(list("query.separation", values, "m", |_| true)?),
         (None, None) => {
-            return Err(
-                "query.pressure: is missing; give pressure in Pa, or separation in m".into(),
-            );
+            return Err("query.pressure: is missing; give pressure in Pa, or separation in m".into());
         }
         (Some(_), Some(_)) => {
             return Err("query.separation: cannot be given together with pressure".into());
@@ -147,24 +131,12 @@ fn build(keys: FileKeys, folder: &Path, text: &str) -> Result<SurfaceFile, Strin
         positive("material.yield_strength", material.yield_strength, "Pa")?;
         let nu = material.poisson_ratio;
         if !(0.0..0.5).contains(&nu) {
-            return Err(allowed(
-                "material.poisson_ratio",
-                nu,
-                "must be at least 0 and below 0.5",
-            ));
+            return Err(allowed("material.poisson_ratio", nu, "must be at least 0 and below 0.5"));
         }
     }
     Ok(SurfaceFile {
-        surface: Surface {
-            asperity_density,
-            asperity_radius,
-            heights,
-        },
-        query: Query {
-            pressing,
-            slip_rates,
-            hold: keys.query.hold,
-        },
+        surface: Surface { asperity_density, asperity_radius, heights },
+        query: Query { pressing, slip_rates, hold: keys.query.hold },
         material: keys.material,
         text: text.to_string(),
     })
@@ -178,21 +150,12 @@ fn positive(key: &str, value: f64, unit: &str) -> Result<(), String> {
     if value > 0.0 && value.is_finite() {
         Ok(())
     } else {
-        Err(allowed(
-            key,
-            value,
-            &format!("must be a positive number ({unit})"),
-        ))
+        Err(allowed(key, value, &format!("must be a positive number ({unit})")))
     }
 }
 
 /// A list for a coordinate of the result: ascending, each value once.
-fn list(
-    key: &str,
-    mut values: Vec<f64>,
-    unit: &str,
-    rule: fn(f64) -> bool,
-) -> Result<Vec<f64>, String> {
+fn list(key: &str, mut values: Vec<f64>, unit: &str, rule: fn(f64) -> bool) -> Result<Vec<f64>, String> {
     if values.is_empty() {
         return Err(format!("{key}: must hold at least one value ({unit})"));
     }
@@ -206,11 +169,7 @@ fn list(
                 "finite and positive"
             };
             let key = format!("{key}[{index}]");
-            return Err(allowed(
-                &key,
-                format!("{value:e}"),
-                &format!("must be {what} ({unit})"),
-            ));
+            return Err(allowed(&key, format!("{value:e}"), &format!("must be {what} ({unit})")));
         }
     }
     values.sort_by(f64::total_cmp);
@@ -237,10 +196,7 @@ fn explain(path: &str, message: &str) -> String {
             None => String::new(),
         };
         let known = known.join(", ");
-        return format!(
-            "{}: is not a key; {suggestion}known here: {known}",
-            joined(unknown)
-        );
+        return format!("{}: is not a key; {suggestion}known here: {known}", joined(unknown));
     }
     if message.starts_with("missing field") && !quoted.is_empty() {
         return format!("{}: is missing", joined(quoted[0]));
@@ -331,11 +287,7 @@ yield_strength = 400e6
                 "[1e7, -1e5]",
                 "surface.toml: query.pressure[1] = -1e5: must be finite and positive (Pa)",
             ),
-            (
-                "[0.1, 1.0]",
-                "[]",
-                "surface.toml: query.slip_rate: must hold at least one value (m/s)",
-            ),
+            ("[0.1, 1.0]", "[]", "surface.toml: query.slip_rate: must hold at least one value (m/s)"),
             (
                 "pressure = [1e7, 1e5]",
                 "pressure = [1e7]\nseparation = [0.0]",
@@ -364,20 +316,11 @@ yield_strength = 400e6
     #[test]
     fn types_syntax_and_missing_keys_are_explained() {
         let wrong_type = message("[1e7, 1e5]", "[\"many\"]");
-        assert!(
-            wrong_type.starts_with("surface.toml:7: query.pressure[0]: invalid type"),
-            "{wrong_type}"
-        );
+        assert!(wrong_type.starts_with("surface.toml:7: query.pressure[0]: invalid type"), "{wrong_type}");
         let hold = message("hold = \"separation\"", "hold = \"distance\"");
-        assert!(
-            hold.starts_with("surface.toml:9: query.hold: unknown variant"),
-            "{hold}"
-        );
+        assert!(hold.starts_with("surface.toml:9: query.hold: unknown variant"), "{hold}");
         let missing = message("asperity_radius = 100e-6", "");
-        assert!(
-            missing.ends_with("surface.asperity_radius: is missing"),
-            "{missing}"
-        );
+        assert!(missing.ends_with("surface.asperity_radius: is missing"), "{missing}");
         let syntax = message("[query]", "[query");
         assert!(syntax.starts_with("surface.toml:6: "), "{syntax}");
         assert_eq!(syntax.lines().count(), 1);

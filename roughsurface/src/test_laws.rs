@@ -56,27 +56,16 @@ impl AsperityLaw for PowerLaw {
         slip: f64,
     ) -> Result<Response, LookupError> {
         if interference > self.limit {
-            return Err(LookupError::InterferenceAbove {
-                interference,
-                limit: self.limit,
-            });
+            return Err(LookupError::InterferenceAbove { interference, limit: self.limit });
         }
         let estimate = |(factor, exponent): (f64, f64)| {
             let value = factor * interference.powf(exponent);
-            Estimate {
-                value,
-                error: self.relative_error * value,
-            }
+            Estimate { value, error: self.relative_error * value }
         };
         let area = estimate(self.area);
         let contact_radius = (area.value / std::f64::consts::PI).sqrt();
         let history = (self.history)(slip_rate, slip, contact_radius);
         let friction = estimate((self.friction.0 * history, self.friction.1));
-        Ok(Response {
-            load: estimate(self.load),
-            friction,
-            area,
-            temperature_max: Estimate::default(),
-        })
+        Ok(Response { load: estimate(self.load), friction, area, temperature_max: Estimate::default() })
     }
 }

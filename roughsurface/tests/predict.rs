@@ -25,11 +25,8 @@ poisson_ratio = 0.3
 yield_strength = 400e6
 "#;
 
-const STEEL: ElasticPlastic = ElasticPlastic {
-    youngs_modulus: 200e9,
-    poisson_ratio: 0.3,
-    yield_strength: 400e6,
-};
+const STEEL: ElasticPlastic =
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
 
 /// Jackson–Green asperities that weaken with slip rate once they have slid by a
 /// tenth of their contact radius.
@@ -76,9 +73,7 @@ impl AsperityLaw for Weakening {
 
 fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
     let share = |i: usize| i as f64 / (points - 1) as f64;
-    (0..points)
-        .map(|i| from * (to / from).powf(share(i)))
-        .collect()
+    (0..points).map(|i| from * (to / from).powf(share(i))).collect()
 }
 
 /// The law as a table for spheres ten times as large as those of the surface.
@@ -86,11 +81,8 @@ fn table(law: &dyn AsperityLaw, interference_to: f64) -> Table {
     let radius = 1e-3;
     let mut slip = vec![0.0];
     slip.extend(spaced(1e-4, 2.0, 40));
-    let axes = Axes {
-        interference: spaced(0.02, interference_to, 26),
-        slip_rate: spaced(1e-3, 2.0, 12),
-        slip,
-    };
+    let axes =
+        Axes { interference: spaced(0.02, interference_to, 26), slip_rate: spaced(1e-3, 2.0, 12), slip };
     let metadata = Metadata {
         title: "test".into(),
         asperity_radius: radius,
@@ -111,11 +103,7 @@ fn table(law: &dyn AsperityLaw, interference_to: f64) -> Table {
             let history = |value: fn(&Response) -> Estimate| -> Vec<f64> {
                 states.iter().map(|state| value(state).value).collect()
             };
-            let (load, friction, area) = (
-                history(|s| s.load),
-                history(|s| s.friction),
-                history(|s| s.area),
-            );
+            let (load, friction, area) = (history(|s| s.load), history(|s| s.friction), history(|s| s.area));
             let end = axes.slip.len() - 1;
             let mu: Vec<f64> = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
             let cell = Cell::new()
@@ -143,8 +131,7 @@ struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str) -> Self {
-        let folder =
-            std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
+        let folder = std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
         std::fs::write(folder.join("surface.toml"), SURFACE).unwrap();
         Self(folder)
@@ -189,14 +176,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
 
     let surface = SurfaceFile::read(&folder.path("surface.toml")).unwrap();
     let settings = Settings::default();
-    let exact = predict(
-        &law,
-        &surface.surface,
-        &surface.query,
-        &settings,
-        &|_, _| (),
-    )
-    .unwrap();
+    let exact = predict(&law, &surface.surface, &surface.query, &settings, &|_, _| ()).unwrap();
     let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
     let (mu, mu_error) = (read("mu"), read("mu_error"));
@@ -204,20 +184,12 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
     let separation = read("separation");
     for (i, cell) in exact.friction.iter().flatten().enumerate() {
         let off = (mu[i] - cell.sliding.mu.value).abs();
-        assert!(
-            off <= mu_error[i] && off < 5e-3 * mu[i],
-            "mu {off} ±{}",
-            mu_error[i]
-        );
+        assert!(off <= mu_error[i] && off < 5e-3 * mu[i], "mu {off} ±{}", mu_error[i]);
         // Between table points the law is known to a few parts in a thousand.
         assert!((mu_static[i] / cell.mu_static.value - 1.0).abs() < 0.01);
         assert!((area[i] / cell.sliding.area_fraction.value - 1.0).abs() < 5e-3);
         assert!((separation[i] - cell.pressed.separation.value).abs() < 1e-3 * 0.05e-6);
-        assert!(
-            (energy[i] / cell.energy.value - 1.0).abs() < 0.02,
-            "G {}",
-            energy[i]
-        );
+        assert!((energy[i] / cell.energy.value - 1.0).abs() < 0.02, "G {}", energy[i]);
         assert!(mu_static[i] > mu[i] && energy[i] > 0.0);
     }
     assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
@@ -271,21 +243,14 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
     let folder = Folder::new("threads");
     for (command, name) in [
         ("predict surface.toml --table model:brizmer", "friction.nc"),
-        (
-            "sample surface.toml --table model:brizmer --asperities 200 --realizations 20 --seed 3",
-            "mc.nc",
-        ),
+        ("sample surface.toml --table model:brizmer --asperities 200 --realizations 20 --seed 3", "mc.nc"),
     ] {
         let values = |threads: usize| {
             let output = folder.run(&format!("{command} -o {name} -q --threads {threads}"));
             assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
             assert!(output.stdout.is_empty() && output.stderr.is_empty());
             let file = DatasetReader::open(&folder.path(name)).unwrap();
-            let shape: &[usize] = if name == "mc.nc" {
-                &[3, 5, 20]
-            } else {
-                &[3, 5]
-            };
+            let shape: &[usize] = if name == "mc.nc" { &[3, 5, 20] } else { &[3, 5] };
             file.reals("mu", shape).unwrap()
         };
         assert_eq!(values(1), values(3));
@@ -295,44 +260,19 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
 #[test]
 fn bad_input_ends_with_status_two_and_one_line() {
     let folder = Folder::new("input");
-    std::fs::write(
-        folder.path("typo.toml"),
-        SURFACE.replace("pressure", "presure"),
-    )
-    .unwrap();
+    std::fs::write(folder.path("typo.toml"), SURFACE.replace("pressure", "presure")).unwrap();
     for (arguments, message) in [
-        (
-            "predict typo.toml --table model:hertz -o f.nc",
-            "did you mean pressure?",
-        ),
-        (
-            "predict none.toml --table model:hertz -o f.nc",
-            "none.toml: cannot be read",
-        ),
-        (
-            "predict surface.toml --table model:herz -o f.nc",
-            "kogut-etsion",
-        ),
-        (
-            "predict surface.toml --table none.nc -o f.nc",
-            "cannot read none.nc",
-        ),
-        (
-            "predict surface.toml --table model:hertz -o no/f.nc",
-            "its folder does not exist",
-        ),
-        (
-            "predict surface.toml --table model:hertz -o f.nc --plot f.pdf",
-            "must be one of svg, png",
-        ),
+        ("predict typo.toml --table model:hertz -o f.nc", "did you mean pressure?"),
+        ("predict none.toml --table model:hertz -o f.nc", "none.toml: cannot be read"),
+        ("predict surface.toml --table model:herz -o f.nc", "kogut-etsion"),
+        ("predict surface.toml --table none.nc -o f.nc", "cannot read none.nc"),
+        ("predict surface.toml --table model:hertz -o no/f.nc", "its folder does not exist"),
+        ("predict surface.toml --table model:hertz -o f.nc --plot f.pdf", "must be one of svg, png"),
     ] {
         let output = folder.run(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments}");
         let text = stderr(&output);
-        assert!(
-            text.contains(message) && text.lines().count() == 1,
-            "{text}"
-        );
+        assert!(text.contains(message) && text.lines().count() == 1, "{text}");
     }
     let usage = folder.run("predict surface.toml");
     assert_eq!(usage.status.code(), Some(2));

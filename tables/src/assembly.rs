@@ -5,9 +5,7 @@ use crate::table::{Axes, Status, Table, TableError};
 impl Table {
     /// Grid points that have not been run, in the order of the grid.
     pub fn missing(&self) -> Vec<(usize, usize)> {
-        (self.grid())
-            .filter(|(i, j)| *self.status(*i, *j) == Status::NotRun)
-            .collect()
+        (self.grid()).filter(|(i, j)| *self.status(*i, *j) == Status::NotRun).collect()
     }
 
     /// Takes over from `other` what is done there and not here, or failed there and not run
@@ -71,11 +69,7 @@ mod tests {
     use crate::table::{Cell, Metadata};
 
     fn axes() -> Axes {
-        Axes {
-            interference: vec![1.0, 2.0],
-            slip_rate: vec![0.0, 0.5, 1.0],
-            slip: vec![0.0, 2.0],
-        }
+        Axes { interference: vec![1.0, 2.0], slip_rate: vec![0.0, 0.5, 1.0], slip: vec![0.0, 2.0] }
     }
 
     fn cell(mu: f64) -> Cell {

@@ -30,11 +30,7 @@ fn silence_hdf5() {
     // SAFETY: no handler and no data for it, as HDF5 documents for switching the printing off;
     // the lock is the one that every call of the netCDF library holds.
     unsafe {
-        hdf5_metno_sys::h5e::H5Eset_auto2(
-            hdf5_metno_sys::h5e::H5E_DEFAULT,
-            None,
-            std::ptr::null_mut(),
-        );
+        hdf5_metno_sys::h5e::H5Eset_auto2(hdf5_metno_sys::h5e::H5E_DEFAULT, None, std::ptr::null_mut());
     }
 }
 
@@ -70,22 +66,14 @@ impl DatasetWriter {
             path: path.display().to_string(),
             reason: error.to_string(),
         })?;
-        let mut writer = Self {
-            path: path.to_path_buf(),
-            temporary,
-            file: Some(file),
-        };
+        let mut writer = Self { path: path.to_path_buf(), temporary, file: Some(file) };
         writer.attribute("Conventions", CONVENTIONS)?;
         writer.attribute("title", title)?;
         Ok(writer)
     }
 
     /// Global attribute.
-    pub fn attribute(
-        &mut self,
-        name: &str,
-        value: impl Into<AttributeValue>,
-    ) -> Result<(), DatasetError> {
+    pub fn attribute(&mut self, name: &str, value: impl Into<AttributeValue>) -> Result<(), DatasetError> {
         let value = value.into();
         self.change(|file| file.add_attribute(name, value).map(|_| ()))
     }
@@ -200,12 +188,7 @@ impl DatasetWriter {
 
     /// Lengths of the dimensions. The library writes a short record without complaint, so the
     /// number of values is checked here.
-    fn shape(
-        &self,
-        variable: &str,
-        dimensions: &[&str],
-        found: usize,
-    ) -> Result<Vec<usize>, DatasetError> {
+    fn shape(&self, variable: &str, dimensions: &[&str], found: usize) -> Result<Vec<usize>, DatasetError> {
         let file = self.file.as_ref().expect("the file is open until finish");
         let length = |name: &&str| file.dimension_len(name).unwrap_or(0);
         let shape: Vec<usize> = dimensions.iter().map(length).collect();
@@ -226,10 +209,7 @@ impl DatasetWriter {
     }
 
     fn failed(&self, reason: impl std::fmt::Display) -> DatasetError {
-        DatasetError::Write {
-            path: self.path.display().to_string(),
-            reason: reason.to_string(),
-        }
+        DatasetError::Write { path: self.path.display().to_string(), reason: reason.to_string() }
     }
 }
 
@@ -250,10 +230,7 @@ pub struct DatasetReader {
 impl DatasetReader {
     pub fn open(path: &Path) -> Result<Self, DatasetError> {
         let shown = path.display().to_string();
-        let failed = |reason: String| DatasetError::Open {
-            path: shown.clone(),
-            reason,
-        };
+        let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };
         // The library's own message for a missing file does not always say so.
         std::fs::File::open(path).map_err(|error| failed(error.to_string()))?;
         silence_hdf5();
@@ -263,8 +240,7 @@ impl DatasetReader {
 
     /// Global attribute that is a text.
     pub fn attribute_text(&self, name: &str) -> Result<String, DatasetError> {
-        self.optional_text(name)?
-            .ok_or_else(|| self.attribute_missing(name))
+        self.optional_text(name)?.ok_or_else(|| self.attribute_missing(name))
     }
 
     /// Global attribute that is a text, if it is there.
@@ -278,8 +254,7 @@ impl DatasetReader {
 
     /// Global attribute that is a number.
     pub fn attribute_real(&self, name: &str) -> Result<f64, DatasetError> {
-        self.optional_real(name)?
-            .ok_or_else(|| self.attribute_missing(name))
+        self.optional_real(name)?.ok_or_else(|| self.attribute_missing(name))
     }
 
     /// Global attribute that is a number, if it is there.
@@ -329,10 +304,7 @@ impl DatasetReader {
 
     /// An error about this file.
     pub fn content(&self, what: String) -> DatasetError {
-        DatasetError::Content {
-            path: self.path.clone(),
-            what,
-        }
+        DatasetError::Content { path: self.path.clone(), what }
     }
 
     fn attribute(&self, name: &str) -> Result<Option<AttributeValue>, DatasetError> {
@@ -344,26 +316,18 @@ impl DatasetReader {
     }
 
     fn attribute_missing(&self, name: &str) -> DatasetError {
-        DatasetError::AttributeMissing {
-            path: self.path.clone(),
-            attribute: name.to_string(),
-        }
+        DatasetError::AttributeMissing { path: self.path.clone(), attribute: name.to_string() }
     }
 
     fn variable(&self, name: &str) -> Result<netcdf::Variable<'_>, DatasetError> {
-        let missing = || DatasetError::VariableMissing {
-            path: self.path.clone(),
-            variable: name.to_string(),
-        };
+        let missing =
+            || DatasetError::VariableMissing { path: self.path.clone(), variable: name.to_string() };
         self.file.variable(name).ok_or_else(missing)
     }
 
     fn shaped(&self, name: &str, shape: &[usize]) -> Result<netcdf::Variable<'_>, DatasetError> {
         let variable = self.variable(name)?;
-        let lengths = variable
-            .dimensions()
-            .iter()
-            .map(|dimension| dimension.len());
+        let lengths = variable.dimensions().iter().map(|dimension| dimension.len());
         let found: Vec<usize> = lengths.collect();
         if found == shape {
             return Ok(variable);

@@ -23,9 +23,7 @@ pub struct Response {
 /// Why a law has no answer for a state.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LookupError {
-    #[error(
-        "interference {interference:.6} omega_c is above the table, which ends at {limit:.6} omega_c"
-    )]
+    #[error("interference {interference:.6} omega_c is above the table, which ends at {limit:.6} omega_c")]
     InterferenceAbove { interference: f64, limit: f64 },
     #[error(
         "slip rate {slip_rate:e} m/s is outside the table, which covers {from:e} to {to:e} m/s at this radius"
@@ -35,19 +33,12 @@ pub enum LookupError {
         "the table depends on its radius of {table:e} m (gap conductance); it cannot be read at {asked:e} m"
     )]
     RadiusFixed { table: f64, asked: f64 },
-    #[error(
-        "no result at interference {interference:.6} omega_c, slip rate {slip_rate:e} m/s: {reason}"
-    )]
-    Missing {
-        interference: f64,
-        slip_rate: f64,
-        reason: String,
-    },
+    #[error("no result at interference {interference:.6} omega_c, slip rate {slip_rate:e} m/s: {reason}")]
+    Missing { interference: f64, slip_rate: f64, reason: String },
 }
 
 /// Response at a fixed radius and slip rate against interference (ω/ω_c) and slip (m).
-pub type SlidingResponse<'a> =
-    Box<dyn Fn(f64, f64) -> Result<Response, LookupError> + Send + Sync + 'a>;
+pub type SlidingResponse<'a> = Box<dyn Fn(f64, f64) -> Result<Response, LookupError> + Send + Sync + 'a>;
 
 /// Load, friction and area of one asperity of given radius.
 ///
@@ -75,14 +66,8 @@ pub trait AsperityLaw: Send + Sync {
     ) -> Result<Response, LookupError>;
     /// [`response`](AsperityLaw::response) for many questions at one radius and slip rate, where
     /// a law can prepare for them.
-    fn at_slip_rate(
-        &self,
-        radius: f64,
-        slip_rate: f64,
-    ) -> Result<SlidingResponse<'_>, LookupError> {
-        Ok(Box::new(move |interference, slip| {
-            self.response(radius, interference, slip_rate, slip)
-        }))
+    fn at_slip_rate(&self, radius: f64, slip_rate: f64) -> Result<SlidingResponse<'_>, LookupError> {
+        Ok(Box::new(move |interference, slip| self.response(radius, interference, slip_rate, slip)))
     }
 
     /// Energy that one asperity releases from full stick to full slip, J: work of the flat less

@@ -11,11 +11,7 @@ const GRID_AND_SLIP: [&str; 3] = ["interference", "slip_rate", "slip"];
 const STATUS_MEANINGS: [&str; 3] = ["done", "not_run", "failed"];
 
 /// A number of the metadata as a global attribute, in SI units.
-type RealAttribute = (
-    &'static str,
-    fn(&Metadata) -> f64,
-    fn(&mut Metadata) -> &mut f64,
-);
+type RealAttribute = (&'static str, fn(&Metadata) -> f64, fn(&mut Metadata) -> &mut f64);
 
 macro_rules! real_attributes {
     ($($name:ident),*) => {
@@ -87,8 +83,7 @@ impl Table {
             *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
         }
         metadata.strength_factor = file.optional_real("strength_factor")?;
-        let mut table =
-            Table::new(axes, metadata).map_err(|error| file.content(error.to_string()))?;
+        let mut table = Table::new(axes, metadata).map_err(|error| file.content(error.to_string()))?;
         table.read_cells(&file)?;
         Ok(table)
     }
@@ -100,10 +95,7 @@ impl Table {
             &axes.interference,
             &[
                 ("units", "1".into()),
-                (
-                    "long_name",
-                    "interference over critical interference of first yield".into(),
-                ),
+                ("long_name", "interference over critical interference of first yield".into()),
             ],
         )?;
         file.coordinate(
@@ -120,19 +112,12 @@ impl Table {
             &axes.slip,
             &[
                 ("units", "1".into()),
-                (
-                    "long_name",
-                    "slip over contact radius at the end of the press".into(),
-                ),
+                ("long_name", "slip over contact radius at the end of the press".into()),
             ],
         )
     }
 
-    fn write_quantity(
-        &self,
-        file: &mut DatasetWriter,
-        descriptor: &Descriptor,
-    ) -> Result<(), DatasetError> {
+    fn write_quantity(&self, file: &mut DatasetWriter, descriptor: &Descriptor) -> Result<(), DatasetError> {
         let quantity = descriptor.quantity;
         let name = descriptor.name;
         let error_name = format!("{name}_error");
@@ -175,9 +160,7 @@ impl Table {
             &GRID,
             &levelled,
             &["no", "yes"],
-            &[long_name(
-                "whether friction has levelled off at the end of the slide",
-            )],
+            &[long_name("whether friction has levelled off at the end of the slide")],
         )?;
         file.reals(
             "wall_time",
@@ -201,17 +184,9 @@ impl Table {
             &GRID,
             &codes,
             &STATUS_MEANINGS,
-            &[
-                long_name("state of the run"),
-                ("standard_name", "status_flag".into()),
-            ],
+            &[long_name("state of the run"), ("standard_name", "status_flag".into())],
         )?;
-        file.texts(
-            "failure_reason",
-            &GRID,
-            &reasons,
-            &[long_name("why the run failed")],
-        )
+        file.texts("failure_reason", &GRID, &reasons, &[long_name("why the run failed")])
     }
 
     fn read_cells(&mut self, file: &DatasetReader) -> Result<(), DatasetError> {
@@ -243,8 +218,7 @@ impl Table {
                 0 => {
                     cell.levelled = levelled[position] != 0;
                     cell.wall_time = wall_time[position];
-                    self.set_cell(i, j, cell)
-                        .map_err(|error| file.content(error.to_string()))?;
+                    self.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;
                 }
                 1 => {}
                 2 => self.mark_failed(i, j, file.text("failure_reason", &[i, j])?),
@@ -269,9 +243,7 @@ impl Table {
     }
 
     fn collect(&self, value: impl Fn(&Cell) -> f64) -> Vec<f64> {
-        self.each_cell()
-            .map(|cell| cell.map_or(f64::NAN, &value))
-            .collect()
+        self.each_cell().map(|cell| cell.map_or(f64::NAN, &value)).collect()
     }
 }
 
@@ -300,11 +272,8 @@ mod tests {
     use super::*;
 
     fn table() -> Table {
-        let axes = Axes {
-            interference: vec![0.5, 5.0],
-            slip_rate: vec![0.0, 0.1, 1.0],
-            slip: vec![0.0, 0.5, 2.0],
-        };
+        let axes =
+            Axes { interference: vec![0.5, 5.0], slip_rate: vec![0.0, 0.1, 1.0], slip: vec![0.0, 0.5, 2.0] };
         let metadata = Metadata {
             title: "Friction of one asperity".to_string(),
             history: "2026-01-01 asperity tabulate".to_string(),

@@ -14,16 +14,8 @@ const RATE_LABEL: &str = "slip rate V (m/s)";
 type Shown = (&'static str, &'static str, fn(&Cell) -> (f64, f64));
 
 const SHOWN: [Shown; 3] = [
-    (
-        "Sliding friction",
-        "friction coefficient Q/P",
-        friction_coefficient,
-    ),
-    (
-        "Friction stress",
-        "friction stress Q/A (MPa)",
-        friction_stress,
-    ),
+    ("Sliding friction", "friction coefficient Q/P", friction_coefficient),
+    ("Friction stress", "friction stress Q/A (MPa)", friction_stress),
     ("Heating", "highest temperature (K)", temperature),
 ];
 
@@ -41,10 +33,7 @@ impl Table {
             })
             .collect();
         panels.insert(2, self.along_the_slide());
-        Figure {
-            title: self.metadata().title.clone(),
-            panels,
-        }
+        Figure { title: self.metadata().title.clone(), panels }
     }
 
     fn over_slip_rate(&self, (title, label, value): &Shown) -> Panel {

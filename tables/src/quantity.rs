@@ -65,13 +65,8 @@ impl Quantity {
     };
 
     /// Those stored along the slide, in the order of their histories in a cell.
-    pub const HISTORIES: [Quantity; 5] = [
-        Quantity::Mu,
-        Quantity::Friction,
-        Quantity::Load,
-        Quantity::Area,
-        Quantity::TemperatureMax,
-    ];
+    pub const HISTORIES: [Quantity; 5] =
+        [Quantity::Mu, Quantity::Friction, Quantity::Load, Quantity::Area, Quantity::TemperatureMax];
 
     /// Its line of [`QUANTITIES`].
     pub fn descriptor(self) -> &'static Descriptor {
@@ -109,10 +104,7 @@ const fn line(
 }
 
 const fn with_history(descriptor: Descriptor) -> Descriptor {
-    Descriptor {
-        has_history: true,
-        ..descriptor
-    }
+    Descriptor { has_history: true, ..descriptor }
 }
 
 /// Every quantity over (interference, slip_rate), in the order of [`Quantity`]. To add one:

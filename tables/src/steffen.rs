@@ -42,9 +42,7 @@ pub fn slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
         return vec![0.0; n];
     }
     let h: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let d: Vec<f64> = (y.windows(2).zip(&h))
-        .map(|(pair, h)| (pair[1] - pair[0]) / h)
-        .collect();
+    let d: Vec<f64> = (y.windows(2).zip(&h)).map(|(pair, h)| (pair[1] - pair[0]) / h).collect();
     if n == 2 {
         return vec![d[0]; 2];
     }
@@ -144,10 +142,7 @@ mod tests {
             let x: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
             let y = x.iter().map(|x| x.exp()).collect();
             let curve = Steffen::new(x, y);
-            (0..1000)
-                .map(|i| i as f64 / 1000.0)
-                .map(|x| (curve.value(x) - x.exp()).abs())
-                .fold(0.0, f64::max)
+            (0..1000).map(|i| i as f64 / 1000.0).map(|x| (curve.value(x) - x.exp()).abs()).fold(0.0, f64::max)
         };
         let order = (error(16) / error(32)).log2();
         assert!(order > 2.8, "{order}");

@@ -59,10 +59,7 @@ pub struct Cell {
     pub wall_time: f64,
 }
 
-const UNKNOWN: Estimate = Estimate {
-    value: f64::NAN,
-    error: f64::NAN,
-};
+const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
 
 impl Default for Cell {
     fn default() -> Self {
@@ -91,9 +88,7 @@ impl Cell {
     /// Sets the history of a quantity of [`Quantity::HISTORIES`], one value per point of the
     /// slip axis (see [`Steffen`](crate::steffen::Steffen) to resample). Panics for the others.
     pub fn with_history(mut self, quantity: Quantity, values: Vec<f64>) -> Self {
-        let index = quantity
-            .history_index()
-            .expect("only the quantities of Quantity::HISTORIES have one");
+        let index = quantity.history_index().expect("only the quantities of Quantity::HISTORIES have one");
         self.histories[index] = values;
         self
     }
@@ -149,20 +144,11 @@ pub enum Status {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TableError {
     #[error("axis \"{axis}\" must {rule}, but has {value} at position {position}")]
-    Axis {
-        axis: &'static str,
-        rule: &'static str,
-        value: f64,
-        position: usize,
-    },
+    Axis { axis: &'static str, rule: &'static str, value: f64, position: usize },
     #[error("axis \"{0}\" is empty")]
     AxisEmpty(&'static str),
     #[error("history of {quantity} has {found} values, the slip axis {expected}")]
-    HistoryLength {
-        quantity: &'static str,
-        expected: usize,
-        found: usize,
-    },
+    HistoryLength { quantity: &'static str, expected: usize, found: usize },
     #[error("the tables differ in {0}")]
     Different(&'static str),
 }
@@ -184,12 +170,7 @@ impl Table {
         check_axis("slip_rate", &axes.slip_rate, false)?;
         check_axis("slip", &axes.slip, false)?;
         let cells = vec![Status::NotRun; axes.interference.len() * axes.slip_rate.len()];
-        Ok(Self {
-            axes,
-            metadata,
-            cells,
-            prepared: Default::default(),
-        })
+        Ok(Self { axes, metadata, cells, prepared: Default::default() })
     }
 
     pub fn axes(&self) -> &Axes {
@@ -260,10 +241,7 @@ impl Table {
 
     fn position(&self, i: usize, j: usize) -> usize {
         let (interferences, rates) = self.shape();
-        assert!(
-            i < interferences && j < rates,
-            "({i}, {j}) is outside the table"
-        );
+        assert!(i < interferences && j < rates, "({i}, {j}) is outside the table");
         i * rates + j
     }
 }
@@ -284,12 +262,7 @@ fn check_axis(axis: &'static str, values: &[f64], positive: bool) -> Result<(), 
         } else {
             continue;
         };
-        return Err(TableError::Axis {
-            axis,
-            rule,
-            value,
-            position,
-        });
+        return Err(TableError::Axis { axis, rule, value, position });
     }
     Ok(())
 }
@@ -299,17 +272,11 @@ mod tests {
     use super::*;
 
     fn axes() -> Axes {
-        Axes {
-            interference: vec![1.0, 2.0],
-            slip_rate: vec![0.0, 0.5, 1.0],
-            slip: vec![0.0, 2.0],
-        }
+        Axes { interference: vec![1.0, 2.0], slip_rate: vec![0.0, 0.5, 1.0], slip: vec![0.0, 2.0] }
     }
 
     fn cell(mu: f64) -> Cell {
-        Cell::new()
-            .with(Quantity::Mu, mu, 0.01)
-            .with_history(Quantity::Mu, vec![0.0, mu])
+        Cell::new().with(Quantity::Mu, mu, 0.01).with_history(Quantity::Mu, vec![0.0, mu])
     }
 
     #[test]
@@ -320,10 +287,7 @@ mod tests {
         assert_eq!(table.cell(1, 2).unwrap()[Quantity::Mu].value, 0.3);
         assert_eq!(table.cell(1, 2).unwrap().history(Quantity::Mu), [0.0, 0.3]);
         assert!(table.cell(1, 2).unwrap()[Quantity::Load].value.is_nan());
-        assert_eq!(
-            *table.status(0, 0),
-            Status::Failed("no convergence".to_string())
-        );
+        assert_eq!(*table.status(0, 0), Status::Failed("no convergence".to_string()));
         assert_eq!(table.missing(), [(0, 1), (0, 2), (1, 0), (1, 1)]);
         assert_eq!(table, table.clone());
     }
@@ -333,16 +297,10 @@ mod tests {
         let mut bad = axes();
         bad.slip_rate[1] = 2.0;
         let error = Table::new(bad, Metadata::default()).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "axis \"slip_rate\" must increase, but has 1 at position 2"
-        );
+        assert_eq!(error.to_string(), "axis \"slip_rate\" must increase, but has 1 at position 2");
         let mut table = Table::new(axes(), Metadata::default()).unwrap();
         let short = cell(0.3).with_history(Quantity::Load, vec![1.0]);
         let error = table.set_cell(0, 0, short).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "history of P has 1 values, the slip axis 2"
-        );
+        assert_eq!(error.to_string(), "history of P has 1 values, the slip axis 2");
     }
 }

@@ -24,10 +24,7 @@ pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
         return Ok(());
     }
     let text = match name {
-        None => chosen
-            .iter()
-            .map(|preset| format!("{:16}{}\n", preset.name, preset.title))
-            .collect(),
+        None => chosen.iter().map(|preset| format!("{:16}{}\n", preset.name, preset.title)).collect(),
         Some(_) => constants(chosen[0]),
     };
     print(&text);
@@ -36,9 +33,7 @@ pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
 
 fn unknown(name: &str) -> Failure {
     let names = presets::names().join(", ");
-    Failure::input(format!(
-        "materials {name}: no such preset; there are {names}"
-    ))
+    Failure::input(format!("materials {name}: no such preset; there are {names}"))
 }
 
 fn constants(preset: &Preset) -> String {
@@ -69,11 +64,8 @@ fn as_json(preset: &Preset) -> serde_json::Value {
             (c.key.clone(), entry)
         })
         .collect();
-    let laws: serde_json::Map<_, _> = preset
-        .laws
-        .iter()
-        .map(|(group, law)| (group.clone(), json!(law)))
-        .collect();
+    let laws: serde_json::Map<_, _> =
+        preset.laws.iter().map(|(group, law)| (group.clone(), json!(law))).collect();
     json!({
         "name": preset.name,
         "title": preset.title,

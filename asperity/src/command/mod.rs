@@ -162,10 +162,7 @@ pub fn main() -> ExitCode {
         Ok(Ok(())) => return ExitCode::SUCCESS,
         Ok(Err(Failure::Run(reason))) => (1, reason),
         Ok(Err(Failure::Input(reason))) => (2, reason),
-        Err(_) => (
-            1,
-            "internal error, described above; please report it".into(),
-        ),
+        Err(_) => (1, "internal error, described above; please report it".into()),
     };
     eprintln!("error: {reason}");
     ExitCode::from(status)
@@ -186,10 +183,7 @@ fn command_line() -> String {
             false => argument,
         }
     });
-    std::iter::once("asperity".to_owned())
-        .chain(arguments)
-        .collect::<Vec<_>>()
-        .join(" ")
+    std::iter::once("asperity".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -209,22 +203,14 @@ mod tests {
             "asperity --json run scene.toml -o run.nc",
             "asperity run scene.toml -o run.nc --json --set a.b=1 --set a.c=2",
         ] {
-            assert!(
-                Arguments::try_parse_from(line.split(' '))
-                    .unwrap()
-                    .display
-                    .json
-            );
+            assert!(Arguments::try_parse_from(line.split(' ')).unwrap().display.json);
         }
         for line in [
             "asperity run scene.toml",
             "asperity tabulate r.toml -o t.nc --jobs 0",
             "asperity run scene.toml -o run.nc --quiet -v",
         ] {
-            assert!(
-                Arguments::try_parse_from(line.split(' ')).is_err(),
-                "{line}"
-            );
+            assert!(Arguments::try_parse_from(line.split(' ')).is_err(), "{line}");
         }
     }
 }

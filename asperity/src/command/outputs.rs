@@ -11,18 +11,14 @@ use super::Failure;
 pub fn check_output(output: &Path, input: &Path) -> Result<(), Failure> {
     let shown = output.display();
     if output.is_dir() {
-        return Err(Failure::input(format!(
-            "{shown}: is a directory, a file name is needed"
-        )));
+        return Err(Failure::input(format!("{shown}: is a directory, a file name is needed")));
     }
     let same = match (output.canonicalize(), input.canonicalize()) {
         (Ok(output), Ok(input)) => output == input,
         _ => false,
     };
     if same {
-        return Err(Failure::input(format!(
-            "{shown}: is the input; choose another output"
-        )));
+        return Err(Failure::input(format!("{shown}: is the input; choose another output")));
     }
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let probe = output.with_file_name(format!(".{name}.{}.probe", std::process::id()));

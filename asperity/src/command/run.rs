@@ -30,17 +30,16 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
             let reason = error.to_string();
             let partial = match error {
                 SimulationError::Unsupported(_) => return Err(Failure::Input(reason)),
-                SimulationError::NotConverged { partial, .. }
-                | SimulationError::Cancelled { partial } => partial,
+                SimulationError::NotConverged { partial, .. } | SimulationError::Cancelled { partial } => {
+                    partial
+                }
             };
             match partial {
                 None => Err(Failure::Run(format!("{reason}; there is nothing to save"))),
                 Some(outcome) => {
                     report(&scene, &outcome, Some(&reason), arguments, display)?;
                     let output = arguments.output.display();
-                    Err(Failure::Run(format!(
-                        "{reason}; the steps before are in {output}"
-                    )))
+                    Err(Failure::Run(format!("{reason}; the steps before are in {output}")))
                 }
             }
         }
@@ -54,10 +53,7 @@ fn report(
     arguments: &RunArguments,
     display: &Display,
 ) -> Result<(), Failure> {
-    let about = About {
-        history: provenance::history(&command_line()),
-        incomplete,
-    };
+    let about = About { history: provenance::history(&command_line()), incomplete };
     let saved = run_file::write(&arguments.output, scene, outcome, &about);
     // The numbers are worth printing even if the disk is full.
     if !display.quiet {
@@ -69,18 +65,13 @@ fn report(
         eprint!("{}", account(outcome));
     }
     if display.json {
-        print(&format!(
-            "{:#}\n",
-            as_json(scene, outcome, incomplete, arguments)
-        ));
+        print(&format!("{:#}\n", as_json(scene, outcome, incomplete, arguments)));
     } else if !display.quiet {
         print(&summary(scene, outcome));
     }
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
-        figures::run_figure(scene, outcome)
-            .save(plot)
-            .map_err(Failure::run)?;
+        figures::run_figure(scene, outcome).save(plot).map_err(Failure::run)?;
     }
     Ok(())
 }
@@ -91,40 +82,17 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "{name:18}{value}");
     };
-    line(
-        "interference",
-        format!("{} omega_c", numbers::plain(scene.loading.interference)),
-    );
-    line(
-        "slip_rate",
-        format!("{} m/s", numbers::plain(scene.loading.slip_rate)),
-    );
+    line("interference", format!("{} omega_c", numbers::plain(scene.loading.interference)));
+    line("slip_rate", format!("{} m/s", numbers::plain(scene.loading.slip_rate)));
     line("radius", format!("{} m", numbers::plain(scene.radius)));
-    line(
-        "heat_partition",
-        numbers::plain(scene.interface.heat_partition),
-    );
+    line("heat_partition", numbers::plain(scene.interface.heat_partition));
     for quantity in Quantity::ALL {
         let descriptor = quantity.descriptor();
         let estimate = estimate(&outcome.summary, quantity);
-        line(
-            descriptor.name,
-            numbers::with_error(estimate, descriptor.units),
-        );
+        line(descriptor.name, numbers::with_error(estimate, descriptor.units));
     }
-    line(
-        "inception",
-        inception_in_words(outcome.summary.inception).into(),
-    );
-    line(
-        "levelled",
-        if outcome.summary.levelled {
-            "yes"
-        } else {
-            "no"
-        }
-        .into(),
-    );
+    line("inception", inception_in_words(outcome.summary.inception).into());
+    line("levelled", if outcome.summary.levelled { "yes" } else { "no" }.into());
     line("wall_time", format!("{:.1} s", outcome.account.wall_time));
     text
 }
@@ -142,11 +110,7 @@ fn account(outcome: &Outcome) -> String {
         account.cutbacks,
         account.newton_iterations,
         account.krylov_iterations,
-        if account.heat {
-            "simulated"
-        } else {
-            "left out"
-        },
+        if account.heat { "simulated" } else { "left out" },
     );
     for note in &account.notes {
         let _ = writeln!(text, "note: {note}");

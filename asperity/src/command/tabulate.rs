@@ -38,9 +38,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
             tabulation.cells.iter().flatten().count(),
         )));
     }
-    let table = tabulation
-        .table(provenance::history(&command_line()))
-        .map_err(Failure::run)?;
+    let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
     table.write(&arguments.output).map_err(Failure::run)?;
     journal.remove().map_err(Failure::run)?;
     report(&tabulation, arguments, display);
@@ -77,10 +75,7 @@ fn report(tabulation: &Tabulation, arguments: &TabulateArguments, display: &Disp
         }
     }
     if display.verbose {
-        eprintln!(
-            "{} cells were taken from the interrupted run",
-            tabulation.resumed
-        );
+        eprintln!("{} cells were taken from the interrupted run", tabulation.resumed);
         for (index, finished) in tabulation.done() {
             for note in &finished.notes {
                 eprintln!("note: {}: {note}", tabulation.label(index));
@@ -96,33 +91,17 @@ fn report(tabulation: &Tabulation, arguments: &TabulateArguments, display: &Disp
 
 /// One line per cell.
 fn summary(tabulation: &Tabulation) -> String {
-    let header = [
-        "interference",
-        "slip_rate",
-        "mu_static",
-        "mu",
-        "P_press",
-        "area",
-    ];
+    let header = ["interference", "slip_rate", "mu_static", "mu", "P_press", "area"];
     let mut rows = vec![header.map(str::to_owned).to_vec()];
     for (i, row) in tabulation.cells.iter().enumerate() {
         for (j, cell) in row.iter().enumerate() {
             let mut line = vec![
-                format!(
-                    "{} omega_c",
-                    numbers::plain(tabulation.request.interferences[i])
-                ),
+                format!("{} omega_c", numbers::plain(tabulation.request.interferences[i])),
                 format!("{} m/s", numbers::plain(tabulation.request.slip_rates[j])),
             ];
             match cell {
                 Some(Ok(finished)) => line.extend(
-                    [
-                        Quantity::MuStatic,
-                        Quantity::Mu,
-                        Quantity::LoadPress,
-                        Quantity::Area,
-                    ]
-                    .map(|quantity| {
+                    [Quantity::MuStatic, Quantity::Mu, Quantity::LoadPress, Quantity::Area].map(|quantity| {
                         let unit = quantity.descriptor().units;
                         numbers::with_error(finished.cell[quantity], unit)
                     }),
@@ -141,9 +120,7 @@ fn summary(tabulation: &Tabulation) -> String {
     let mut text = String::new();
     for row in &rows {
         let cells = row.iter().zip(&widths);
-        let line: String = cells
-            .map(|(cell, width)| format!("{cell:width$}  "))
-            .collect();
+        let line: String = cells.map(|(cell, width)| format!("{cell:width$}  ")).collect();
         // Writing to a String cannot fail.
         let _ = writeln!(text, "{}", line.trim_end());
     }

@@ -104,12 +104,7 @@ fn parse(name: &'static str, text: &str) -> Result<Preset, String> {
         Some(Value::String(title)) => title,
         _ => return Err("no title".into()),
     };
-    let mut preset = Preset {
-        name,
-        title,
-        constants: Vec::new(),
-        laws: Vec::new(),
-    };
+    let mut preset = Preset { name, title, constants: Vec::new(), laws: Vec::new() };
     for key in ORDER {
         let value = table.remove(key).ok_or(format!("no {key}"))?;
         preset.constants.push(constant(key, &value)?);
@@ -120,9 +115,7 @@ fn parse(name: &'static str, text: &str) -> Result<Preset, String> {
         };
         for (key, value) in &members {
             match value {
-                Value::String(law) if key == "law" => {
-                    preset.laws.push((group.clone(), law.clone()))
-                }
+                Value::String(law) if key == "law" => preset.laws.push((group.clone(), law.clone())),
                 value => {
                     let key = format!("{group}.{key}");
                     preset.constants.push(constant(&key, value)?);
@@ -136,16 +129,11 @@ fn parse(name: &'static str, text: &str) -> Result<Preset, String> {
 fn constant(key: &str, value: &Value) -> Result<Constant, String> {
     let text = |member: &str| {
         let found = value.get(member).and_then(Value::as_str);
-        found
-            .map(str::to_owned)
-            .ok_or(format!("{key}: no {member}"))
+        found.map(str::to_owned).ok_or(format!("{key}: no {member}"))
     };
     Ok(Constant {
         key: key.to_owned(),
-        value: value
-            .get("value")
-            .and_then(Value::as_float)
-            .ok_or(format!("{key}: no value"))?,
+        value: value.get("value").and_then(Value::as_float).ok_or(format!("{key}: no value"))?,
         unit: text("unit")?,
         source: text("source")?,
     })
@@ -162,12 +150,7 @@ mod tests {
             assert_eq!(preset.laws.len(), 2, "{}", preset.name);
             assert_eq!(preset.constants.len(), 12, "{}", preset.name);
             for constant in &preset.constants {
-                assert!(
-                    !constant.unit.is_empty(),
-                    "{} {}",
-                    preset.name,
-                    constant.key
-                );
+                assert!(!constant.unit.is_empty(), "{} {}", preset.name, constant.key);
                 // A citation has a year.
                 let digits = constant.source.chars().filter(char::is_ascii_digit).count();
                 assert!(digits >= 4, "{} {}", preset.name, constant.key);
@@ -199,14 +182,7 @@ mod tests {
     #[test]
     fn steel_4340_has_the_constants_of_johnson_and_cook_1985() {
         let preset = find("steel-4340").unwrap();
-        let value = |key: &str| {
-            preset
-                .constants
-                .iter()
-                .find(|c| c.key == key)
-                .unwrap()
-                .value
-        };
+        let value = |key: &str| preset.constants.iter().find(|c| c.key == key).unwrap().value;
         assert_eq!(value("yield_strength"), 792e6);
         assert_eq!(value("hardening.modulus"), 510e6);
         assert_eq!(value("hardening.exponent"), 0.26);

@@ -23,14 +23,7 @@ pub use write::{write_request, write_scene};
 use crate::scene::Scene;
 use reader::{Origin, Section};
 
-const SECTIONS: [&str; 6] = [
-    "material",
-    "asperity",
-    "interface",
-    "loading",
-    "model",
-    "numerics",
-];
+const SECTIONS: [&str; 6] = ["material", "asperity", "interface", "loading", "model", "numerics"];
 
 /// Read a scene from a file, with `overrides` (`section.key=value`) laid over it.
 pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneFileError> {
@@ -57,11 +50,7 @@ pub fn parse_scene(text: &str, file: &str, overrides: &[String]) -> Result<Scene
 }
 
 /// Read a table request from text; `file` is the name to use in messages.
-pub fn parse_request(
-    text: &str,
-    file: &str,
-    overrides: &[String],
-) -> Result<Request, SceneFileError> {
+pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Request, SceneFileError> {
     let (document, origin) = parse_document(text, file, overrides)?;
     let known: Vec<&str> = SECTIONS.into_iter().chain(["table"]).collect();
     let mut root = Section::new("", document, &known, &origin)?;
@@ -71,11 +60,7 @@ pub fn parse_request(
     let (interferences, slip_rates) = request::table(&mut root)?;
     let template = scene(&mut root, Some((interferences[0], slip_rates[0])))?;
     sections::check_together(&template, &slip_rates, &origin)?;
-    Ok(Request {
-        template,
-        interferences,
-        slip_rates,
-    })
+    Ok(Request { template, interferences, slip_rates })
 }
 
 fn scene(root: &mut Section<'_>, point: Option<(f64, f64)>) -> Result<Scene, SceneFileError> {
@@ -96,16 +81,9 @@ fn read(path: &Path) -> Result<String, SceneFileError> {
     })
 }
 
-fn parse_document(
-    text: &str,
-    file: &str,
-    overrides: &[String],
-) -> Result<(Table, Origin), SceneFileError> {
+fn parse_document(text: &str, file: &str, overrides: &[String]) -> Result<(Table, Origin), SceneFileError> {
     let mut document: Table = text.parse().map_err(|error| syntax(file, text, &error))?;
-    let mut origin = Origin {
-        file: file.to_owned(),
-        overrides: Vec::new(),
-    };
+    let mut origin = Origin { file: file.to_owned(), overrides: Vec::new() };
     for (key, value) in &document {
         if !matches!(value, Value::Table(_)) {
             let allowed = "a section, as in [loading]";
@@ -123,16 +101,8 @@ fn syntax(file: &str, text: &str, error: &toml::de::Error) -> SceneFileError {
     let start = error.span().map_or(0, |span| span.start);
     SceneFileError::Syntax {
         file: file.to_owned(),
-        line: 1 + text
-            .bytes()
-            .take(start)
-            .filter(|&byte| byte == b'\n')
-            .count(),
+        line: 1 + text.bytes().take(start).filter(|&byte| byte == b'\n').count(),
         // The parser's message may be several lines long.
-        reason: error
-            .message()
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" "),
+        reason: error.message().split_whitespace().collect::<Vec<_>>().join(" "),
     }
 }

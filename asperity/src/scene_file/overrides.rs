@@ -9,10 +9,7 @@ use super::error::SceneFileError;
 /// The value is read as TOML (`1e-3`, `[1, 2]`, `{ law = "none" }`, `"on"`); what is not
 /// TOML is taken as text, so that `--set model.heat=on` needs no quotes.
 pub(super) fn apply(document: &mut Table, text: &str) -> Result<String, SceneFileError> {
-    let refuse = |reason: &str| SceneFileError::Override {
-        text: text.to_owned(),
-        reason: reason.to_owned(),
-    };
+    let refuse = |reason: &str| SceneFileError::Override { text: text.to_owned(), reason: reason.to_owned() };
     const FORM: &str = "must be of the form section.key=value";
     let (path, value) = text.split_once('=').ok_or_else(|| refuse(FORM))?;
     let (path, value) = (path.trim(), value.trim());
@@ -23,12 +20,8 @@ pub(super) fn apply(document: &mut Table, text: &str) -> Result<String, SceneFil
     let (last, sections) = keys.split_last().expect("at least two keys");
     let mut table = document;
     for &key in sections {
-        let entry = table
-            .entry(key)
-            .or_insert_with(|| Value::Table(Table::new()));
-        table = entry
-            .as_table_mut()
-            .ok_or_else(|| refuse(&format!("{key} is a value, not a section")))?;
+        let entry = table.entry(key).or_insert_with(|| Value::Table(Table::new()));
+        table = entry.as_table_mut().ok_or_else(|| refuse(&format!("{key} is a value, not a section")))?;
     }
     table.insert((*last).to_owned(), parse_value(value));
     Ok(keys.join("."))
@@ -58,20 +51,13 @@ mod tests {
     fn replaces_adds_and_descends() {
         let rate = |table: &Table| table["loading"]["slip_rate"].clone();
         assert_eq!(rate(&applied("loading.slip_rate=2")), Value::Integer(2));
+        assert_eq!(applied("model.heat=on")["model"]["heat"].as_str(), Some("on"));
         assert_eq!(
-            applied("model.heat=on")["model"]["heat"].as_str(),
-            Some("on")
-        );
-        assert_eq!(
-            applied("material.hardening.modulus=1e9")["material"]["hardening"]["modulus"]
-                .as_float(),
+            applied("material.hardening.modulus=1e9")["material"]["hardening"]["modulus"].as_float(),
             Some(1e9)
         );
         assert_eq!(
-            applied("table.interference=[1, 2]")["table"]["interference"]
-                .as_array()
-                .unwrap()
-                .len(),
+            applied("table.interference=[1, 2]")["table"]["interference"].as_array().unwrap().len(),
             2
         );
     }
@@ -79,14 +65,7 @@ mod tests {
     #[test]
     fn malformed_overrides_are_refused() {
         let mut document: Table = "[loading]\nslip_rate = 1.0".parse().unwrap();
-        for text in [
-            "loading",
-            "loading=1",
-            "loading.slip_rate",
-            "a..b=1",
-            "a.b=",
-            ".=1",
-        ] {
+        for text in ["loading", "loading=1", "loading.slip_rate", "a..b=1", "a.b=", ".=1"] {
             let error = apply(&mut document, text).unwrap_err().to_string();
             assert!(error.contains("section.key=value"), "{error}");
         }

@@ -18,12 +18,8 @@ impl Origin {
     pub fn place(&self, key: &str) -> String {
         let sets = |path: &str| {
             path == key
-                || path
-                    .strip_prefix(key)
-                    .is_some_and(|rest| rest.starts_with('.'))
-                || key
-                    .strip_prefix(path)
-                    .is_some_and(|rest| rest.starts_with('.'))
+                || path.strip_prefix(key).is_some_and(|rest| rest.starts_with('.'))
+                || key.strip_prefix(path).is_some_and(|rest| rest.starts_with('.'))
         };
         match self.overrides.iter().rev().find(|(path, _)| sets(path)) {
             Some((_, text)) => format!("--set {text}"),
@@ -31,12 +27,7 @@ impl Origin {
         }
     }
 
-    pub fn invalid(
-        &self,
-        key: &str,
-        value: impl ToString,
-        allowed: impl Into<String>,
-    ) -> SceneFileError {
+    pub fn invalid(&self, key: &str, value: impl ToString, allowed: impl Into<String>) -> SceneFileError {
         SceneFileError::Invalid {
             place: self.place(key),
             key: key.to_owned(),
@@ -55,27 +46,14 @@ pub(super) struct Rule {
     accepts: fn(f64) -> bool,
 }
 
-pub(super) const POSITIVE: Rule = Rule {
-    text: "a positive number",
-    accepts: |x| x > 0.0,
-};
-pub(super) const NOT_NEGATIVE: Rule = Rule {
-    text: "zero or a positive number",
-    accepts: |x| x >= 0.0,
-};
-pub(super) const SHARE: Rule = Rule {
-    text: "a number from 0 to 1",
-    accepts: |x| (0.0..=1.0).contains(&x),
-};
+pub(super) const POSITIVE: Rule = Rule { text: "a positive number", accepts: |x| x > 0.0 };
+pub(super) const NOT_NEGATIVE: Rule = Rule { text: "zero or a positive number", accepts: |x| x >= 0.0 };
+pub(super) const SHARE: Rule = Rule { text: "a number from 0 to 1", accepts: |x| (0.0..=1.0).contains(&x) };
 /// Of an isotropic solid that is neither auxetic nor incompressible.
-pub(super) const POISSON: Rule = Rule {
-    text: "a number from 0 to less than 0.5",
-    accepts: |x| (0.0..0.5).contains(&x),
-};
-pub(super) const ACCURACY: Rule = Rule {
-    text: "a number above 0, at most 0.5",
-    accepts: |x| x > 0.0 && x <= 0.5,
-};
+pub(super) const POISSON: Rule =
+    Rule { text: "a number from 0 to less than 0.5", accepts: |x| (0.0..0.5).contains(&x) };
+pub(super) const ACCURACY: Rule =
+    Rule { text: "a number above 0, at most 0.5", accepts: |x| x > 0.0 && x <= 0.5 };
 
 impl Rule {
     pub fn accepts(&self, value: f64) -> bool {
@@ -106,16 +84,8 @@ impl<'a> Section<'a> {
         known: &[&str],
         origin: &'a Origin,
     ) -> Result<Self, SceneFileError> {
-        let section = Self {
-            path: path.into(),
-            table,
-            origin,
-        };
-        match section
-            .table
-            .keys()
-            .find(|key| !known.contains(&key.as_str()))
-        {
+        let section = Self { path: path.into(), table, origin };
+        match section.table.keys().find(|key| !known.contains(&key.as_str())) {
             None => Ok(section),
             Some(key) => Err(SceneFileError::UnknownKey {
                 place: origin.place(&section.full(key)),
@@ -126,11 +96,7 @@ impl<'a> Section<'a> {
     }
 
     /// The same for a value that must be a table; a missing one is an empty table.
-    pub fn take_section(
-        &mut self,
-        key: &str,
-        known: &[&str],
-    ) -> Result<Section<'a>, SceneFileError> {
+    pub fn take_section(&mut self, key: &str, known: &[&str]) -> Result<Section<'a>, SceneFileError> {
         let path = self.full(key);
         match self.table.remove(key) {
             None => Section::new(path, Table::new(), known, self.origin),
@@ -159,12 +125,7 @@ impl<'a> Section<'a> {
         self.table.remove(key)
     }
 
-    pub fn invalid(
-        &self,
-        key: &str,
-        value: impl ToString,
-        allowed: impl Into<String>,
-    ) -> SceneFileError {
+    pub fn invalid(&self, key: &str, value: impl ToString, allowed: impl Into<String>) -> SceneFileError {
         self.origin.invalid(&self.full(key), value, allowed)
     }
 
@@ -194,12 +155,7 @@ impl<'a> Section<'a> {
     }
 
     /// A list of numbers in `unit` that obey `rule`, each larger than the one before.
-    pub fn rising(
-        &mut self,
-        key: &str,
-        unit: &str,
-        rule: Rule,
-    ) -> Result<Vec<f64>, SceneFileError> {
+    pub fn rising(&mut self, key: &str, unit: &str, rule: Rule) -> Result<Vec<f64>, SceneFileError> {
         let numbers = self.numbers(key, unit, rule)?;
         match numbers.windows(2).find(|pair| pair[1] <= pair[0]) {
             None => Ok(numbers),
@@ -212,12 +168,7 @@ impl<'a> Section<'a> {
     }
 
     /// A list, not empty, of numbers in `unit` that obey `rule`.
-    pub fn numbers(
-        &mut self,
-        key: &str,
-        unit: &str,
-        rule: Rule,
-    ) -> Result<Vec<f64>, SceneFileError> {
+    pub fn numbers(&mut self, key: &str, unit: &str, rule: Rule) -> Result<Vec<f64>, SceneFileError> {
         let allowed = format!("a list, not empty, of: {}", rule.with_unit(unit));
         let Some(value) = self.take(key) else {
             return Err(self.missing(key, allowed));
@@ -262,20 +213,13 @@ impl<'a> Section<'a> {
         choices: &[(&str, T)],
         default: Option<T>,
     ) -> Result<T, SceneFileError> {
-        let names: Vec<String> = choices
-            .iter()
-            .map(|(name, _)| format!("{name:?}"))
-            .collect();
+        let names: Vec<String> = choices.iter().map(|(name, _)| format!("{name:?}")).collect();
         let allowed = format!("one of {}", names.join(", "));
         let Some(value) = self.take(key) else {
             return default.ok_or_else(|| self.missing(key, allowed));
         };
-        let chosen = choices
-            .iter()
-            .find(|(name, _)| value.as_str() == Some(name));
-        chosen
-            .map(|&(_, choice)| choice)
-            .ok_or_else(|| self.invalid(key, value, allowed))
+        let chosen = choices.iter().find(|(name, _)| value.as_str() == Some(name));
+        chosen.map(|&(_, choice)| choice).ok_or_else(|| self.invalid(key, value, allowed))
     }
 
     pub fn flag(&mut self, key: &str, default: bool) -> Result<bool, SceneFileError> {

@@ -49,12 +49,7 @@ pub(super) fn table(root: &mut Section<'_>) -> Result<(Vec<f64>, Vec<f64>), Scen
 }
 
 /// A number, a rising list or a range.
-fn points(
-    section: &mut Section<'_>,
-    key: &str,
-    unit: &str,
-    rule: Rule,
-) -> Result<Vec<f64>, SceneFileError> {
+fn points(section: &mut Section<'_>, key: &str, unit: &str, rule: Rule) -> Result<Vec<f64>, SceneFileError> {
     match section.take(key) {
         Some(Value::Table(range)) => {
             let known = ["from", "to", "points", "spacing"];

@@ -6,8 +6,8 @@ use super::error::{SceneFileError, hint};
 use super::reader::{ACCURACY, NOT_NEGATIVE, Origin, POISSON, POSITIVE, SHARE, Section};
 use crate::presets;
 use crate::scene::{
-    Control, FrictionLaw, Hardening, Interface, Kinematics, Loading, Material, Model, Numerics,
-    Softening, Switch,
+    Control, FrictionLaw, Hardening, Interface, Kinematics, Loading, Material, Model, Numerics, Softening,
+    Switch,
 };
 
 const MATERIAL: [&str; 10] = [
@@ -38,10 +38,8 @@ pub(super) fn material(root: &mut Section<'_>) -> Result<Material, SceneFileErro
     }
     let mut section = Section::new("material", table, &MATERIAL, given.origin())?;
     let optional = ["preset", "hardening", "softening"];
-    let missing: Vec<&str> = MATERIAL
-        .into_iter()
-        .filter(|key| !optional.contains(key) && !section.has(key))
-        .collect();
+    let missing: Vec<&str> =
+        MATERIAL.into_iter().filter(|key| !optional.contains(key) && !section.has(key)).collect();
     if !missing.is_empty() {
         let names = presets::names().join(", ");
         let allowed = format!("given, or preset one of {names}");
@@ -63,10 +61,7 @@ pub(super) fn material(root: &mut Section<'_>) -> Result<Material, SceneFileErro
         return Err(section.invalid(
             "yield_strength",
             format!("{:?}", material.yield_strength),
-            format!(
-                "below youngs_modulus = {:?} (both in Pa)",
-                material.youngs_modulus
-            ),
+            format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus),
         ));
     }
     Ok(material)
@@ -88,10 +83,7 @@ fn preset(given: &mut Section<'_>) -> Result<Table, SceneFileError> {
 
 /// Keys of `over` replace those of `base`; another law replaces the whole.
 fn lay_over(base: &mut Table, over: Table) {
-    if over
-        .get("law")
-        .is_some_and(|law| base.get("law") != Some(law))
-    {
+    if over.get("law").is_some_and(|law| base.get("law") != Some(law)) {
         base.clear();
     }
     base.extend(over);
@@ -151,17 +143,11 @@ fn hardening(material: &mut Section<'_>) -> Result<Hardening, SceneFileError> {
             if (plastic_strain[0], factor[0]) != (0.0, 1.0) {
                 return Err(section.invalid(
                     "plastic_strain",
-                    format!(
-                        "[{:?}, …], factor = [{:?}, …]",
-                        plastic_strain[0], factor[0]
-                    ),
+                    format!("[{:?}, …], factor = [{:?}, …]", plastic_strain[0], factor[0]),
                     "a table that starts at plastic strain 0 with factor 1",
                 ));
             }
-            Hardening::Table {
-                plastic_strain,
-                factor,
-            }
+            Hardening::Table { plastic_strain, factor }
         }
         _ => open(&["law"]).map(|_| Hardening::None)?,
     })
@@ -171,12 +157,7 @@ fn softening(material: &mut Section<'_>) -> Result<Softening, SceneFileError> {
     let Some(table) = material.take("softening") else {
         return Ok(Softening::None);
     };
-    let law = law_name(
-        material,
-        &table,
-        "softening",
-        &["none", "johnson-cook", "table"],
-    )?;
+    let law = law_name(material, &table, "softening", &["none", "johnson-cook", "table"])?;
     let open = |known: &[&str]| law_section(material, "softening", table.clone(), known);
     Ok(match law.as_str() {
         "johnson-cook" => {
@@ -196,10 +177,7 @@ fn softening(material: &mut Section<'_>) -> Result<Softening, SceneFileError> {
         "table" => {
             let mut section = open(&["law", "temperature", "factor"])?;
             let (temperature, factor) = curve(&mut section, "temperature", "K", NOT_NEGATIVE)?;
-            Softening::Table {
-                temperature,
-                factor,
-            }
+            Softening::Table { temperature, factor }
         }
         _ => open(&["law"]).map(|_| Softening::None)?,
     })
@@ -226,8 +204,7 @@ fn curve(
 
 /// Section `[asperity]`: the radius, m.
 pub(super) fn radius(root: &mut Section<'_>) -> Result<f64, SceneFileError> {
-    root.take_section("asperity", &["radius"])?
-        .number("radius", "m", POSITIVE, None)
+    root.take_section("asperity", &["radius"])?.number("radius", "m", POSITIVE, None)
 }
 
 /// Section `[interface]`.
@@ -239,15 +216,8 @@ pub(super) fn interface(root: &mut Section<'_>) -> Result<Interface, SceneFileEr
         FullStick,
         Frictionless,
     }
-    let known = [
-        "law",
-        "strength_factor",
-        "heat_partition",
-        "gap_conductance",
-        "taylor_quinney",
-        "friction",
-        "cap",
-    ];
+    let known =
+        ["law", "strength_factor", "heat_partition", "gap_conductance", "taylor_quinney", "friction", "cap"];
     let mut section = root.take_section("interface", &known)?;
     let laws = [
         ("shear-strength", Law::ShearStrength),
@@ -282,17 +252,8 @@ pub(super) fn interface(root: &mut Section<'_>) -> Result<Interface, SceneFileEr
 
 /// Section `[loading]`; a request has interference and slip rate in `[table]` instead, whose
 /// first points are `point`.
-pub(super) fn loading(
-    root: &mut Section<'_>,
-    point: Option<(f64, f64)>,
-) -> Result<Loading, SceneFileError> {
-    let known = [
-        "interference",
-        "slip_rate",
-        "slip_distance",
-        "control",
-        "temperature",
-    ];
+pub(super) fn loading(root: &mut Section<'_>, point: Option<(f64, f64)>) -> Result<Loading, SceneFileError> {
+    let known = ["interference", "slip_rate", "slip_distance", "control", "temperature"];
     let mut section = root.take_section("loading", &known)?;
     if point.is_some() {
         for key in ["interference", "slip_rate"] {
@@ -302,10 +263,7 @@ pub(super) fn loading(
             }
         }
     }
-    let controls = [
-        ("interference", Control::Interference),
-        ("load", Control::Load),
-    ];
+    let controls = [("interference", Control::Interference), ("load", Control::Load)];
     Ok(Loading {
         interference: section.number(
             "interference",
@@ -328,16 +286,9 @@ pub(super) fn loading(
 /// Section `[model]`.
 pub(super) fn model(root: &mut Section<'_>) -> Result<Model, SceneFileError> {
     let mut section = root.take_section("model", &["heat", "kinematics"])?;
-    let switches = [
-        ("auto", Switch::Auto),
-        ("on", Switch::On),
-        ("off", Switch::Off),
-    ];
-    let kinematics = [
-        ("auto", Kinematics::Auto),
-        ("small", Kinematics::Small),
-        ("finite", Kinematics::Finite),
-    ];
+    let switches = [("auto", Switch::Auto), ("on", Switch::On), ("off", Switch::Off)];
+    let kinematics =
+        [("auto", Kinematics::Auto), ("small", Kinematics::Small), ("finite", Kinematics::Finite)];
     Ok(Model {
         heat: section.choice("heat", &switches, Some(Switch::Auto))?,
         kinematics: section.choice("kinematics", &kinematics, Some(Kinematics::Auto))?,

@@ -110,18 +110,12 @@ fn keys_override_the_preset_and_set_overrides_the_file() {
     let scene = parse_scene(
         &text,
         "scene.toml",
-        &set(&[
-            "material.hardening.exponent=0.3",
-            "material.softening={law=\"none\"}",
-        ]),
+        &set(&["material.hardening.exponent=0.3", "material.softening={law=\"none\"}"]),
     )
     .unwrap();
     assert_eq!(scene.material.yield_strength, 5e8);
     assert_eq!(scene.material.youngs_modulus, 205e9);
-    let expected = Hardening::JohnsonCook {
-        modulus: 510e6,
-        exponent: 0.3,
-    };
+    let expected = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.3 };
     assert_eq!(scene.material.hardening, expected);
     assert_eq!(scene.material.softening, Softening::None);
 }
@@ -141,21 +135,9 @@ fn written_scene_reads_back_the_same() {
         &["material.hardening={law=\"johnson-cook\", modulus=510e6, exponent=0.26}"],
         &["material.hardening={law=\"table\", plastic_strain=[0, 0.1, 1], factor=[1, 1.1, 1.3]}"],
         &["material.softening={law=\"table\", temperature=[293, 1473], factor=[1, 0]}"],
-        &[
-            "interface.law=coulomb",
-            "interface.friction=0.1",
-            "interface.cap=false",
-        ],
-        &[
-            "interface.law=full-stick",
-            "loading.control=load",
-            "model.kinematics=finite",
-        ],
-        &[
-            "interface.law=frictionless",
-            "asperity.radius=1e-8",
-            "model.heat=off",
-        ],
+        &["interface.law=coulomb", "interface.friction=0.1", "interface.cap=false"],
+        &["interface.law=full-stick", "loading.control=load", "model.kinematics=finite"],
+        &["interface.law=frictionless", "asperity.radius=1e-8", "model.heat=off"],
     ];
     for overrides in cases {
         let scene = scene_with(overrides).unwrap();
@@ -163,21 +145,14 @@ fn written_scene_reads_back_the_same() {
         assert_eq!(parse_scene(&text, "written", &[]).unwrap(), scene, "{text}");
     }
     let short = parse_scene(SHORT, "scene.toml", &[]).unwrap();
-    assert_eq!(
-        parse_scene(&write_scene(&short), "written", &[]).unwrap(),
-        short
-    );
+    assert_eq!(parse_scene(&write_scene(&short), "written", &[]).unwrap(), short);
 }
 
 #[test]
 fn written_request_reads_back_the_same() {
     let request = parse_request(REQUEST, "request.toml", &[]).unwrap();
     let text = write_request(&request);
-    assert_eq!(
-        parse_request(&text, "written", &[]).unwrap(),
-        request,
-        "{text}"
-    );
+    assert_eq!(parse_request(&text, "written", &[]).unwrap(), request, "{text}");
 }
 
 #[test]
@@ -212,10 +187,7 @@ fn bad_requests_are_refused() {
         ("table.interference={from=2, to=1, points=3}", "above from"),
         ("table.interference={from=1, to=2, points=1}", "from 2 to"),
         ("table.interference={from=1, to=2}", "points is missing"),
-        (
-            "table.interference={from=1, to=2, points=2, spacing=\"sqrt\"}",
-            "\"log\"",
-        ),
+        ("table.interference={from=1, to=2, points=2, spacing=\"sqrt\"}", "\"log\""),
         ("loading.slip_rate=1", "table.slip_rate"),
         ("table.interferance=[1]", "did you mean interference?"),
         ("model.heat=on", "slip rate is 0"),
@@ -224,12 +196,7 @@ fn bad_requests_are_refused() {
         let error = parse_request(REQUEST, "request.toml", &set(&[text])).unwrap_err();
         assert!(error.to_string().contains(part), "{error} lacks {part}");
     }
-    assert!(
-        parse_request(SHORT, "scene.toml", &[])
-            .unwrap_err()
-            .to_string()
-            .contains("table")
-    );
+    assert!(parse_request(SHORT, "scene.toml", &[]).unwrap_err().to_string().contains("table"));
     let error = parse_scene(REQUEST, "request.toml", &[]).unwrap_err();
     assert!(error.to_string().contains("asperity tabulate"), "{error}");
 }
@@ -249,10 +216,7 @@ fn numbers_out_of_range_are_refused() {
         "loading.temperature",
     ] {
         for value in ["0", "-1.0", "nan", "inf", "-inf", "text", "[1]", "true"] {
-            refused(
-                &[&format!("{key}={value}")],
-                &[key, value, "a positive number", "--set"],
-            );
+            refused(&[&format!("{key}={value}")], &[key, value, "a positive number", "--set"]);
         }
     }
     for value in ["0.5", "-0.1", "nan", "0.7"] {
@@ -267,65 +231,26 @@ fn numbers_out_of_range_are_refused() {
         refused(&[&text], &["a whole number from 4"]);
     }
     for value in ["0", "2", "6", "-4", "16.0"] {
-        refused(
-            &[&format!("numerics.sectors={value}")],
-            &["a multiple of 4"],
-        );
+        refused(&[&format!("numerics.sectors={value}")], &["a multiple of 4"]);
     }
-    refused(
-        &["loading.slip_rate=-1"],
-        &["loading.slip_rate", "-1", "zero or a positive"],
-    );
+    refused(&["loading.slip_rate=-1"], &["loading.slip_rate", "-1", "zero or a positive"]);
     refused(&["interface.heat_partition=1.1"], &["from 0 to 1"]);
     refused(&["interface.gap_conductance=-1"], &["gap_conductance"]);
-    refused(
-        &["loading.temperature=1800"],
-        &["loading.temperature", "1793.0 K"],
-    );
-    refused(
-        &["material.yield_strength=400e9"],
-        &["below youngs_modulus"],
-    );
-    refused(
-        &["model.heat=on", "loading.slip_rate=0"],
-        &["model.heat", "isothermal"],
-    );
+    refused(&["loading.temperature=1800"], &["loading.temperature", "1793.0 K"]);
+    refused(&["material.yield_strength=400e9"], &["below youngs_modulus"]);
+    refused(&["model.heat=on", "loading.slip_rate=0"], &["model.heat", "isothermal"]);
 }
 
 #[test]
 fn laws_are_checked_with_their_keys() {
-    refused(
-        &["interface.law=friction"],
-        &["\"shear-strength\"", "\"coulomb\""],
-    );
-    refused(
-        &["interface.friction=0.3"],
-        &["interface.friction", "coulomb"],
-    );
-    refused(
-        &["material.hardening={law=\"cubic\"}"],
-        &["material.hardening.law", "\"linear\""],
-    );
-    refused(
-        &["material.hardening=none"],
-        &["material.hardening", "\"none\""],
-    );
-    refused(
-        &["material.hardening={modulus=1e9}"],
-        &["material.hardening.law is missing"],
-    );
-    refused(
-        &["material.hardening.modulus=1e9"],
-        &["unknown key material.hardening.modulus"],
-    );
-    refused(
-        &["material.hardening={law=\"linear\", modulus=-1}"],
-        &["material.hardening.modulus", "-1"],
-    );
-    refused(
-        &["material.hardening={law=\"linear\", module=1}"],
-        &["did you mean modulus?"],
-    );
+    refused(&["interface.law=friction"], &["\"shear-strength\"", "\"coulomb\""]);
+    refused(&["interface.friction=0.3"], &["interface.friction", "coulomb"]);
+    refused(&["material.hardening={law=\"cubic\"}"], &["material.hardening.law", "\"linear\""]);
+    refused(&["material.hardening=none"], &["material.hardening", "\"none\""]);
+    refused(&["material.hardening={modulus=1e9}"], &["material.hardening.law is missing"]);
+    refused(&["material.hardening.modulus=1e9"], &["unknown key material.hardening.modulus"]);
+    refused(&["material.hardening={law=\"linear\", modulus=-1}"], &["material.hardening.modulus", "-1"]);
+    refused(&["material.hardening={law=\"linear\", module=1}"], &["did you mean modulus?"]);
     refused(
         &["material.hardening={law=\"table\", plastic_strain=[0, 0.1], factor=[1]}"],
         &["as long as plastic_strain"],
@@ -334,60 +259,31 @@ fn laws_are_checked_with_their_keys() {
         &["material.hardening={law=\"table\", plastic_strain=[0.1, 0.2], factor=[1, 1]}"],
         &["starts at plastic strain 0"],
     );
-    refused(
-        &["material.softening={law=\"table\", temperature=[300, 200], factor=[1, 0]}"],
-        &["rises"],
-    );
-    refused(
-        &["material.softening={law=\"table\", temperature=[], factor=[]}"],
-        &["not empty"],
-    );
-    refused(
-        &["material.softening.melting=200"],
-        &["material.softening.melting", "above reference"],
-    );
+    refused(&["material.softening={law=\"table\", temperature=[300, 200], factor=[1, 0]}"], &["rises"]);
+    refused(&["material.softening={law=\"table\", temperature=[], factor=[]}"], &["not empty"]);
+    refused(&["material.softening.melting=200"], &["material.softening.melting", "above reference"]);
 }
 
 #[test]
 fn unknown_names_get_the_nearest_known_one() {
     refused(
         &["material.youngs_module=1"],
-        &[
-            "unknown key material.youngs_module",
-            "did you mean youngs_modulus?",
-        ],
+        &["unknown key material.youngs_module", "did you mean youngs_modulus?"],
     );
-    refused(
-        &["materials.density=1"],
-        &["unknown key materials", "did you mean material?"],
-    );
-    refused(
-        &["material.preset=steel4340"],
-        &["did you mean steel-4340?"],
-    );
+    refused(&["materials.density=1"], &["unknown key materials", "did you mean material?"]);
+    refused(&["material.preset=steel4340"], &["did you mean steel-4340?"]);
 }
 
 #[test]
 fn errors_of_the_file_name_the_file_and_the_line() {
-    let message = |text: &str| {
-        parse_scene(text, "a/scene.toml", &[])
-            .unwrap_err()
-            .to_string()
-    };
+    let message = |text: &str| parse_scene(text, "a/scene.toml", &[]).unwrap_err().to_string();
     assert!(message("[material\n").starts_with("a/scene.toml: line 1:"));
     assert!(message("[material]\ndensity = = 3\n").starts_with("a/scene.toml: line 2:"));
     assert!(message("density = 3\n").contains("a section"));
     let missing = message("[asperity]\nradius = 1e-3\n");
-    assert!(
-        missing.contains("youngs_modulus") && missing.contains("steel-4340"),
-        "{missing}"
-    );
+    assert!(missing.contains("youngs_modulus") && missing.contains("steel-4340"), "{missing}");
     let negative = COMPLETE.replace("density = 7850.0", "density = -7850.0");
     assert!(message(&negative).starts_with("a/scene.toml: material.density = -7850.0: must be"));
     let unreadable = read_scene(Path::new("does/not/exist.toml"), &[]).unwrap_err();
-    assert!(
-        unreadable
-            .to_string()
-            .starts_with("does/not/exist.toml: cannot be read")
-    );
+    assert!(unreadable.to_string().starts_with("does/not/exist.toml: cannot be read"));
 }

@@ -46,10 +46,7 @@ fn sections(scene: &Scene, point: &str) -> String {
     line("hardening", hardening(&material.hardening));
     line("density", number(material.density));
     line("specific_heat", number(material.specific_heat));
-    line(
-        "thermal_conductivity",
-        number(material.thermal_conductivity),
-    );
+    line("thermal_conductivity", number(material.thermal_conductivity));
     line("thermal_expansion", number(material.thermal_expansion));
     line("softening", softening(&material.softening));
     line("\n[asperity]", String::new());
@@ -110,10 +107,7 @@ fn hardening(law: &Hardening) -> String {
             number(*modulus),
             number(*exponent)
         ),
-        Hardening::Table {
-            plastic_strain,
-            factor,
-        } => format!(
+        Hardening::Table { plastic_strain, factor } => format!(
             "{{ law = \"table\", plastic_strain = {}, factor = {} }}",
             list(plastic_strain),
             list(factor)
@@ -124,24 +118,15 @@ fn hardening(law: &Hardening) -> String {
 fn softening(law: &Softening) -> String {
     match law {
         Softening::None => "{ law = \"none\" }".into(),
-        Softening::JohnsonCook {
-            reference,
-            melting,
-            exponent,
-        } => format!(
+        Softening::JohnsonCook { reference, melting, exponent } => format!(
             "{{ law = \"johnson-cook\", reference = {}, melting = {}, exponent = {} }}",
             number(*reference),
             number(*melting),
             number(*exponent)
         ),
-        Softening::Table {
-            temperature,
-            factor,
-        } => format!(
-            "{{ law = \"table\", temperature = {}, factor = {} }}",
-            list(temperature),
-            list(factor)
-        ),
+        Softening::Table { temperature, factor } => {
+            format!("{{ law = \"table\", temperature = {}, factor = {} }}", list(temperature), list(factor))
+        }
     }
 }
 

@@ -48,11 +48,7 @@ impl Finished {
         }
         cell.levelled = outcome.summary.levelled;
         cell.wall_time = outcome.account.wall_time;
-        Self {
-            cell,
-            notes: outcome.account.notes.clone(),
-            warnings: outcome.account.warnings.clone(),
-        }
+        Self { cell, notes: outcome.account.notes.clone(), warnings: outcome.account.warnings.clone() }
     }
 }
 
@@ -120,10 +116,7 @@ mod tests {
         };
         assert_eq!(ends(Quantity::Friction), (0.0, last.friction));
         assert_eq!(ends(Quantity::Load), (last.load, last.load));
-        assert_eq!(
-            ends(Quantity::TemperatureMax),
-            (298.0, last.temperature_max)
-        );
+        assert_eq!(ends(Quantity::TemperatureMax), (298.0, last.temperature_max));
         assert_eq!(ends(Quantity::Mu), (0.0, last.friction / last.load));
         assert_eq!(cell[Quantity::Mu], outcome.summary.mu);
     }

@@ -86,14 +86,8 @@ impl Journal {
         resume: bool,
     ) -> Result<(Self, Vec<(Index, CellResult)>), JournalError> {
         let shown = || path.display().to_string();
-        let io = |source| JournalError::Io {
-            path: shown(),
-            source,
-        };
-        let header = Header {
-            source: SOURCE.into(),
-            request: request.into(),
-        };
+        let io = |source| JournalError::Io { path: shown(), source };
+        let header = Header { source: SOURCE.into(), request: request.into() };
         let text = match std::fs::read(path) {
             Ok(_) if !resume => return Err(JournalError::Exists { path: shown() }),
             Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
@@ -106,10 +100,7 @@ impl Journal {
             && *found != header
         {
             let reason = differences(found, &header);
-            return Err(JournalError::Foreign {
-                path: shown(),
-                reason,
-            });
+            return Err(JournalError::Foreign { path: shown(), reason });
         }
         let mut options = OpenOptions::new();
         // Without a readable header nothing in the file can be trusted.
@@ -117,10 +108,7 @@ impl Journal {
             Some(_) => options.append(true),
             None => options.write(true).create(true).truncate(true),
         };
-        let mut journal = Self {
-            path: path.to_owned(),
-            file: options.open(path).map_err(io)?,
-        };
+        let mut journal = Self { path: path.to_owned(), file: options.open(path).map_err(io)? };
         if found.is_none() {
             journal.append(&header)?;
             return Ok((journal, Vec::new()));
@@ -129,9 +117,7 @@ impl Journal {
             // Keep the next line apart from the one that was cut off.
             journal.file.write_all(b"\n").map_err(io)?;
         }
-        let cells = lines
-            .filter_map(|line| decode::<Record>(line)?.into_cell())
-            .collect();
+        let cells = lines.filter_map(|line| decode::<Record>(line)?.into_cell()).collect();
         Ok((journal, cells))
     }
 
@@ -142,10 +128,8 @@ impl Journal {
 
     /// Remove the journal once its table is written.
     pub fn remove(self) -> Result<(), JournalError> {
-        std::fs::remove_file(&self.path).map_err(|source| JournalError::Io {
-            path: self.path.display().to_string(),
-            source,
-        })
+        std::fs::remove_file(&self.path)
+            .map_err(|source| JournalError::Io { path: self.path.display().to_string(), source })
     }
 
     fn append(&mut self, value: &impl Serialize) -> Result<(), JournalError> {
@@ -154,10 +138,7 @@ impl Journal {
         self.file
             .write_all(line.as_bytes())
             .and_then(|()| self.file.sync_data())
-            .map_err(|source| JournalError::Io {
-                path: self.path.display().to_string(),
-                source,
-            })
+            .map_err(|source| JournalError::Io { path: self.path.display().to_string(), source })
     }
 }
 
@@ -171,10 +152,7 @@ fn decode<T: for<'a> Deserialize<'a>>(line: &str) -> Option<T> {
 /// The first line in which two headers differ.
 fn differences(found: &Header, asked: &Header) -> String {
     if found.source != asked.source {
-        return format!(
-            "it was written by {}, this is {}",
-            found.source, asked.source
-        );
+        return format!("it was written by {}, this is {}", found.source, asked.source);
     }
     let mut lines = found.request.lines().zip(asked.request.lines());
     match lines.find(|(found, asked)| found != asked) {
@@ -195,10 +173,7 @@ impl Record {
             warnings: Vec::new(),
         };
         match result {
-            Err(reason) => Self {
-                failure: Some(reason.clone()),
-                ..empty
-            },
+            Err(reason) => Self { failure: Some(reason.clone()), ..empty },
             Ok(finished) => Self {
                 levelled: finished.cell.levelled,
                 numbers: numbers(&finished.cell),
@@ -231,22 +206,14 @@ impl Record {
         for (quantity, history) in Quantity::HISTORIES.into_iter().zip(histories) {
             cell = cell.with_history(quantity, history.to_vec());
         }
-        let finished = Finished {
-            cell,
-            notes: self.notes,
-            warnings: self.warnings,
-        };
+        let finished = Finished { cell, notes: self.notes, warnings: self.warnings };
         Some((index, Ok(finished)))
     }
 }
 
 fn numbers(cell: &Cell) -> String {
-    let scalars = Quantity::ALL
-        .into_iter()
-        .flat_map(|q| [cell[q].value, cell[q].error]);
-    let histories = Quantity::HISTORIES
-        .into_iter()
-        .flat_map(|q| cell.history(q));
+    let scalars = Quantity::ALL.into_iter().flat_map(|q| [cell[q].value, cell[q].error]);
+    let histories = Quantity::HISTORIES.into_iter().flat_map(|q| cell.history(q));
     std::iter::once(cell.wall_time)
         .chain(scalars)
         .chain(histories.copied())
@@ -282,9 +249,7 @@ mod tests {
         let (mut journal, found) = Journal::open(&path, "a = 1\n", false).unwrap();
         assert!(found.is_empty());
         journal.record((1, 2), &Ok(finished())).unwrap();
-        journal
-            .record((0, 0), &Err("did not\nconverge".into()))
-            .unwrap();
+        journal.record((0, 0), &Err("did not\nconverge".into())).unwrap();
         let (_, found) = Journal::open(&path, "a = 1\n", true).unwrap();
         assert_eq!(found.len(), 2);
         assert_eq!(found[0].0, (1, 2));

@@ -166,12 +166,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
         simulator,
         request,
         slips: slip_grid(request.template.loading.slip_distance),
-        ledger: Mutex::new(Ledger {
-            cells,
-            journal,
-            done: resumed,
-            error: None,
-        }),
+        ledger: Mutex::new(Ledger { cells, journal, done: resumed, error: None }),
         stopped: AtomicBool::new(false),
         watch,
     };
@@ -180,10 +175,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
         // As a thread waits for a slide it may start another on top of it.
         .stack_size(32 << 20)
         .build()
-        .map_err(|error| TabulateError::Threads {
-            jobs: options.jobs,
-            reason: error.to_string(),
-        })?;
+        .map_err(|error| TabulateError::Threads { jobs: options.jobs, reason: error.to_string() })?;
     pool.in_place_scope_fifo(|scope| {
         // The largest take longest: started last, they would run alone at the end. Idle
         // threads help with the slides of a press before they start another press, which
@@ -193,19 +185,11 @@ pub(crate) fn tabulate_with<S: Simulator>(
             scope.spawn_fifo(move |_| grid.run_row(i));
         }
     });
-    let ledger = grid
-        .ledger
-        .into_inner()
-        .unwrap_or_else(|poisoned| poisoned.into_inner());
+    let ledger = grid.ledger.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
     if let Some(error) = ledger.error {
         return Err(error.into());
     }
-    let tabulation = Tabulation {
-        request: request.clone(),
-        slips: grid.slips,
-        cells: ledger.cells,
-        resumed,
-    };
+    let tabulation = Tabulation { request: request.clone(), slips: grid.slips, cells: ledger.cells, resumed };
     Ok((tabulation, ledger.journal))
 }
 
@@ -238,19 +222,14 @@ impl<S: Simulator> Grid<'_, S> {
         let pending: Vec<usize> = {
             let ledger = self.lock();
             let row = ledger.cells[i].iter().enumerate();
-            row.filter(|(_, cell)| cell.is_none())
-                .map(|(j, _)| j)
-                .collect()
+            row.filter(|(_, cell)| cell.is_none()).map(|(j, _)| j).collect()
         };
         if pending.is_empty() || self.cancelled() {
             return;
         }
         let scene = self.request.scene(i, 0);
         match self.guard(|| self.simulator.press(&scene, self)) {
-            Ok(pressed) => pending
-                .par_iter()
-                .with_max_len(1)
-                .for_each(|&j| self.run_cell(&pressed, (i, j))),
+            Ok(pressed) => pending.par_iter().with_max_len(1).for_each(|&j| self.run_cell(&pressed, (i, j))),
             Err(Some(reason)) => {
                 for j in pending {
                     self.finish((i, j), Err(reason.clone()));
@@ -277,10 +256,7 @@ impl<S: Simulator> Grid<'_, S> {
     }
 
     /// Result of `work`, or why it failed; `None` if it was stopped on request.
-    fn guard<T>(
-        &self,
-        work: impl FnOnce() -> Result<T, SimulationError>,
-    ) -> Result<T, Option<String>> {
+    fn guard<T>(&self, work: impl FnOnce() -> Result<T, SimulationError>) -> Result<T, Option<String>> {
         // One cell that breaks must not take hours of others with it.
         match catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(value)) => Ok(value),
@@ -311,9 +287,7 @@ impl<S: Simulator> Grid<'_, S> {
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, Ledger> {
-        self.ledger
-            .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner())
+        self.ledger.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 }
 

@@ -30,8 +30,7 @@ impl Tabulation {
     fn metadata(&self, history: String) -> Metadata {
         let scene = &self.request.template;
         let (material, interface) = (&scene.material, &scene.interface);
-        let contact_modulus =
-            hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
+        let contact_modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
         let (interferences, slip_rates) = (&self.request.interferences, &self.request.slip_rates);
         Metadata {
             title: format!(
@@ -60,9 +59,7 @@ impl Tabulation {
             yield_strength: material.yield_strength,
             strength_factor: match interface.law {
                 FrictionLaw::ShearStrength => Some(interface.strength_factor),
-                FrictionLaw::Coulomb { .. }
-                | FrictionLaw::FullStick
-                | FrictionLaw::Frictionless => None,
+                FrictionLaw::Coulomb { .. } | FrictionLaw::FullStick | FrictionLaw::Frictionless => None,
             },
             temperature: scene.loading.temperature,
             heat_partition: interface.heat_partition,

@@ -24,10 +24,7 @@ struct Bench {
 impl Bench {
     fn new() -> Self {
         let directory = tempfile::tempdir().unwrap();
-        Self {
-            journal: directory.path().join("table.nc.part"),
-            _directory: directory,
-        }
+        Self { journal: directory.path().join("table.nc.part"), _directory: directory }
     }
 
     fn run(
@@ -37,11 +34,7 @@ impl Bench {
         resume: bool,
         watch: &dyn TableWatch,
     ) -> Result<(Tabulation, Journal), TabulateError> {
-        let options = Options {
-            jobs,
-            journal: &self.journal,
-            resume,
-        };
+        let options = Options { jobs, journal: &self.journal, resume };
         tabulate_with(fake, &request(), &options, watch)
     }
 }
@@ -72,12 +65,7 @@ fn one_press_serves_all_slip_rates_largest_first() {
 
 #[test]
 fn result_does_not_depend_on_the_number_of_threads() {
-    let run = |jobs| {
-        Bench::new()
-            .run(&Fake::default(), jobs, false, &Unwatched)
-            .unwrap()
-            .0
-    };
+    let run = |jobs| Bench::new().run(&Fake::default(), jobs, false, &Unwatched).unwrap().0;
     let one = run(1);
     assert_eq!(one, run(2));
     assert_eq!(one, run(5));
@@ -85,10 +73,7 @@ fn result_does_not_depend_on_the_number_of_threads() {
 
 #[test]
 fn interrupted_tabulation_continues_to_the_same_end() {
-    let whole = Bench::new()
-        .run(&Fake::default(), 1, false, &Unwatched)
-        .unwrap()
-        .0;
+    let whole = Bench::new().run(&Fake::default(), 1, false, &Unwatched).unwrap().0;
     let bench = Bench::new();
     let stop = StopAfter(4, AtomicUsize::new(0));
     let (partial, journal) = bench.run(&Fake::default(), 1, false, &stop).unwrap();
@@ -108,23 +93,13 @@ fn interrupted_tabulation_continues_to_the_same_end() {
 
 #[test]
 fn failures_are_kept_with_their_reason_and_stop_nothing() {
-    let fake = Fake {
-        press_fails: Some(1.0),
-        slide_fails: Some(10.0),
-        slide_panics: Some(0.1),
-        ..Fake::default()
-    };
+    let fake =
+        Fake { press_fails: Some(1.0), slide_fails: Some(10.0), slide_panics: Some(0.1), ..Fake::default() };
     let (tabulation, _) = Bench::new().run(&fake, 2, false, &Unwatched).unwrap();
     assert!(tabulation.finished());
     let done: Vec<Index> = tabulation.done().map(|(index, _)| index).collect();
     assert_eq!(done, [(1, 1), (2, 1)]);
-    let reason = |index| {
-        tabulation
-            .failures()
-            .find(|(at, _)| *at == index)
-            .unwrap()
-            .1
-    };
+    let reason = |index| tabulation.failures().find(|(at, _)| *at == index).unwrap().1;
     assert_eq!(reason((0, 1)), "not supported: this press");
     assert!(reason((1, 2)).contains("did not converge"));
     assert_eq!(reason((2, 0)), "internal error: this slide panics");
@@ -134,64 +109,38 @@ fn failures_are_kept_with_their_reason_and_stop_nothing() {
 fn unfinished_work_is_not_overwritten_unasked() {
     let bench = Bench::new();
     bench.run(&Fake::default(), 1, false, &Unwatched).unwrap();
-    let error = bench
-        .run(&Fake::default(), 1, false, &Unwatched)
-        .err()
-        .unwrap();
+    let error = bench.run(&Fake::default(), 1, false, &Unwatched).err().unwrap();
     assert!(error.to_string().contains("--resume"));
 }
 
 #[test]
 fn table_has_every_cell_and_says_which_failed() {
-    let fake = Fake {
-        slide_fails: Some(10.0),
-        ..Fake::default()
-    };
+    let fake = Fake { slide_fails: Some(10.0), ..Fake::default() };
     let (mut tabulation, _) = Bench::new().run(&fake, 1, false, &Unwatched).unwrap();
     if let Some(Ok(finished)) = &mut tabulation.cells[0][0] {
         finished.warnings = vec!["of one cell".into()];
     }
-    let table = tabulation
-        .table("2000-01-01T00:00:00Z: test".into())
-        .unwrap();
+    let table = tabulation.table("2000-01-01T00:00:00Z: test".into()).unwrap();
     assert_eq!(table.shape(), (3, 3));
     assert_eq!(table.axes().slip, tabulation.slips);
     let expected = Fake::outcome(&request().scene(1, 1));
-    assert_eq!(
-        table.cell(1, 1).unwrap()[Quantity::Load],
-        expected.summary.load
-    );
-    assert!(
-        matches!(table.status(1, 2), tables::table::Status::Failed(reason)
-        if reason.contains("did not converge"))
-    );
+    assert_eq!(table.cell(1, 1).unwrap()[Quantity::Load], expected.summary.load);
+    assert!(matches!(table.status(1, 2), tables::table::Status::Failed(reason)
+        if reason.contains("did not converge")));
     let metadata = table.metadata();
     assert_eq!(metadata.asperity_radius, 1e-3);
     assert_eq!(metadata.strength_factor, Some(1.0));
-    assert!(
-        metadata
-            .comment
-            .contains("of one cell [1 omega_c at 0.1 m/s]")
-    );
-    assert_eq!(
-        parse_request(&metadata.scene, "attribute", &[]).unwrap(),
-        request()
-    );
+    assert!(metadata.comment.contains("of one cell [1 omega_c at 0.1 m/s]"));
+    assert_eq!(parse_request(&metadata.scene, "attribute", &[]).unwrap(), request());
 }
 
 #[test]
 fn files_differ_between_runs_in_nothing_but_wall_time() {
     let [one, other] = [1, 3].map(|jobs| {
         let bench = Bench::new();
-        let (tabulation, _) = bench
-            .run(&Fake::default(), jobs, false, &Unwatched)
-            .unwrap();
+        let (tabulation, _) = bench.run(&Fake::default(), jobs, false, &Unwatched).unwrap();
         let path = bench.journal.with_extension("nc");
-        tabulation
-            .table("same".into())
-            .unwrap()
-            .write(&path)
-            .unwrap();
+        tabulation.table("same".into()).unwrap().write(&path).unwrap();
         std::fs::read(path).unwrap()
     });
     assert_eq!(one, other);

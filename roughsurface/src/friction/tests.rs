@@ -4,11 +4,7 @@ use crate::test_laws::PowerLaw;
 use tables::closed_forms::{ElasticPlastic, closed_form, hertz};
 
 fn surface(heights: Box<dyn Heights>) -> Surface {
-    Surface {
-        asperity_density: 1e10,
-        asperity_radius: 1e-4,
-        heights,
-    }
+    Surface { asperity_density: 1e10, asperity_radius: 1e-4, heights }
 }
 
 fn ask(
@@ -18,19 +14,13 @@ fn ask(
     slip_rates: &[f64],
     hold: Hold,
 ) -> Result<Prediction, PredictionError> {
-    let query = Query {
-        pressing: Pressing::Pressure(pressures.to_vec()),
-        slip_rates: slip_rates.to_vec(),
-        hold,
-    };
+    let query =
+        Query { pressing: Pressing::Pressure(pressures.to_vec()), slip_rates: slip_rates.to_vec(), hold };
     predict(law, surface, &query, &Settings::default(), &|_, _| ())
 }
 
-const STEEL: ElasticPlastic = ElasticPlastic {
-    youngs_modulus: 200e9,
-    poisson_ratio: 0.3,
-    yield_strength: 400e6,
-};
+const STEEL: ElasticPlastic =
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
 
 #[test]
 fn elastic_asperities_of_constant_strength_obey_amontons() {
@@ -44,11 +34,7 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
     let exact = 2.0 / ((3.0 * std::f64::consts::PI).sqrt() * c * psi);
     for row in &found.friction {
         let mu = row[0].sliding.mu;
-        assert!(
-            (mu.value - exact).abs() < 1e-6 * exact,
-            "{} {exact}",
-            mu.value
-        );
+        assert!((mu.value - exact).abs() < 1e-6 * exact, "{} {exact}", mu.value);
         assert!((mu.value - 0.4039 / psi).abs() < 1e-4 / psi);
         assert!(mu.error < 1e-5);
         // Static friction of a surface that creeps to its final value is within a
@@ -97,10 +83,7 @@ fn held_load_closes_the_gap_that_a_held_separation_keeps() {
 
 #[test]
 fn errors_of_the_law_reach_every_result() {
-    let law = PowerLaw {
-        relative_error: 0.02,
-        ..PowerLaw::hertz()
-    };
+    let law = PowerLaw { relative_error: 0.02, ..PowerLaw::hertz() };
     let surface = surface(Box::new(Exponential::new(1e-6)));
     let found = ask(&law, &surface, &[1e6], &[1.0], Hold::Load).unwrap();
     let sliding = found.friction[0][0].sliding;
@@ -114,10 +97,7 @@ fn errors_of_the_law_reach_every_result() {
 
 #[test]
 fn load_beyond_the_table_is_refused_unless_extrapolation_is_asked() {
-    let law = PowerLaw {
-        limit: 20.0,
-        ..PowerLaw::hertz()
-    };
+    let law = PowerLaw { limit: 20.0, ..PowerLaw::hertz() };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let error = ask(&law, &surface, &[1e3, 1e8], &[1.0], Hold::Load).unwrap_err();
     let message = error.to_string();
@@ -125,23 +105,13 @@ fn load_beyond_the_table_is_refused_unless_extrapolation_is_asked() {
         message.starts_with("at 1e8 Pa and 1 m/s asperities pressed beyond 20.0000 omega_c"),
         "{message}"
     );
-    let query = Query {
-        pressing: Pressing::Separation(vec![0.0]),
-        slip_rates: vec![1.0],
-        hold: Hold::Separation,
-    };
-    let settings = Settings {
-        extrapolate: true,
-        ..Settings::default()
-    };
+    let query =
+        Query { pressing: Pressing::Separation(vec![0.0]), slip_rates: vec![1.0], hold: Hold::Separation };
+    let settings = Settings { extrapolate: true, ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
     let cell = &found.friction[0][0];
     assert!(cell.outside_table > 0.01 && cell.sliding.mu.error > 0.0);
-    assert!(
-        found.warnings[0].contains("extrapolated"),
-        "{:?}",
-        found.warnings
-    );
+    assert!(found.warnings[0].contains("extrapolated"), "{:?}", found.warnings);
 }
 
 #[test]
@@ -163,19 +133,11 @@ fn threads_do_not_change_a_bit() {
     let law = closed_form("jackson-green", &STEEL).unwrap();
     let surface = surface(Box::new(Gaussian::new(0.5e-6)));
     let with = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| ask(law.as_ref(), &surface, &[1e5, 1e7], &[0.1, 1.0], Hold::Load).unwrap())
     };
     let (one, three) = (with(1), with(3));
-    for (a, b) in one
-        .friction
-        .iter()
-        .flatten()
-        .zip(three.friction.iter().flatten())
-    {
+    for (a, b) in one.friction.iter().flatten().zip(three.friction.iter().flatten()) {
         assert_eq!(a.mu_history, b.mu_history);
         assert_eq!(a.mu_static, b.mu_static);
         assert_eq!(a.sliding.separation, b.sliding.separation);
@@ -188,14 +150,8 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
     let surface = surface(Box::new(crate::heights::Uniform::new(1e-6)));
     let error = ask(&law, &surface, &[1e6], &[1e3], Hold::Load).unwrap_err();
     assert!(error.to_string().contains("outside the table"));
-    let query = Query {
-        pressing: Pressing::Separation(vec![2e-6]),
-        slip_rates: vec![1.0],
-        hold: Hold::Separation,
-    };
+    let query =
+        Query { pressing: Pressing::Separation(vec![2e-6]), slip_rates: vec![1.0], hold: Hold::Separation };
     let error = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "a separation of 2e-6 m leaves no asperity in contact"
-    );
+    assert_eq!(error.to_string(), "a separation of 2e-6 m leaves no asperity in contact");
 }

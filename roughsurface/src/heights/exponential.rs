@@ -16,11 +16,7 @@ impl Exponential {
 
 impl Heights for Exponential {
     fn ln_density(&self, height: f64) -> f64 {
-        if height < 0.0 {
-            f64::NEG_INFINITY
-        } else {
-            -height / self.std - self.std.ln()
-        }
+        if height < 0.0 { f64::NEG_INFINITY } else { -height / self.std - self.std.ln() }
     }
     fn tail(&self, height: f64) -> f64 {
         (-height.max(0.0) / self.std).exp()

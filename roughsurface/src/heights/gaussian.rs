@@ -13,10 +13,7 @@ pub struct Gaussian {
 impl Gaussian {
     /// Heights of standard deviation `std` (m).
     pub fn new(std: f64) -> Self {
-        Self {
-            std,
-            ln_peak: -(std * (2.0 * PI).sqrt()).ln(),
-        }
+        Self { std, ln_peak: -(std * (2.0 * PI).sqrt()).ln() }
     }
 }
 

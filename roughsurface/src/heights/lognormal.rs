@@ -16,11 +16,7 @@ impl LogNormal {
     /// Heights of standard deviation `std` (m); `shape` is the standard deviation of ln z.
     pub fn new(std: f64, shape: f64) -> Self {
         let square = shape * shape;
-        Self {
-            std,
-            mean_ln: std.ln() - 0.5 * square - 0.5 * square.exp_m1().ln(),
-            shape,
-        }
+        Self { std, mean_ln: std.ln() - 0.5 * square - 0.5 * square.exp_m1().ln(), shape }
     }
 }
 

@@ -116,10 +116,7 @@ pub const DISTRIBUTIONS: &[Entry] = &[
         keys: &["std", "lower", "upper"],
         build: |keys, _| {
             let parent = positive("std", keys.std)?;
-            let (lower, upper) = (
-                keys.lower.unwrap_or(f64::NAN),
-                keys.upper.unwrap_or(f64::NAN),
-            );
+            let (lower, upper) = (keys.lower.unwrap_or(f64::NAN), keys.upper.unwrap_or(f64::NAN));
             match TruncatedGaussian::new(parent, lower, upper) {
                 Some(heights) => Ok(Box::new(heights)),
                 None => Err(HeightsError {
@@ -162,10 +159,7 @@ pub const DISTRIBUTIONS: &[Entry] = &[
 /// for in `folder`.
 pub fn build(keys: &HeightsKeys, folder: &Path) -> Built {
     let names: Vec<&str> = DISTRIBUTIONS.iter().map(|entry| entry.name).collect();
-    let Some(entry) = DISTRIBUTIONS
-        .iter()
-        .find(|entry| entry.name == keys.distribution)
-    else {
+    let Some(entry) = DISTRIBUTIONS.iter().find(|entry| entry.name == keys.distribution) else {
         let nearest = crate::surface_file::nearest(&keys.distribution, &names)
             .map(|name| format!(" (did you mean \"{name}\"?)"))
             .unwrap_or_default();
@@ -185,19 +179,11 @@ pub fn build(keys: &HeightsKeys, folder: &Path) -> Built {
     for (key, is_given) in given {
         let wanted = entry.keys.contains(&key);
         if is_given != wanted {
-            let what = if wanted {
-                "is missing"
-            } else {
-                "has no meaning here"
-            };
+            let what = if wanted { "is missing" } else { "has no meaning here" };
             return Err(HeightsError {
                 key,
                 value: None,
-                allowed: format!(
-                    "{what}; the {} distribution takes {}",
-                    entry.name,
-                    entry.keys.join(", ")
-                ),
+                allowed: format!("{what}; the {} distribution takes {}", entry.name, entry.keys.join(", ")),
             });
         }
     }

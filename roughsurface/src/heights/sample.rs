@@ -17,10 +17,7 @@ impl Sample {
         let count = heights.len() as f64;
         let mean = heights.iter().sum::<f64>() / count;
         let variance = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / count;
-        (variance > 0.0 && variance.is_finite()).then_some(Self {
-            heights,
-            std: variance.sqrt(),
-        })
+        (variance > 0.0 && variance.is_finite()).then_some(Self { heights, std: variance.sqrt() })
     }
 
     /// Reads heights in metres, separated by white space or commas; `#` starts a comment.
@@ -30,15 +27,12 @@ impl Sample {
             value: Some(format!("\"{}\"", file.display())),
             allowed,
         };
-        let text = std::fs::read_to_string(file)
-            .map_err(|reason| error(format!("cannot be read: {reason}")))?;
+        let text =
+            std::fs::read_to_string(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;
         let mut heights = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let content = line.split('#').next().unwrap_or_default();
-            for word in content
-                .split([' ', '\t', ','])
-                .filter(|word| !word.is_empty())
-            {
+            for word in content.split([' ', '\t', ',']).filter(|word| !word.is_empty()) {
                 match word.parse::<f64>() {
                     Ok(height) if height.is_finite() => heights.push(height),
                     _ => {
@@ -50,8 +44,7 @@ impl Sample {
                 }
             }
         }
-        Self::new(heights)
-            .ok_or_else(|| error("must hold at least two different heights in metres".into()))
+        Self::new(heights).ok_or_else(|| error("must hold at least two different heights in metres".into()))
     }
 }
 

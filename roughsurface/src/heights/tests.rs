@@ -9,10 +9,7 @@ fn all() -> Vec<(&'static str, Box<dyn Heights>)> {
         ("gaussian", Box::new(Gaussian::new(2e-6))),
         ("exponential", Box::new(Exponential::new(2e-6))),
         ("uniform", Box::new(Uniform::new(2e-6))),
-        (
-            "truncated-gaussian",
-            Box::new(TruncatedGaussian::new(2e-6, -5e-6, 1e-6).unwrap()),
-        ),
+        ("truncated-gaussian", Box::new(TruncatedGaussian::new(2e-6, -5e-6, 1e-6).unwrap())),
         ("weibull", Box::new(Weibull::new(2e-6, 2.5))),
         ("lognormal", Box::new(LogNormal::new(2e-6, 0.5))),
     ]
@@ -30,9 +27,7 @@ fn moments(heights: &dyn Heights) -> (f64, f64, f64) {
         (0..panels)
             .map(|panel| {
                 let from = low + panel as f64 * width;
-                rule.integrate(from, from + width, |z| {
-                    (z / std).powi(power) * heights.ln_density(z).exp()
-                })
+                rule.integrate(from, from + width, |z| (z / std).powi(power) * heights.ln_density(z).exp())
             })
             .sum()
     };
@@ -58,10 +53,7 @@ fn tails_fall_by_the_density() {
             let slope = (heights.tail(z - step) - heights.tail(z + step)) / (2.0 * step);
             let density = heights.ln_density(z).exp();
             // Central differences: third derivative times step squared, a few 1e-8.
-            assert!(
-                (slope - density).abs() * std < 1e-6,
-                "{name} at {place}: {slope:e} against {density:e}"
-            );
+            assert!((slope - density).abs() * std < 1e-6, "{name} at {place}: {slope:e} against {density:e}");
         }
     }
 }
@@ -116,16 +108,10 @@ fn errors_name_key_value_and_what_is_allowed() {
         "distribution = \"gausian\": must be one of gaussian, exponential, uniform, \
          truncated-gaussian, weibull, lognormal, sample (did you mean \"gaussian\"?)"
     );
-    assert_eq!(
-        message(keys("gaussian", None, None)),
-        "std: is missing; the gaussian distribution takes std"
-    );
+    assert_eq!(message(keys("gaussian", None, None)), "std: is missing; the gaussian distribution takes std");
     assert_eq!(
         message(keys("gaussian", Some(-1e-6), None)),
         "std = -1e-6: must be a positive length in metres"
     );
-    assert_eq!(
-        message(keys("weibull", Some(1e-6), Some(0.5))),
-        "shape = 0.5: must lie between 1 and 50"
-    );
+    assert_eq!(message(keys("weibull", Some(1e-6), Some(0.5))), "shape = 0.5: must lie between 1 and 50");
 }

@@ -52,9 +52,7 @@ impl Heights for TruncatedGaussian {
         let spread = (self.lower * low - self.upper * high) / std - (low - high).powi(2);
         // Cancellation for narrow windows, where the heights are spread evenly.
         let even = (self.upper - self.lower) / 12f64.sqrt();
-        (std * (1.0 + spread).max(0.0).sqrt())
-            .min(even)
-            .max(1e-3 * even)
+        (std * (1.0 + spread).max(0.0).sqrt()).min(even).max(1e-3 * even)
     }
     fn draw(&self, random: &mut Random) -> f64 {
         // Rejection keeps to the library's normal deviates; windows far in the

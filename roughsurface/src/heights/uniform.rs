@@ -10,19 +10,13 @@ pub struct Uniform {
 impl Uniform {
     /// Heights of standard deviation `std` (m).
     pub fn new(std: f64) -> Self {
-        Self {
-            half_width: 3f64.sqrt() * std,
-        }
+        Self { half_width: 3f64.sqrt() * std }
     }
 }
 
 impl Heights for Uniform {
     fn ln_density(&self, height: f64) -> f64 {
-        if height.abs() > self.half_width {
-            f64::NEG_INFINITY
-        } else {
-            -(2.0 * self.half_width).ln()
-        }
+        if height.abs() > self.half_width { f64::NEG_INFINITY } else { -(2.0 * self.half_width).ln() }
     }
     fn tail(&self, height: f64) -> f64 {
         (0.5 - 0.5 * height / self.half_width).clamp(0.0, 1.0)

@@ -17,11 +17,7 @@ impl Weibull {
     pub fn new(std: f64, shape: f64) -> Self {
         let mean = libm::tgamma(1.0 + 1.0 / shape);
         let square = libm::tgamma(1.0 + 2.0 / shape);
-        Self {
-            std,
-            scale: std / (square - mean * mean).sqrt(),
-            shape,
-        }
+        Self { std, scale: std / (square - mean * mean).sqrt(), shape }
     }
 }
 
@@ -32,11 +28,7 @@ impl Heights for Weibull {
         }
         let scaled = height / self.scale;
         // 0 ln 0 would spoil the exponential case at its start.
-        let power = if self.shape == 1.0 {
-            0.0
-        } else {
-            (self.shape - 1.0) * scaled.ln()
-        };
+        let power = if self.shape == 1.0 { 0.0 } else { (self.shape - 1.0) * scaled.ln() };
         (self.shape / self.scale).ln() + power - scaled.powf(self.shape)
     }
     fn tail(&self, height: f64) -> f64 {
@@ -52,8 +44,6 @@ impl Heights for Weibull {
         self.std
     }
     fn draw(&self, random: &mut Random) -> f64 {
-        rand_distr::Weibull::new(self.scale, self.shape)
-            .expect("scale and shape are positive")
-            .sample(random)
+        rand_distr::Weibull::new(self.scale, self.shape).expect("scale and shape are positive").sample(random)
     }
 }

@@ -10,11 +10,7 @@ const STD: f64 = 1e-6;
 
 /// ∫ (z−h)^n φ(z) dz of standard heights, through the load integral.
 fn moment(heights: &dyn Heights, exponent: f64, h: f64, critical: f64) -> f64 {
-    let law = PowerLaw {
-        load: (1.0, exponent),
-        critical,
-        ..PowerLaw::hertz()
-    };
+    let law = PowerLaw { load: (1.0, exponent), critical, ..PowerLaw::hertz() };
     let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
     let mut integral = HeightIntegral::new(asperity.clone(), heights, 1.0, 1e-13);
     let state = integral.at(h * STD).unwrap();
@@ -41,17 +37,7 @@ const GAUSSIAN: [(f64, [f64; 6]); 8] = [
             2.75550186737943,
         ],
     ),
-    (
-        0.0,
-        [
-            0.5,
-            0.411089479331229,
-            0.398942280401433,
-            0.43001999366226,
-            0.5,
-            0.616634218996844,
-        ],
-    ),
+    (0.0, [0.5, 0.411089479331229, 0.398942280401433, 0.43001999366226, 0.5, 0.616634218996844]),
     (
         0.5,
         [
@@ -165,16 +151,10 @@ fn every_distribution_obeys_the_recursion() {
                 let step = 1e-3;
                 let at = |h: f64| moment(heights, exponent, h, 1e-7);
                 // Fourth-order differences: the error is about step⁴.
-                let slope = (8.0 * (at(h + step) - at(h - step))
-                    - (at(h + 2.0 * step) - at(h - 2.0 * step)))
+                let slope = (8.0 * (at(h + step) - at(h - step)) - (at(h + 2.0 * step) - at(h - 2.0 * step)))
                     / (12.0 * step);
                 let reference = -exponent * moment(heights, exponent - 1.0, h, 1e-7);
-                assert_close(
-                    slope,
-                    reference,
-                    1e-8,
-                    &format!("{heights:?} n = {exponent}, h = {h}"),
-                );
+                assert_close(slope, reference, 1e-8, &format!("{heights:?} n = {exponent}, h = {h}"));
             }
         }
     }
@@ -193,11 +173,7 @@ fn uniform_heights_integrate_powers_exactly() {
 }
 
 fn steel() -> ElasticPlastic {
-    ElasticPlastic {
-        youngs_modulus: 200e9,
-        poisson_ratio: 0.3,
-        yield_strength: 400e6,
-    }
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 }
 }
 
 #[test]
@@ -211,12 +187,8 @@ fn elastic_greenwood_williamson() {
     let mut integral = HeightIntegral::new(asperity.clone(), &heights, density, 1e-12);
     for (h, row) in GAUSSIAN {
         let state = integral.at(h * STD).unwrap();
-        let pressure = 4.0 / 3.0
-            * density
-            * material.contact_modulus()
-            * radius.sqrt()
-            * STD.powf(1.5)
-            * row[3];
+        let pressure =
+            4.0 / 3.0 * density * material.contact_modulus() * radius.sqrt() * STD.powf(1.5) * row[3];
         let area = std::f64::consts::PI * density * radius * STD * row[2];
         assert_close(state.pressure.value, pressure, 1e-11, "pressure");
         assert_close(state.area_fraction.value, area, 1e-11, "area");
@@ -247,10 +219,7 @@ fn kogut_etsion_asperities_with_exponential_heights() {
     let radius = 1e-4;
     let critical = law.critical_interference(radius);
     let unit = law.response(radius, 1.0 - 1e-9, 1.0, 1.0).unwrap();
-    let (breaks, plastic) = (
-        [0.0, 1.0, 6.0, 110.0, f64::INFINITY],
-        3.0 * 2.8 / 1.61279656,
-    );
+    let (breaks, plastic) = ([0.0, 1.0, 6.0, 110.0, f64::INFINITY], 3.0 * 2.8 / 1.61279656);
     let load = [(1.0, 1.5), (1.03, 1.425), (1.40, 1.263), (plastic, 1.0)];
     let area = [(1.0, 1.0), (0.93, 1.136), (0.94, 1.146), (2.0, 1.0)];
     for (psi, published_mu) in [(0.5, 0.80375), (1.0, 0.42963), (8.0, 0.21443)] {
@@ -289,10 +258,7 @@ fn kogut_etsion_asperities_with_exponential_heights() {
 fn load_beyond_the_limit_is_counted_and_continued() {
     // Exponential heights: the share of the load beyond x = ω_limit/σ is
     // ∫_x^∞ s·(x^½) e^{-s} ds over the same plus γ(5/2, x), P continued in proportion to ω.
-    let law = PowerLaw {
-        limit: 20.0,
-        ..PowerLaw::hertz()
-    };
+    let law = PowerLaw { limit: 20.0, ..PowerLaw::hertz() };
     let heights = Exponential::new(STD);
     let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
     let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1.0, 1e-12);
@@ -304,10 +270,7 @@ fn load_beyond_the_limit_is_counted_and_continued() {
     // The load left beyond the reach is about the negligible share.
     let reach = state.reach * law.critical / STD;
     let left = x.sqrt() * (1.0 + reach) * (-reach).exp() / (beyond + incomplete_gamma(2.5, x));
-    assert!(
-        left < 2.0 * NEGLIGIBLE_SHARE && left > 0.5 * NEGLIGIBLE_SHARE,
-        "{left:e}"
-    );
+    assert!(left < 2.0 * NEGLIGIBLE_SHARE && left > 0.5 * NEGLIGIBLE_SHARE, "{left:e}");
     // Extrapolated asperities are doubted, the others are not.
     assert!(state.pressure.law_error > 0.0);
     assert!(state.pressure.law_error < 0.3 * state.outside * state.pressure.value);
@@ -327,10 +290,5 @@ fn a_large_measured_set_approaches_its_parent() {
     let mut summed = HeightIntegral::new(asperity.clone(), &sample, 1.0, 1e-12);
     let (exact, summed) = (exact.at(STD).unwrap(), summed.at(STD).unwrap());
     assert_close(summed.pressure.value, exact.pressure.value, 1e-3, "load");
-    assert_close(
-        summed.contact_density,
-        exact.contact_density,
-        1e-3,
-        "number",
-    );
+    assert_close(summed.contact_density, exact.contact_density, 1e-3, "number");
 }

@@ -71,12 +71,9 @@ mod tests {
 
     #[test]
     fn yield_ratios_of_the_fit() {
-        for (nu, load, interference) in [
-            (0.20, 0.4692, 0.5920),
-            (0.30, 0.8507, 0.8825),
-            (0.40, 1.0296, 1.0164),
-            (0.50, 1.006, 0.994),
-        ] {
+        for (nu, load, interference) in
+            [(0.20, 0.4692, 0.5920), (0.30, 0.8507, 0.8825), (0.40, 1.0296, 1.0164), (0.50, 1.006, 0.994)]
+        {
             assert!((critical_load_ratio(nu) - load).abs() < 5e-4, "{nu}");
             let ratio = critical_interference_ratio(nu);
             assert!((ratio - interference).abs() < 5e-4, "{nu}: {ratio}");
@@ -85,13 +82,7 @@ mod tests {
 
     #[test]
     fn static_friction_in_both_forms() {
-        for (p, mu) in [
-            (1.0, 1.02),
-            (2.83, 0.730),
-            (10.4, 0.494),
-            (63.0, 0.330),
-            (489.0, 0.275),
-        ] {
+        for (p, mu) in [(1.0, 1.02), (2.83, 0.730), (10.4, 0.494), (63.0, 0.330), (489.0, 0.275)] {
             assert!((static_friction(p) - mu).abs() < 0.006, "{p}");
         }
         for step in 0..=20 {

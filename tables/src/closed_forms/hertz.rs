@@ -84,12 +84,7 @@ pub fn yield_coefficient(poisson_ratio: f64) -> f64 {
 }
 
 /// ω_c = (π C(ν) σ_Y / 2E*)² R, m: interference of first yield.
-pub fn critical_interference(
-    e_star: f64,
-    poisson_ratio: f64,
-    yield_strength: f64,
-    radius: f64,
-) -> f64 {
+pub fn critical_interference(e_star: f64, poisson_ratio: f64, yield_strength: f64, radius: f64) -> f64 {
     let ratio = PI * yield_coefficient(poisson_ratio) * yield_strength / (2.0 * e_star);
     ratio * ratio * radius
 }
@@ -111,10 +106,7 @@ mod tests {
     use super::*;
 
     fn close(value: f64, reference: f64, relative: f64) {
-        assert!(
-            (value - reference).abs() <= relative * reference.abs(),
-            "{value} against {reference}"
-        );
+        assert!((value - reference).abs() <= relative * reference.abs(), "{value} against {reference}");
     }
 
     #[test]
@@ -146,11 +138,7 @@ mod tests {
         close(e_star, 219.780e9, 1e-5);
         let omega = critical_interference(e_star, nu, yield_strength, radius);
         close(omega, 2.12589e-9, 5e-6);
-        close(
-            critical_load(e_star, nu, yield_strength, radius),
-            2.87237e-4,
-            5e-6,
-        );
+        close(critical_load(e_star, nu, yield_strength, radius), 2.87237e-4, 5e-6);
         close(contact_radius(radius, omega), 0.46107e-6, 2e-5);
         close(peak_pressure(e_star, radius, omega), 645.119e6, 5e-6);
         let area = critical_area(e_star, nu, yield_strength, radius);
@@ -160,10 +148,7 @@ mod tests {
     #[test]
     fn pressure_integrates_to_the_load() {
         let (e_star, radius, omega) = (2e11, 1e-3, 1e-8);
-        let (a, peak) = (
-            contact_radius(radius, omega),
-            peak_pressure(e_star, radius, omega),
-        );
+        let (a, peak) = (contact_radius(radius, omega), peak_pressure(e_star, radius, omega));
         let rings = 20_000;
         let width = a / rings as f64;
         let sum: f64 = (0..rings)

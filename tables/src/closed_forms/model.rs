@@ -83,13 +83,7 @@ enum SlidingInception {
 }
 
 /// Names that [`closed_form`] knows.
-pub const NAMES: [&str; 5] = [
-    "hertz",
-    "constant-shear",
-    "kogut-etsion",
-    "jackson-green",
-    "brizmer",
-];
+pub const NAMES: [&str; 5] = ["hertz", "constant-shear", "kogut-etsion", "jackson-green", "brizmer"];
 
 /// A name that is not in [`NAMES`].
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -128,19 +122,14 @@ pub struct ClosedForm {
 /// ([`constant_shear`](super::partial_slip::constant_shear)), the strength being the final
 /// force over the area. Errors are reported as zero: how far the fits are from the truth is not
 /// known to them.
-pub fn closed_form(
-    name: &str,
-    material: &ElasticPlastic,
-) -> Result<Box<dyn AsperityLaw>, UnknownClosedForm> {
+pub fn closed_form(name: &str, material: &ElasticPlastic) -> Result<Box<dyn AsperityLaw>, UnknownClosedForm> {
     ClosedForm::new(name, material).map(|law| Box::new(law) as Box<dyn AsperityLaw>)
 }
 
 impl ClosedForm {
     /// As [`closed_form`], unboxed.
     pub fn new(name: &str, material: &ElasticPlastic) -> Result<Self, UnknownClosedForm> {
-        let unknown = || UnknownClosedForm {
-            name: name.to_string(),
-        };
+        let unknown = || UnknownClosedForm { name: name.to_string() };
         let name = *NAMES.iter().find(|n| **n == name).ok_or_else(unknown)?;
         let (normal, inception) = match name {
             "hertz" => (NormalContact::Hertz, SlidingInception::ConstantShear),
@@ -167,13 +156,10 @@ impl ClosedForm {
         let scaled = interference / unit;
         let (load, area) = match self.normal {
             NormalContact::Hertz => (scaled.powf(1.5), scaled),
-            NormalContact::JacksonGreen => (
-                jackson_green::load(scaled, strain, nu),
-                jackson_green::area(scaled, strain),
-            ),
-            NormalContact::KogutEtsion => {
-                (kogut_etsion::load(scaled, nu), kogut_etsion::area(scaled))
+            NormalContact::JacksonGreen => {
+                (jackson_green::load(scaled, strain, nu), jackson_green::area(scaled, strain))
             }
+            NormalContact::KogutEtsion => (kogut_etsion::load(scaled, nu), kogut_etsion::area(scaled)),
             NormalContact::Brizmer => (brizmer::load(scaled, nu), brizmer::area(scaled, nu)),
         };
         (load * load_unit, area * unit)
@@ -201,24 +187,15 @@ impl ClosedForm {
         let area = area_ratio * hertz::contact_area(radius, omega);
         let strength = match self.inception {
             SlidingInception::ConstantShear => self.material.shear_strength(),
-            SlidingInception::KogutEtsion => {
-                load * kogut_etsion::static_friction(interference) / area
-            }
-            SlidingInception::Brizmer => {
-                load * brizmer::static_friction(load_ratio / self.units.1) / area
-            }
+            SlidingInception::KogutEtsion => load * kogut_etsion::static_friction(interference) / area,
+            SlidingInception::Brizmer => load * brizmer::static_friction(load_ratio / self.units.1) / area,
         };
         let gross_slip = constant_shear::gross_slip_displacement(
             strength,
             self.material.tangential_modulus(),
             (area / std::f64::consts::PI).sqrt(),
         );
-        Sliding {
-            load,
-            area,
-            strength,
-            gross_slip,
-        }
+        Sliding { load, area, strength, gross_slip }
     }
 }
 
@@ -255,10 +232,7 @@ impl AsperityLaw for ClosedForm {
         _slip_rate: f64,
         slip: f64,
     ) -> Result<Response, LookupError> {
-        let mut response = Response {
-            temperature_max: exact(self.temperature),
-            ..Response::default()
-        };
+        let mut response = Response { temperature_max: exact(self.temperature), ..Response::default() };
         if interference <= 0.0 {
             return Ok(response);
         }
@@ -299,11 +273,8 @@ fn exact(value: f64) -> Estimate {
 mod tests {
     use super::*;
 
-    const STEEL: ElasticPlastic = ElasticPlastic {
-        youngs_modulus: 200e9,
-        poisson_ratio: 0.3,
-        yield_strength: 400e6,
-    };
+    const STEEL: ElasticPlastic =
+        ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
 
     fn sliding(name: &str, interference: f64) -> Response {
         let law = closed_form(name, &STEEL).unwrap();
@@ -343,15 +314,8 @@ mod tests {
             let slip = 3e-10;
             let one = law.response(1e-4, 8.0, 1.0, slip).unwrap();
             let ten = law.response(1e-3, 8.0, 1.0, 10.0 * slip).unwrap();
-            for (a, b) in [
-                (one.load, ten.load),
-                (one.friction, ten.friction),
-                (one.area, ten.area),
-            ] {
-                assert!(
-                    (100.0 * a.value - b.value).abs() <= 1e-9 * b.value,
-                    "{name}"
-                );
+            for (a, b) in [(one.load, ten.load), (one.friction, ten.friction), (one.area, ten.area)] {
+                assert!((100.0 * a.value - b.value).abs() <= 1e-9 * b.value, "{name}");
             }
         }
     }

@@ -73,12 +73,7 @@ pub mod constant_shear {
 /// C. Cattaneo (1938); R. D. Mindlin, J. Appl. Mech. 16, 259 (1949), doi 10.1115/1.4009973.
 pub mod mindlin {
     /// u_s = 3μP/(16G*a), m: displacement at which the last point slips.
-    pub fn gross_slip_displacement(
-        friction: f64,
-        load: f64,
-        g_star: f64,
-        contact_radius: f64,
-    ) -> f64 {
+    pub fn gross_slip_displacement(friction: f64, load: f64, g_star: f64, contact_radius: f64) -> f64 {
         3.0 * friction * load / (16.0 * g_star * contact_radius)
     }
 
@@ -128,9 +123,8 @@ mod tests {
     #[test]
     fn constant_shear_work_is_the_integral_of_the_force() {
         let steps = 100_000;
-        let sum: f64 = (0..steps)
-            .map(|step| constant_shear::force_fraction((step as f64 + 0.5) / steps as f64))
-            .sum();
+        let sum: f64 =
+            (0..steps).map(|step| constant_shear::force_fraction((step as f64 + 0.5) / steps as f64)).sum();
         let (work, stored, dissipated) = constant_shear::energies_at_gross_slip();
         assert!((sum / steps as f64 - work).abs() < 1e-8);
         assert!((work - stored - dissipated).abs() < 1e-15);

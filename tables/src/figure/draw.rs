@@ -131,11 +131,7 @@ fn power_of_ten() -> TickFormat {
         let exponent = value.abs().log10().round();
         let mantissa = value / 10f64.powf(exponent);
         let superscript: String = format!("{exponent}").chars().map(raised).collect();
-        if (mantissa - 1.0).abs() < 1e-6 {
-            format!("10{superscript}")
-        } else {
-            format!("{value:e}")
-        }
+        if (mantissa - 1.0).abs() < 1e-6 { format!("10{superscript}") } else { format!("{value:e}") }
     }))
 }
 
@@ -176,11 +172,7 @@ fn draw_curve(
     }
     plots.push(Plot::Line(line));
 
-    let step = if few {
-        1
-    } else {
-        points.len().div_ceil(SPARSE_MARKERS)
-    };
+    let step = if few { 1 } else { points.len().div_ceil(SPARSE_MARKERS) };
     // Shifted from curve to curve, so that markers of close curves do not hide each other.
     let first = (number % STYLES.len()) * step / STYLES.len();
     let marked = || points.iter().skip(first).step_by(step);

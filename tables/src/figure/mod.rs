@@ -66,28 +66,17 @@ const PIXELS: f32 = 2.0;
 
 impl Axis {
     pub fn linear(label: impl Into<String>) -> Self {
-        Self {
-            label: label.into(),
-            log: false,
-        }
+        Self { label: label.into(), log: false }
     }
 
     pub fn logarithmic(label: impl Into<String>) -> Self {
-        Self {
-            label: label.into(),
-            log: true,
-        }
+        Self { label: label.into(), log: true }
     }
 }
 
 impl Curve {
     pub fn new(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
-        Self {
-            label: label.into(),
-            x,
-            y,
-            error: None,
-        }
+        Self { label: label.into(), x, y, error: None }
     }
 
     pub fn with_error(mut self, error: Vec<f64>) -> Self {
@@ -105,17 +94,12 @@ impl Figure {
 
     /// Draws the figure into a file.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
-        let failed = |reason: String| FigureError::Write {
-            path: path.display().to_string(),
-            reason,
-        };
+        let failed = |reason: String| FigureError::Write { path: path.display().to_string(), reason };
         let bytes = match extension(path)? {
             Extension::Svg => self.svg().into_bytes(),
             Extension::Png => {
                 let backend = PngBackend::new().with_scale(PIXELS);
-                backend
-                    .render_scene(&self.sheet(Medium::Raster).render())
-                    .map_err(failed)?
+                backend.render_scene(&self.sheet(Medium::Raster).render()).map_err(failed)?
             }
         };
         std::fs::write(path, bytes).map_err(|error| failed(error.to_string()))
@@ -129,8 +113,7 @@ impl Figure {
     fn sheet(&self, medium: Medium) -> Sheet {
         let columns = self.panels.len().clamp(1, 2);
         let rows = self.panels.len().div_ceil(columns).max(1);
-        let (plots, layouts): (Vec<_>, Vec<_>) =
-            (self.panels.iter()).map(|panel| panel.draw(medium)).unzip();
+        let (plots, layouts): (Vec<_>, Vec<_>) = (self.panels.iter()).map(|panel| panel.draw(medium)).unzip();
         // The last row may have one panel only; it then takes the whole width.
         let mut cells: Vec<Vec<usize>> = (0..self.panels.len()).map(|cell| vec![cell]).collect();
         if self.panels.len() < rows * columns {
@@ -162,9 +145,7 @@ fn renumbered(svg: &str) -> String {
     let mut pieces = svg.split(PREFIX);
     let mut result = pieces.next().unwrap_or_default().to_string();
     for piece in pieces {
-        let digits = piece
-            .find(|c: char| !c.is_ascii_digit())
-            .unwrap_or(piece.len());
+        let digits = piece.find(|c: char| !c.is_ascii_digit()).unwrap_or(piece.len());
         let (id, rest) = piece.split_at(digits);
         let number = known.iter().position(|k| *k == id).unwrap_or_else(|| {
             known.push(id);
@@ -185,9 +166,7 @@ fn extension(path: &Path) -> Result<Extension, FigureError> {
     match extension.to_str() {
         Some("svg") => Ok(Extension::Svg),
         Some("png") => Ok(Extension::Png),
-        _ => Err(FigureError::Extension {
-            path: path.display().to_string(),
-        }),
+        _ => Err(FigureError::Extension { path: path.display().to_string() }),
     }
 }
 
@@ -252,9 +231,6 @@ mod tests {
     #[test]
     fn other_extensions_are_refused() {
         let error = figure().save(Path::new("plot.pdf")).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "cannot draw plot.pdf: the extension must be one of svg, png"
-        );
+        assert_eq!(error.to_string(), "cannot draw plot.pdf: the extension must be one of svg, png");
     }
 }

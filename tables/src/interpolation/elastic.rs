@@ -70,11 +70,7 @@ impl Elastic {
     pub(super) fn inception_slip(&self, interference: f64) -> Option<f64> {
         let a = self.contact_radius(interference);
         let strength = self.shear_strength?;
-        Some(constant_shear::gross_slip_displacement(
-            strength,
-            self.tangential_modulus,
-            a,
-        ))
+        Some(constant_shear::gross_slip_displacement(strength, self.tangential_modulus, a))
     }
 
     /// Frictional dissipation up to gross slip per area, J/m².
@@ -111,9 +107,7 @@ impl Elastic {
         };
         continue_from(load, self.load(here), self.load(knot));
         continue_from(area, self.area(here), self.area(knot));
-        if let (Some(asymptote), Some(at_knot)) =
-            (self.friction(here, slip), self.friction(knot, slip))
-        {
+        if let (Some(asymptote), Some(at_knot)) = (self.friction(here, slip), self.friction(knot, slip)) {
             continue_from(friction, asymptote, at_knot);
         } else if row[load] != 0.0 {
             values[friction] = values[load] * row[friction] / row[load];

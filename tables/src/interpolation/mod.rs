@@ -63,9 +63,8 @@ impl Interpolant {
     fn new(table: &Table) -> Self {
         let axes = table.axes();
         let slip_rate = axes.slip_rate.clone();
-        let rate_coordinate: Vec<f64> = (slip_rate.iter())
-            .map(|rate| rate_coordinate(&slip_rate, *rate))
-            .collect();
+        let rate_coordinate: Vec<f64> =
+            (slip_rate.iter()).map(|rate| rate_coordinate(&slip_rate, *rate)).collect();
         let log_interference: Vec<f64> = axes.interference.iter().map(|w| w.ln()).collect();
         let nodes = Nodes::new(table, &log_interference, &rate_coordinate);
         let filled = |i: &usize| (0..slip_rate.len()).any(|j| nodes.is_present(*i, j));
@@ -109,22 +108,14 @@ impl Interpolant {
         let mut result = [0.0; FIELDS];
         for (field, result) in result.iter_mut().enumerate() {
             let outer = [before.map(|v| v[field]), after.map(|v| v[field])];
-            *result = nodes::blend_one(
-                [h_before, h_after],
-                h,
-                t,
-                outer,
-                [inner[0][field], inner[1][field]],
-            );
+            *result = nodes::blend_one([h_before, h_after], h, t, outer, [inner[0][field], inner[1][field]]);
         }
         Ok(result)
     }
 
     /// State of a row at a slip rate and slip.
     fn row(&self, i: usize, rate: Location, slip: Location) -> Result<Values, Absent> {
-        Self::blend(&self.rate_coordinate, rate, |j| {
-            self.nodes.state(i, j, slip).ok_or((i, j))
-        })
+        Self::blend(&self.rate_coordinate, rate, |j| self.nodes.state(i, j, slip).ok_or((i, j)))
     }
 
     /// a₀ inside the table, m.
@@ -156,12 +147,7 @@ impl Interpolant {
     }
 
     /// State and relative errors at the radius of the table.
-    fn state(
-        &self,
-        interference: f64,
-        rate: Location,
-        slip: f64,
-    ) -> Result<(Values, Values), Absent> {
+    fn state(&self, interference: f64, rate: Location, slip: f64) -> Result<(Values, Values), Absent> {
         let (first, _) = self.rows.ok_or((0, 0))?;
         let log_interference = interference.ln();
         if log_interference < self.log_interference[first] {
@@ -190,10 +176,7 @@ impl Interpolant {
             depth,
         );
         let ratio = slip / contact_radius;
-        let place = Location {
-            index: first,
-            t: 0.0,
-        };
+        let place = Location { index: first, t: 0.0 };
         let slip = self.nodes.locate_slip(ratio);
         let row = self.row(first, rate, slip)?;
         let (values, spread) = self.elastic.below(knot, depth, ratio, &row);
@@ -241,10 +224,7 @@ impl Table {
         let metadata = self.metadata();
         let ratio = radius / metadata.asperity_radius;
         if metadata.gap_conductance != 0.0 && (ratio - 1.0).abs() > ROUNDING {
-            return Err(LookupError::RadiusFixed {
-                table: metadata.asperity_radius,
-                asked: radius,
-            });
+            return Err(LookupError::RadiusFixed { table: metadata.asperity_radius, asked: radius });
         }
         Ok(ratio)
     }
@@ -252,10 +232,7 @@ impl Table {
     fn check_interference(&self, interference: f64) -> Result<(), LookupError> {
         let limit = self.interference_limit();
         if interference > limit * (1.0 + ROUNDING) {
-            return Err(LookupError::InterferenceAbove {
-                interference,
-                limit,
-            });
+            return Err(LookupError::InterferenceAbove { interference, limit });
         }
         Ok(())
     }
@@ -269,11 +246,8 @@ impl Table {
         state: impl Fn(f64) -> Result<(Values, Values), Absent>,
     ) -> Result<Response, Absent> {
         let base = self.metadata().temperature;
-        let (values, errors) = if interference > 0.0 {
-            state(slip.max(0.0) / ratio)?
-        } else {
-            ([0.0; FIELDS], [0.0; FIELDS])
-        };
+        let (values, errors) =
+            if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { ([0.0; FIELDS], [0.0; FIELDS]) };
         let estimate = |field: Field, scale: f64| Estimate {
             value: scale * values[field as usize],
             error: scale * (values[field as usize] * errors[field as usize]).abs(),
@@ -284,19 +258,11 @@ impl Table {
             load: estimate(Field::Load, squared),
             friction: estimate(Field::Friction, squared),
             area: estimate(Field::Area, squared),
-            temperature_max: Estimate {
-                value: base + rise.value,
-                error: rise.error,
-            },
+            temperature_max: Estimate { value: base + rise.value, error: rise.error },
         })
     }
 
-    fn located_rate(
-        &self,
-        interference: f64,
-        slip_rate: f64,
-        ratio: f64,
-    ) -> Result<Location, LookupError> {
+    fn located_rate(&self, interference: f64, slip_rate: f64, ratio: f64) -> Result<Location, LookupError> {
         self.check_interference(interference)?;
         let rates = &self.axes().slip_rate;
         (self.interpolant().locate_rate(slip_rate * ratio)).ok_or(LookupError::SlipRateOutside {
@@ -353,16 +319,11 @@ impl AsperityLaw for Table {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(interference, slip_rate, ratio)?;
         let state = |slip| self.interpolant().state(interference, rate, slip);
-        self.scaled(interference, ratio, slip, state)
-            .map_err(|absent| self.absent(absent, ratio))
+        self.scaled(interference, ratio, slip, state).map_err(|absent| self.absent(absent, ratio))
     }
 
     /// Interpolates along the slip rate once and for all.
-    fn at_slip_rate(
-        &self,
-        radius: f64,
-        slip_rate: f64,
-    ) -> Result<SlidingResponse<'_>, LookupError> {
+    fn at_slip_rate(&self, radius: f64, slip_rate: f64) -> Result<SlidingResponse<'_>, LookupError> {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(0.0, slip_rate, ratio)?;
         let column = self.interpolant().at_rate(rate);

@@ -25,12 +25,8 @@ pub(super) const FIELDS: usize = 4;
 /// One number for each [`Field`].
 pub(super) type Values = [f64; FIELDS];
 
-const QUANTITIES: [Quantity; FIELDS] = [
-    Quantity::Load,
-    Quantity::Friction,
-    Quantity::Area,
-    Quantity::TemperatureMax,
-];
+const QUANTITIES: [Quantity; FIELDS] =
+    [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax];
 
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
@@ -54,10 +50,7 @@ impl Nodes {
         let base = table.metadata().temperature;
         let mut nodes = Self {
             rates,
-            histories: table
-                .grid()
-                .map(|(i, j)| history(table, i, j, base))
-                .collect(),
+            histories: table.grid().map(|(i, j)| history(table, i, j, base)).collect(),
             given: (table.grid().map(|(i, j)| given_error(table, i, j, base)))
                 .flat_map(|error| std::iter::repeat_n(error, slip.len()))
                 .collect(),
@@ -66,11 +59,7 @@ impl Nodes {
         };
         let slips = nodes.slip.clone();
         nodes.misfit = [
-            nodes.misfits(
-                log_interference,
-                |(i, j, k), n| (i + n, j, k),
-                |(i, _, _)| i,
-            ),
+            nodes.misfits(log_interference, |(i, j, k), n| (i + n, j, k), |(i, _, _)| i),
             nodes.misfits(rate_coordinate, |(i, j, k), n| (i, j + n, k), |(_, j, _)| j),
             nodes.misfits(&slips, |(i, j, k), n| (i, j, k + n), |(_, _, k)| k),
         ];
@@ -95,9 +84,7 @@ impl Nodes {
         }
         let [end, end_slope] = history[index + 1];
         let h = self.slip[index + 1] - self.slip[index];
-        Some(std::array::from_fn(|f| {
-            hermite(h, t, start[f], end[f], start_slope[f], end_slope[f])
-        }))
+        Some(std::array::from_fn(|f| hermite(h, t, start[f], end[f], start_slope[f], end_slope[f])))
     }
 
     /// Relative error at a place: that of the results, linearly, and that of interpolation.
@@ -134,19 +121,12 @@ impl Nodes {
 
     /// The nodes at one slip rate, as nodes with a single column: `row` is the state of a row
     /// after some slip. The error of interpolating along the slip rate joins that of the results.
-    pub(super) fn at_rate(
-        &self,
-        rate: Location,
-        row: impl Fn(usize, Location) -> Option<Values>,
-    ) -> Self {
+    pub(super) fn at_rate(&self, rate: Location, row: impl Fn(usize, Location) -> Option<Values>) -> Self {
         let rows = self.histories.len() / self.rates;
         let j = rate.index + usize::from(rate.t > 0.5);
         let point = |k: usize| match k + 1 < self.slip.len() {
             true => Location { index: k, t: 0.0 },
-            false => Location {
-                index: k.saturating_sub(1),
-                t: if k == 0 { 0.0 } else { 1.0 },
-            },
+            false => Location { index: k.saturating_sub(1), t: if k == 0 { 0.0 } else { 1.0 } },
         };
         let history = |i: usize| {
             let states = (0..self.slip.len()).map(|k| row(i, point(k)));
@@ -158,10 +138,7 @@ impl Nodes {
             if misfit.is_empty() {
                 return Vec::new();
             }
-            (0..rows)
-                .flat_map(|i| &misfit[(i * self.rates + j) * slips..][..slips])
-                .copied()
-                .collect()
+            (0..rows).flat_map(|i| &misfit[(i * self.rates + j) * slips..][..slips]).copied().collect()
         };
         Self {
             rates: 1,
@@ -215,11 +192,7 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
         return Some(std::array::from_fn(|f| {
             let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
             let misfit = (mean - geometric).abs() / geometric.abs().max(f64::MIN_POSITIVE);
-            if geometric > 0.0 {
-                misfit.min(1.0) / REFINEMENT
-            } else {
-                0.0
-            }
+            if geometric > 0.0 { misfit.min(1.0) / REFINEMENT } else { 0.0 }
         }));
     }
     if axis.len() < 2 || own + 1 >= axis.len() {
@@ -231,21 +204,12 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
     let outer_right = outer_right.map(|v| (own + 2, v));
     let h = axis[own + 1] - axis[own - 1];
     let t = (axis[own] - axis[own - 1]) / h;
-    let gaps = [
-        outer_left.map(|(i, _)| axis[own - 1] - axis[i]),
-        outer_right.map(|(i, _)| axis[i] - axis[own + 1]),
-    ];
+    let gaps =
+        [outer_left.map(|(i, _)| axis[own - 1] - axis[i]), outer_right.map(|(i, _)| axis[i] - axis[own + 1])];
     Some(std::array::from_fn(|f| {
-        let outer = [
-            outer_left.map(|(_, v)| v[f]),
-            outer_right.map(|(_, v)| v[f]),
-        ];
+        let outer = [outer_left.map(|(_, v)| v[f]), outer_right.map(|(_, v)| v[f])];
         let predicted = blend_one(gaps, h, t, outer, [left[f], right[f]]);
-        if actual[f] == 0.0 {
-            0.0
-        } else {
-            ((predicted - actual[f]) / actual[f]).abs()
-        }
+        if actual[f] == 0.0 { 0.0 } else { ((predicted - actual[f]) / actual[f]).abs() }
     }))
 }
 
@@ -265,11 +229,7 @@ pub(super) fn blend_one(
     let secant = (y1 - y0) / h;
     let neighbour = |side: usize, end: f64| -> Option<(f64, f64)> {
         let (gap, value) = (gaps[side]?, outer[side]?);
-        let rise = if side == 0 {
-            end - scale(value)
-        } else {
-            scale(value) - end
-        };
+        let rise = if side == 0 { end - scale(value) } else { scale(value) - end };
         Some((gap, rise / gap))
     };
     let (before, after) = (neighbour(0, y0), neighbour(1, y1));
@@ -285,9 +245,7 @@ pub(super) fn blend_one(
 /// The two ends of an interval with their shares.
 fn ends(place: Location) -> impl Iterator<Item = (usize, f64)> {
     let Location { index, t } = place;
-    [(index, 1.0 - t), (index + 1, t)]
-        .into_iter()
-        .filter(|(_, share)| *share > 0.0)
+    [(index, 1.0 - t), (index + 1, t)].into_iter().filter(|(_, share)| *share > 0.0)
 }
 
 fn history(table: &Table, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 2]>> {
@@ -314,9 +272,7 @@ fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
         steffen::slopes(slip, &column)
     });
     let slope = |k: usize| std::array::from_fn(|f| slopes[f][k]);
-    (states.into_iter().enumerate())
-        .map(|(k, state)| [state, slope(k)])
-        .collect()
+    (states.into_iter().enumerate()).map(|(k, state)| [state, slope(k)]).collect()
 }
 
 fn given_error(table: &Table, i: usize, j: usize, base: f64) -> Values {

@@ -26,10 +26,7 @@ impl Table {
         let (first, _) = interpolant.rows.ok_or((0, 0)).map_err(absent)?;
         let depth = interference.ln() - interpolant.log_interference[first];
         let place = if depth < 0.0 {
-            Location {
-                index: first,
-                t: 0.0,
-            }
+            Location { index: first, t: 0.0 }
         } else {
             locate(&interpolant.log_interference, interference.ln())
         };
@@ -37,24 +34,16 @@ impl Table {
             true => self.metadata().temperature,
             false => 0.0,
         };
-        let (mut value, mut error) = self
-            .between(interpolant, quantity, base, place, rate)
-            .map_err(absent)?;
+        let (mut value, mut error) =
+            self.between(interpolant, quantity, base, place, rate).map_err(absent)?;
         if depth < 0.0 {
             let knot = self.axes().interference[first];
             let continued = below(&interpolant.elastic, quantity, knot, depth, value);
-            error *= if value == 0.0 {
-                1.0
-            } else {
-                (continued / value).abs()
-            };
+            error *= if value == 0.0 { 1.0 } else { (continued / value).abs() };
             value = continued;
         }
         let scale = ratio.powi(quantity.descriptor().radius_exponent);
-        Ok(Estimate {
-            value: scale * (base + value),
-            error: scale * error,
-        })
+        Ok(Estimate { value: scale * (base + value), error: scale * error })
     }
 
     /// (value above `base`, error) at the radius of the table and inside its rows.
@@ -75,9 +64,7 @@ impl Table {
             Ok([value - base, error, 0.0, 0.0])
         };
         let row = |i: usize| {
-            Interpolant::blend(&interpolant.rate_coordinate, rate, |j| {
-                at(i, j).map(|v| [v[0]; FIELDS])
-            })
+            Interpolant::blend(&interpolant.rate_coordinate, rate, |j| at(i, j).map(|v| [v[0]; FIELDS]))
         };
         let value = Interpolant::blend(&interpolant.log_interference, place, row)?[0];
         let (mut linear, mut error) = (0.0, 0.0);

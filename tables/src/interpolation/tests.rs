@@ -3,11 +3,8 @@ use crate::closed_forms::{ClosedForm, ElasticPlastic, hertz};
 use crate::quantity::Quantity;
 use crate::table::{Axes, Cell, Metadata};
 
-const STEEL: ElasticPlastic = ElasticPlastic {
-    youngs_modulus: 200e9,
-    poisson_ratio: 0.3,
-    yield_strength: 400e6,
-};
+const STEEL: ElasticPlastic =
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
 const RADIUS: f64 = 1e-3;
 const BASE: f64 = 298.0;
 /// V* of 1/(1 + V/V*) for the contact of first yield, m/s.
@@ -34,15 +31,13 @@ fn truth(interference: f64, slip_rate: f64, slip: f64) -> Response {
 
 fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
     let step = (to / from).ln() / (points - 1) as f64;
-    (0..points)
-        .map(|i| from * (i as f64 * step).exp())
-        .collect()
+    (0..points).map(|i| from * (i as f64 * step).exp()).collect()
 }
 
 fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
     let slip = vec![
-        0.0, 1e-4, 2e-4, 4e-4, 7e-4, 1e-3, 1.3e-3, 1.6e-3, 2e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.35,
-        0.5, 0.75, 1.0, 1.35, 1.7, 2.0,
+        0.0, 1e-4, 2e-4, 4e-4, 7e-4, 1e-3, 1.3e-3, 1.6e-3, 2e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75,
+        1.0, 1.35, 1.7, 2.0,
     ];
     let metadata = Metadata {
         asperity_radius: RADIUS,
@@ -55,19 +50,14 @@ fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
         heat_partition: 0.5,
         ..Metadata::default()
     };
-    let axes = Axes {
-        interference,
-        slip_rate,
-        slip,
-    };
+    let axes = Axes { interference, slip_rate, slip };
     let mut table = Table::new(axes.clone(), metadata).unwrap();
     for (i, omega) in axes.interference.iter().enumerate() {
         for (j, rate) in axes.slip_rate.iter().enumerate() {
             let area = truth(*omega, 0.0, 0.0).area.value;
             let a0 = (area / std::f64::consts::PI).sqrt();
-            let states: Vec<Response> = (axes.slip.iter())
-                .map(|slip| truth(*omega, *rate, slip * a0))
-                .collect();
+            let states: Vec<Response> =
+                (axes.slip.iter()).map(|slip| truth(*omega, *rate, slip * a0)).collect();
             let end = states[states.len() - 1];
             let column = |field: fn(&Response) -> Estimate| -> Vec<f64> {
                 states.iter().map(|state| field(state).value).collect()
@@ -77,11 +67,7 @@ fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
             let cell = Cell::new()
                 .with(Quantity::ContactRadius, a0, 0.0)
                 .with(Quantity::Load, end.load.value, 0.0)
-                .with(
-                    Quantity::Friction,
-                    end.friction.value,
-                    0.02 * end.friction.value,
-                )
+                .with(Quantity::Friction, end.friction.value, 0.02 * end.friction.value)
                 .with(Quantity::Area, area, 0.0)
                 .with(Quantity::Mu, end.friction.value / end.load.value, 0.0)
                 .with(Quantity::EnergyRelease, 1e-3 * a0, 0.0)
@@ -123,10 +109,7 @@ fn points_of_the_table_come_back() {
                 (here.area, there.area),
                 (here.temperature_max, there.temperature_max),
             ] {
-                assert!(
-                    relative(a.value, b.value) < 1e-9,
-                    "{omega} {rate}: {a:?} {b:?}"
-                );
+                assert!(relative(a.value, b.value) < 1e-9, "{omega} {rate}: {a:?} {b:?}");
             }
             assert!(relative(here.friction.error, 0.02 * here.friction.value) < 1e-6);
         }
@@ -173,12 +156,8 @@ fn power_laws_are_exact() {
 fn continuous_and_elastic_below_the_first_row() {
     let table = table();
     for (rate, slip) in [(0.0, 1e-9), (0.3, 1e-6), (10.0, 1e-4)] {
-        let above = table
-            .response(RADIUS, 0.5 * (1.0 + 1e-9), rate, slip)
-            .unwrap();
-        let below = table
-            .response(RADIUS, 0.5 * (1.0 - 1e-9), rate, slip)
-            .unwrap();
+        let above = table.response(RADIUS, 0.5 * (1.0 + 1e-9), rate, slip).unwrap();
+        let below = table.response(RADIUS, 0.5 * (1.0 - 1e-9), rate, slip).unwrap();
         assert!(relative(below.friction.value, above.friction.value) < 1e-6);
         assert!(relative(below.load.value, above.load.value) < 1e-6);
         assert!(relative(below.area.value, above.area.value) < 1e-6);
@@ -190,11 +169,8 @@ fn continuous_and_elastic_below_the_first_row() {
     let small = table.response(RADIUS, omega, 10.0, 1e-3).unwrap();
     let strength = small.friction.value / small.area.value;
     assert!(relative(strength, STEEL.shear_strength()) < 1e-4);
-    let load = hertz::hertz_load(
-        STEEL.contact_modulus(),
-        RADIUS,
-        omega * STEEL.critical_interference(RADIUS),
-    );
+    let load =
+        hertz::hertz_load(STEEL.contact_modulus(), RADIUS, omega * STEEL.critical_interference(RADIUS));
     assert!(relative(small.load.value, load) < 1e-4);
     assert!((small.temperature_max.value - BASE).abs() < 0.1);
     let none = table.response(RADIUS, 0.0, 1.0, 0.0).unwrap();
@@ -224,10 +200,7 @@ fn other_radii_see_the_same_dimensionless_asperity() {
     let (_, to) = table.slip_rate_range(0.1 * RADIUS);
     assert!(relative(to, 100.0) < 1e-9);
     let energy = |radius, rate| table.estimate(Quantity::EnergyRelease, radius, 7.0, rate);
-    let (one, tenth) = (
-        energy(RADIUS, 1.0).unwrap(),
-        energy(0.1 * RADIUS, 10.0).unwrap(),
-    );
+    let (one, tenth) = (energy(RADIUS, 1.0).unwrap(), energy(0.1 * RADIUS, 10.0).unwrap());
     assert!(relative(tenth.value, 0.1 * one.value) < 1e-12);
 
     let mut metadata = table.metadata().clone();
@@ -251,22 +224,13 @@ fn last_slip_is_held() {
 fn outside_and_missing_are_refused_with_their_reason() {
     let mut table = table();
     let ask = |table: &Table, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
-    assert!(matches!(
-        ask(&table, 101.0, 1.0),
-        Err(LookupError::InterferenceAbove { .. })
-    ));
+    assert!(matches!(ask(&table, 101.0, 1.0), Err(LookupError::InterferenceAbove { .. })));
     assert!(ask(&table, 100.0, 10.0).is_ok());
-    assert!(matches!(
-        ask(&table, 1.0, 11.0),
-        Err(LookupError::SlipRateOutside { .. })
-    ));
+    assert!(matches!(ask(&table, 1.0, 11.0), Err(LookupError::SlipRateOutside { .. })));
     table.mark_failed(3, 2, "no convergence");
     let omega = table.axes().interference[3];
     let message = ask(&table, 1.01 * omega, 0.2).unwrap_err().to_string();
-    assert!(
-        message.ends_with("the run failed: no convergence"),
-        "{message}"
-    );
+    assert!(message.ends_with("the run failed: no convergence"), "{message}");
     // A neighbour that is missing only makes the slopes one-sided.
     assert!(ask(&table, 1.01 * omega, 5.0).is_ok());
     assert!(ask(&table, 0.2, 0.2).is_ok());
@@ -277,11 +241,8 @@ fn scalars_below_the_first_row_are_elastic() {
     let table = table();
     let omega = 1e-7;
     let load = table.estimate(Quantity::Load, RADIUS, omega, 1.0).unwrap();
-    let hertz = hertz::hertz_load(
-        STEEL.contact_modulus(),
-        RADIUS,
-        omega * STEEL.critical_interference(RADIUS),
-    );
+    let hertz =
+        hertz::hertz_load(STEEL.contact_modulus(), RADIUS, omega * STEEL.critical_interference(RADIUS));
     assert!(relative(load.value, hertz) < 1e-3);
     let mu = table.estimate(Quantity::Mu, RADIUS, omega, 1.0).unwrap();
     assert!(relative(mu.value, 0.5370 / omega.sqrt()) < 2e-3);
@@ -292,12 +253,7 @@ fn scalars_below_the_first_row_are_elastic() {
 #[test]
 fn fixed_slip_rate_gives_the_same_response() {
     let table = table();
-    for (radius, rate) in [
-        (RADIUS, 0.7),
-        (RADIUS, 0.0),
-        (RADIUS, 0.05),
-        (2.0 * RADIUS, 5.0),
-    ] {
+    for (radius, rate) in [(RADIUS, 0.7), (RADIUS, 0.0), (RADIUS, 0.05), (2.0 * RADIUS, 5.0)] {
         let fixed = table.at_slip_rate(radius, rate).unwrap();
         for omega in log_spaced(0.01, 100.0, 23) {
             for slip in [0.0, 1e-8, 3e-7, 4e-5, 1e-2] {
@@ -306,16 +262,10 @@ fn fixed_slip_rate_gives_the_same_response() {
                 // The order of interpolation along slip and slip rate differs.
                 let distance = (here.friction.value - general.friction.value).abs();
                 let allowed = 1e-9 * general.friction.value + 0.5 * general.friction.error;
-                assert!(
-                    distance <= allowed,
-                    "{omega} {rate} {slip}: {distance} {allowed}"
-                );
+                assert!(distance <= allowed, "{omega} {rate} {slip}: {distance} {allowed}");
                 assert!((here.load.value - general.load.value).abs() <= 1e-3 * here.load.value);
                 let errors = here.friction.error / general.friction.error;
-                assert!(
-                    slip == 0.0 || (0.7..1.4).contains(&errors),
-                    "{omega} {slip} {errors}"
-                );
+                assert!(slip == 0.0 || (0.7..1.4).contains(&errors), "{omega} {slip} {errors}");
             }
         }
         assert!(fixed(101.0, 0.0).is_err());
@@ -350,8 +300,5 @@ fn time_per_call() {
         sum += fixed(omega, 1e-6).unwrap().load.value;
     }
     let each = start.elapsed().as_secs_f64() / calls as f64;
-    println!(
-        "{:.0} ns per call at a fixed slip rate ({sum:e})",
-        1e9 * each
-    );
+    println!("{:.0} ns per call at a fixed slip rate ({sum:e})", 1e9 * each);
 }
