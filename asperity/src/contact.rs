@@ -13,8 +13,8 @@ use crate::element::RevolvedMesh;
 use crate::mesh::sphere_height;
 
 /// Stiffness of the constraint springs in units of E*/(ring spacing).
-const NORMAL_SPRING: f64 = 200.0;
-const TANGENTIAL_SPRING: f64 = 5.0;
+const NORMAL_SPRING: f64 = 50.0;
+const TANGENTIAL_SPRING: f64 = 1.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {

@@ -643,7 +643,8 @@ impl HarmonicFactors {
     }
 
     /// Contact part of `modal` divided by the Schur complement: a solve without anything on the contact.
-    pub fn solve_free_contact(&self, modal: &mut [f64]) {
+    #[cfg(test)]
+    fn solve_free_contact(&self, modal: &mut [f64]) {
         let (n, lanes) = (self.contact_unknowns(), self.harmonics());
         let contact = &mut modal[self.interior * lanes..];
         for m in 0..lanes {
@@ -666,6 +667,7 @@ impl HarmonicFactors {
     }
 
     /// Whole solve without anything on the contact.
+    #[cfg(test)]
     pub fn solve(&self, force: &[f64], solution: &mut [f64], modal: &mut [f64]) {
         self.to_modal(force, modal);
         self.forward(modal);

@@ -94,12 +94,15 @@ impl Solid {
     /// left of the root never passes it; for a power law with its infinite first slope the start
     /// is where the elastic and the hardening part each take up half of the excess. A bracket
     /// guards against laws that are not concave.
-    pub fn return_map(&self, trial: f64, strain: f64, rise: f64) -> Return {
+    ///
+    /// `guess` is a first guess of the increment, 0 if there is none.
+    pub fn return_map(&self, trial: f64, strain: f64, rise: f64, guess: f64) -> Return {
         let factor = self.softening_factor(rise);
         let stiffness = 3.0 * self.moduli.shear;
         let excess = trial - factor * self.hardened(strain).0;
         let (mut low, mut high) = (0.0, excess / stiffness);
         let mut x = match &self.hardening {
+            _ if guess > 0.0 && guess < high => guess,
             Hardening::JohnsonCook { modulus, exponent } if strain <= 0.0 && factor > 0.0 => {
                 let b = factor * modulus / self.yield_strength;
                 (0.5 * excess / b).powf(1.0 / exponent).min(0.5 * high)
@@ -116,7 +119,7 @@ impl Solid {
             }
             let step = residual / (stiffness + factor * slope);
             let next = x + step;
-            let converged = step.abs() <= 1e-15 * (x.abs() + step.abs()) || residual.abs() <= 1e-15 * trial;
+            let converged = step.abs() <= 1e-13 * (x.abs() + step.abs()) || residual.abs() <= 1e-15 * trial;
             x = if next >= low && next <= high { next } else { 0.5 * (low + high) };
             if converged {
                 break;
@@ -170,9 +173,9 @@ mod tests {
             let solid = steel(law);
             for strain in [0.0, 1e-9, 1e-4, 0.2] {
                 for rise in [0.0, 300.0, 1400.0] {
-                    for overshoot in [1e-9, 1e-4, 0.1, 10.0] {
+                    for (overshoot, guess) in [(1e-9, 0.0), (1e-4, 1e-3), (0.1, 1e-7), (10.0, 0.02)] {
                         let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
-                        let Return { increment, .. } = solid.return_map(trial, strain, rise);
+                        let Return { increment, .. } = solid.return_map(trial, strain, rise, guess);
                         assert!(increment >= 0.0);
                         let q = trial - 3.0 * solid.moduli.shear * increment;
                         let strength = solid.yield_strength(strain + increment, rise);
@@ -191,7 +194,7 @@ mod tests {
         let solid = steel(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
         assert_eq!(solid.initial_strength(1495.0), 0.0);
         assert_eq!(solid.initial_strength(1e5), 0.0);
-        let Return { increment, slope } = solid.return_map(1.0, 0.0, 2000.0);
+        let Return { increment, slope } = solid.return_map(1.0, 0.0, 2000.0, 0.0);
         assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
     }
 }

@@ -10,8 +10,10 @@ use crate::problem::{Discretisation, Problem};
 use crate::scene::FrictionLaw;
 use crate::sectors::Sectors;
 
-/// Increments for each ring of nodes that comes into contact.
-const INCREMENTS_PER_RING: f64 = 4.0;
+/// Increments for each element per contact radius, and at most in all: full stick makes the load
+/// depend on the path, by less than 0.1 % between 32 and 128 increments.
+const INCREMENTS_PER_ELEMENT: usize = 4;
+const MOST_INCREMENTS: usize = 48;
 
 #[derive(Debug, thiserror::Error)]
 pub enum PressFailure {
@@ -43,7 +45,7 @@ pub fn press_on(
     let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement);
 
     let limit = if problem.law == FrictionLaw::Frictionless { 0.0 } else { f64::INFINITY };
-    let count = (INCREMENTS_PER_RING * size.elements_per_radius as f64).ceil();
+    let count = (INCREMENTS_PER_ELEMENT * size.elements_per_radius).min(MOST_INCREMENTS) as f64;
     let mut increments = Vec::new();
     let mut before = (0.0, mechanics.displacement.clone());
     let mut done = 0.0;

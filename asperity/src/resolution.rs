@@ -24,7 +24,11 @@ impl Resolution {
         let from_accuracy = (8.0 * (0.05 / numerics.accuracy).sqrt()).ceil() as usize;
         let elements = numerics.elements_per_radius.unwrap_or(from_accuracy.clamp(6, 48).next_multiple_of(2));
         let sectors = numerics.sectors.unwrap_or(if numerics.accuracy >= 0.02 { 8 } else { 16 });
-        Self { elements_per_radius: elements, sectors, growth: 0.15 * (8.0 / elements as f64).sqrt() }
+        Self {
+            elements_per_radius: elements,
+            sectors,
+            growth: 0.2 * (numerics.accuracy / 0.02).sqrt().clamp(0.5, 1.5),
+        }
     }
 
     /// Half as fine in every direction (sectors come in fours).
