@@ -7,7 +7,7 @@
 //! (2008), eq. (7.120).
 
 use crate::element::{
-    Element, POINTS, RevolvedMesh, add_stress_force, deviators_and_dilatation, shape_at_points,
+    Element, POINTS, RevolvedMesh, deviators_and_dilatation, shape_at_points, stress_force,
 };
 use crate::lanes::Lanes;
 use crate::material::{Return, Solid};
@@ -176,7 +176,7 @@ impl Body {
                 self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
                 self.trial.rise[at..at + W].copy_from_slice(&mean_rise);
 
-                let mut nodal_force = [[[0.0; W]; 3]; 8];
+                let mut stresses = [[[0.0; W]; TENSOR]; POINTS];
                 let mut flows = false;
                 for q in 0..POINTS {
                     let (mut stress, flowing) =
@@ -189,9 +189,10 @@ impl Body {
                             component[l] = weight * (component[l] + mean);
                         }
                     }
-                    add_stress_force(&self.mesh.elements[e].gradient[q], &stress, &mut nodal_force);
+                    stresses[q] = stress;
                 }
                 self.tangent.flows[e * lanes + first] = flows;
+                let nodal_force = stress_force(&self.mesh.elements[e], &stresses);
                 self.mesh.scatter_vector(&nodal_force, &self.mesh.elements[e], first, force);
             }
         }
@@ -340,8 +341,7 @@ impl Body {
     ) -> [[Lanes<W>; 3]; 8] {
         let lanes = self.mesh.sectors.lanes();
         let element = &self.mesh.elements[e];
-        let (deviators, dilatation) = deviators_and_dilatation(element, displacement);
-        let mut force = [[[0.0; W]; 3]; 8];
+        let (mut stresses, dilatation) = deviators_and_dilatation(element, displacement);
         for q in 0..POINTS {
             let point = e * POINTS + q;
             let coefficient = |i: usize| {
@@ -349,14 +349,14 @@ impl Body {
                 &self.tangent.coefficients[at..at + W]
             };
             let (shear, radial) = (coefficient(0), coefficient(1));
-            let mut stress = deviators[q];
+            let stress = &mut stresses[q];
             // n is stale where nothing flows, and its factor zero.
             let mut projection = [0.0; W];
             for i in 0..TENSOR {
                 let direction = coefficient(2 + i);
                 let factor = if i < 3 { 1.0 } else { 2.0 };
                 for l in 0..W {
-                    projection[l] += factor * direction[l] * deviators[q][i][l];
+                    projection[l] += factor * direction[l] * stress[i][l];
                 }
             }
             let weight = element.weight[q];
@@ -368,9 +368,8 @@ impl Body {
                         weight * (shear[l] * component[l] + radial[l] * projection[l] * direction[l] + mean);
                 }
             }
-            add_stress_force(&element.gradient[q], &stress, &mut force);
         }
-        force
+        stress_force(element, &stresses)
     }
 
     /// Elastic energy ∫½ s:s/2G + p²/2K of a state, half body.

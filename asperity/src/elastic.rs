@@ -1,7 +1,7 @@
 //! Linear isotropic elasticity on the revolved mesh: element stiffness and matrix-free product.
 
-use crate::element::{Element, POINTS, RevolvedMesh, add_stress_force, deviators_and_dilatation};
-use crate::lanes::Lanes;
+use crate::element::{Element, RevolvedMesh, deviators_and_dilatation, stress_force};
+use crate::lanes::{Lanes, fma};
 
 /// Elastic moduli, in units of the problem's stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,20 +26,17 @@ pub fn element_force<const W: usize>(
     moduli: Moduli,
     displacement: &[[Lanes<W>; 3]; 8],
 ) -> [[Lanes<W>; 3]; 8] {
-    let (deviators, dilatation) = deviators_and_dilatation(element, displacement);
-    let mut force = [[[0.0; W]; 3]; 8];
-    for q in 0..POINTS {
-        let weight = element.weight[q];
-        let mut stress = deviators[q];
+    let (mut stress, dilatation) = deviators_and_dilatation(element, displacement);
+    for (stress, &weight) in stress.iter_mut().zip(&element.weight) {
+        let (shear, bulk) = (2.0 * moduli.shear * weight, moduli.bulk * weight);
         for (i, component) in stress.iter_mut().enumerate() {
             for l in 0..W {
-                let volumetric = if i < 3 { moduli.bulk * dilatation[l] } else { 0.0 };
-                component[l] = weight * (2.0 * moduli.shear * component[l] + volumetric);
+                let volumetric = if i < 3 { bulk * dilatation[l] } else { 0.0 };
+                component[l] = fma(shear, component[l], volumetric);
             }
         }
-        add_stress_force(&element.gradient[q], &stress, &mut force);
     }
-    force
+    stress_force(element, &stress)
 }
 
 /// Stiffness of a sector of element e in its own frame, 24 × 24.

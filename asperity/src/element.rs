@@ -22,13 +22,31 @@ const GAUSS: f64 = 0.577_350_269_189_625_8;
 const CORNER_XI: [f64; 4] = [-1.0, 1.0, 1.0, -1.0];
 const CORNER_ETA: [f64; 4] = [-1.0, -1.0, 1.0, 1.0];
 
+/// Gauss points come in pairs q, q + 4, mirror images in the sector's mid-plane.
+const PAIRS: usize = POINTS / 2;
+
+/// Derivatives of the shape functions of a corner's two nodes (L, R) at a mirror pair of points.
+///
+/// With S = u_L + u_R and D = u_R − u_L the gradient at the points is E ∓ O: E takes `even_x`,
+/// `even_z` from S and `even_y` from D, O takes `odd_x`, `odd_z` from D and `odd_y` from S. So each
+/// product serves both points.
+#[derive(Clone, Copy, Debug, Default)]
+struct Mirror {
+    even_x: f64,
+    even_y: f64,
+    even_z: f64,
+    odd_x: f64,
+    odd_y: f64,
+    odd_z: f64,
+}
+
 /// Geometry of one brick.
 #[derive(Clone, Debug)]
 pub struct Element {
     /// Corners of the quadrilateral in the meridian.
     pub nodes: [u32; 4],
-    /// ∂N_n/∂x_d at each Gauss point.
-    pub gradient: [[[f64; 3]; NODES]; POINTS],
+    /// Shape function derivatives of each mirror pair of Gauss points and corner; see [`Mirror`].
+    mirror: [[Mirror; 4]; PAIRS],
     /// Volume that belongs to each Gauss point.
     pub weight: [f64; POINTS],
     pub volume: f64,
@@ -105,7 +123,21 @@ impl Element {
             }
         }
         let volume = weight.iter().sum();
-        Self { nodes, gradient, weight, volume }
+        let mirror = std::array::from_fn(|pair| {
+            std::array::from_fn(|corner| {
+                // At the point of smaller angle; the other has them swapped and y negated.
+                let [left, right] = [gradient[pair][corner], gradient[pair][corner + 4]];
+                Mirror {
+                    even_x: 0.5 * (left[0] + right[0]),
+                    odd_x: 0.5 * (left[0] - right[0]),
+                    even_y: 0.5 * (right[1] - left[1]),
+                    odd_y: -0.5 * (left[1] + right[1]),
+                    even_z: 0.5 * (left[2] + right[2]),
+                    odd_z: 0.5 * (left[2] - right[2]),
+                }
+            })
+        });
+        Self { nodes, mirror, weight, volume }
     }
 }
 
@@ -281,54 +313,81 @@ impl RevolvedMesh {
     }
 }
 
-/// Symmetric strain at a Gauss point from nodal displacements.
+/// Strains at a mirror pair of points as (E, O): E − O at the first, E + O at the second.
 #[inline(always)]
-pub fn strain<const W: usize>(
-    gradient: &[[f64; 3]; NODES],
-    displacement: &[[Lanes<W>; 3]; NODES],
-) -> [Lanes<W>; 6] {
-    let mut e = [[0.0; W]; 6];
-    for n in 0..NODES {
-        let [gx, gy, gz] = gradient[n];
-        let [ux, uy, uz] = &displacement[n];
-        add_scaled(&mut e[0], gx, ux);
-        add_scaled(&mut e[1], gy, uy);
-        add_scaled(&mut e[2], gz, uz);
-        add_scaled(&mut e[3], gy, ux);
-        add_scaled(&mut e[3], gx, uy);
-        add_scaled(&mut e[4], gz, uy);
-        add_scaled(&mut e[4], gy, uz);
-        add_scaled(&mut e[5], gx, uz);
-        add_scaled(&mut e[5], gz, ux);
+fn mirror_strain<const W: usize>(
+    corners: &[Mirror; 4],
+    sum: &[[Lanes<W>; 3]; 4],
+    difference: &[[Lanes<W>; 3]; 4],
+) -> ([Lanes<W>; 6], [Lanes<W>; 6]) {
+    let mut even = [[0.0; W]; 6];
+    let mut odd = [[0.0; W]; 6];
+    for ((m, s), d) in corners.iter().zip(sum).zip(difference) {
+        let half_even = [0.5 * m.even_x, 0.5 * m.even_y, 0.5 * m.even_z];
+        let half_odd = [0.5 * m.odd_x, 0.5 * m.odd_y, 0.5 * m.odd_z];
+        add_scaled(&mut even[0], m.even_x, &s[0]);
+        add_scaled(&mut even[1], m.even_y, &d[1]);
+        add_scaled(&mut even[2], m.even_z, &s[2]);
+        add_scaled(&mut even[3], half_even[1], &d[0]);
+        add_scaled(&mut even[3], half_even[0], &s[1]);
+        add_scaled(&mut even[4], half_even[2], &s[1]);
+        add_scaled(&mut even[4], half_even[1], &d[2]);
+        add_scaled(&mut even[5], half_even[0], &s[2]);
+        add_scaled(&mut even[5], half_even[2], &s[0]);
+        add_scaled(&mut odd[0], m.odd_x, &d[0]);
+        add_scaled(&mut odd[1], m.odd_y, &s[1]);
+        add_scaled(&mut odd[2], m.odd_z, &d[2]);
+        add_scaled(&mut odd[3], half_odd[1], &s[0]);
+        add_scaled(&mut odd[3], half_odd[0], &d[1]);
+        add_scaled(&mut odd[4], half_odd[2], &d[1]);
+        add_scaled(&mut odd[4], half_odd[1], &s[2]);
+        add_scaled(&mut odd[5], half_odd[0], &d[2]);
+        add_scaled(&mut odd[5], half_odd[2], &d[0]);
     }
-    for shear in &mut e[3..] {
-        for value in shear {
-            *value *= 0.5;
-        }
-    }
-    e
+    (even, odd)
 }
 
-/// Adds the nodal forces of a stress (already times the point's weight) to `force`.
+/// Nodal forces of the stresses (already times the points' weights) at all Gauss points.
 #[inline(always)]
-pub fn add_stress_force<const W: usize>(
-    gradient: &[[f64; 3]; NODES],
-    stress: &[Lanes<W>; 6],
-    force: &mut [[Lanes<W>; 3]; NODES],
-) {
-    for n in 0..NODES {
-        let [gx, gy, gz] = gradient[n];
-        let [fx, fy, fz] = &mut force[n];
-        add_scaled(fx, gx, &stress[0]);
-        add_scaled(fx, gy, &stress[3]);
-        add_scaled(fx, gz, &stress[5]);
-        add_scaled(fy, gx, &stress[3]);
-        add_scaled(fy, gy, &stress[1]);
-        add_scaled(fy, gz, &stress[4]);
-        add_scaled(fz, gx, &stress[5]);
-        add_scaled(fz, gy, &stress[4]);
-        add_scaled(fz, gz, &stress[2]);
+pub fn stress_force<const W: usize>(
+    element: &Element,
+    stress: &[[Lanes<W>; 6]; POINTS],
+) -> [[Lanes<W>; 3]; NODES] {
+    // Forces that work on the sums and on the differences of the nodal displacements.
+    let mut on_sum = [[[0.0; W]; 3]; 4];
+    let mut on_difference = [[[0.0; W]; 3]; 4];
+    for pair in 0..PAIRS {
+        let (first, second) = (&stress[pair], &stress[pair + PAIRS]);
+        let mut even = [[0.0; W]; 6];
+        let mut odd = [[0.0; W]; 6];
+        for i in 0..6 {
+            for l in 0..W {
+                even[i][l] = second[i][l] + first[i][l];
+                odd[i][l] = second[i][l] - first[i][l];
+            }
+        }
+        for (m, (s, d)) in element.mirror[pair].iter().zip(on_sum.iter_mut().zip(&mut on_difference)) {
+            // Row c of the stress: its components with x, y and z.
+            for (c, [x, y, z]) in [[0, 3, 5], [3, 1, 4], [5, 4, 2]].into_iter().enumerate() {
+                add_scaled(&mut s[c], m.even_x, &even[x]);
+                add_scaled(&mut s[c], m.odd_y, &odd[y]);
+                add_scaled(&mut s[c], m.even_z, &even[z]);
+                add_scaled(&mut d[c], m.odd_x, &odd[x]);
+                add_scaled(&mut d[c], m.even_y, &even[y]);
+                add_scaled(&mut d[c], m.odd_z, &odd[z]);
+            }
+        }
     }
+    let mut force = [[[0.0; W]; 3]; NODES];
+    for a in 0..4 {
+        for c in 0..3 {
+            for l in 0..W {
+                force[a][c][l] = on_sum[a][c][l] - on_difference[a][c][l];
+                force[a + 4][c][l] = on_sum[a][c][l] + on_difference[a][c][l];
+            }
+        }
+    }
+    force
 }
 
 /// Deviatoric strains of all Gauss points and the mean dilatation of the element (B̄).
@@ -337,20 +396,37 @@ pub fn deviators_and_dilatation<const W: usize>(
     element: &Element,
     displacement: &[[Lanes<W>; 3]; NODES],
 ) -> ([[Lanes<W>; 6]; POINTS], Lanes<W>) {
+    let mut sum = [[[0.0; W]; 3]; 4];
+    let mut difference = [[[0.0; W]; 3]; 4];
+    for a in 0..4 {
+        for c in 0..3 {
+            for l in 0..W {
+                sum[a][c][l] = displacement[a + 4][c][l] + displacement[a][c][l];
+                difference[a][c][l] = displacement[a + 4][c][l] - displacement[a][c][l];
+            }
+        }
+    }
     let mut deviators = [[[0.0; W]; 6]; POINTS];
     let mut dilatation = [0.0; W];
     let inverse_volume = 1.0 / element.volume;
-    for q in 0..POINTS {
-        let mut e = strain(&element.gradient[q], displacement);
-        let share = element.weight[q] * inverse_volume;
-        for l in 0..W {
-            let trace = e[0][l] + e[1][l] + e[2][l];
-            dilatation[l] = fma(share, trace, dilatation[l]);
-            for component in &mut e[..3] {
-                component[l] -= trace / 3.0;
+    for pair in 0..PAIRS {
+        let (even, odd) = mirror_strain(&element.mirror[pair], &sum, &difference);
+        for (q, sign) in [(pair, -1.0), (pair + PAIRS, 1.0)] {
+            let e = &mut deviators[q];
+            for i in 0..6 {
+                for l in 0..W {
+                    e[i][l] = fma(sign, odd[i][l], even[i][l]);
+                }
+            }
+            let share = element.weight[q] * inverse_volume;
+            for l in 0..W {
+                let trace = e[0][l] + e[1][l] + e[2][l];
+                dilatation[l] = fma(share, trace, dilatation[l]);
+                for component in &mut e[..3] {
+                    component[l] -= trace / 3.0;
+                }
             }
         }
-        deviators[q] = e;
     }
     (deviators, dilatation)
 }
