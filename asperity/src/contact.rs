@@ -271,7 +271,9 @@ impl Contact {
             let load = if inner > 0.0 { (self.trial.pressure[at(last)] / inner).min(1.0) } else { 1.0 };
             // A ring about to lift off covers nothing.
             let filled = (1.0 - open) * (load / 0.1).min(1.0);
-            let excess = EXCESS * (load - ELASTIC_LOAD * filled).max(0.0) * (1.0 - filled);
+            // The excess fades at both ends, so that nothing jumps when a ring touches or lifts off.
+            let fade = (filled / 0.3).min(1.0) * (1.0 - filled);
+            let excess = EXCESS * (load - ELASTIC_LOAD * filled).max(0.0) * fade;
             self.cover[at(last)] = filled + excess;
         }
     }

@@ -179,7 +179,7 @@ impl Mechanics {
     }
 
     /// Solves tangent·direction = −residual; `direction` holds M⁻¹·residual on entry.
-    fn conjugate_gradients(&mut self, residual: &[f64], direction: &mut Vec<f64>, tolerance: f64) {
+    fn conjugate_gradients(&mut self, residual: &[f64], direction: &mut [f64], tolerance: f64) {
         let n = residual.len();
         let mut r: Vec<f64> = residual.iter().map(|x| -x).collect();
         let mut z: Vec<f64> = direction.iter().map(|x| -x).collect();
