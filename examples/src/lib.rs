@@ -1,1 +1,20 @@
+//! Runnable examples, smallest first. Scene files are in `examples/scenes/`.
+//!
+//! | what | how |
+//! |---|---|
+//! | one asperity, pressed and slid, from Rust | `cargo run --release -p examples --example hertz_to_slide` |
+//! | friction of a Gaussian surface, from Rust | `cargo run --release -p examples --example rough_surface [table.nc]` |
+//! | the same as the first, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
+//! | material and roughness to friction, the main job | `examples/friction-of-steel.sh` |
 
+use std::path::PathBuf;
+
+/// Path of a file in `examples/scenes/`, wherever the example is started from.
+pub fn scene(name: &str) -> PathBuf {
+    [env!("CARGO_MANIFEST_DIR"), "scenes", name].iter().collect()
+}
+
+/// Compiles the code of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

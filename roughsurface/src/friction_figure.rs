@@ -13,7 +13,7 @@ const FRICTION_LABEL: &str = "friction coefficient";
 /// Friction against slip rate and against pressure, along the slide, and real contact area.
 pub fn figure(prediction: &Prediction) -> Figure {
     Figure {
-        title: format!("Friction of a rough surface ({})", prediction.law),
+        title: title(&prediction.law),
         panels: vec![
             over_slip_rate(prediction),
             over_pressing(
@@ -33,6 +33,14 @@ pub fn figure(prediction: &Prediction) -> Figure {
                 )
             },
         ],
+    }
+}
+
+/// Names the law where it is short: that of a table is a sentence, and too long for the sheet.
+fn title(law: &str) -> String {
+    match law.len() {
+        ..=24 => format!("Friction of a rough surface ({law})"),
+        _ => "Friction of a rough surface".into(),
     }
 }
 

@@ -3,6 +3,12 @@
 //!
 //! A [`law::AsperityLaw`] answers that question, be it a table computed by the
 //! `asperity` crate or a closed form of the literature.
+//!
+//! A [`table::Table`] is interpolated in the logarithms of interference and slip rate, continued
+//! by the elastic asymptote below its first interference, and refused above its last. It is
+//! computed for one radius and read at any: at fixed ω/ω_c, V·R and s/a₀ forces and areas scale
+//! with R², lengths with R. [`quantity`] is the one list of what a table holds; [`dataset`] and
+//! [`figure`] are the netCDF files and the figures of the whole project.
 
 mod assembly;
 pub mod closed_forms;

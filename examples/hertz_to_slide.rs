@@ -1,0 +1,82 @@
+//! One steel asperity from first touch to sliding, with the library `asperity`.
+//!
+//! Presses a sphere of 1 mm radius 20 times as far as first yield needs, compares load and area
+//! with Hertz (elastic) and Jackson & Green 2005 (elastic–plastic, frictionless), then slides it
+//! at 1 m/s. The press is computed once; a second slip rate would only cost another slide.
+//!
+//!     cargo run --release -p examples --example hertz_to_slide
+
+use asperity::numbers::with_error;
+use asperity::scene_file::parse_scene;
+use asperity::simulate::{Unwatched, press, slide};
+use tables::closed_forms::{ElasticPlastic, closed_form};
+
+/// A coarse mesh: a look at the method, not a result to quote.
+const SCENE: &str = r#"
+[material]
+preset = "steel-4340"
+[asperity]
+radius = 1e-3               # m
+[loading]
+interference = 20.0         # in units of the interference of first yield
+slip_rate = 1.0             # m/s
+slip_distance = 1.0         # in contact radii
+[numerics]
+elements_per_radius = 6
+sectors = 4
+"#;
+
+fn main() -> anyhow::Result<()> {
+    // 1. The scene: plain data, here from text. `read_scene` takes a file and overrides.
+    let scene = parse_scene(SCENE, "the scene of this example", &[])?;
+
+    // 2. Press in full stick, then slide; `&Unwatched` reports no progress and is never cancelled.
+    let pressed = press(&scene, &Unwatched)?;
+    let outcome = slide(&pressed, scene.loading.slip_rate, &Unwatched)?;
+    let summary = &outcome.summary;
+
+    // 3. The press beside two closed forms at the same interference.
+    let material = ElasticPlastic {
+        youngs_modulus: scene.material.youngs_modulus,
+        poisson_ratio: scene.material.poisson_ratio,
+        yield_strength: scene.material.yield_strength,
+    };
+    println!(
+        "pressed to {} omega_c (omega_c = {:.3e} m)",
+        scene.loading.interference, outcome.critical_interference
+    );
+    println!(
+        "  this run            P = {}, A = {}",
+        with_error(summary.load_press, "N"),
+        with_error(summary.area_press, "m2")
+    );
+    for name in ["hertz", "jackson-green"] {
+        let law = closed_form(name, &material)?;
+        let response = law.response(scene.radius, scene.loading.interference, 0.0, 0.0)?;
+        println!("  {name:<18}  P = {:.3} N, A = {:.3e} m2", response.load.value, response.area.value);
+    }
+
+    // 4. The slide: every tenth of the way.
+    println!("slid at {} m/s", scene.loading.slip_rate);
+    println!("  slip [um]   Q/P     sticks   T_max [K]");
+    let last = outcome.slide.last().map_or(0.0, |step| step.slip);
+    let mut next = 0.0;
+    for step in &outcome.slide {
+        if step.slip >= next {
+            println!(
+                "  {:>8.3}   {:.4}   {:>4.0} %   {:>7.1}",
+                1e6 * step.slip,
+                step.mu,
+                100.0 * step.stick_fraction,
+                step.temperature_max
+            );
+            next = step.slip + 0.1 * last;
+        }
+    }
+    println!("static friction coefficient  {}", with_error(summary.mu_static, "1"));
+    println!("sliding friction coefficient {}", with_error(summary.mu, "1"));
+    for warning in &outcome.account.warnings {
+        println!("warning: {warning}");
+    }
+    Ok(())
+}
