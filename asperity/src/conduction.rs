@@ -22,13 +22,20 @@ const CONTACT_ITERATIONS: usize = 30;
 pub trait ContactHeat {
     /// Heat per time into contact point `point` at rise `rise`, and its derivative (never positive).
     fn flow(&self, point: usize, rise: f64) -> (f64, f64);
+
+    /// The part of the flow that goes out, into the flat; positive.
+    fn loss(&self, _point: usize, _rise: f64) -> f64 {
+        0.0
+    }
 }
 
 /// Heat that passed in one step, half body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HeatBalance {
-    /// Through the contact, net of what the gap took.
+    /// In through the contact.
     pub contact: f64,
+    /// Out into the flat.
+    pub gap: f64,
     /// Given to the body directly.
     pub body: f64,
     /// Out through the base.
@@ -125,14 +132,15 @@ impl Conduction {
         let flow_last = self.stage(&matrix, &rhs, GAMMA * dt, heat, &first, &mut last);
         let weighted = |a: f64, b: f64| dt * ((1.0 - GAMMA) * a + GAMMA * b);
         let balance = HeatBalance {
-            contact: weighted(flow_first, flow_last),
+            contact: weighted(flow_first.0 + flow_first.1, flow_last.0 + flow_last.1),
+            gap: weighted(flow_first.1, flow_last.1),
             body: (0..n).filter(|&i| !self.on_base(i)).map(|i| body[i]).sum(),
             base: weighted(self.base_flow(&first), self.base_flow(&last)),
         };
         Ok((last, balance))
     }
 
-    /// Solves (M + γΔtK)θ = rhs + γΔt·q(θ) with q at the contact; returns Σq.
+    /// Solves (M + γΔtK)θ = rhs + γΔt·q(θ) with q at the contact; returns the net flow and the loss.
     fn stage(
         &self,
         matrix: &StepMatrix,
@@ -141,7 +149,7 @@ impl Conduction {
         heat: &dyn ContactHeat,
         guess: &[f64],
         solution: &mut [f64],
-    ) -> f64 {
+    ) -> (f64, f64) {
         let factors = &matrix.factors;
         let mut modal = vec![0.0; factors.modal_length()];
         factors.to_modal(rhs, &mut modal);
@@ -200,7 +208,9 @@ impl Conduction {
         }
         factors.backward(&mut modal);
         factors.to_nodal(&modal, solution);
-        (0..rise.len()).map(|i| heat.flow(i, rise[i]).0).sum()
+        rise.iter().enumerate().fold((0.0, 0.0), |(net, lost), (i, &theta)| {
+            (net + heat.flow(i, theta).0, lost + heat.loss(i, theta))
+        })
     }
 
     fn is_apex(&self, ring: usize) -> bool {

@@ -11,7 +11,7 @@ use crate::contact::{Contact, Flat};
 use crate::harmonic::{FieldKind, HarmonicFactors};
 
 /// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
-const NEWTON_TOLERANCE: f64 = 5e-6;
+const NEWTON_TOLERANCE: f64 = 5e-7;
 /// Residual below which a state is good enough to ask for its temperature and contact edge.
 const REFRESH: f64 = 3e-2;
 const NEWTON_LIMIT: usize = 30;

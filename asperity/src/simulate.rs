@@ -108,8 +108,8 @@ fn press_mesh(
     watch: &dyn Watch,
 ) -> Result<PressedMesh, SimulationError> {
     /// Offset of the edge from its place between two rings, in ring spacings, that is good enough.
-    const CLOSE_ENOUGH: f64 = 0.25;
-    const LAYOUTS: usize = 3;
+    const CLOSE_ENOUGH: f64 = 0.15;
+    const LAYOUTS: usize = 4;
     for layout in 1.. {
         if watch.cancelled() {
             return Err(SimulationError::Cancelled { partial: None });

@@ -99,7 +99,7 @@ impl ContactHeat for FrictionHeat<'_> {
             return (0.0, 0.0);
         }
         let area = self.contact.areas[point];
-        let gap = problem.gap_conductance * problem.heat_capacity * area * self.contact.cover[point];
+        let gap = self.conductance(point);
         let power = problem.heat_partition * area * self.speed[point];
         let (traction, slope) = match problem.law {
             FrictionLaw::ShearStrength => {
@@ -113,6 +113,21 @@ impl ContactHeat for FrictionHeat<'_> {
             }
         };
         (power * traction - gap * rise, power * slope - gap)
+    }
+
+    fn loss(&self, point: usize, rise: f64) -> f64 {
+        self.conductance(point) * rise
+    }
+}
+
+impl FrictionHeat<'_> {
+    /// Of the gap at a contact point; none where it is open.
+    fn conductance(&self, point: usize) -> f64 {
+        if self.contact.trial.status[point] == Status::Open {
+            return 0.0;
+        }
+        let covered = self.contact.areas[point] * self.contact.cover[point];
+        self.problem.gap_conductance * self.problem.heat_capacity * covered
     }
 }
 
@@ -287,7 +302,7 @@ impl<'a> Slide<'a> {
         instant.thermal_expansion += energies.thermal_expansion;
         if let (Some((rise, balance)), Some(conduction)) = (heated, self.conduction.as_mut()) {
             instant.heat_in += balance.contact + balance.body;
-            instant.heat_out += balance.base;
+            instant.heat_out += balance.base + balance.gap;
             instant.heat_stored = conduction.stored(&rise);
             (instant.rise_max, instant.rise_mean) = contact_rise(&self.mechanics.contact, &rise);
             conduction.committed = rise;

@@ -13,6 +13,9 @@ use crate::problem::Problem;
 use crate::scene::{FrictionLaw, Hardening, Scene};
 use crate::slide::{Fields, Instant};
 
+/// Sticking share of the contact that counts as none: points that have just touched stick until
+/// they have slipped once.
+const NO_STICK: f64 = 0.01;
 /// Sliding has begun when dQ/ds is below this share of its first value.
 const STIFFNESS_SHARE: f64 = 0.01;
 /// Relative change of μ over the last quarter of the slide below which it has levelled off.
@@ -92,11 +95,8 @@ impl Scalars {
     }
 }
 
-/// First state without sticking points, or where the secant stiffness of the increments,
-/// interpolated between their middles, falls below the given share of the first.
-///
-/// The sticking share of the contact falls about linearly with slip: it is followed straight on
-/// from the last two states with sticking points to where it vanishes.
+/// Where the sticking share of the contact falls to nothing, or the secant stiffness of the
+/// increments falls below the given share of the first; both interpolated between increments.
 fn inception(history: &[Instant]) -> Inception {
     let stiffness: Vec<(f64, f64)> = history
         .windows(2)
@@ -104,14 +104,11 @@ fn inception(history: &[Instant]) -> Inception {
         .collect();
     let first = stiffness.first().map_or(0.0, |s| s.1);
     for n in 1..history.len() {
-        if history[n].stick_fraction == 0.0 && history[n].friction > 0.0 {
-            let (before, now) = (history[n - 1], history[n]);
-            let mut slip = now.slip;
-            if n >= 2 && history[n - 2].stick_fraction > before.stick_fraction {
-                let rate = (history[n - 2].stick_fraction - before.stick_fraction)
-                    / (before.slip - history[n - 2].slip);
-                slip = (before.slip + before.stick_fraction / rate).min(now.slip);
-            }
+        let (before, now) = (history[n - 1], history[n]);
+        if now.stick_fraction < NO_STICK && now.friction > 0.0 {
+            let fallen = before.stick_fraction - now.stick_fraction;
+            let share = if fallen > 0.0 { (before.stick_fraction - NO_STICK) / fallen } else { 1.0 };
+            let slip = before.slip + share.clamp(0.0, 1.0) * (now.slip - before.slip);
             return Inception::at(history, slip, n, InceptionCriterion::FullSlip);
         }
         let (at, now) = stiffness[n - 1];
@@ -146,6 +143,9 @@ impl Inception {
 
 /// History interpolated linearly in slip.
 fn between(history: &[Instant], slip: f64) -> Instant {
+    if history.len() < 2 {
+        return history[0];
+    }
     let after = history.partition_point(|i| i.slip < slip).clamp(1, history.len() - 1);
     let (a, b) = (history[after - 1], history[after]);
     let t = ((slip - a.slip) / (b.slip - a.slip)).clamp(0.0, 1.0);
