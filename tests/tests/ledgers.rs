@@ -1,0 +1,72 @@
+//! Energy and heat ledgers of a hot, plastic slide.
+//!
+//! Problem: 4340 steel, R = 1 mm, ω₀ = 20 ω_c, V = 3 m/s, half of the frictional heat and 0.9 of
+//! the plastic work heating the asperity, thermal expansion included.
+//! Source: first law of thermodynamics; for the mechanics
+//! work of the flat = elastic energy + plastic + frictional dissipation + work on thermal expansion,
+//! for the heat  heat in = heat stored + heat out.
+
+use asperity::outcome::{Outcome, SlideStep};
+use asperity::scene::FrictionLaw;
+use tests::{assert_close, last, mesh, run, scene, steel_4340};
+
+fn slide(gap_conductance: f64) -> Outcome {
+    let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, 20.0, mesh(6, 8));
+    scene.interface.heat_partition = 0.5;
+    scene.interface.taylor_quinney = 0.9;
+    scene.interface.gap_conductance = gap_conductance;
+    scene.loading.slip_rate = 3.0;
+    scene.loading.slip_distance = 0.5;
+    let outcome = run(&scene);
+    let end = last(&outcome);
+    assert!(end.plastic_strain_max > 0.01 && end.temperature_max > 330.0, "{end:?}");
+    outcome
+}
+
+/// |balance| over the largest of `terms`.
+fn off(balance: f64, terms: &[f64]) -> f64 {
+    balance.abs() / terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()))
+}
+
+fn energy_off(step: &SlideStep) -> f64 {
+    let s = step;
+    let spent = [s.energy_elastic, s.dissipation_plastic, s.dissipation_friction, s.work_thermal_expansion];
+    let balance = s.work - spent.iter().sum::<f64>();
+    off(balance, &[s.work, spent[0], spent[1], spent[2], spent[3]])
+}
+
+fn heat_off(step: &SlideStep) -> f64 {
+    let s = step;
+    off(s.heat_in - s.heat_stored - s.heat_out, &[s.heat_in, s.heat_stored, s.heat_out])
+}
+
+/// To 1e-6 of the largest term of each step: the tolerance of the solver.
+#[test]
+fn energy_and_heat_are_accounted_for_at_every_step() {
+    let outcome = slide(0.0);
+    let steps = &outcome.slide[1..];
+    let worst = |off: fn(&SlideStep) -> f64| steps.iter().map(off).fold(0.0, f64::max);
+    let (energy, heat) = (worst(energy_off), worst(heat_off));
+    println!("energy {energy:.1e}, heat {heat:.1e}");
+    assert!(heat <= 1e-6, "heat is off by {heat:.1e}");
+    assert!(energy <= 1e-6, "energy is off by {energy:.1e}");
+}
+
+/// Heat in = f_h of the frictional and β of the plastic dissipation. The dissipation is summed
+/// with the mean traction of each step, the heat with that at its end: up to 0.25 % on this slide.
+#[test]
+fn heat_comes_from_dissipation() {
+    let end = *last(&slide(0.0));
+    let generated = 0.5 * end.dissipation_friction + 0.9 * end.dissipation_plastic;
+    assert_close("heat in", end.heat_in, generated, 0.005);
+}
+
+/// A conducting gap takes heat out; it does not make less of it. The tolerance is that above, and
+/// for steps of temperature that the conductance makes larger.
+#[test]
+fn heat_through_the_gap_is_heat_out() {
+    let end = *last(&slide(1e7));
+    let generated = 0.5 * end.dissipation_friction + 0.9 * end.dissipation_plastic;
+    assert!(end.heat_out > 0.1 * generated, "heat out {:e} of {generated:e} J", end.heat_out);
+    assert_close("heat in", end.heat_in, generated, 0.01);
+}

@@ -1,0 +1,163 @@
+//! The main job from outside: request -> table.nc -> friction.nc.
+//!
+//! Problem: a 4340 steel asperity on a very coarse mesh, tabulated by `asperity tabulate` and
+//! spread over rough surfaces by `roughsurface predict`, both as programs.
+//!
+//! Sources: an exponential height distribution gives a friction coefficient that does not depend
+//! on load whatever one asperity does (J. A. Greenwood & J. B. P. Williamson, Proc. R. Soc. A 295,
+//! 300 (1966), doi 10.1098/rspa.1966.0242: the integrals over exp(−z/σ) all scale with
+//! exp(−d/σ)); otherwise the contract of the command line.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+use tables::dataset::DatasetReader;
+
+const REQUEST: &str = r#"
+[material]
+preset = "steel-4340"
+[asperity]
+radius = 1e-3
+[loading]
+slip_distance = 0.3
+[table]
+interference = [0.3, 2.0, 12.0]
+slip_rate = [0.1, 10.0]
+[numerics]
+elements_per_radius = 4
+sectors = 4
+"#;
+
+/// Heights as long as a tenth of the deepest tabulated interference: e⁻¹⁰ of the asperities
+/// would lie beyond it.
+fn surface(pressures: &str, std: f64) -> String {
+    format!(
+        "[surface]\nasperity_density = 1e6\nasperity_radius = 1e-3\n\
+         heights = {{ distribution = \"exponential\", std = {std:e} }}\n\
+         [query]\npressure = {pressures}\nslip_rate = [0.1, 10.0]\n"
+    )
+}
+
+/// The program `name`, built by the same profile as this test.
+fn program(name: &str) -> PathBuf {
+    static BUILT: OnceLock<PathBuf> = OnceLock::new();
+    // target/<profile>/deps/<this test>
+    let folder = BUILT.get_or_init(|| {
+        let test = std::env::current_exe().unwrap();
+        let folder = test.parent().and_then(Path::parent).unwrap().to_path_buf();
+        let profile = match folder.file_name().and_then(|name| name.to_str()) {
+            Some("debug") => "dev",
+            Some(profile) => profile,
+            None => "dev",
+        };
+        let status = Command::new(env!("CARGO"))
+            .args(["build", "--quiet", "--offline", "--workspace", "--bins", "--profile", profile])
+            .arg("--target-dir")
+            .arg(folder.parent().unwrap())
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .status()
+            .unwrap();
+        assert!(status.success(), "the programs could not be built");
+        folder
+    });
+    folder.join(name)
+}
+
+fn execute(name: &str, folder: &Path, arguments: &str) -> Output {
+    Command::new(program(name))
+        .args(arguments.split_whitespace())
+        .current_dir(folder)
+        // A program started at the same time may have inherited the lock of a file being written.
+        .env("HDF5_USE_FILE_LOCKING", "FALSE")
+        .output()
+        .unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A folder with request.toml and the table made from it; made once.
+fn tabulated() -> &'static Path {
+    static FOLDER: OnceLock<tempfile::TempDir> = OnceLock::new();
+    FOLDER
+        .get_or_init(|| {
+            let folder = tempfile::tempdir().unwrap();
+            std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
+            let output = execute("asperity", folder.path(), "tabulate request.toml -o table.nc --jobs 2");
+            assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+            folder
+        })
+        .path()
+}
+
+/// ω_c of the table, m.
+fn critical_interference() -> f64 {
+    let table = tables::table::Table::read(&tabulated().join("table.nc")).unwrap();
+    table.metadata().critical_interference
+}
+
+#[test]
+fn exponential_heights_make_friction_independent_of_load() {
+    let folder = tabulated();
+    let std = 0.6 * critical_interference();
+    std::fs::write(folder.join("exponential.toml"), surface("[1e2, 1e3, 1e4]", std)).unwrap();
+    let output = execute(
+        "roughsurface",
+        folder,
+        "predict exponential.toml --table table.nc -o friction.nc --plot friction.svg",
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(folder.join("friction.svg").exists());
+    let file = DatasetReader::open(&folder.join("friction.nc")).unwrap();
+    let mu = file.reals("mu", &[3, 2]).unwrap();
+    let mu_static = file.reals("mu_static", &[3, 2]).unwrap();
+    println!("{mu:?} {mu_static:?}");
+    for value in [&mu, &mu_static] {
+        for cell in value[2..].iter().zip(value) {
+            // The integrals are exact to 1e-3 (their tolerance and the e⁻²⁰ beyond the table).
+            assert!((cell.0 / cell.1 - 1.0).abs() < 1e-3, "{value:?}");
+        }
+    }
+    // At each pressure friction falls with the slip rate, and sliding friction is below static.
+    for (pair, still) in mu.chunks(2).zip(mu_static.chunks(2)) {
+        assert!(pair[1] < pair[0] && pair[1] < still[1] && pair[0] > 0.05 && pair[0] < 1.0);
+    }
+}
+
+#[test]
+fn load_above_the_table_is_refused() {
+    let folder = tabulated();
+    let std = 5.0 * critical_interference();
+    std::fs::write(folder.join("rough.toml"), surface("[1e2]", std)).unwrap();
+    refused(folder, "predict rough.toml --table table.nc -o none.nc", &["12", "--extrapolate"]);
+}
+
+#[test]
+fn files_that_are_no_tables_are_refused() {
+    let folder = tabulated();
+    std::fs::write(folder.join("any.toml"), surface("[1e2]", 1e-8)).unwrap();
+    std::fs::write(folder.join("text.nc"), "not netCDF").unwrap();
+    refused(folder, "predict any.toml --table missing.nc -o none.nc", &["missing.nc"]);
+    refused(folder, "predict any.toml --table text.nc -o none.nc", &["text.nc"]);
+    // NetCDF, but not a table.
+    let mut foreign = tables::dataset::DatasetWriter::create(&folder.join("foreign.nc"), "foreign").unwrap();
+    foreign.dimension("x", 2).unwrap();
+    foreign.finish().unwrap();
+    refused(folder, "predict any.toml --table foreign.nc -o none.nc", &["foreign.nc"]);
+}
+
+/// Exit status 2, one line with all of `parts`, and no new file.
+fn refused(folder: &Path, arguments: &str, parts: &[&str]) {
+    let output = execute("roughsurface", folder, arguments);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    for part in parts {
+        assert!(message.contains(part), "{message} lacks {part}");
+    }
+    let left =
+        std::fs::read_dir(folder).unwrap().filter_map(|entry| entry.unwrap().file_name().into_string().ok());
+    let left: Vec<_> = left.filter(|name| name.contains("none")).collect();
+    assert!(left.is_empty(), "{left:?}");
+}
