@@ -25,19 +25,20 @@ output=$(cd "$output" && pwd)
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 section() { printf '\n== %s  [%d s]\n' "$1" "$SECONDS"; }
-program() { cargo run --locked --release --quiet --package "$1" --bin "$1" -- "${@:2}"; }
 
 section "System packages and build"
 examples/system-packages.sh
-cargo build --locked --release --package asperity --package roughsurface
+# The whole workspace at once: cargo compiles dependencies anew for another choice of packages.
+cargo build --locked --release --workspace
+programs=$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')/release
 
 section "One asperity of 4340 steel, R = 1 mm: 4 interferences x 3 slip rates"
 # The journal of an interrupted run, if there is one, is continued.
-program asperity tabulate examples/scenes/steel-4340-table.toml --resume \
+"$programs/asperity" tabulate examples/scenes/steel-4340-table.toml --resume \
     -o "$output/table.nc" --plot "$output/table.png"
 
 section "Friction of a ground surface of such asperities"
-program roughsurface predict examples/scenes/ground-steel-surface.toml --table "$output/table.nc" \
+"$programs/roughsurface" predict examples/scenes/ground-steel-surface.toml --table "$output/table.nc" \
     -o "$output/friction.nc" --plot "$output/friction.png"
 
 section "Written to $output"

@@ -3,9 +3,9 @@
 use crate::problem::SHEAR_RATIO;
 use crate::scene::{FrictionLaw, Numerics, Scene, Softening, Switch};
 
-/// Below this softening number heat changes friction by less than 1 % (L/(1 + L), mean form of the
-/// steady state), and is left out when the scene leaves the choice.
-const NO_HEAT_BELOW: f64 = 0.1;
+/// Heat changes friction by about the softening number L (steady state: L/(1 + 8L/3π)); it is left
+/// out when the scene leaves the choice and that is below this share of the asked accuracy.
+const NO_HEAT_SHARE: f64 = 0.25;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resolution {
@@ -78,8 +78,8 @@ pub fn choose_heat(scene: &Scene, slip_rate: f64, number: f64, notes: &mut Vec<S
         Switch::Auto if matches!(scene.interface.law, FrictionLaw::Frictionless) => {
             Some("there is no friction".to_string())
         }
-        Switch::Auto if number < NO_HEAT_BELOW * scene.numerics.accuracy / 0.02 => Some(format!(
-            "the softening number f_h tau_0 V a/(k dT_m) = {number:.2e} changes friction by less than {:.1} %",
+        Switch::Auto if number < NO_HEAT_SHARE * scene.numerics.accuracy => Some(format!(
+            "the softening number f_h tau_0 V a/(k dT_m) = {number:.2e} changes friction by at most about {:.2} %",
             100.0 * number
         )),
         Switch::Auto => None,
