@@ -33,7 +33,7 @@ pub struct SlideStep {
     pub plastic_strain_max: f64,
     /// Work of the flat on the asperity.
     pub work: f64,
-    /// Change of the stored elastic energy.
+    /// Change of the stored elastic energy, with that of the normal contact springs.
     pub energy_elastic: f64,
     pub dissipation_plastic: f64,
     pub dissipation_friction: f64,

@@ -10,8 +10,8 @@ use crate::problem::{Discretisation, Problem};
 use crate::scene::FrictionLaw;
 use crate::sectors::Sectors;
 
-/// Increments for each element per contact radius, and at most in all: full stick makes the load
-/// depend on the path, by less than 0.1 % between 32 and 128 increments.
+/// Increments for each element per contact radius, and at most in all: in full stick a point holds
+/// on where it was when the increment in which it touched began, so the load depends on the path.
 const INCREMENTS_PER_ELEMENT: usize = 4;
 const MOST_INCREMENTS: usize = 48;
 

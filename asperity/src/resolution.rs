@@ -18,8 +18,8 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// What the scene gives, and for the rest what the accuracy needs: the errors fall with
-    /// the square of the element size.
+    /// What the scene gives, and for the rest a choice by the accuracy as if errors fell with the
+    /// square of the element size; the stated errors say what was reached.
     pub fn choose(numerics: &Numerics) -> Self {
         let from_accuracy = (8.0 * (0.05 / numerics.accuracy).sqrt()).ceil() as usize;
         let elements = numerics.elements_per_radius.unwrap_or(from_accuracy.clamp(6, 48).next_multiple_of(2));
