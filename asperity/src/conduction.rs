@@ -11,8 +11,9 @@ use std::sync::Arc;
 use faer::linalg::solvers::SolveCore;
 use faer::{Mat, MatMut, Side};
 
-use crate::element::{POINTS, RevolvedMesh, local_gradients_at_points, shape_at_points};
+use crate::element::{CORNERS, POINTS, RevolvedMesh, shape_at_points};
 use crate::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
+use crate::sectors::Parity;
 
 /// 1 − 1/√2.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
@@ -86,8 +87,8 @@ impl Conduction {
         if let Some((_, matrix)) = self.cache.iter().find(|(cached, _)| *cached == dt) {
             return Ok(matrix.clone());
         }
-        let factors = self.pattern.factorise(&self.mesh, |e| {
-            element_matrix(&self.mesh, e, self.capacity, GAMMA * dt * self.capacity)
+        let factors = self.pattern.factorise(&self.mesh, |e, m| {
+            element_matrix(&self.mesh, e, self.capacity, GAMMA * dt * self.capacity, m)
         })?;
         let (rings, harmonics) = (factors.contact_unknowns(), factors.harmonics());
         let mut contact = Mat::zeros(rings * harmonics, rings * harmonics);
@@ -157,6 +158,7 @@ impl Conduction {
         let contact = &mut modal[factors.contact_offset()..];
         let size = contact.len();
         let columns = factors.harmonics();
+        let table = factors.transform.of(Parity::Even);
         let free = contact.to_vec();
         let mut rise: Vec<f64> = self.contact_places.iter().map(|&p| guess[p]).collect();
         for _ in 0..CONTACT_ITERATIONS {
@@ -169,7 +171,6 @@ impl Conduction {
                 let load: Vec<f64> = (0..columns)
                     .map(|j| scale * (points[j].0 - points[j].1 * rise[ring * columns + j]))
                     .collect();
-                let table = &factors.transform.even;
                 // The apex has the mean alone.
                 let harmonics = if self.is_apex(ring) { 1 } else { columns };
                 for m in 0..harmonics {
@@ -194,9 +195,8 @@ impl Conduction {
             for ring in 0..size / columns {
                 let harmonics = if self.is_apex(ring) { 1 } else { columns };
                 for j in 0..columns {
-                    let value: f64 = (0..harmonics)
-                        .map(|m| factors.transform.even[m * columns + j] * contact[ring * columns + m])
-                        .sum();
+                    let value: f64 =
+                        (0..harmonics).map(|m| table[m * columns + j] * contact[ring * columns + m]).sum();
                     change = change.max((value - rise[ring * columns + j]).abs());
                     largest = largest.max(value.abs());
                     rise[ring * columns + j] = value;
@@ -221,28 +221,23 @@ impl Conduction {
         self.mesh.meridian.is_base[place / self.mesh.sectors.columns()]
     }
 
-    /// Heat per time that leaves through the base.
+    /// Heat per time that leaves through the base; the sum over θ has the mean harmonic alone.
     fn base_flow(&self, rise: &[f64]) -> f64 {
-        let mut flow = vec![0.0; rise.len()];
-        self.conduct(rise, &mut flow);
-        -(0..flow.len()).filter(|&i| self.on_base(i)).map(|i| flow[i]).sum::<f64>()
-    }
-
-    /// K·θ.
-    fn conduct(&self, rise: &[f64], flow: &mut [f64]) {
-        flow.fill(0.0);
         let mesh = &self.mesh;
-        let touches_base = |nodes: &[u32; 4]| nodes.iter().any(|&n| mesh.meridian.is_base[n as usize]);
-        // Only the base is asked for.
-        for (e, element) in mesh.elements.iter().enumerate().filter(|(_, e)| touches_base(&e.nodes)) {
-            let matrix = element_matrix(mesh, e, 0.0, self.capacity);
-            for sector in 0..mesh.sectors.lanes() {
-                let nodal = mesh.gather_scalar::<1>(rise, element, sector);
-                let out =
-                    std::array::from_fn(|i| [(0..8).map(|j| matrix[i * 8 + j] * nodal[j][0]).sum::<f64>()]);
-                mesh.scatter_scalar::<1>(&out, element, sector, flow);
+        let columns = mesh.sectors.columns();
+        let sum = |node: u32| rise[node as usize * columns..][..columns].iter().sum::<f64>();
+        let is_base = |node: u32| mesh.meridian.is_base[node as usize];
+        let mut flow = 0.0;
+        for (e, element) in mesh.elements.iter().enumerate() {
+            if element.nodes.iter().any(|&n| is_base(n)) {
+                let matrix = element_matrix(mesh, e, 0.0, self.capacity, 0);
+                for (a, _) in element.nodes.iter().enumerate().filter(|(_, n)| is_base(**n)) {
+                    flow -=
+                        (0..CORNERS).map(|b| matrix[a * CORNERS + b] * sum(element.nodes[b])).sum::<f64>();
+                }
             }
         }
+        flow
     }
 
     /// Heat in the body at a temperature rise, half body.
@@ -251,49 +246,19 @@ impl Conduction {
     }
 }
 
-/// Gradients (∂/∂r, ∂/r∂θ, ∂/∂z) of the shape functions and the volume at each Gauss point of a
-/// round sector. Scalars need no straight sides to keep rigid motions, and conduction of what
-/// does not depend on θ is then free of any error from the sectors.
-fn round_geometry(mesh: &RevolvedMesh, e: usize) -> [([[f64; 3]; 8], f64); POINTS] {
-    let half = 0.5 * mesh.sectors.angle();
-    let corners = mesh.elements[e].nodes.map(|n| mesh.meridian.nodes[n as usize]);
+/// Lumped mass plus `conductivity` times conduction of one element for harmonic m, 4 × 4.
+fn element_matrix(mesh: &RevolvedMesh, e: usize, capacity: f64, conductivity: f64, m: usize) -> Vec<f64> {
     let shapes = shape_at_points();
-    let local = local_gradients_at_points();
-    std::array::from_fn(|q| {
-        let r: f64 = (0..8).map(|n| shapes[q][n] * corners[n % 4][0]).sum();
-        let mut jacobian = nalgebra::Matrix2::<f64>::zeros();
-        for n in 0..8 {
-            for d in 0..2 {
-                for k in 0..2 {
-                    jacobian[(d, k)] += local[q][n][k] * corners[n % 4][d];
-                }
-            }
-        }
-        let inverse = jacobian.try_inverse().expect("positive area");
-        let gradient = std::array::from_fn(|n| {
-            let [xi, eta, zeta] = local[q][n];
-            [
-                xi * inverse[(0, 0)] + eta * inverse[(1, 0)],
-                zeta / (half * r),
-                xi * inverse[(0, 1)] + eta * inverse[(1, 1)],
-            ]
-        });
-        (gradient, jacobian.determinant() * half * r)
-    })
-}
-
-/// Lumped mass plus `conductivity` times conduction of one sector element, 8 × 8.
-fn element_matrix(mesh: &RevolvedMesh, e: usize, capacity: f64, conductivity: f64) -> Vec<f64> {
-    let shapes = shape_at_points();
-    let straight = &mesh.elements[e].weight;
-    let mut matrix = vec![0.0; 64];
-    for (q, (gradient, weight)) in round_geometry(mesh, e).iter().enumerate() {
-        for i in 0..8 {
-            // The mass of the straight sectors, as in the nodal volumes.
-            matrix[i * 9] += capacity * straight[q] * shapes[q][i];
-            for j in 0..8 {
-                let product: f64 = (0..3).map(|d| gradient[i][d] * gradient[j][d]).sum();
-                matrix[i * 8 + j] += conductivity * weight * product;
+    let element = &mesh.elements[e];
+    let squared = (m * m) as f64;
+    let mut matrix = vec![0.0; CORNERS * CORNERS];
+    for q in 0..POINTS {
+        let weight = element.weight[q];
+        for (i, a) in element.shape[q].iter().enumerate() {
+            matrix[i * (CORNERS + 1)] += capacity * weight * shapes[q][i];
+            for (j, b) in element.shape[q].iter().enumerate() {
+                let product = a.dr * b.dr + a.dz * b.dz + squared * a.over_r * b.over_r;
+                matrix[i * CORNERS + j] += conductivity * weight * product;
             }
         }
     }
@@ -323,13 +288,13 @@ mod tests {
     /// temperature T = (2q√(αt)/k)[1/√π − ierfc(a/(2√(αt)))].
     #[test]
     fn disc_source_follows_carslaw_and_jaeger() {
-        for sectors in [Sectors::axisymmetric(8), Sectors::full(4)] {
+        for sectors in [Sectors::axisymmetric(), Sectors::full(4)] {
             let size = MeshSize { contact_radius: 0.01, elements_per_radius: 16 };
             let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
             let areas = mesh.contact_areas();
             // The heated disc ends between two rings: its radius from its discrete area.
             let radii = mesh.meridian.contact_radii();
-            let columns = sectors.columns();
+            let columns = mesh.sectors.columns();
             let source = Uniform { areas: &areas, radius: size.contact_radius, radii, columns };
             let total: f64 = (0..areas.len()).map(|i| source.flow(i, 0.0).0).sum();
             let a = (2.0 * total / std::f64::consts::PI).sqrt();

@@ -1,6 +1,6 @@
 //! Linear isotropic elasticity on the revolved mesh: element stiffness and matrix-free product.
 
-use crate::element::{Element, RevolvedMesh, deviators_and_dilatation, stress_force};
+use crate::element::{CORNERS, Element, RevolvedMesh, VALUES, deviators_and_dilatation, stress_force};
 use crate::lanes::{Lanes, fma};
 
 /// Elastic moduli, in units of the problem's stress.
@@ -19,14 +19,14 @@ impl Moduli {
     }
 }
 
-/// Nodal forces of an element from its nodal displacements, elastic.
+/// Forces of an element from the values of its corners, elastic.
 #[inline(always)]
 pub fn element_force<const W: usize>(
     element: &Element,
     moduli: Moduli,
-    displacement: &[[Lanes<W>; 3]; 8],
-) -> [[Lanes<W>; 3]; 8] {
-    let (mut stress, dilatation) = deviators_and_dilatation(element, displacement);
+    values: &[[Lanes<W>; VALUES]; CORNERS],
+) -> [[Lanes<W>; VALUES]; CORNERS] {
+    let (mut stress, dilatation) = deviators_and_dilatation(element, values);
     for (stress, &weight) in stress.iter_mut().zip(&element.weight) {
         let (shear, bulk) = (2.0 * moduli.shear * weight, moduli.bulk * weight);
         for (i, component) in stress.iter_mut().enumerate() {
@@ -39,15 +39,20 @@ pub fn element_force<const W: usize>(
     stress_force(element, &stress)
 }
 
-/// Stiffness of a sector of element e in its own frame, 24 × 24.
-pub fn element_stiffness(mesh: &RevolvedMesh, e: usize, moduli: Moduli) -> Vec<f64> {
-    let mut matrix = vec![0.0; 24 * 24];
-    for j in 0..24 {
-        let mut unit = [[[0.0; 1]; 3]; 8];
+/// Stiffness of element e for harmonic m, 12 × 12 over (corner, component): u_r and u_z with
+/// cos mθ, u_θ with sin mθ.
+pub fn element_stiffness(mesh: &RevolvedMesh, e: usize, moduli: Moduli, m: usize) -> Vec<f64> {
+    // ∂/∂θ takes cos mθ to −m sin mθ and sin mθ to m cos mθ.
+    let slope = [-(m as f64), m as f64, -(m as f64)];
+    let mut matrix = vec![0.0; 12 * 12];
+    for j in 0..12 {
+        let mut unit = [[[0.0; 1]; VALUES]; CORNERS];
         unit[j / 3][j % 3] = [1.0];
+        unit[j / 3][j % 3 + 3] = [slope[j % 3]];
         let force = element_force::<1>(&mesh.elements[e], moduli, &unit);
-        for i in 0..24 {
-            matrix[i * 24 + j] = force[i / 3][i % 3][0];
+        for i in 0..12 {
+            let f = &force[i / 3];
+            matrix[i * 12 + j] = f[i % 3][0] + slope[i % 3] * f[i % 3 + 3][0];
         }
     }
     matrix
@@ -62,92 +67,97 @@ mod tests {
     use faer::linalg::solvers::Solve;
     use faer::sparse::{SparseColMat, Triplet};
 
-    /// The same stiffness assembled in 3-D Cartesian unknowns, each physical node once, with
-    /// u_y = 0 on the symmetry plane; solved by faer's sparse Cholesky.
+    /// Values of all columns of an element's displacement, and the place of each in a field.
+    fn element_places(mesh: &RevolvedMesh, element: &Element) -> Vec<usize> {
+        let columns = mesh.sectors.columns();
+        let nodes = element.nodes.iter();
+        nodes.flat_map(|&n| (0..3 * columns).map(move |i| n as usize * 3 * columns + i)).collect()
+    }
+
+    /// The same stiffness assembled in all unknowns at all angles, those of the axis being one
+    /// Cartesian displacement, without any transform; solved by faer's sparse Cholesky.
     #[test]
     fn harmonic_solver_agrees_with_a_plain_sparse_factorisation() {
         for count in [4, 8] {
             let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
             let mesh = RevolvedMesh::new(meridian, Sectors::full(count));
             let moduli = Moduli::new(500.0, 0.3);
-            let sectors = mesh.sectors;
-            let columns = sectors.columns();
+            let angles = mesh.sectors.angles();
+            let length = mesh.field_length(3);
 
+            // Each nodal value as unknown and factor; none where the body is held.
+            let on_axis = |node: usize| mesh.meridian.on_axis(node);
             let mut number = std::collections::HashMap::new();
-            let mut unknown = |node: usize, j: usize, d: usize| -> Option<usize> {
+            let mut expand: Vec<Option<(usize, f64)>> = vec![None; length];
+            for (i, entry) in expand.iter_mut().enumerate() {
+                let (node, c, j) = (i / (3 * count), i / count % 3, i % count);
                 if mesh.meridian.is_base[node] {
-                    return None;
+                    continue;
                 }
-                let on_axis = mesh.meridian.on_axis(node);
-                if d == 1 && (on_axis || j == 0 || j == count) {
-                    return None;
-                }
+                let (key, factor) = match (on_axis(node), c) {
+                    (false, _) => (i, 1.0),
+                    (true, 0) => (node * 3 * count, angles[j].cos()),
+                    (true, 1) => (node * 3 * count, -angles[j].sin()),
+                    (true, _) => ((node * 3 + 2) * count, 1.0),
+                };
                 let next = number.len();
-                Some(*number.entry((node, if on_axis { 0 } else { j }, d)).or_insert(next))
-            };
-            let mut triplets = Vec::new();
-            for (e, element) in mesh.elements.iter().enumerate() {
-                let k = element_stiffness(&mesh, e, moduli);
-                for sector in 0..count {
-                    let (sin, cos) = ((sector as f64 + 0.5) * sectors.angle()).sin_cos();
-                    // Rows of the rotation from global Cartesian to the sector's frame.
-                    let rotation = [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]];
-                    for a in 0..24 {
-                        for b in 0..24 {
-                            let ua = unknown(element.nodes[a / 3 % 4] as usize, sector + a / 12, a % 3);
-                            let ub = unknown(element.nodes[b / 3 % 4] as usize, sector + b / 12, b % 3);
-                            if let (Some(i), Some(j)) = (ua, ub) {
-                                let mut value = 0.0;
-                                for c in 0..3 {
-                                    for d in 0..3 {
-                                        value += rotation[c][a % 3]
-                                            * k[(a / 3 * 3 + c) * 24 + b / 3 * 3 + d]
-                                            * rotation[d][b % 3];
-                                    }
-                                }
-                                triplets.push(Triplet::new(i, j, value));
-                            }
-                        }
-                    }
-                }
+                *entry = Some((*number.entry(key).or_insert(next), factor));
             }
             let n = number.len();
+
+            let mut triplets = Vec::new();
+            let (mut u, mut slope) = (vec![0.0; length], vec![0.0; length]);
+            let (mut force, mut on_slope) = (vec![0.0; length], vec![0.0; length]);
+            for element in &mesh.elements {
+                let places = element_places(&mesh, element);
+                for &j in &places {
+                    u[j] = 1.0;
+                    // Only the node's own values are wanted; the rest of the fields stays zero.
+                    mesh.sectors.differentiate(&u, &mut slope);
+                    for first in 0..count {
+                        let values = mesh.gather_vector::<1>(&u, &slope, element, first);
+                        let f = element_force::<1>(element, moduli, &values);
+                        mesh.scatter_vector(&f, element, first, &mut force, &mut on_slope);
+                    }
+                    mesh.sectors.add_transposed(&on_slope, &mut force);
+                    for &i in &places {
+                        if let (Some((p, a)), Some((q, b))) = (expand[i], expand[j])
+                            && force[i] != 0.0
+                        {
+                            triplets.push(Triplet::new(p, q, a * b * force[i]));
+                        }
+                    }
+                    u[j] = 0.0;
+                    force.fill(0.0);
+                    on_slope.fill(0.0);
+                }
+            }
             let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &triplets).unwrap();
 
-            // Any force: Cartesian per unknown, and the same in nodal cylindrical components.
-            let force: Vec<f64> = (0..n).map(|i| (i as f64 * 1.37).sin()).collect();
-            let mut cylindrical = vec![0.0; mesh.field_length(3)];
-            for (&(node, j, d), &i) in &number {
-                // A force on an axis node is given to column 0, where x is the radial direction.
-                let (sin, cos) = (j as f64 * sectors.angle()).sin_cos();
-                let [fr, ft, fz] = match d {
-                    0 => [force[i] * cos, -force[i] * sin, 0.0],
-                    1 => [force[i] * sin, force[i] * cos, 0.0],
-                    _ => [0.0, 0.0, force[i]],
-                };
-                cylindrical[node * 3 * columns + j] += fr;
-                cylindrical[(node * 3 + 1) * columns + j] += ft;
-                cylindrical[(node * 3 + 2) * columns + j] += fz;
+            // Any force, and the sum of what acts on each unknown.
+            let force: Vec<f64> = (0..length).map(|i| (i as f64 * 1.37).sin()).collect();
+            let mut rhs = faer::Mat::<f64>::zeros(n, 1);
+            for (i, entry) in expand.iter().enumerate() {
+                if let Some((p, factor)) = entry {
+                    rhs[(*p, 0)] += factor * force[i];
+                }
             }
-            let rhs = faer::Mat::from_fn(n, 1, |i, _| force[i]);
             let exact = matrix.sp_cholesky(faer::Side::Lower).unwrap().solve(&rhs);
 
             let pattern = HarmonicPattern::new(&mesh, FieldKind::Vector).unwrap();
-            let factors = pattern.factorise(&mesh, |e| element_stiffness(&mesh, e, moduli)).unwrap();
-            let mut solution = vec![0.0; mesh.field_length(3)];
+            let factors = pattern.factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m)).unwrap();
+            let mut solution = vec![0.0; length];
             let mut modal = vec![0.0; factors.modal_length()];
-            factors.solve(&cylindrical, &mut solution, &mut modal);
+            factors.solve(&force, &mut solution, &mut modal);
 
             let largest = (0..n).map(|i| exact[(i, 0)].abs()).fold(0.0, f64::max);
-            for (&(node, j, d), &i) in &number {
-                let (sin, cos) = (j as f64 * sectors.angle()).sin_cos();
-                let at = |c: usize| solution[(node * 3 + c) * columns + j];
-                let value = match d {
-                    0 => at(0) * cos - at(1) * sin,
-                    1 => at(0) * sin + at(1) * cos,
-                    _ => at(2),
-                };
-                assert!((value - exact[(i, 0)]).abs() < 1e-10 * largest, "{count} {node} {j} {d}: {value}");
+            for (i, entry) in expand.iter().enumerate() {
+                let value = entry.map_or(0.0, |(p, factor)| factor * exact[(p, 0)]);
+                assert!(
+                    (value - solution[i]).abs() < 1e-10 * largest,
+                    "{count} {i}: {value} {}",
+                    solution[i]
+                );
             }
         }
     }

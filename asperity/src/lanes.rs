@@ -1,4 +1,4 @@
-//! Arithmetic on lanes: W sectors computed together.
+//! Arithmetic on lanes: W angles computed together.
 
 pub type Lanes<const W: usize> = [f64; W];
 
@@ -14,4 +14,33 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
     for l in 0..W {
         c[l] = fma(a, b[l], c[l]);
     }
+}
+
+/// y += scale·M·x for a small square matrix stored column by column.
+#[inline(always)]
+pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
+    match x.len() {
+        4 => fixed_product::<4>(scale, columns, x, y),
+        8 => fixed_product::<8>(scale, columns, x, y),
+        16 => fixed_product::<16>(scale, columns, x, y),
+        n => {
+            for (k, column) in columns.chunks_exact(n).enumerate() {
+                for (y, c) in y.iter_mut().zip(column) {
+                    *y = fma(scale * x[k], *c, *y);
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn fixed_product<const N: usize>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
+    let (columns, _) = columns.as_chunks::<N>();
+    let y: &mut [f64; N] = y.try_into().expect("as long as x");
+    let x: &[f64; N] = x.try_into().expect("N values");
+    let mut sum = *y;
+    for k in 0..N {
+        add_scaled(&mut sum, scale * x[k], &columns[k]);
+    }
+    *y = sum;
 }

@@ -7,7 +7,7 @@ use faer::linalg::solvers::{Llt, SolveCore};
 use faer::{Mat, MatMut, Side};
 
 use crate::body::Body;
-use crate::contact::{Contact, Flat};
+use crate::contact::{Contact, Flat, Status};
 use crate::harmonic::{FieldKind, HarmonicFactors};
 
 /// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
@@ -16,6 +16,8 @@ const NEWTON_TOLERANCE: f64 = 5e-7;
 const REFRESH: f64 = 3e-2;
 const NEWTON_LIMIT: usize = 30;
 const KRYLOV_LIMIT: usize = 400;
+/// Times that a point may touch and lift off in one step before it goes without friction there.
+const FLUTTER_LIMIT: u8 = 2;
 
 /// Why a step was not solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -99,8 +101,12 @@ impl Mechanics {
             surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
         self.body.internal_force(&u, around.rise.as_deref(), &mut self.internal);
         let mut last = f64::INFINITY;
+        let mut flutter = Flutter::new(self.contact.len());
         for iteration in 0..NEWTON_LIMIT {
-            self.contact.evaluate(&u, flat, &around.limit);
+            self.contact.evaluate(|p| u[p], flat, &around.limit);
+            if flutter.damp(&self.contact, &mut around.limit) {
+                self.contact.evaluate(|p| u[p], flat, &around.limit);
+            }
             residual.copy_from_slice(&self.internal);
             self.contact.subtract_force(&mut residual);
             self.factorise_contact()?;
@@ -120,7 +126,7 @@ impl Mechanics {
             // Forcing term: no more accuracy than the next Newton step can use.
             let forcing = (0.1 * NEWTON_TOLERANCE * scale / norm).clamp(1e-3, 0.05);
             self.conjugate_gradients(&residual, &mut direction, forcing);
-            self.line_search(&mut u, &mut trial, &direction, &mut residual, flat, &around);
+            self.line_search(&mut u, &mut trial, &direction, &residual, flat, &around);
             let near = norm <= REFRESH * scale;
             if let Some(next) =
                 near.then(|| surroundings(&mut self.body, &mut self.contact, iteration + 1)).flatten()
@@ -136,43 +142,66 @@ impl Mechanics {
 
     /// Goes along `direction` until the slope of the energy has fallen enough; leaves `u` there,
     /// with the internal force of that point.
+    ///
+    /// Where a full step goes too far, that is mostly because points of the contact touch, lift off
+    /// or begin to slip on the way. So the next try is the root of the body's slope, taken as
+    /// linear, plus the exact slope of the contact, which is cheap.
     fn line_search(
         &mut self,
         u: &mut Vec<f64>,
         trial: &mut Vec<f64>,
         direction: &[f64],
-        residual: &mut [f64],
+        residual: &[f64],
         flat: Flat,
         around: &Surroundings,
     ) {
+        const ENOUGH: f64 = 0.7;
+        const TRIES: usize = 8;
         let initial = dot(residual, direction);
-        let (mut low, mut low_slope) = (0.0, initial);
+        let contact_slope = |contact: &mut Contact, step: f64| {
+            contact.evaluate(|p| u[p] + step * direction[p], flat, &around.limit);
+            -contact.work_on(direction)
+        };
+        // Steps that fall short and that go too far, each with the slope of the body alone.
+        let mut low = (0.0, dot(&self.internal, direction));
         let mut high: Option<(f64, f64)> = None;
         let mut step = 1.0;
-        for attempt in 0..8 {
+        for attempt in 1..=TRIES {
             for ((t, &x), &d) in trial.iter_mut().zip(u.iter()).zip(direction) {
                 *t = x + step * d;
             }
             self.body.internal_force(trial, around.rise.as_deref(), &mut self.internal);
-            self.contact.evaluate(trial, flat, &around.limit);
-            residual.copy_from_slice(&self.internal);
-            self.contact.subtract_force(residual);
-            let slope = dot(residual, direction);
-            if slope.is_finite() && slope.abs() <= 0.7 * initial.abs() || attempt == 7 {
+            let of_body = dot(&self.internal, direction);
+            let slope = of_body + contact_slope(&mut self.contact, step);
+            if slope.abs() <= ENOUGH * initial.abs() || attempt == TRIES {
                 break;
             }
-            if slope > 0.0 || !slope.is_finite() {
-                high = Some((step, slope));
+            if !slope.is_finite() {
+                high = None;
+                step = low.0 + 0.1 * (step - low.0);
+                continue;
+            }
+            if slope > 0.0 {
+                high = Some((step, of_body));
             } else {
-                (low, low_slope) = (step, slope);
+                low = (step, of_body);
             }
             step = match high {
                 None => 2.0 * step,
-                Some((top, top_slope)) if top_slope.is_finite() => {
-                    let guess = low - low_slope * (top - low) / (top_slope - low_slope);
-                    guess.clamp(low + 0.1 * (top - low), low + 0.9 * (top - low))
+                Some(high) => {
+                    let (mut left, mut right) = (low.0, high.0);
+                    for _ in 0..40 {
+                        let middle = 0.5 * (left + right);
+                        let body = low.1 + (high.1 - low.1) * (middle - low.0) / (high.0 - low.0);
+                        if body + contact_slope(&mut self.contact, middle) > 0.0 {
+                            right = middle;
+                        } else {
+                            left = middle;
+                        }
+                    }
+                    let width = high.0 - low.0;
+                    right.clamp(low.0 + 0.01 * width, high.0 - 0.01 * width)
                 }
-                Some((top, _)) => low + 0.1 * (top - low),
             };
         }
         std::mem::swap(u, trial);
@@ -251,12 +280,45 @@ pub struct Surroundings {
     pub settled: bool,
 }
 
+/// Points that touch and lift off in turn.
+///
+/// The shear traction at the limit does not fall to nothing with the pressure, so it jumps when a
+/// point lifts off, and Newton's method can go to and fro over the jump for ever. Such a point
+/// bears next to no pressure, at the very edge.
+struct Flutter {
+    open: Vec<bool>,
+    changes: Vec<u8>,
+}
+
+impl Flutter {
+    fn new(points: usize) -> Self {
+        Self { open: Vec::new(), changes: vec![0; points] }
+    }
+
+    /// Notes the present state, and takes the friction from points that have changed too often.
+    fn damp(&mut self, contact: &Contact, limit: &mut [f64]) -> bool {
+        let open: Vec<bool> = contact.trial.status.iter().map(|&s| s == Status::Open).collect();
+        let mut damped = false;
+        for i in 0..self.open.len() {
+            if open[i] != self.open[i] {
+                self.changes[i] = self.changes[i].saturating_add(1);
+            }
+            if self.changes[i] > FLUTTER_LIMIT && limit[i].is_finite() && limit[i] > 0.0 {
+                limit[i] = 0.0;
+                damped = true;
+            }
+        }
+        self.open = open;
+        damped
+    }
+}
+
 /// Adds the contact stiffness, transformed to harmonics ring by ring.
 fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &mut Mat<f64>) {
     assert_eq!(factors.kind, FieldKind::Vector);
     let columns = contact.columns;
     let transform = &factors.transform;
-    let table = |c: usize| transform.of(factors.kind.is_odd(c));
+    let table = |c: usize| transform.of(factors.kind.parity(c));
     let size = 3 * columns;
     for ring in 0..contact.radii.len() {
         let nodes = &contact.stiffness[ring * columns..(ring + 1) * columns];

@@ -13,7 +13,7 @@ use crate::sectors::Sectors;
 /// Increments for each element per contact radius, and at most in all: in full stick a point holds
 /// on where it was when the increment in which it touched began, so the load depends on the path.
 const INCREMENTS_PER_ELEMENT: usize = 4;
-const MOST_INCREMENTS: usize = 48;
+const MOST_INCREMENTS: usize = 64;
 
 #[derive(Debug, thiserror::Error)]
 pub enum PressFailure {
@@ -32,12 +32,8 @@ pub struct Increment {
 }
 
 /// Presses to ω₀ on a given mesh.
-pub fn press_on(
-    problem: &Problem,
-    size: MeshSize,
-    sectors: usize,
-) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
-    let discretisation = Discretisation::new(problem, size, Sectors::axisymmetric(sectors))?;
+pub fn press_on(problem: &Problem, size: MeshSize) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
+    let discretisation = Discretisation::new(problem, size, Sectors::axisymmetric())?;
     let mesh = discretisation.mesh;
     let contact = Contact::new(&mesh, problem.contact_modulus);
     let displacement = vec![0.0; mesh.field_length(3)];

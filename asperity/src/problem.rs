@@ -120,7 +120,7 @@ impl Discretisation {
         let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
         let moduli = problem.solid.moduli;
         let factors = HarmonicPattern::new(&mesh, FieldKind::Vector)?
-            .factorise(&mesh, |e| element_stiffness(&mesh, e, moduli))?;
+            .factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m))?;
         Ok(Self { mesh, factors: Arc::new(factors) })
     }
 }

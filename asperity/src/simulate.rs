@@ -9,7 +9,7 @@ use crate::body::Body;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::mechanics::{Effort, Mechanics};
-use crate::mesh::MeshSize;
+use crate::mesh::{EDGE_SIZE, MeshSize};
 use crate::outcome::{Account, Outcome};
 use crate::press::{self, Increment, PressFailure};
 use crate::problem::{Discretisation, Problem};
@@ -108,17 +108,16 @@ fn press_mesh(
     watch: &dyn Watch,
 ) -> Result<PressedMesh, SimulationError> {
     /// Offset of the edge from its place between two rings, in ring spacings, that is good enough.
-    const CLOSE_ENOUGH: f64 = 0.15;
-    const LAYOUTS: usize = 4;
+    const CLOSE_ENOUGH: f64 = 0.25;
+    const LAYOUTS: usize = 2;
     for layout in 1.. {
         if watch.cancelled() {
             return Err(SimulationError::Cancelled { partial: None });
         }
         let size = MeshSize { contact_radius: radius, elements_per_radius: resolution.elements_per_radius };
-        let (mechanics, increments) =
-            press::press_on(problem, size, resolution.sectors).map_err(press_error)?;
+        let (mechanics, increments) = press::press_on(problem, size).map_err(press_error)?;
         let reached = mechanics.contact.radius(&mechanics.contact.committed);
-        let spacing = 0.5 / resolution.elements_per_radius as f64;
+        let spacing = EDGE_SIZE / resolution.elements_per_radius as f64;
         if (reached / radius - 1.0).abs() <= CLOSE_ENOUGH * spacing || layout == LAYOUTS {
             let effort = mechanics.effort;
             let (body, contact, displacement) = mechanics.into_parts();

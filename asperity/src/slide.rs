@@ -16,6 +16,8 @@ const LIMIT_TOLERANCE: f64 = 3e-5;
 const COUPLING_LIMIT: usize = 4;
 /// First increment in units of the elastic displacement at gross slip.
 const FIRST_INCREMENT: f64 = 0.1;
+/// Share of the sticking area that begins to slip in an increment, at most.
+const INCEPTION_SHARE: f64 = 0.4;
 /// Number of increments at least.
 const LEAST_INCREMENTS: f64 = 24.0;
 
@@ -210,12 +212,11 @@ impl<'a> Slide<'a> {
             match self.step(slip, next, start) {
                 Ok(()) => {
                     (before, slip_before, slip) = (committed, slip, next);
-                    let sticks = self.history.last().is_some_and(|i| i.stick_fraction > 0.0);
-                    let growth = if sticks { 0.6 * increments.growth } else { increments.growth };
-                    let most = (growth * slip)
-                        .max(FIRST_INCREMENT * increments.growth / 0.15 * elastic)
+                    let least = FIRST_INCREMENT * increments.growth / 0.15 * elastic;
+                    let most = (increments.growth * slip)
+                        .max(least)
                         .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
-                    advance = (2.0 * advance).min(most);
+                    advance = (2.0 * advance).min(most).min(self.to_less_stick(increments, least));
                 }
                 Err(failure @ SlideFailure::Step(_)) => {
                     self.mechanics.displacement = committed;
@@ -230,6 +231,17 @@ impl<'a> Slide<'a> {
         }
         watch(1.0);
         Ok(())
+    }
+
+    /// Increment over which, at the present rate, a share of what sticks begins to slip: sliding
+    /// inception, where nothing sticks any more, is approached in ever smaller increments.
+    fn to_less_stick(&self, increments: Increments, least: f64) -> f64 {
+        let [.., before, now] = self.history[..] else { return f64::INFINITY };
+        let rate = (before.stick_fraction - now.stick_fraction) / (now.slip - before.slip);
+        if now.stick_fraction <= 0.0 || rate <= 0.0 {
+            return f64::INFINITY;
+        }
+        (INCEPTION_SHARE * increments.growth / 0.15 * now.stick_fraction / rate).max(0.2 * least)
     }
 
     /// One increment from slip to slip.

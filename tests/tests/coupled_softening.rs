@@ -52,12 +52,11 @@ fn steady_sliding() {
             let end = last(&outcome);
             (end.friction / (end.area * strength), (end.temperature_max - 298.0) / RANGE)
         });
-        // The flux is carried by nodes, the outermost of which smear it over the edge: order 1.
-        // Measured off by 0.1, 0.7, 1.4 % at n_c = 8 (L = 0.1, 1, 10), half of it at 12.
-        assert_close(&format!("Q/Q0 at L = {softening}"), fine.0, friction, 0.02);
-        let limit = richardson(coarse.0, fine.0, 1.0);
-        // What remains is of higher order, and the four sectors.
-        assert_close("its limit", limit, friction, 0.005);
+        // Measured off by 0.07, 0.43, 0.75 % at n_c = 8 (L = 0.1, 1, 10).
+        assert_close(&format!("Q/Q0 at L = {softening}"), fine.0, friction, 0.01);
+        // Order 1.5, from the square-root edge of the pressure.
+        let limit = richardson(coarse.0, fine.0, 1.5);
+        assert_close("its limit", limit, friction, 0.002);
         assert_close("T_max", fine.1, rise, 0.01);
     }
 }

@@ -22,27 +22,16 @@ fn load_error(mesh: Mesh) -> f64 {
     relative(pressed(&outcome).load, hertz.load)
 }
 
-/// Errors measured at N_θ = 4: 6.2, 4.8, 4.2 % for n_c = 8, 16, 32 (differences fall as
-/// n_c^−1.5, as they must beside the square-root edge of the pressure); at n_c = 8: 6.2, 3.2,
-/// 2.4, 2.3 % for N_θ = 4, 8, 16, 32 (as N_θ^−2). Both errors add.
+/// Errors measured: 2.2 and 0.7 % for n_c = 8 and 16, whatever N_θ.
 #[test]
 fn load_converges_to_the_closed_form() {
-    let reference = load_error(mesh(8, 8));
-    let finer = load_error(mesh(16, 8));
-    let rounder = load_error(mesh(8, 16));
-    let coarser = load_error(mesh(8, 4));
-    println!("errors: {coarser} {reference} {rounder}; n_c = 16: {finer}");
-
-    let sectors_gain = (coarser - reference) / (reference - rounder);
-    // Second order: 4, and what is left of higher orders at four sectors.
-    assert!((3.5..5.0).contains(&sectors_gain), "order in N_theta: gain {sectors_gain}");
-
-    let round = richardson(reference, rounder, 2.0) - reference;
-    let (coarse, fine) = (reference + round, finer + round);
-    // Order 1.5 in n_c: 2.8.
-    let mesh_gain = coarse / fine;
-    assert!((2.0..4.5).contains(&mesh_gain), "order in n_c: gain {mesh_gain}");
-    // Without the sectors' part n_c = 16 is 0.74 % off, a quarter of which extrapolation leaves.
+    let (coarse, fine) = (load_error(mesh(8, 4)), load_error(mesh(16, 4)));
+    println!("errors: {coarse} {fine}");
+    // Nothing depends on θ, so N_θ changes nothing.
+    assert!((load_error(mesh(8, 8)) - coarse).abs() < 1e-12);
+    // Order 1.5 in n_c, beside the square-root edge of the pressure: 2.8.
+    let gain = coarse / fine;
+    assert!((2.0..4.5).contains(&gain), "order in n_c: gain {gain}");
     let limit = richardson(coarse, fine, 1.5);
     println!("limit {limit}");
     assert!(limit.abs() < 0.003, "limit of the load is {:+.3} % off", 100.0 * limit);
@@ -51,17 +40,18 @@ fn load_converges_to_the_closed_form() {
 #[test]
 fn area_and_pressure() {
     let (hertz, outcome) = on(mesh(16, 8));
-    // The rings beside the edge are a/32 apart; the edge is placed to a tenth of that.
-    assert_close("A", pressed(&outcome).area, hertz.area, 2.0 * 0.1 / 32.0);
-    // 0.7 % for the mesh and 0.9 % for eight straight-sided sectors.
-    assert_close("P", pressed(&outcome).load, hertz.load, 0.02);
+    // The rings beside the edge are a/48 apart; the edge is placed to a tenth of that.
+    assert_close("A", pressed(&outcome).area, hertz.area, 2.0 * 0.1 / 48.0);
+    // Measured +0.72 %.
+    assert_close("P", pressed(&outcome).load, hertz.load, 0.01);
     let before = &outcome.snapshots[0];
     for (ring, (&r, &pressure)) in outcome.grid.r.iter().zip(&before.pressure).enumerate() {
         let reference = tables::closed_forms::hertz::pressure(hertz.peak_pressure, hertz.contact_radius, r);
         let off = (pressure - reference) / hertz.peak_pressure;
         println!("r/a {:.3}: {:+.2} % of p0", r / hertz.contact_radius, 100.0 * off);
-        // As the load; one ring beyond the edge may be in contact.
-        assert!(off.abs() < 0.02, "ring {ring}: {pressure:e}, {reference:e}");
+        // The apex, alone in its ring, is the worst: −2.0 %, and −3.9 % at n_c = 8.
+        let allowed = if ring == 0 { 0.025 } else { 0.02 };
+        assert!(off.abs() < allowed, "ring {ring}: {pressure:e}, {reference:e}");
     }
     // Every angle alike.
     let rings = outcome.grid.r.len();

@@ -1,0 +1,258 @@
+//! Exact solver for axisymmetric operators on the revolved mesh.
+//!
+//! A cosine transform in θ of even components and a sine transform of odd ones decouple the 3-D
+//! problem into one sparse problem on the meridian per harmonic. All harmonics share one sparsity
+//! pattern, so their Cholesky factors are stored as lanes and one sweep solves all.
+//!
+//! The unknowns of the contact nodes come last. Elimination of the rest leaves, exactly, their
+//! Schur complement: the dense stiffness of the body as the contact feels it. A solve is a
+//! forward sweep, whatever is to be done with that dense system (contact springs, nonlinear
+//! heat exchange), and a backward sweep.
+
+mod pattern;
+mod sweeps;
+
+pub use pattern::HarmonicPattern;
+
+use crate::lanes::{fma, small_product};
+use crate::sectors::{Parity, Sectors, VECTOR_PARITY};
+
+/// Which nodal values an operator acts on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FieldKind {
+    /// (u_r, u_θ, u_z): even, odd, even.
+    Vector,
+    /// Even.
+    Scalar,
+}
+
+impl FieldKind {
+    pub fn components(self) -> usize {
+        match self {
+            FieldKind::Vector => 3,
+            FieldKind::Scalar => 1,
+        }
+    }
+
+    pub fn parity(self, component: usize) -> Parity {
+        match self {
+            FieldKind::Vector => VECTOR_PARITY[component],
+            FieldKind::Scalar => Parity::Even,
+        }
+    }
+}
+
+const ABSENT: u32 = u32::MAX;
+
+#[derive(Debug, thiserror::Error)]
+pub enum FactorError {
+    #[error("harmonic {harmonic} of the stiffness is not positive definite")]
+    NotPositiveDefinite { harmonic: usize },
+    #[error("out of memory in the factorisation")]
+    Memory,
+}
+
+/// Cosine and sine transforms in θ, orthonormal, so that energies keep their value.
+#[derive(Clone, Debug)]
+pub struct ThetaTransform {
+    pub columns: usize,
+    /// `[m*columns + j]`: weight of harmonic m at angle j; see [`Sectors::harmonics`].
+    even: Vec<f64>,
+    odd: Vec<f64>,
+    /// The same with the indices swapped.
+    even_transposed: Vec<f64>,
+    odd_transposed: Vec<f64>,
+}
+
+impl ThetaTransform {
+    fn new(sectors: &Sectors) -> Self {
+        let columns = sectors.columns();
+        let swap =
+            |t: &[f64]| (0..columns * columns).map(|i| t[(i % columns) * columns + i / columns]).collect();
+        let (even, odd) = (sectors.harmonics(Parity::Even), sectors.harmonics(Parity::Odd));
+        Self { columns, even_transposed: swap(&even), odd_transposed: swap(&odd), even, odd }
+    }
+
+    /// `[m*columns + j]`: weight of harmonic m at angle j.
+    pub fn of(&self, parity: Parity) -> &[f64] {
+        match parity {
+            Parity::Even => &self.even,
+            Parity::Odd => &self.odd,
+        }
+    }
+
+    fn transposed(&self, parity: Parity) -> &[f64] {
+        match parity {
+            Parity::Even => &self.even_transposed,
+            Parity::Odd => &self.odd_transposed,
+        }
+    }
+}
+
+/// Factors of an axisymmetric operator, all harmonics together.
+#[derive(Debug)]
+pub struct HarmonicFactors {
+    pub kind: FieldKind,
+    pub transform: ThetaTransform,
+    /// Unknowns on the meridian; those of the contact nodes, ring by ring, are last.
+    unknowns: usize,
+    interior: usize,
+    /// Position of each node and component in the elimination order.
+    position: Vec<u32>,
+    on_axis: Vec<bool>,
+    column_start: Vec<u32>,
+    row: Vec<u32>,
+    /// Entries of L below the diagonal, harmonics as lanes; 1/diagonal apart.
+    value: Vec<f64>,
+    inverse_diagonal: Vec<f64>,
+    /// Cholesky factor of the Schur complement of the contact unknowns per harmonic, dense
+    /// lower triangle, row by row.
+    schur: Vec<f64>,
+}
+
+impl HarmonicFactors {
+    pub fn harmonics(&self) -> usize {
+        self.transform.columns
+    }
+
+    /// Length of the vector of all harmonics of all unknowns.
+    pub fn modal_length(&self) -> usize {
+        self.unknowns * self.harmonics()
+    }
+
+    /// Contact unknowns per harmonic: rings times components.
+    pub fn contact_unknowns(&self) -> usize {
+        self.unknowns - self.interior
+    }
+
+    /// Where the contact unknowns begin in the modal vector: index (ring, component, harmonic).
+    pub fn contact_offset(&self) -> usize {
+        self.interior * self.harmonics()
+    }
+
+    /// Schur complement S_m of the contact unknowns for harmonic m, row-major.
+    pub fn contact_stiffness(&self, m: usize) -> Vec<f64> {
+        let n = self.contact_unknowns();
+        let lower = &self.schur[m * n * n..(m + 1) * n * n];
+        let mut stiffness = vec![0.0; n * n];
+        for i in 0..n {
+            for j in 0..=i {
+                let sum: f64 = (0..=j).map(|k| lower[i * n + k] * lower[j * n + k]).sum();
+                stiffness[i * n + j] = sum;
+                stiffness[j * n + i] = sum;
+            }
+        }
+        stiffness
+    }
+
+    /// Harmonics of a nodal force.
+    pub fn to_modal(&self, field: &[f64], modal: &mut [f64]) {
+        let components = self.kind.components();
+        let columns = self.harmonics();
+        modal.fill(0.0);
+        for node in 0..self.on_axis.len() {
+            for c in 0..components {
+                let place = self.position[node * components + c];
+                if place == ABSENT {
+                    continue;
+                }
+                let source = &field[(node * components + c) * columns..][..columns];
+                let target = place as usize * columns;
+                if self.on_axis[node] {
+                    self.axis_to_modal(source, c, target, modal);
+                } else {
+                    let table = self.transform.transposed(self.kind.parity(c));
+                    small_product(1.0, table, source, &mut modal[target..target + columns]);
+                }
+            }
+        }
+    }
+
+    /// Axis nodes have u_z of m = 0 and the translation of m = 1, to which u_θ adds with −1.
+    fn axis_to_modal(&self, source: &[f64], component: usize, target: usize, modal: &mut [f64]) {
+        let columns = self.harmonics();
+        match (self.kind, component) {
+            (FieldKind::Vector, 0) if columns > 1 => {
+                modal[target + 1] += dot(&self.transform.even[columns..2 * columns], source);
+            }
+            (FieldKind::Vector, 1) if columns > 1 => {
+                // The place of u_r is the one before.
+                modal[target - columns + 1] -= dot(&self.transform.odd[columns..2 * columns], source);
+            }
+            (FieldKind::Vector, 0 | 1) => {}
+            _ => modal[target] += dot(&self.transform.even[..columns], source),
+        }
+    }
+
+    /// Nodal values of modal ones; fixed nodes get zero.
+    pub fn to_nodal(&self, modal: &[f64], field: &mut [f64]) {
+        let components = self.kind.components();
+        let columns = self.harmonics();
+        for node in 0..self.on_axis.len() {
+            for c in 0..components {
+                let place = self.position[node * components + c];
+                let target = &mut field[(node * components + c) * columns..][..columns];
+                target.fill(0.0);
+                if place == ABSENT {
+                    continue;
+                }
+                let source = &modal[place as usize * columns..][..columns];
+                let table = self.transform.of(self.kind.parity(c));
+                if !self.on_axis[node] {
+                    small_product(1.0, table, source, target);
+                } else if self.kind == FieldKind::Vector && c < 2 {
+                    if columns > 1 {
+                        let translation = modal[(place as usize - c) * columns + 1];
+                        let translation = if c == 1 { -translation } else { translation };
+                        for (t, w) in target.iter_mut().zip(&table[columns..2 * columns]) {
+                            *t = translation * w;
+                        }
+                    }
+                } else {
+                    for (t, w) in target.iter_mut().zip(&table[..columns]) {
+                        *t = source[0] * w;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Contact part of `modal` divided by the Schur complement: a solve without anything on the contact.
+    #[cfg(test)]
+    fn solve_free_contact(&self, modal: &mut [f64]) {
+        let (n, lanes) = (self.contact_unknowns(), self.harmonics());
+        let contact = &mut modal[self.interior * lanes..];
+        for m in 0..lanes {
+            let lower = &self.schur[m * n * n..(m + 1) * n * n];
+            for i in 0..n {
+                let mut sum = contact[i * lanes + m];
+                for k in 0..i {
+                    sum -= lower[i * n + k] * contact[k * lanes + m];
+                }
+                contact[i * lanes + m] = sum / lower[i * n + i];
+            }
+            for i in (0..n).rev() {
+                let mut sum = contact[i * lanes + m];
+                for k in i + 1..n {
+                    sum -= lower[k * n + i] * contact[k * lanes + m];
+                }
+                contact[i * lanes + m] = sum / lower[i * n + i];
+            }
+        }
+    }
+
+    /// Whole solve without anything on the contact.
+    #[cfg(test)]
+    pub fn solve(&self, force: &[f64], solution: &mut [f64], modal: &mut [f64]) {
+        self.to_modal(force, modal);
+        self.forward(modal);
+        self.solve_free_contact(modal);
+        self.backward(modal);
+        self.to_nodal(modal, solution);
+    }
+}
+
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |sum, (x, y)| fma(*x, *y, sum))
+}

@@ -1,0 +1,282 @@
+//! Sparsity pattern and elimination order of an axisymmetric operator, and its factorisation.
+
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::sparse::linalg::{amd, cholesky::simplicial};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+
+use super::{ABSENT, FactorError, FieldKind, HarmonicFactors, ThetaTransform};
+use crate::element::{CORNERS, RevolvedMesh};
+
+/// Sparsity pattern, ordering and elimination tree of an operator: made once per mesh.
+#[derive(Debug)]
+pub struct HarmonicPattern {
+    kind: FieldKind,
+    unknowns: usize,
+    interior: usize,
+    position: Vec<u32>,
+    column_start: Vec<usize>,
+    row: Vec<usize>,
+    symbolic: simplicial::SymbolicSimplicialCholesky<usize>,
+}
+
+impl HarmonicPattern {
+    pub fn new(mesh: &RevolvedMesh, kind: FieldKind) -> Result<Self, FactorError> {
+        let components = kind.components();
+        let meridian = &mesh.meridian;
+        let nodes = mesh.node_count();
+        let mut is_contact = vec![false; nodes];
+        for &node in &meridian.contact {
+            is_contact[node as usize] = true;
+        }
+
+        // Minimum-degree order of the interior nodes, then the contact rings.
+        let interior_nodes: Vec<usize> =
+            (0..nodes).filter(|&n| !is_contact[n] && !meridian.is_base[n]).collect();
+        let mut local = vec![usize::MAX; nodes];
+        for (i, &node) in interior_nodes.iter().enumerate() {
+            local[node] = i;
+        }
+        let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); interior_nodes.len()];
+        for quad in &meridian.quads {
+            for &a in quad {
+                for &b in quad {
+                    let (i, j) = (local[a as usize], local[b as usize]);
+                    if i != usize::MAX && j != usize::MAX && i <= j {
+                        neighbours[j].push(i);
+                    }
+                }
+            }
+        }
+        let (column_start, row) = compress(&mut neighbours);
+        let n = interior_nodes.len();
+        let graph = SymbolicSparseColMatRef::new_checked(n, n, &column_start, None, &row);
+        let (mut order, mut rank) = (vec![0usize; n], vec![0usize; n]);
+        let mut memory =
+            MemBuffer::try_new(amd::order_scratch::<usize>(n, row.len())).map_err(|_| FactorError::Memory)?;
+        amd::order(&mut order, &mut rank, graph, amd::Control::default(), MemStack::new(&mut memory))
+            .map_err(|_| FactorError::Memory)?;
+        let mut position = vec![ABSENT; nodes * components];
+        let sequence =
+            order.iter().map(|&i| interior_nodes[i]).chain(meridian.contact.iter().map(|&n| n as usize));
+        let mut unknowns = 0;
+        for node in sequence {
+            for c in 0..components {
+                position[node * components + c] = unknowns as u32;
+                unknowns += 1;
+            }
+        }
+        let interior = unknowns - meridian.contact.len() * components;
+
+        // Pattern of the permuted upper triangle.
+        let mut columns: Vec<Vec<usize>> = vec![Vec::new(); unknowns];
+        for quad in &meridian.quads {
+            for &a in quad {
+                for &b in quad {
+                    for (ca, cb) in (0..components * components).map(|i| (i / components, i % components)) {
+                        let i = position[a as usize * components + ca];
+                        let j = position[b as usize * components + cb];
+                        if i != ABSENT && j != ABSENT && i <= j {
+                            columns[j as usize].push(i as usize);
+                        }
+                    }
+                }
+            }
+        }
+        // The contact block is dense in the factor anyway; say so, to read it off row by row.
+        for j in interior..unknowns {
+            columns[j].extend(interior..=j);
+        }
+        let (column_start, row) = compress(&mut columns);
+        let pattern = SymbolicSparseColMatRef::new_checked(unknowns, unknowns, &column_start, None, &row);
+        let mut memory = MemBuffer::try_new(StackReq::any_of(&[
+            simplicial::prefactorize_symbolic_cholesky_scratch::<usize>(unknowns, row.len()),
+            simplicial::factorize_simplicial_symbolic_cholesky_scratch::<usize>(unknowns),
+        ]))
+        .map_err(|_| FactorError::Memory)?;
+        let (mut tree, mut counts) = (vec![0isize; unknowns], vec![0usize; unknowns]);
+        simplicial::prefactorize_symbolic_cholesky(
+            &mut tree,
+            &mut counts,
+            pattern,
+            MemStack::new(&mut memory),
+        );
+        let symbolic = simplicial::factorize_simplicial_symbolic_cholesky(
+            pattern,
+            // SAFETY: the tree was just filled for this pattern.
+            unsafe { simplicial::EliminationTreeRef::from_inner(&tree) },
+            &counts,
+            MemStack::new(&mut memory),
+        )
+        .map_err(|_| FactorError::Memory)?;
+        Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic })
+    }
+
+    /// Factors of an operator; `matrix(e, m)` is the matrix of element e for harmonic m, row-major
+    /// over (corner, component).
+    pub fn factorise(
+        &self,
+        mesh: &RevolvedMesh,
+        matrix: impl Fn(usize, usize) -> Vec<f64>,
+    ) -> Result<HarmonicFactors, FactorError> {
+        let columns = mesh.sectors.columns();
+        let components = self.kind.components();
+        let rows = CORNERS * components;
+        let mut values = vec![vec![0.0; self.row.len()]; columns];
+        let entry = |i: usize, j: usize| {
+            let column = self.column_start[j]..self.column_start[j + 1];
+            column.start + self.row[column].binary_search(&i).expect("entry is in the pattern")
+        };
+        for (e, element) in mesh.elements.iter().enumerate() {
+            let place: Vec<u32> = (0..rows)
+                .map(|i| self.position[element.nodes[i / components] as usize * components + i % components])
+                .collect();
+            let axis: Vec<bool> = element.nodes.iter().map(|&n| mesh.meridian.on_axis(n as usize)).collect();
+            // Where each entry goes is the same for all harmonics.
+            let mut targets = Vec::with_capacity(rows * rows);
+            for (i, &p) in place.iter().enumerate() {
+                for (j, &q) in place.iter().enumerate() {
+                    if p != ABSENT && q != ABSENT && p <= q {
+                        targets.push((i * rows + j, entry(p as usize, q as usize)));
+                    }
+                }
+            }
+            for (m, values) in values.iter_mut().enumerate() {
+                let mut local = matrix(e, m);
+                self.constrain_axis(&mut local, &axis, m);
+                for &(from, to) in &targets {
+                    values[to] += local[from];
+                }
+            }
+        }
+        // Unknowns that the axis does not have in a harmonic: unit diagonal.
+        for (m, values) in values.iter_mut().enumerate() {
+            for node in (0..mesh.node_count()).filter(|&n| mesh.meridian.on_axis(n)) {
+                for c in (0..components).filter(|&c| !self.exists_on_axis(c, m)) {
+                    let place = self.position[node * components + c];
+                    if place == ABSENT {
+                        continue;
+                    }
+                    let place = place as usize;
+                    values[self.column_start[place]..self.column_start[place + 1]].fill(0.0);
+                    for j in place..self.unknowns {
+                        let column = self.column_start[j]..self.column_start[j + 1];
+                        if let Ok(at) = self.row[column.clone()].binary_search(&place) {
+                            values[column.start + at] = 0.0;
+                        }
+                    }
+                    values[entry(place, place)] = 1.0;
+                }
+            }
+        }
+        self.gather_factors(mesh, &values)
+    }
+
+    /// Whether the axis has component c in harmonic m: u_z (and T) of m = 0, and the translation
+    /// u_r = −u_θ of m = 1, which is kept as u_r. Off the axis all components are kept.
+    fn exists_on_axis(&self, component: usize, m: usize) -> bool {
+        match (self.kind, component) {
+            (FieldKind::Vector, 0) => m == 1,
+            (FieldKind::Vector, 1) => false,
+            _ => m == 0,
+        }
+    }
+
+    /// On the axis the first harmonic is the translation u_r = −u_θ: fold u_θ into u_r.
+    fn constrain_axis(&self, local: &mut [f64], axis: &[bool], m: usize) {
+        if self.kind == FieldKind::Scalar || m != 1 {
+            return;
+        }
+        let rows = 12;
+        for a in (0..4).filter(|&a| axis[a]) {
+            for i in 0..rows {
+                local[i * rows + 3 * a] -= local[i * rows + 3 * a + 1];
+            }
+            for j in 0..rows {
+                local[3 * a * rows + j] -= local[(3 * a + 1) * rows + j];
+            }
+        }
+    }
+
+    /// Runs faer's Cholesky on each harmonic and interleaves the factors.
+    fn gather_factors(
+        &self,
+        mesh: &RevolvedMesh,
+        values: &[Vec<f64>],
+    ) -> Result<HarmonicFactors, FactorError> {
+        let lanes = values.len();
+        let pattern = SymbolicSparseColMatRef::new_checked(
+            self.unknowns,
+            self.unknowns,
+            &self.column_start,
+            None,
+            &self.row,
+        );
+        let columns = self.symbolic.col_ptr();
+        let rows = self.symbolic.row_idx();
+        let sparse = columns[self.interior];
+        let dense = self.unknowns - self.interior;
+        let mut factors = HarmonicFactors {
+            kind: self.kind,
+            transform: ThetaTransform::new(&mesh.sectors),
+            unknowns: self.unknowns,
+            interior: self.interior,
+            position: self.position.clone(),
+            on_axis: (0..mesh.node_count()).map(|n| mesh.meridian.on_axis(n)).collect(),
+            column_start: Vec::with_capacity(self.interior + 1),
+            row: Vec::with_capacity(sparse - self.interior),
+            value: vec![0.0; (sparse - self.interior) * lanes],
+            inverse_diagonal: vec![0.0; self.interior * lanes],
+            schur: vec![0.0; dense * dense * lanes],
+        };
+        for j in 0..self.interior {
+            factors.column_start.push(factors.row.len() as u32);
+            debug_assert_eq!(rows[columns[j]], j);
+            factors.row.extend(rows[columns[j] + 1..columns[j + 1]].iter().map(|&i| i as u32));
+        }
+        factors.column_start.push(factors.row.len() as u32);
+
+        let mut memory = MemBuffer::try_new(
+            simplicial::factorize_simplicial_numeric_llt_scratch::<usize, f64>(self.unknowns),
+        )
+        .map_err(|_| FactorError::Memory)?;
+        let mut lower = vec![0.0; self.symbolic.len_val()];
+        for (m, values) in values.iter().enumerate() {
+            simplicial::factorize_simplicial_numeric_llt::<usize, f64>(
+                &mut lower,
+                SparseColMatRef::new(pattern, values),
+                Default::default(),
+                &self.symbolic,
+                MemStack::new(&mut memory),
+            )
+            .map_err(|_| FactorError::NotPositiveDefinite { harmonic: m })?;
+            let mut at = 0;
+            for j in 0..self.interior {
+                factors.inverse_diagonal[j * lanes + m] = 1.0 / lower[columns[j]];
+                for &entry in &lower[columns[j] + 1..columns[j + 1]] {
+                    factors.value[at * lanes + m] = entry;
+                    at += 1;
+                }
+            }
+            for j in 0..dense {
+                let column = columns[self.interior + j]..columns[self.interior + j + 1];
+                for (&i, &entry) in rows[column.clone()].iter().zip(&lower[column]) {
+                    factors.schur[(m * dense + i - self.interior) * dense + j] = entry;
+                }
+            }
+        }
+        Ok(factors)
+    }
+}
+
+/// Sorted, duplicate-free compressed columns.
+fn compress(columns: &mut [Vec<usize>]) -> (Vec<usize>, Vec<usize>) {
+    let mut start = vec![0];
+    let mut row = Vec::new();
+    for column in columns {
+        column.sort_unstable();
+        column.dedup();
+        row.extend_from_slice(column);
+        start.push(row.len());
+    }
+    (start, row)
+}
