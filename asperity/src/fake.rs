@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::Estimate;
 
 use crate::outcome::{
-    Account, ContactGrid, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot, Summary,
+    Account, ContactGrid, ErrorBudget, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot, Summary,
 };
 use crate::scene::Scene;
 use crate::scene_file::parse_scene;
@@ -74,6 +74,7 @@ impl Fake {
                 })
                 .collect(),
             slide,
+            budget: ErrorBudget::default(),
             summary: Summary {
                 mu: estimate(end.mu),
                 mu_static: estimate(peak.mu),

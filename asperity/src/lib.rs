@@ -28,6 +28,7 @@ mod conduction;
 mod contact;
 mod elastic;
 mod element;
+mod error_budget;
 #[cfg(test)]
 mod fake;
 pub mod figures;
@@ -45,6 +46,7 @@ pub mod provenance;
 pub mod quantities;
 mod resolution;
 pub mod run_file;
+mod scalars;
 pub mod scene;
 pub mod scene_file;
 mod sectors;

@@ -10,8 +10,6 @@ use crate::body::Body;
 use crate::contact::{Contact, Flat, Status};
 use crate::harmonic::{FieldKind, HarmonicFactors};
 
-/// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
-const NEWTON_TOLERANCE: f64 = 5e-7;
 /// Residual below which a state is good enough to ask for its temperature and contact edge.
 const REFRESH: f64 = 3e-2;
 const NEWTON_LIMIT: usize = 30;
@@ -49,13 +47,21 @@ pub struct Mechanics {
     factors: Arc<HarmonicFactors>,
     dense: ContactStiffness,
     pub displacement: Vec<f64>,
+    /// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
+    pub tolerance: f64,
     internal: Vec<f64>,
     modal: Vec<f64>,
     pub effort: Effort,
 }
 
 impl Mechanics {
-    pub fn new(body: Body, contact: Contact, factors: Arc<HarmonicFactors>, displacement: Vec<f64>) -> Self {
+    pub fn new(
+        body: Body,
+        contact: Contact,
+        factors: Arc<HarmonicFactors>,
+        displacement: Vec<f64>,
+        tolerance: f64,
+    ) -> Self {
         let n = factors.contact_unknowns() * factors.harmonics();
         let harmonics = factors.harmonics();
         let mut elastic = Mat::<f64>::zeros(n, n);
@@ -76,6 +82,7 @@ impl Mechanics {
             contact,
             factors,
             displacement,
+            tolerance,
             effort: Effort::default(),
         }
     }
@@ -117,14 +124,14 @@ impl Mechanics {
                 return Err(StepFailure::NotFinite);
             }
             let scale = reference.max(f64::MIN_POSITIVE);
-            if norm <= NEWTON_TOLERANCE * scale && around.settled {
+            if norm <= self.tolerance * scale && around.settled {
                 self.displacement = u;
                 return Ok(());
             }
             last = norm / scale;
             self.effort.newton += 1;
             // Forcing term: no more accuracy than the next Newton step can use.
-            let forcing = (0.1 * NEWTON_TOLERANCE * scale / norm).clamp(1e-3, 0.05);
+            let forcing = (0.1 * self.tolerance * scale / norm).clamp(1e-3, 0.05);
             self.conjugate_gradients(&residual, &mut direction, forcing);
             self.line_search(&mut u, &mut trial, &direction, &residual, flat, &around);
             let near = norm <= REFRESH * scale;

@@ -2,6 +2,8 @@
 
 use tables::law::Estimate;
 
+pub use crate::error_budget::{ErrorBudget, ErrorSource};
+
 /// One increment of the press.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressStep {
@@ -131,6 +133,7 @@ pub struct Outcome {
     pub press: Vec<PressStep>,
     pub slide: Vec<SlideStep>,
     pub summary: Summary,
+    pub budget: ErrorBudget,
     pub grid: ContactGrid,
     pub snapshots: Vec<Snapshot>,
     pub account: Account,

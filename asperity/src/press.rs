@@ -7,13 +7,9 @@ use crate::harmonic::FactorError;
 use crate::mechanics::{Mechanics, StepFailure, Surroundings};
 use crate::mesh::MeshSize;
 use crate::problem::{Discretisation, Problem};
+use crate::resolution::NEWTON_TOLERANCE;
 use crate::scene::FrictionLaw;
 use crate::sectors::Sectors;
-
-/// Increments for each element per contact radius, and at most in all: in full stick a point holds
-/// on where it was when the increment in which it touched began, so the load depends on the path.
-const INCREMENTS_PER_ELEMENT: usize = 4;
-const MOST_INCREMENTS: usize = 64;
 
 #[derive(Debug, thiserror::Error)]
 pub enum PressFailure {
@@ -31,17 +27,21 @@ pub struct Increment {
     pub area: f64,
 }
 
-/// Presses to ω₀ on a given mesh.
-pub fn press_on(problem: &Problem, size: MeshSize) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
+/// Presses to ω₀ on a given mesh in so many increments (more where Newton's method fails).
+pub fn press_on(
+    problem: &Problem,
+    size: MeshSize,
+    count: usize,
+) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
     let discretisation = Discretisation::new(problem, size, Sectors::axisymmetric())?;
     let mesh = discretisation.mesh;
     let contact = Contact::new(&mesh, problem.contact_modulus);
     let displacement = vec![0.0; mesh.field_length(3)];
     let body = Body::new(mesh, problem.solid.clone(), problem.expansion);
-    let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement);
+    let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement, NEWTON_TOLERANCE);
 
     let limit = if problem.law == FrictionLaw::Frictionless { 0.0 } else { f64::INFINITY };
-    let count = (INCREMENTS_PER_ELEMENT * size.elements_per_radius).min(MOST_INCREMENTS) as f64;
+    let count = count as f64;
     let mut increments = Vec::new();
     let mut before = (0.0, mechanics.displacement.clone());
     let mut done = 0.0;

@@ -1,55 +1,119 @@
 //! What the asked accuracy means for mesh, sectors, increments and heat.
 
+use crate::error_budget::RelativeParts;
 use crate::problem::SHEAR_RATIO;
 use crate::scene::{FrictionLaw, Numerics, Scene, Softening, Switch};
+use crate::slide::Increments;
 
 /// Heat changes friction by about the softening number L (steady state: L/(1 + 8L/3π)); it is left
 /// out when the scene leaves the choice and that is below this share of the asked accuracy.
 const NO_HEAT_SHARE: f64 = 0.25;
 
+/// Relative residual at which a step counts as solved.
+pub const NEWTON_TOLERANCE: f64 = 5e-7;
+/// Updates of temperature and contact edge in a step.
+const COUPLING_LIMIT: usize = 4;
+/// Increments of the press for each element per contact radius, and at most in all.
+const PRESS_INCREMENTS: usize = 4;
+const MOST_PRESS_INCREMENTS: usize = 64;
+/// Finest resolution that an accuracy can ask for.
+const MOST_ELEMENTS: usize = 48;
+const MOST_SECTORS: usize = 16;
+
+/// How finely a run is divided, in each direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resolution {
     /// n_c.
     pub elements_per_radius: usize,
     /// N_θ.
     pub sectors: usize,
-    /// Largest increment of slip relative to the slip so far.
-    pub growth: f64,
+    pub press_increments: usize,
+    pub increments: Increments,
+    /// Relative residual at which a step counts as solved.
+    pub tolerance: f64,
 }
 
 impl Resolution {
-    /// What the scene gives, and for the rest a choice by the accuracy as if errors fell with the
-    /// square of the element size; the stated errors say what was reached.
+    /// What the scene gives, and for the rest a first choice by the accuracy.
     pub fn choose(numerics: &Numerics) -> Self {
-        let from_accuracy = (8.0 * (0.05 / numerics.accuracy).sqrt()).ceil() as usize;
-        let elements = numerics.elements_per_radius.unwrap_or(from_accuracy.clamp(6, 48).next_multiple_of(2));
-        let sectors = numerics.sectors.unwrap_or(if numerics.accuracy >= 0.02 { 8 } else { 16 });
+        let accuracy = numerics.accuracy;
+        let from_accuracy = (10.0 * (0.02 / accuracy).powf(0.6)).round() as usize;
+        let elements = numerics.elements_per_radius.unwrap_or(from_accuracy.clamp(6, 32).next_multiple_of(2));
+        let sectors = numerics.sectors.unwrap_or(if accuracy >= 0.01 { 4 } else { 8 });
+        let growth = 0.2 * (accuracy / 0.02).sqrt().clamp(0.3, 1.5);
+        Self::new(elements, sectors, growth)
+    }
+
+    fn new(elements_per_radius: usize, sectors: usize, growth: f64) -> Self {
         Self {
-            elements_per_radius: elements,
+            elements_per_radius,
             sectors,
-            growth: 0.2 * (numerics.accuracy / 0.02).sqrt().clamp(0.5, 1.5),
+            press_increments: (PRESS_INCREMENTS * elements_per_radius).min(MOST_PRESS_INCREMENTS),
+            increments: Increments { growth, coupling_limit: COUPLING_LIMIT },
+            tolerance: NEWTON_TOLERANCE,
         }
     }
 
-    /// Half as fine in every direction (sectors come in fours).
-    pub fn half(&self) -> Self {
-        Self {
-            elements_per_radius: (self.elements_per_radius / 2).max(3),
-            sectors: (self.sectors / 2).next_multiple_of(4),
-            growth: 2.0 * self.growth,
-        }
+    /// On a mesh half as fine, all else alike.
+    pub fn coarse(&self) -> Self {
+        let coarse = Self::new((self.elements_per_radius / 2).max(4), self.sectors, self.increments.growth);
+        // No finer than this one, where this is as coarse as can be.
+        Self { elements_per_radius: coarse.elements_per_radius.min(self.elements_per_radius), ..coarse }
     }
 
-    pub fn describe(&self, coarse: &Resolution) -> String {
+    /// The same with another N_θ: the next finer where this is the coarsest.
+    pub fn other_sectors(&self) -> Self {
+        Self { sectors: if self.sectors < 8 { 8 } else { (self.sectors / 2).next_multiple_of(4) }, ..*self }
+    }
+
+    /// The same in increments twice as large.
+    pub fn longer_steps(&self) -> Self {
+        let increments = Increments { growth: 2.0 * self.increments.growth, ..self.increments };
+        Self { press_increments: self.press_increments / 2, increments, ..*self }
+    }
+
+    /// The same solved less exactly.
+    pub fn looser_solver(&self) -> Self {
+        let increments = Increments { coupling_limit: 2, ..self.increments };
+        Self { tolerance: 30.0 * self.tolerance, increments, ..*self }
+    }
+
+    /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
+    /// nothing if that is met or the scene and the limits leave no choice.
+    pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
+        let accuracy = numerics.accuracy;
+        if parts.total() <= accuracy {
+            return None;
+        }
+        let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
+        let mut others = parts.sectors + parts.steps + parts.solver;
+        if parts.sectors > 0.25 * accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
+            sectors *= 2;
+            others -= 0.75 * parts.sectors;
+        }
+        if parts.steps > 0.25 * accuracy && growth > 0.05 {
+            growth *= 0.5;
+            others -= 0.5 * parts.steps;
+        }
+        let mut elements = self.elements_per_radius;
+        let allowed = (accuracy - others).max(0.4 * accuracy);
+        if parts.mesh > allowed && numerics.elements_per_radius.is_none() {
+            // Order 1.5, and a little more to be sure.
+            let wanted = 1.1 * elements as f64 * (parts.mesh / allowed).powf(1.0 / 1.5);
+            elements = (wanted.ceil() as usize).clamp(elements + 2, 2 * elements).next_multiple_of(2);
+            elements = elements.min(MOST_ELEMENTS).max(self.elements_per_radius);
+        }
+        let finer = Self::new(elements, sectors, growth);
+        (finer != *self).then_some(finer)
+    }
+
+    pub fn describe(&self) -> String {
         format!(
-            "{} elements per contact radius, {} sectors, slip increments of {:.0} % of the slip; \
-             errors are differences from a run with {}, {} and {:.0} %",
+            "{} elements per contact radius, {} angles over the half circle, slip increments of {:.0} % of \
+             the slip",
             self.elements_per_radius,
             self.sectors,
-            100.0 * self.growth,
-            coarse.elements_per_radius,
-            coarse.sectors,
-            100.0 * coarse.growth,
+            100.0 * self.increments.growth,
         )
     }
 }

@@ -8,7 +8,7 @@ use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use tables::law::Estimate;
 use tables::quantity::{QUANTITIES, Quantity};
 
-use crate::outcome::{InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot};
+use crate::outcome::{ErrorSource, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot};
 use crate::provenance::SOURCE;
 use crate::quantities::estimate;
 use crate::scene::Scene;
@@ -146,6 +146,12 @@ fn estimates(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetE
         let long_name = format!("estimated absolute error of {name}");
         let attributes = described(descriptor.units, &long_name);
         file.reals(&error_name, &[], &[error], &attributes)?;
+        for source in ErrorSource::ALL {
+            let long_name = format!("part of {error_name} from the {}", source.name());
+            let attributes = described(descriptor.units, &long_name);
+            let part = outcome.budget.part(source, quantity);
+            file.reals(&format!("{error_name}_{}", source.name()), &[], &[part], &attributes)?;
+        }
     }
     Ok(())
 }

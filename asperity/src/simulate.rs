@@ -1,22 +1,28 @@
 //! Press once, slide at any number of slip rates.
 //!
-//! Each run is made twice, on the mesh and increments that the accuracy asks for and on ones
-//! half as fine in every direction; the difference is the stated error of each number.
+//! Each run has companions on a coarser mesh, from which its errors are estimated (see
+//! [`crate::error_budget`]); where they are larger than asked, and the scene leaves the choice, it
+//! is repeated more finely. The companions run beside it if there are threads for them.
 
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant as Clock;
+
+use rayon::prelude::*;
 
 use crate::body::Body;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
+use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
 use crate::mechanics::{Effort, Mechanics};
 use crate::mesh::{EDGE_SIZE, MeshSize};
 use crate::outcome::{Account, Outcome};
 use crate::press::{self, Increment, PressFailure};
 use crate::problem::{Discretisation, Problem};
 use crate::resolution::{Resolution, choose_heat, softening_number};
+use crate::scalars::Scalars;
 use crate::scene::{Control, Kinematics, Scene, Switch};
 use crate::sectors::Sectors;
-use crate::slide::{Increments, Slide, SlideFailure};
+use crate::slide::{Slide, SlideFailure};
 use crate::summary;
 
 /// Where a run stands; called between increments.
@@ -49,10 +55,11 @@ pub enum SimulationError {
     Unsupported(String),
 }
 
-/// One resolution of the pressed asperity.
+/// The pressed asperity on one mesh.
 struct PressedMesh {
-    resolution: Resolution,
-    discretisation: Discretisation,
+    elements_per_radius: usize,
+    press_increments: usize,
+    size: MeshSize,
     /// Axisymmetric state at the end of the press.
     body: Body,
     contact: Contact,
@@ -65,16 +72,12 @@ struct PressedMesh {
 pub struct Pressed {
     scene: Scene,
     problem: Problem,
-    fine: PressedMesh,
-    coarse: PressedMesh,
+    resolution: Resolution,
+    /// Contact radius over R that meshes are laid out for.
+    contact_radius: f64,
+    /// Meshes pressed so far; more are added where a slide needs a finer one.
+    meshes: Mutex<Vec<Arc<PressedMesh>>>,
     wall_time: f64,
-}
-
-impl Pressed {
-    /// Increments of the press on the fine mesh.
-    pub(crate) fn increments(&self) -> &[Increment] {
-        &self.fine.increments
-    }
 }
 
 /// Press the asperity to the interference of the scene, in full stick and without heat.
@@ -90,42 +93,74 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
     }
     let problem = Problem::new(scene);
     let fine = Resolution::choose(&scene.numerics);
-    let coarse = fine.half();
+    let coarse = fine.coarse();
     watch.progress("press", 0.0, "coarse mesh");
-    let coarse = press_mesh(&problem, coarse, problem.expected_contact_radius(), watch)?;
-    watch.progress("press", 0.3, "fine mesh");
-    let radius = coarse.contact.radius(&coarse.contact.committed);
-    let fine = press_mesh(&problem, fine, radius, watch)?;
+    let expected = problem.expected_contact_radius();
+    let first = press_mesh(&problem, &coarse, expected, watch)?;
+    let contact_radius = first.contact.radius(&first.contact.committed);
+    let mut meshes = vec![Arc::new(first)];
+    watch.progress("press", 0.2, "fine mesh");
+    let others = [fine, coarse.longer_steps()];
+    let pressed: Vec<_> =
+        others.par_iter().map(|resolution| press_mesh(&problem, resolution, contact_radius, watch)).collect();
+    for mesh in pressed {
+        meshes.push(Arc::new(mesh?));
+    }
     watch.progress("press", 1.0, "");
-    Ok(Pressed { scene: scene.clone(), problem, fine, coarse, wall_time: clock.elapsed().as_secs_f64() })
+    Ok(Pressed {
+        scene: scene.clone(),
+        problem,
+        resolution: fine,
+        contact_radius,
+        meshes: Mutex::new(meshes),
+        wall_time: clock.elapsed().as_secs_f64(),
+    })
+}
+
+impl Pressed {
+    /// The pressed mesh of a resolution, made now if it is not there.
+    fn mesh(&self, resolution: &Resolution, watch: &dyn Watch) -> Result<Arc<PressedMesh>, SimulationError> {
+        let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = meshes.iter().find(|mesh| {
+            mesh.elements_per_radius == resolution.elements_per_radius
+                && mesh.press_increments == resolution.press_increments
+        });
+        if let Some(mesh) = known {
+            return Ok(mesh.clone());
+        }
+        let mesh = Arc::new(press_mesh(&self.problem, resolution, self.contact_radius, watch)?);
+        meshes.push(mesh.clone());
+        Ok(mesh)
+    }
 }
 
 /// Presses on meshes laid out for the contact radius, until the edge lies where the mesh expects it.
 fn press_mesh(
     problem: &Problem,
-    resolution: Resolution,
+    resolution: &Resolution,
     mut radius: f64,
     watch: &dyn Watch,
 ) -> Result<PressedMesh, SimulationError> {
     /// Offset of the edge from its place between two rings, in ring spacings, that is good enough.
     const CLOSE_ENOUGH: f64 = 0.25;
     const LAYOUTS: usize = 2;
+    let elements_per_radius = resolution.elements_per_radius;
     for layout in 1.. {
         if watch.cancelled() {
             return Err(SimulationError::Cancelled { partial: None });
         }
-        let size = MeshSize { contact_radius: radius, elements_per_radius: resolution.elements_per_radius };
-        let (mechanics, increments) = press::press_on(problem, size).map_err(press_error)?;
+        let size = MeshSize { contact_radius: radius, elements_per_radius };
+        let (mechanics, increments) =
+            press::press_on(problem, size, resolution.press_increments).map_err(press_error)?;
         let reached = mechanics.contact.radius(&mechanics.contact.committed);
-        let spacing = EDGE_SIZE / resolution.elements_per_radius as f64;
+        let spacing = EDGE_SIZE / elements_per_radius as f64;
         if (reached / radius - 1.0).abs() <= CLOSE_ENOUGH * spacing || layout == LAYOUTS {
             let effort = mechanics.effort;
             let (body, contact, displacement) = mechanics.into_parts();
-            let discretisation = Discretisation::new(problem, size, Sectors::full(resolution.sectors))
-                .map_err(|e| press_error(e.into()))?;
             return Ok(PressedMesh {
-                resolution,
-                discretisation,
+                elements_per_radius,
+                press_increments: resolution.press_increments,
+                size,
                 body,
                 contact,
                 displacement,
@@ -148,112 +183,190 @@ fn press_error(failure: PressFailure) -> SimulationError {
     SimulationError::NotConverged { stage: "press", at, reason, partial: None }
 }
 
+/// Where the contact points are.
+pub struct ContactPoints {
+    /// Over R.
+    pub radii: Vec<f64>,
+    pub angles: Vec<f64>,
+}
+
 /// One slide on one mesh, as far as it came.
-struct Slid {
-    history: Vec<crate::slide::Instant>,
-    fields: Vec<crate::slide::Fields>,
+pub struct Slid {
+    pub history: Vec<crate::slide::Instant>,
+    pub fields: Vec<crate::slide::Fields>,
+    pub grid: ContactPoints,
+    unknowns: usize,
     effort: Effort,
     cutbacks: usize,
     failure: Option<SlideFailure>,
 }
 
-fn slide_mesh(
-    pressed: &PressedMesh,
-    problem: &Problem,
+/// What all slides at one slip rate share.
+struct Task<'a> {
+    pressed: &'a Pressed,
+    /// VR/κ.
     speed: f64,
     heat: bool,
-    distance: f64,
-    watch: impl FnMut(f64) -> bool,
-) -> Result<Slid, SimulationError> {
-    let mesh = &pressed.discretisation.mesh;
-    let body = Body::revolve(&pressed.body, mesh.clone());
-    let contact = Contact::revolve(&pressed.contact, mesh, problem.contact_modulus);
-    let displacement = mesh.sectors.spread(&pressed.displacement);
-    let mechanics = Mechanics::new(body, contact, pressed.discretisation.factors.clone(), displacement);
-    let conduction = if heat {
-        Some(Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?)
-    } else {
-        None
-    };
-    let mut slide = Slide::new(problem, mechanics, conduction, if heat { speed } else { 0.0 });
-    let increments = Increments { growth: pressed.resolution.growth };
-    slide.record_fields();
-    let failure = slide.run(distance, increments, watch).err();
-    slide.record_fields();
-    Ok(Slid {
-        effort: slide.mechanics.effort,
-        history: slide.history,
-        fields: slide.fields,
-        cutbacks: slide.cutbacks,
-        failure,
-    })
+    watch: &'a dyn Watch,
+}
+
+impl Task<'_> {
+    fn slide(
+        &self,
+        resolution: &Resolution,
+        mut progress: impl FnMut(f64),
+    ) -> Result<(Arc<PressedMesh>, Slid), SimulationError> {
+        let problem = &self.pressed.problem;
+        let pressed = self.pressed.mesh(resolution, self.watch)?;
+        let discretisation = Discretisation::new(problem, pressed.size, Sectors::full(resolution.sectors))
+            .map_err(|e| press_error(e.into()))?;
+        let mesh = &discretisation.mesh;
+        let body = Body::revolve(&pressed.body, mesh.clone());
+        let contact = Contact::revolve(&pressed.contact, mesh, problem.contact_modulus);
+        let displacement = mesh.sectors.spread(&pressed.displacement);
+        let factors = discretisation.factors.clone();
+        let mechanics = Mechanics::new(body, contact, factors, displacement, resolution.tolerance);
+        let conduction = if self.heat {
+            Some(Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?)
+        } else {
+            None
+        };
+        let speed = if self.heat { self.speed } else { 0.0 };
+        let mut slide = Slide::new(problem, mechanics, conduction, speed, resolution.increments);
+        slide.record_fields();
+        // Each mesh slides as far in units of its own contact radius.
+        let radius = pressed.contact.radius(&pressed.contact.committed);
+        let distance = self.pressed.scene.loading.slip_distance * radius;
+        let failure = slide
+            .run(distance, |done| {
+                progress(done);
+                !self.watch.cancelled()
+            })
+            .err();
+        slide.record_fields();
+        let slid = Slid {
+            effort: slide.mechanics.effort,
+            history: slide.history,
+            fields: slide.fields,
+            grid: ContactPoints {
+                radii: slide.mechanics.contact.radii.clone(),
+                angles: mesh.sectors.angles(),
+            },
+            unknowns: mesh.field_length(3),
+            cutbacks: slide.cutbacks,
+            failure,
+        };
+        Ok((pressed, slid))
+    }
+
+    fn scalars(&self, mesh: &PressedMesh, slid: &Slid) -> Scalars {
+        Scalars::new(&self.pressed.problem, &self.pressed.scene, &mesh.increments, &slid.history)
+    }
 }
 
 /// Slide the pressed asperity at `slip_rate` (m/s).
 pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    /// Share of a run's progress until its companions are done.
+    const FIRST_SHARE: f64 = 0.6;
+    /// Times that a run is repeated more finely.
+    const REFINEMENTS: usize = 2;
     let clock = Clock::now();
-    let problem = &pressed.problem;
-    let scene = &pressed.scene;
+    let (problem, scene) = (&pressed.problem, &pressed.scene);
     let units = problem.units;
-    let speed = slip_rate / units.speed();
-    let radius = pressed.fine.contact.radius(&pressed.fine.contact.committed);
-    let number = softening_number(scene, slip_rate, radius * units.length);
+    let number = softening_number(scene, slip_rate, pressed.contact_radius * units.length);
     let mut notes = Vec::new();
     let heat = choose_heat(scene, slip_rate, number, &mut notes);
-    let ratio = scene.loading.slip_distance;
-    // Each mesh slides as far in units of its own contact radius.
-    let distance = |mesh: &PressedMesh| ratio * mesh.contact.radius(&mesh.contact.committed);
-    let fine = slide_mesh(&pressed.fine, problem, speed, heat, distance(&pressed.fine), |done| {
-        watch.progress("slide", 0.85 * done, "fine mesh");
-        !watch.cancelled()
-    })?;
-    let complete = fine.failure.is_none();
-    let coarse = if complete {
-        slide_mesh(&pressed.coarse, problem, speed, heat, distance(&pressed.coarse), |done| {
-            watch.progress("slide", 0.85 + 0.15 * done, "coarse mesh");
-            !watch.cancelled()
-        })?
-    } else {
-        Slid { history: vec![], fields: vec![], effort: Effort::default(), cutbacks: 0, failure: None }
-    };
+    let task = Task { pressed, speed: slip_rate / units.speed(), heat, watch };
 
+    let mut resolution = pressed.resolution;
+    let coarse = resolution.coarse();
+    let plan = [resolution, coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
+    let runs: Vec<_> = plan
+        .par_iter()
+        .enumerate()
+        .map(|(i, resolution)| {
+            task.slide(resolution, |done| {
+                if i == 0 {
+                    watch.progress("slide", FIRST_SHARE * done, "");
+                }
+            })
+        })
+        .collect();
+    let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
+    let (mut mesh, mut fine) = runs.next().expect("planned");
+    let companions: Vec<_> = runs.collect();
+    let mut cutbacks = fine.cutbacks;
     let mut warnings = Vec::new();
-    summary::warn(scene, &fine.history, &mut warnings);
-    let fine_scalars = summary::Scalars::new(problem, scene, &pressed.fine.increments, &fine.history);
-    let coarse_scalars = (complete && coarse.failure.is_none())
-        .then(|| summary::Scalars::new(problem, scene, &pressed.coarse.increments, &coarse.history));
-    if coarse_scalars.is_none() {
-        warnings.push(
-            "the coarse companion run did not finish: errors are unknown and given as the values themselves"
-                .into(),
-        );
+    let mut scalars = task.scalars(&mesh, &fine);
+    let complete = |slid: &Slid| slid.failure.is_none();
+    let known = complete(&fine) && companions.iter().all(|(_, slid)| complete(slid));
+    let mut budget = if known {
+        let [coarse, sectors, steps, solver] = [0, 1, 2, 3].map(|i| {
+            let (mesh, slid) = &companions[i];
+            task.scalars(mesh, slid)
+        });
+        let refinement = resolution.elements_per_radius as f64 / plan[1].elements_per_radius as f64;
+        let companions = Companions {
+            coarse: &coarse,
+            other_sectors: &sectors,
+            longer_steps: &steps,
+            looser_solver: &solver,
+        };
+        ErrorBudget::new(&scalars, &companions, refinement)
+    } else {
+        warnings.push("a companion run did not finish: errors are unknown and given as the values".into());
+        ErrorBudget::unknown(&scalars)
+    };
+    if known {
+        for _ in 0..REFINEMENTS {
+            let (_, parts) = budget.worst(&scalars);
+            let Some(finer) = resolution.refine(&scene.numerics, &parts) else { break };
+            watch.progress("slide", FIRST_SHARE, "finer");
+            let (next_mesh, next) = task.slide(&finer, |done| {
+                watch.progress("slide", FIRST_SHARE + (1.0 - FIRST_SHARE) * done, "finer");
+            })?;
+            cutbacks += next.cutbacks;
+            if !complete(&next) {
+                break;
+            }
+            let next_scalars = task.scalars(&next_mesh, &next);
+            if finer.elements_per_radius > resolution.elements_per_radius {
+                let refinement = finer.elements_per_radius as f64 / resolution.elements_per_radius as f64;
+                budget.set_mesh(&next_scalars, &scalars, refinement);
+            }
+            // Second order in θ at least, first in the increments.
+            budget.scale(ErrorSource::Sectors, (resolution.sectors as f64 / finer.sectors as f64).powi(2));
+            budget.scale(ErrorSource::Steps, finer.increments.growth / resolution.increments.growth);
+            (mesh, fine, scalars, resolution) = (next_mesh, next, next_scalars, finer);
+        }
+        let (quantity, parts) = budget.worst(&scalars);
+        if parts.total() > scene.numerics.accuracy {
+            warnings.push(format!(
+                "the estimated error of {} is {:.1} %, above the accuracy of {:.1} %",
+                quantity.descriptor().name,
+                100.0 * parts.total(),
+                100.0 * scene.numerics.accuracy
+            ));
+        }
     }
+    watch.progress("slide", 1.0, "");
+
+    summary::warn(scene, &fine.history, &mut warnings);
+    notes.insert(0, resolution.describe());
     let account = Account {
-        elements_per_radius: pressed.fine.resolution.elements_per_radius,
-        sectors: pressed.fine.resolution.sectors,
-        unknowns: pressed.fine.discretisation.mesh.field_length(3),
+        elements_per_radius: resolution.elements_per_radius,
+        sectors: resolution.sectors,
+        unknowns: fine.unknowns,
         heat,
         steps: fine.history.len() - 1,
-        cutbacks: fine.cutbacks + coarse.cutbacks,
-        newton_iterations: pressed.fine.effort.newton + fine.effort.newton,
-        krylov_iterations: pressed.fine.effort.krylov + fine.effort.krylov,
+        cutbacks: cutbacks + companions.iter().map(|(_, slid)| slid.cutbacks).sum::<usize>(),
+        newton_iterations: mesh.effort.newton + fine.effort.newton,
+        krylov_iterations: mesh.effort.krylov + fine.effort.krylov,
         wall_time: pressed.wall_time + clock.elapsed().as_secs_f64(),
-        notes: {
-            notes.insert(0, pressed.fine.resolution.describe(&pressed.coarse.resolution));
-            notes
-        },
+        notes,
         warnings,
     };
-    let outcome = summary::outcome(
-        problem,
-        &pressed.fine.contact,
-        &pressed.discretised_angles(),
-        pressed.increments(),
-        &fine.history,
-        &fine.fields,
-        summary::estimate(&fine_scalars, coarse_scalars.as_ref()),
-        account,
-    );
+    let outcome = summary::outcome(problem, &mesh.increments, &fine, &scalars, budget, account);
     match fine.failure {
         None => Ok(outcome),
         Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled { partial: Some(Box::new(outcome)) }),
@@ -263,12 +376,6 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
             reason: failure.to_string(),
             partial: Some(Box::new(outcome)),
         }),
-    }
-}
-
-impl Pressed {
-    fn discretised_angles(&self) -> Vec<f64> {
-        self.fine.discretisation.mesh.sectors.angles()
     }
 }
 

@@ -11,9 +11,6 @@ use crate::scene::FrictionLaw;
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
 const LIMIT_TOLERANCE: f64 = 3e-5;
-/// Updates of temperature and contact edge in a step: each leaves about a fifth of the change of
-/// the one before (measured), so what is left after these is some per mille of a step's change.
-const COUPLING_LIMIT: usize = 4;
 /// First increment in units of the elastic displacement at gross slip.
 const FIRST_INCREMENT: f64 = 0.1;
 /// Share of the sticking area that begins to slip in an increment, at most.
@@ -71,6 +68,9 @@ pub struct Fields {
 pub struct Increments {
     /// Largest increment relative to the slip so far.
     pub growth: f64,
+    /// Updates of temperature and contact edge in a step: each leaves about a fifth of the change
+    /// of the one before (measured).
+    pub coupling_limit: usize,
 }
 
 pub struct Slide<'a> {
@@ -84,6 +84,7 @@ pub struct Slide<'a> {
     pub history: Vec<Instant>,
     pub fields: Vec<Fields>,
     pub cutbacks: usize,
+    increments: Increments,
 }
 
 /// Heat of friction: flow f_h τ_c(θ) v where the contact slips, less what the gap takes.
@@ -165,6 +166,7 @@ impl<'a> Slide<'a> {
         mechanics: Mechanics,
         conduction: Option<Conduction>,
         speed: f64,
+        increments: Increments,
     ) -> Self {
         let mut slide = Self {
             interference: problem.interference,
@@ -176,6 +178,7 @@ impl<'a> Slide<'a> {
             history: Vec::new(),
             fields: Vec::new(),
             cutbacks: 0,
+            increments,
         };
         let start = slide.instant(0.0, Instant::default());
         slide.history.push(start);
@@ -183,12 +186,8 @@ impl<'a> Slide<'a> {
     }
 
     /// Slides by `distance` (in R); `watch` is given the share done and may stop the slide.
-    pub fn run(
-        &mut self,
-        distance: f64,
-        increments: Increments,
-        mut watch: impl FnMut(f64) -> bool,
-    ) -> Result<(), SlideFailure> {
+    pub fn run(&mut self, distance: f64, mut watch: impl FnMut(f64) -> bool) -> Result<(), SlideFailure> {
+        let increments = self.increments;
         let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
         let shear = self.problem.solid.moduli.shear;
         // δ_s = τ₀a(2 − ν)/(2G), with 2 − ν taken as 2.
@@ -216,7 +215,7 @@ impl<'a> Slide<'a> {
                     let most = (increments.growth * slip)
                         .max(least)
                         .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
-                    advance = (2.0 * advance).min(most).min(self.to_less_stick(increments, least));
+                    advance = (2.0 * advance).min(most).min(self.to_less_stick(least));
                 }
                 Err(failure @ SlideFailure::Step(_)) => {
                     self.mechanics.displacement = committed;
@@ -235,13 +234,13 @@ impl<'a> Slide<'a> {
 
     /// Increment over which, at the present rate, a share of what sticks begins to slip: sliding
     /// inception, where nothing sticks any more, is approached in ever smaller increments.
-    fn to_less_stick(&self, increments: Increments, least: f64) -> f64 {
+    fn to_less_stick(&self, least: f64) -> f64 {
         let [.., before, now] = self.history[..] else { return f64::INFINITY };
         let rate = (before.stick_fraction - now.stick_fraction) / (now.slip - before.slip);
         if now.stick_fraction <= 0.0 || rate <= 0.0 {
             return f64::INFINITY;
         }
-        (INCEPTION_SHARE * increments.growth / 0.15 * now.stick_fraction / rate).max(0.2 * least)
+        (INCEPTION_SHARE * self.increments.growth / 0.15 * now.stick_fraction / rate).max(0.2 * least)
     }
 
     /// One increment from slip to slip.
@@ -257,6 +256,7 @@ impl<'a> Slide<'a> {
         let before = &self.sources;
         let mut sources = HeatSources::default();
         let (mut frozen, mut refreshed) = (false, 0);
+        let coupling_limit = self.increments.coupling_limit;
         self.mechanics.solve(flat, start, |body: &mut Body, contact: &mut Contact, iteration| {
             if frozen {
                 return None;
@@ -285,7 +285,7 @@ impl<'a> Slide<'a> {
                     .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
             });
             refreshed += 1;
-            frozen = agrees || refreshed > COUPLING_LIMIT;
+            frozen = agrees || refreshed > coupling_limit;
             last_limit = Some(limit.clone());
             Some(Surroundings { limit, rise, settled: frozen })
         })?;

@@ -1,220 +1,19 @@
-//! From the history of a slide to the scalars that are reported, in SI units.
-
-use std::f64::consts::PI;
+//! What is reported of a run: its histories, scalars and fields in SI units, and warnings.
 
 use tables::law::Estimate;
+use tables::quantity::Quantity;
 
-use crate::contact::Contact;
-use crate::outcome::{
-    Account, ContactGrid, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot, Summary,
-};
+use crate::error_budget::ErrorBudget;
+use crate::outcome::{Account, ContactGrid, Outcome, PressStep, SlideStep, Snapshot, Summary};
 use crate::press::Increment;
 use crate::problem::Problem;
+use crate::scalars::Scalars;
 use crate::scene::{FrictionLaw, Hardening, Scene};
-use crate::slide::{Fields, Instant};
+use crate::simulate::Slid;
+use crate::slide::Instant;
 
-/// Sticking share of the contact that counts as none: points that have just touched stick until
-/// they have slipped once.
-const NO_STICK: f64 = 0.01;
-/// Sliding has begun when dQ/ds is below this share of its first value.
-const STIFFNESS_SHARE: f64 = 0.01;
-/// Relative change of μ over the last quarter of the slide below which it has levelled off.
-const LEVEL: f64 = 0.02;
 /// Top-layer strains above this are beyond small-strain kinematics.
 const LARGE_STRAIN: f64 = 0.2;
-
-/// Sliding inception.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Inception {
-    criterion: InceptionCriterion,
-    slip: f64,
-    friction: f64,
-    load: f64,
-    /// (work of the flat − change of elastic energy)/A, per area.
-    energy_release: f64,
-    /// Half the differences between the states on both sides of it.
-    slip_bracket: f64,
-    energy_bracket: f64,
-}
-
-/// The scalars of one history, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scalars {
-    mu: f64,
-    mu_static: f64,
-    mu_peak: f64,
-    friction: f64,
-    friction_static: f64,
-    load: f64,
-    load_press: f64,
-    area: f64,
-    area_press: f64,
-    contact_radius: f64,
-    energy_release: f64,
-    energy_weakening: f64,
-    temperature_max: f64,
-    temperature_mean: f64,
-    inception_slip: f64,
-    inception_slip_bracket: f64,
-    energy_release_bracket: f64,
-    inception: InceptionCriterion,
-    levelled: bool,
-}
-
-impl Scalars {
-    pub fn new(problem: &Problem, scene: &Scene, press: &[Increment], history: &[Instant]) -> Self {
-        let units = problem.units;
-        let last = history.last().expect("a history starts with the press");
-        let pressed = press.last().expect("a press has increments");
-        let inception = inception(history);
-        let mu = |i: &Instant| {
-            if i.load > 0.0 { i.friction / i.load } else { 0.0 }
-        };
-        Self {
-            mu: mu(last),
-            mu_static: if inception.load > 0.0 { inception.friction / inception.load } else { 0.0 },
-            mu_peak: history.iter().map(mu).fold(0.0, f64::max),
-            friction: last.friction * units.force(),
-            friction_static: inception.friction * units.force(),
-            load: last.load * units.force(),
-            load_press: pressed.load * units.force(),
-            area: last.area * units.area(),
-            area_press: pressed.area * units.area(),
-            contact_radius: (pressed.area / PI).sqrt() * units.length,
-            energy_release: inception.energy_release * units.stress * units.length,
-            energy_weakening: weakening(history) * units.stress * units.length,
-            temperature_max: scene.loading.temperature
-                + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
-            temperature_mean: scene.loading.temperature + last.rise_mean,
-            inception_slip: inception.slip * units.length,
-            inception_slip_bracket: inception.slip_bracket * units.length,
-            energy_release_bracket: inception.energy_bracket * units.stress * units.length,
-            inception: inception.criterion,
-            levelled: levelled(history),
-        }
-    }
-}
-
-/// Where the sticking share of the contact falls to nothing, or the secant stiffness of the
-/// increments falls below the given share of the first; both interpolated between increments.
-fn inception(history: &[Instant]) -> Inception {
-    let stiffness: Vec<(f64, f64)> = history
-        .windows(2)
-        .map(|w| (0.5 * (w[0].slip + w[1].slip), (w[1].friction - w[0].friction) / (w[1].slip - w[0].slip)))
-        .collect();
-    let first = stiffness.first().map_or(0.0, |s| s.1);
-    for n in 1..history.len() {
-        let (before, now) = (history[n - 1], history[n]);
-        if now.stick_fraction < NO_STICK && now.friction > 0.0 {
-            let fallen = before.stick_fraction - now.stick_fraction;
-            let share = if fallen > 0.0 { (before.stick_fraction - NO_STICK) / fallen } else { 1.0 };
-            let slip = before.slip + share.clamp(0.0, 1.0) * (now.slip - before.slip);
-            return Inception::at(history, slip, n, InceptionCriterion::FullSlip);
-        }
-        let (at, now) = stiffness[n - 1];
-        if now < STIFFNESS_SHARE * first {
-            let (before_at, before) = if n >= 2 { stiffness[n - 2] } else { (0.0, first) };
-            let share = ((before - STIFFNESS_SHARE * first) / (before - now)).clamp(0.0, 1.0);
-            let slip = before_at + share * (at - before_at);
-            return Inception::at(history, slip, n, InceptionCriterion::Stiffness);
-        }
-    }
-    let last = history.len() - 1;
-    Inception::at(history, history[last].slip, last, InceptionCriterion::None)
-}
-
-impl Inception {
-    /// At `slip`, somewhere between the states n − 1 and n.
-    fn at(history: &[Instant], slip: f64, n: usize, criterion: InceptionCriterion) -> Self {
-        let state = between(history, slip);
-        let release = |i: &Instant| if i.area > 0.0 { 2.0 * (i.work - i.elastic) / i.area } else { 0.0 };
-        let (low, high) = (history[n.saturating_sub(1)], history[n]);
-        Self {
-            criterion,
-            slip,
-            friction: state.friction,
-            load: state.load,
-            energy_release: release(&state),
-            slip_bracket: 0.5 * (high.slip - low.slip),
-            energy_bracket: 0.5 * (release(&high) - release(&low)).abs(),
-        }
-    }
-}
-
-/// History interpolated linearly in slip.
-fn between(history: &[Instant], slip: f64) -> Instant {
-    if history.len() < 2 {
-        return history[0];
-    }
-    let after = history.partition_point(|i| i.slip < slip).clamp(1, history.len() - 1);
-    let (a, b) = (history[after - 1], history[after]);
-    let t = ((slip - a.slip) / (b.slip - a.slip)).clamp(0.0, 1.0);
-    let mix = |x: f64, y: f64| x + t * (y - x);
-    Instant {
-        slip,
-        friction: mix(a.friction, b.friction),
-        load: mix(a.load, b.load),
-        area: mix(a.area, b.area),
-        work: mix(a.work, b.work),
-        elastic: mix(a.elastic, b.elastic),
-        ..a
-    }
-}
-
-/// ∫(τ̄ − τ̄_end) ds from the peak of τ̄ = Q/A to the end, trapezoidal.
-fn weakening(history: &[Instant]) -> f64 {
-    let stress = |i: &Instant| {
-        if i.area > 0.0 { i.friction / i.area } else { 0.0 }
-    };
-    let peak =
-        (0..history.len()).max_by(|&a, &b| stress(&history[a]).total_cmp(&stress(&history[b]))).unwrap_or(0);
-    let end = history.last().map_or(0.0, stress);
-    history[peak..]
-        .windows(2)
-        .map(|w| (0.5 * (stress(&w[0]) + stress(&w[1])) - end) * (w[1].slip - w[0].slip))
-        .sum()
-}
-
-fn levelled(history: &[Instant]) -> bool {
-    let last = history.last().expect("not empty");
-    if last.load <= 0.0 {
-        return false;
-    }
-    let earlier = between(history, 0.75 * last.slip);
-    let mu = last.friction / last.load;
-    earlier.load > 0.0 && (earlier.friction / earlier.load - mu).abs() <= LEVEL * mu.abs()
-}
-
-/// Values with the difference from the coarse run as their error.
-///
-/// A second-order method is off by a third of that difference, a first-order one by all of it.
-/// Sliding inception lies between two states, which adds its own part.
-pub fn estimate(fine: &Scalars, coarse: Option<&Scalars>) -> Summary {
-    let of = |pick: fn(&Scalars) -> f64| Estimate {
-        value: pick(fine),
-        error: coarse.map_or(pick(fine).abs(), |c| (pick(fine) - pick(c)).abs()),
-    };
-    let bracketed = |e: Estimate, bracket: f64| Estimate { error: e.error + bracket, ..e };
-    Summary {
-        mu: of(|s| s.mu),
-        mu_static: of(|s| s.mu_static),
-        mu_peak: of(|s| s.mu_peak),
-        friction: of(|s| s.friction),
-        friction_static: of(|s| s.friction_static),
-        load: of(|s| s.load),
-        load_press: of(|s| s.load_press),
-        area: of(|s| s.area),
-        area_press: of(|s| s.area_press),
-        contact_radius: of(|s| s.contact_radius),
-        energy_release: bracketed(of(|s| s.energy_release), fine.energy_release_bracket),
-        energy_weakening: of(|s| s.energy_weakening),
-        temperature_max: of(|s| s.temperature_max),
-        temperature_mean: of(|s| s.temperature_mean),
-        inception_slip: bracketed(of(|s| s.inception_slip), fine.inception_slip_bracket),
-        inception: fine.inception,
-        levelled: fine.levelled,
-    }
-}
 
 /// What the reader must know.
 pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
@@ -236,18 +35,40 @@ pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
     }
 }
 
+/// Values with their errors.
+fn summary(scalars: &Scalars, budget: &ErrorBudget) -> Summary {
+    let of = |quantity| Estimate { value: scalars.value(quantity), error: budget.total(quantity) };
+    Summary {
+        mu: of(Quantity::Mu),
+        mu_static: of(Quantity::MuStatic),
+        mu_peak: of(Quantity::MuPeak),
+        friction: of(Quantity::Friction),
+        friction_static: of(Quantity::FrictionStatic),
+        load: of(Quantity::Load),
+        load_press: of(Quantity::LoadPress),
+        area: of(Quantity::Area),
+        area_press: of(Quantity::AreaPress),
+        contact_radius: of(Quantity::ContactRadius),
+        energy_release: of(Quantity::EnergyRelease),
+        energy_weakening: of(Quantity::EnergyWeakening),
+        temperature_max: of(Quantity::TemperatureMax),
+        temperature_mean: of(Quantity::TemperatureMean),
+        inception_slip: of(Quantity::InceptionSlip),
+        inception: scalars.inception,
+        levelled: scalars.levelled,
+    }
+}
+
 /// The whole outcome in SI units.
-#[allow(clippy::too_many_arguments)]
 pub fn outcome(
     problem: &Problem,
-    contact: &Contact,
-    angles: &[f64],
     press: &[Increment],
-    history: &[Instant],
-    fields: &[Fields],
-    summary: Summary,
+    slid: &Slid,
+    scalars: &Scalars,
+    budget: ErrorBudget,
     account: Account,
 ) -> Outcome {
+    let (history, fields, grid) = (&slid.history, &slid.fields, &slid.grid);
     let units = problem.units;
     // Work and heat are of the half body.
     let energy = |x: f64| 2.0 * x * units.energy();
@@ -274,8 +95,8 @@ pub fn outcome(
             heat_out: energy(i.heat_out),
         })
         .collect();
-    let rings = contact.radii.len();
-    let columns = angles.len();
+    let rings = grid.radii.len();
+    let columns = grid.angles.len();
     // Stored ring by ring; reported angle by angle.
     let turn = |v: &[f64], scale: f64| -> Vec<f64> {
         (0..columns)
@@ -304,10 +125,11 @@ pub fn outcome(
             })
             .collect(),
         slide,
-        summary,
+        summary: summary(scalars, &budget),
+        budget,
         grid: ContactGrid {
-            theta: angles.to_vec(),
-            r: contact.radii.iter().map(|r| r * units.length).collect(),
+            theta: grid.angles.clone(),
+            r: grid.radii.iter().map(|r| r * units.length).collect(),
         },
         snapshots,
         account,

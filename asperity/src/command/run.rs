@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use asperity::outcome::Outcome;
+use asperity::outcome::{ErrorSource, Outcome};
 use asperity::quantities::{estimate, inception_in_words};
 use asperity::run_file::{self, About};
 use asperity::scene::Scene;
@@ -112,6 +112,16 @@ fn account(outcome: &Outcome) -> String {
         account.krylov_iterations,
         if account.heat { "simulated" } else { "left out" },
     );
+    let _ = writeln!(text, "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}", "", "mesh", "sectors", "steps", "solver");
+    for quantity in Quantity::ALL {
+        let value = estimate(&outcome.summary, quantity).value.abs();
+        let _ = write!(text, "  {:20}", quantity.descriptor().name);
+        for source in ErrorSource::ALL {
+            let part = 100.0 * outcome.budget.part(source, quantity) / value;
+            let _ = write!(text, "{part:>8.3}");
+        }
+        let _ = writeln!(text);
+    }
     for note in &account.notes {
         let _ = writeln!(text, "note: {note}");
     }
