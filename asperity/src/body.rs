@@ -12,6 +12,8 @@ use crate::element::{
 use crate::lanes::Lanes;
 use crate::material::{Return, Solid};
 
+mod surface;
+
 /// History of all Gauss points: element by element, point by point, component by component,
 /// sectors as lanes.
 #[derive(Clone, Debug)]
@@ -452,7 +454,7 @@ mod tests {
     use crate::scene::{Hardening, Material, Softening};
     use crate::sectors::Sectors;
 
-    fn body(hardening: Hardening, sectors: Sectors) -> Body {
+    pub(super) fn body(hardening: Hardening, sectors: Sectors) -> Body {
         let material = Material {
             youngs_modulus: 200e9,
             poisson_ratio: 0.3,
@@ -469,7 +471,7 @@ mod tests {
         Body::new(mesh, Solid::new(&material, 298.0), material.thermal_expansion)
     }
 
-    fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
+    pub(super) fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
         (0..n).map(|i| scale * (i as f64 * 0.37 + phase).sin()).collect()
     }
 

@@ -57,11 +57,6 @@ impl Solid {
         factor / self.initial_factor
     }
 
-    /// Initial yield strength with softening: what the interface shears at, times √3.
-    pub fn initial_strength(&self, rise: f64) -> f64 {
-        self.softening_factor(rise)
-    }
-
     /// (σ_y, dσ_y/dε_p) without softening.
     fn hardened(&self, strain: f64) -> (f64, f64) {
         match &self.hardening {
@@ -192,8 +187,8 @@ mod tests {
     #[test]
     fn molten_material_has_no_strength() {
         let solid = steel(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
-        assert_eq!(solid.initial_strength(1495.0), 0.0);
-        assert_eq!(solid.initial_strength(1e5), 0.0);
+        assert_eq!(solid.yield_strength(0.0, 1495.0), 0.0);
+        assert_eq!(solid.yield_strength(0.3, 1e5), 0.0);
         let Return { increment, slope } = solid.return_map(1.0, 0.0, 2000.0, 0.0);
         assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
     }

@@ -13,7 +13,7 @@ use crate::element::RevolvedMesh;
 use crate::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
 use crate::material::Solid;
 use crate::mesh::{MeridianMesh, MeshSize};
-use crate::scene::{FrictionLaw, Scene};
+use crate::scene::{FrictionLaw, InterfaceStrength, Scene};
 use crate::sectors::Sectors;
 
 /// 1/√3, von Mises' ratio of shear to tensile strength.
@@ -31,6 +31,7 @@ pub struct Problem {
     /// ω₀/R.
     pub interference: f64,
     pub law: FrictionLaw,
+    pub strength: InterfaceStrength,
     pub strength_factor: f64,
     /// ρc·(1 K)/σ_Y; also k·(1 K), as κ = 1.
     pub heat_capacity: f64,
@@ -85,6 +86,7 @@ impl Problem {
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),
+            strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,
             heat_capacity: capacity / material.yield_strength,
             heat_partition: scene.interface.heat_partition,

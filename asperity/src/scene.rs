@@ -55,9 +55,9 @@ pub struct Material {
 /// Law of the tangential traction on the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FrictionLaw {
-    /// Slip at τ_c = f_τ σ_Y(T)/√3.
+    /// Slip at τ_c = f_τ σ/√3, with the strength σ that [`InterfaceStrength`] says.
     ShearStrength,
-    /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ_Y(T)/√3.
+    /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ/√3.
     Coulomb {
         friction: f64,
         cap: bool,
@@ -66,9 +66,20 @@ pub enum FrictionLaw {
     Frictionless,
 }
 
+/// Which yield strength of the material the interface shears at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InterfaceStrength {
+    /// That of the virgin material at the temperature of the contact: σ_Y(T).
+    Initial,
+    /// The flow stress σ_y(ε_p, T), with the mean plastic strain of the surface elements around
+    /// the contact point: an interface that work-hardens with the metal below it.
+    Current,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interface {
     pub law: FrictionLaw,
+    pub strength: InterfaceStrength,
     /// f_τ.
     pub strength_factor: f64,
     /// f_h, share of the frictional heat that enters the asperity.

@@ -10,7 +10,7 @@ use crate::outcome::{
 };
 use crate::press::Increment;
 use crate::problem::Problem;
-use crate::scene::{FrictionLaw, Hardening, Scene};
+use crate::scene::{FrictionLaw, Hardening, InterfaceStrength, Scene};
 use crate::slide::{Fields, Instant};
 
 /// Sticking share of the contact that counts as none: points that have just touched stick until
@@ -225,6 +225,13 @@ pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
         warnings.push(
             "body and interface are equally strong and the body does not harden: shear may localise \
              in one layer of elements, and mu then follows the mesh"
+                .into(),
+        );
+    }
+    if equal_strength && scene.interface.strength == InterfaceStrength::Current && plastic {
+        warnings.push(
+            "the interface is as strong as the hardened body: the top layer of elements shears before \
+             the contact slips, and mu then follows the mesh; a strength_factor below 1 lets it slip"
                 .into(),
         );
     }

@@ -30,6 +30,10 @@ Example of a scene (SI units, kelvin):
   [loading]
   interference = 20.0      # in units of the interference of first yield
   slip_rate = 1.0          # m/s; 0 is the isothermal limit
+  [interface]              # optional
+  strength = \"initial\"     # slip at strength_factor * sigma_Y(T)/sqrt(3) of the virgin material, or
+                           # \"current\": at that of the hardened material under the contact
+  strength_factor = 1.0
 
 Examples:
   asperity run scene.toml -o run.nc

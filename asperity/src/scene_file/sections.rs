@@ -6,8 +6,8 @@ use super::error::{SceneFileError, hint};
 use super::reader::{ACCURACY, NOT_NEGATIVE, Origin, POISSON, POSITIVE, SHARE, Section};
 use crate::presets;
 use crate::scene::{
-    Control, FrictionLaw, Hardening, Interface, Kinematics, Loading, Material, Model, Numerics, Softening,
-    Switch,
+    Control, FrictionLaw, Hardening, Interface, InterfaceStrength, Kinematics, Loading, Material, Model,
+    Numerics, Softening, Switch,
 };
 
 const MATERIAL: [&str; 10] = [
@@ -216,8 +216,16 @@ pub(super) fn interface(root: &mut Section<'_>) -> Result<Interface, SceneFileEr
         FullStick,
         Frictionless,
     }
-    let known =
-        ["law", "strength_factor", "heat_partition", "gap_conductance", "taylor_quinney", "friction", "cap"];
+    let known = [
+        "law",
+        "strength",
+        "strength_factor",
+        "heat_partition",
+        "gap_conductance",
+        "taylor_quinney",
+        "friction",
+        "cap",
+    ];
     let mut section = root.take_section("interface", &known)?;
     let laws = [
         ("shear-strength", Law::ShearStrength),
@@ -233,7 +241,9 @@ pub(super) fn interface(root: &mut Section<'_>) -> Result<Interface, SceneFileEr
             return Err(section.invalid(key, value, "left out unless law = \"coulomb\""));
         }
     }
+    let strengths = [("initial", InterfaceStrength::Initial), ("current", InterfaceStrength::Current)];
     Ok(Interface {
+        strength: section.choice("strength", &strengths, Some(InterfaceStrength::Initial))?,
         law: match law {
             Law::ShearStrength => FrictionLaw::ShearStrength,
             Law::Coulomb => FrictionLaw::Coulomb {

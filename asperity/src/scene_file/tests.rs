@@ -129,7 +129,7 @@ fn another_law_replaces_that_of_the_preset() {
 
 #[test]
 fn written_scene_reads_back_the_same() {
-    let cases: [&[&str]; 8] = [
+    let cases: [&[&str]; 9] = [
         &[],
         &["material.hardening={law=\"linear\", modulus=1.234567890123e9}"],
         &["material.hardening={law=\"johnson-cook\", modulus=510e6, exponent=0.26}"],
@@ -138,6 +138,7 @@ fn written_scene_reads_back_the_same() {
         &["interface.law=coulomb", "interface.friction=0.1", "interface.cap=false"],
         &["interface.law=full-stick", "loading.control=load", "model.kinematics=finite"],
         &["interface.law=frictionless", "asperity.radius=1e-8", "model.heat=off"],
+        &["interface.strength=current"],
     ];
     for overrides in cases {
         let scene = scene_with(overrides).unwrap();
@@ -244,6 +245,7 @@ fn numbers_out_of_range_are_refused() {
 #[test]
 fn laws_are_checked_with_their_keys() {
     refused(&["interface.law=friction"], &["\"shear-strength\"", "\"coulomb\""]);
+    refused(&["interface.strength=flow"], &["interface.strength", "\"initial\"", "\"current\""]);
     refused(&["interface.friction=0.3"], &["interface.friction", "coulomb"]);
     refused(&["material.hardening={law=\"cubic\"}"], &["material.hardening.law", "\"linear\""]);
     refused(&["material.hardening=none"], &["material.hardening", "\"none\""]);

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::request::Request;
-use crate::scene::{Control, FrictionLaw, Hardening, Kinematics, Scene, Softening, Switch};
+use crate::scene::{
+    Control, FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene, Softening, Switch,
+};
 
 /// The whole scene as TOML; reading it gives the same scene.
 pub fn write_scene(scene: &Scene) -> String {
@@ -57,6 +59,7 @@ fn sections(scene: &Scene, point: &str) -> String {
         line("friction", number(friction));
         line("cap", cap.to_string());
     }
+    line("strength", strength(interface.strength));
     line("strength_factor", number(interface.strength_factor));
     line("heat_partition", number(interface.heat_partition));
     line("gap_conductance", number(interface.gap_conductance));
@@ -140,6 +143,13 @@ fn law(law: &FrictionLaw) -> String {
         FrictionLaw::Coulomb { .. } => "coulomb",
         FrictionLaw::FullStick => "full-stick",
         FrictionLaw::Frictionless => "frictionless",
+    })
+}
+
+fn strength(strength: InterfaceStrength) -> String {
+    quoted(match strength {
+        InterfaceStrength::Initial => "initial",
+        InterfaceStrength::Current => "current",
     })
 }
 
