@@ -1,15 +1,22 @@
-//! Constitutive law: J2 plasticity with isotropic hardening and thermal softening.
+//! Constitutive law: J2 plasticity with isotropic hardening and thermal softening, elastic moduli
+//! and thermal expansion that may depend on temperature.
 //!
-//! σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T), with h and f of the scene. Stresses in units of
-//! σ_Y(T₀, ε_p = 0), temperatures as the rise θ = T − T₀ in kelvin.
+//! σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T), with h and f of the scene. Bulk and shear modulus follow
+//! Young's modulus, Poisson's ratio does not change. Stresses in units of σ_Y(T₀, ε_p = 0),
+//! temperatures as the rise θ = T − T₀ in kelvin.
 
+use crate::curve::{Curve, interpolate};
 use crate::elastic::Moduli;
 use crate::scene::{Hardening, Material, Softening};
 
 /// The material in dimensionless form.
 #[derive(Clone, Debug)]
 pub struct Solid {
+    /// At the initial temperature.
     pub moduli: Moduli,
+    /// E(T)/E(T₀) over the rise, unless constant.
+    stiffness: Option<Curve>,
+    expansion: Expansion,
     hardening: Hardening,
     /// Pa, the unit of stress.
     yield_strength: f64,
@@ -18,6 +25,14 @@ pub struct Solid {
     initial_temperature: f64,
     /// f(T₀): strengths are relative to that at the initial temperature.
     initial_factor: f64,
+}
+
+/// Thermal expansion coefficient dε/dT, 1/K.
+#[derive(Clone, Debug)]
+enum Expansion {
+    Constant(f64),
+    /// Over the rise.
+    Varying(Curve),
 }
 
 /// Result of a return mapping.
@@ -33,6 +48,11 @@ impl Solid {
     pub fn new(material: &Material, initial_temperature: f64) -> Self {
         let mut solid = Self {
             moduli: Moduli::new(material.youngs_modulus / material.yield_strength, material.poisson_ratio),
+            stiffness: material.dependence.youngs_modulus.as_ref().map(|e| e.relative(initial_temperature)),
+            expansion: match &material.dependence.thermal_expansion {
+                None => Expansion::Constant(material.thermal_expansion),
+                Some(alpha) => Expansion::Varying(alpha.over_rise(initial_temperature)),
+            },
             hardening: material.hardening.clone(),
             yield_strength: material.yield_strength,
             softening: material.softening.clone(),
@@ -55,6 +75,47 @@ impl Solid {
             Softening::Table { temperature: knots, factor } => interpolate(knots, factor, temperature).0,
         };
         factor / self.initial_factor
+    }
+
+    /// Lower bound of the softening factor for rises between `coldest` and `hottest`.
+    pub fn lowest_softening_factor(&self, coldest: f64, hottest: f64) -> f64 {
+        let ends = self.softening_factor(coldest).min(self.softening_factor(hottest));
+        match &self.softening {
+            // These do not rise.
+            Softening::None | Softening::JohnsonCook { .. } => ends,
+            Softening::Table { temperature, factor } => {
+                let rises = temperature.iter().map(|t| t - self.initial_temperature);
+                let between = rises.zip(factor).filter(|(rise, _)| (coldest..=hottest).contains(rise));
+                between.fold(ends, |lowest, (_, factor)| lowest.min(factor / self.initial_factor))
+            }
+        }
+    }
+
+    /// Whether the elastic moduli depend on temperature.
+    pub fn stiffness_varies(&self) -> bool {
+        self.stiffness.is_some()
+    }
+
+    /// E(T)/E(T₀).
+    pub fn stiffness_factor(&self, rise: f64) -> f64 {
+        self.stiffness.as_ref().map_or(1.0, |curve| curve.value(rise))
+    }
+
+    /// Volumetric thermal strain 3∫α dT of a rise.
+    pub fn thermal_dilatation(&self, rise: f64) -> f64 {
+        match &self.expansion {
+            Expansion::Constant(alpha) => 3.0 * alpha * rise,
+            Expansion::Varying(alpha) => 3.0 * alpha.integral(rise),
+        }
+    }
+
+    /// Mean expansion coefficient between two rises, 1/K.
+    pub fn mean_expansion(&self, from: f64, to: f64) -> f64 {
+        match &self.expansion {
+            Expansion::Constant(alpha) => *alpha,
+            Expansion::Varying(alpha) if from == to => alpha.value(from),
+            Expansion::Varying(alpha) => (alpha.integral(to) - alpha.integral(from)) / (to - from),
+        }
     }
 
     /// (σ_y, dσ_y/dε_p) without softening.
@@ -82,8 +143,9 @@ impl Solid {
         self.hardened(strain).0 * self.softening_factor(rise)
     }
 
-    /// Radial return: the increment x with q − 3Gx = σ_y(ε_p + x, T), for a trial von Mises
-    /// stress q above the yield strength.
+    /// Radial return: the increment x with q − 3Gx = factor·σ_y(ε_p + x, T₀), for a trial von Mises
+    /// stress q above the yield strength; `factor` is that of softening. G is that of T₀: where the
+    /// moduli have changed, q and the factor are relative to E(T)/E(T₀).
     ///
     /// The residual falls and is convex where hardening is concave, so Newton's method started
     /// left of the root never passes it; for a power law with its infinite first slope the start
@@ -91,8 +153,7 @@ impl Solid {
     /// guards against laws that are not concave.
     ///
     /// `guess` is a first guess of the increment, 0 if there is none.
-    pub fn return_map(&self, trial: f64, strain: f64, rise: f64, guess: f64) -> Return {
-        let factor = self.softening_factor(rise);
+    pub fn return_map(&self, trial: f64, strain: f64, factor: f64, guess: f64) -> Return {
         let stiffness = 3.0 * self.moduli.shear;
         let excess = trial - factor * self.hardened(strain).0;
         let (mut low, mut high) = (0.0, excess / stiffness);
@@ -124,19 +185,6 @@ impl Solid {
     }
 }
 
-/// Piecewise linear value and slope, constant outside the knots.
-fn interpolate(knots: &[f64], values: &[f64], x: f64) -> (f64, f64) {
-    let after = knots.partition_point(|&k| k <= x);
-    if after == 0 {
-        return (values[0], 0.0);
-    }
-    if after == knots.len() {
-        return (values[after - 1], 0.0);
-    }
-    let slope = (values[after] - values[after - 1]) / (knots[after] - knots[after - 1]);
-    (values[after - 1] + slope * (x - knots[after - 1]), slope)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -152,6 +200,7 @@ mod tests {
             thermal_conductivity: 44.5,
             thermal_expansion: 1.23e-5,
             softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.03 },
+            dependence: Default::default(),
         };
         Solid::new(&material, 298.0)
     }
@@ -170,7 +219,8 @@ mod tests {
                 for rise in [0.0, 300.0, 1400.0] {
                     for (overshoot, guess) in [(1e-9, 0.0), (1e-4, 1e-3), (0.1, 1e-7), (10.0, 0.02)] {
                         let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
-                        let Return { increment, .. } = solid.return_map(trial, strain, rise, guess);
+                        let factor = solid.softening_factor(rise);
+                        let Return { increment, .. } = solid.return_map(trial, strain, factor, guess);
                         assert!(increment >= 0.0);
                         let q = trial - 3.0 * solid.moduli.shear * increment;
                         let strength = solid.yield_strength(strain + increment, rise);
@@ -189,7 +239,7 @@ mod tests {
         let solid = steel(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
         assert_eq!(solid.yield_strength(0.0, 1495.0), 0.0);
         assert_eq!(solid.yield_strength(0.3, 1e5), 0.0);
-        let Return { increment, slope } = solid.return_map(1.0, 0.0, 2000.0, 0.0);
+        let Return { increment, slope } = solid.return_map(1.0, 0.0, solid.softening_factor(2000.0), 0.0);
         assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
     }
 }

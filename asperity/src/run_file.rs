@@ -39,7 +39,7 @@ const fn column<T>(
 }
 
 #[rustfmt::skip]
-const SLIDE: [Column<SlideStep>; 18] = [
+const SLIDE: [Column<SlideStep>; 19] = [
     column("slip", "m", "displacement of the flat less that of the surface", |s| s.slip),
     column("time", "s", "time since the start of the slide", |s| s.time),
     column("Q", "N", "friction force", |s| s.friction),
@@ -55,6 +55,7 @@ const SLIDE: [Column<SlideStep>; 18] = [
     column("dissipation_plastic", "J", "plastic dissipation", |s| s.dissipation_plastic),
     column("dissipation_friction", "J", "frictional dissipation", |s| s.dissipation_friction),
     column("work_thermal_expansion", "J", "work done through thermal expansion", |s| s.work_thermal_expansion),
+    column("energy_moduli_softening", "J", "elastic energy given up as the moduli fall with temperature", |s| s.energy_moduli_softening),
     column("heat_in", "J", "frictional and plastic heat that entered the body", |s| s.heat_in),
     column("heat_stored", "J", "heat stored in the body", |s| s.heat_stored),
     column("heat_out", "J", "heat that left through base and gap", |s| s.heat_out),

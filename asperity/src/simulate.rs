@@ -172,7 +172,8 @@ fn slide_mesh(
     let displacement = mesh.sectors.spread(&pressed.displacement);
     let mechanics = Mechanics::new(body, contact, pressed.discretisation.factors.clone(), displacement);
     let conduction = if heat {
-        Some(Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?)
+        let conduction = Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
+        Some(conduction.with_properties(problem.thermal_properties.clone()))
     } else {
         None
     };

@@ -1,9 +1,8 @@
 //! The slide: increments of the flat's displacement, mechanics and heat coupled in each.
 
 use crate::body::{Body, BodyState};
-use crate::conduction::{Conduction, ContactHeat, HeatBalance};
+use crate::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::contact::{Contact, Flat, Status};
-use crate::harmonic::FactorError;
 use crate::mechanics::{Mechanics, StepFailure, Surroundings};
 use crate::press::extrapolate;
 use crate::problem::{Problem, SHEAR_RATIO};
@@ -22,7 +21,7 @@ const LEAST_INCREMENTS: f64 = 24.0;
 #[derive(Debug, thiserror::Error)]
 pub enum SlideFailure {
     #[error(transparent)]
-    Factor(#[from] FactorError),
+    Heat(#[from] HeatError),
     #[error("{0}")]
     Step(#[from] StepFailure),
     #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
@@ -49,6 +48,7 @@ pub struct Instant {
     pub friction_work: f64,
     pub springs: f64,
     pub thermal_expansion: f64,
+    pub moduli_softening: f64,
     pub heat_in: f64,
     pub heat_stored: f64,
     pub heat_out: f64,
@@ -228,7 +228,9 @@ impl<'a> Slide<'a> {
                         .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
                     advance = (2.0 * advance).min(most);
                 }
-                Err(failure @ SlideFailure::Step(_)) => {
+                Err(
+                    failure @ (SlideFailure::Step(_) | SlideFailure::Heat(HeatError::NotConverged { .. })),
+                ) => {
                     self.mechanics.displacement = committed;
                     self.cutbacks += 1;
                     advance = 0.5 * increment;
@@ -314,6 +316,7 @@ impl<'a> Slide<'a> {
         instant.elastic += elastic;
         instant.plastic += energies.plastic;
         instant.thermal_expansion += energies.thermal_expansion;
+        instant.moduli_softening += energies.moduli_softening;
         if let (Some((rise, balance)), Some(conduction)) = (heated, self.conduction.as_mut()) {
             instant.heat_in += balance.contact + balance.body;
             instant.heat_out += balance.base + balance.gap;
@@ -385,7 +388,7 @@ impl HeatSources {
         contact: &Contact,
         hardened: &[f64],
         dt: f64,
-    ) -> Result<(Vec<f64>, HeatBalance), FactorError> {
+    ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let mut plastic: Vec<f64> = self.plastic.iter().map(|power| power * dt).collect();
         plastic.resize(conduction.committed.len(), 0.0);
         let mut speed = self.speed.clone();

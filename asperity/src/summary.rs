@@ -276,6 +276,7 @@ pub fn outcome(
             dissipation_plastic: energy(i.plastic),
             dissipation_friction: energy(i.friction_work),
             work_thermal_expansion: energy(i.thermal_expansion),
+            energy_moduli_softening: energy(i.moduli_softening),
             heat_in: energy(i.heat_in),
             heat_stored: energy(i.heat_stored),
             heat_out: energy(i.heat_out),

@@ -35,6 +35,10 @@ Example of a scene (SI units, kelvin):
                            # \"current\": at that of the hardened material under the contact
   strength_factor = 1.0
 
+youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
+temperature) may be tables, linear in between and constant outside:
+  thermal_conductivity = { temperature = [293.15, 1073.15], value = [53.3, 27.3] }    # K, W/(m K)
+
 Examples:
   asperity run scene.toml -o run.nc
   asperity run scene.toml -o run.nc --set interface.law=coulomb --set interface.friction=0.3

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::request::Request;
 use crate::scene::{
     Control, FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene, Softening, Switch,
+    TemperatureTable,
 };
 
 /// The whole scene as TOML; reading it gives the same scene.
@@ -42,14 +43,15 @@ fn sections(scene: &Scene, point: &str) -> String {
         };
     };
     line("[material]", String::new());
-    line("youngs_modulus", number(material.youngs_modulus));
+    let tables = &material.dependence;
+    line("youngs_modulus", property(material.youngs_modulus, &tables.youngs_modulus));
     line("poisson_ratio", number(material.poisson_ratio));
     line("yield_strength", number(material.yield_strength));
     line("hardening", hardening(&material.hardening));
     line("density", number(material.density));
-    line("specific_heat", number(material.specific_heat));
-    line("thermal_conductivity", number(material.thermal_conductivity));
-    line("thermal_expansion", number(material.thermal_expansion));
+    line("specific_heat", property(material.specific_heat, &tables.specific_heat));
+    line("thermal_conductivity", property(material.thermal_conductivity, &tables.thermal_conductivity));
+    line("thermal_expansion", property(material.thermal_expansion, &tables.thermal_expansion));
     line("softening", softening(&material.softening));
     line("\n[asperity]", String::new());
     line("radius", number(scene.radius));
@@ -97,6 +99,16 @@ fn number(value: f64) -> String {
 fn list(values: &[f64]) -> String {
     let numbers: Vec<String> = values.iter().map(|&value| number(value)).collect();
     format!("[{}]", numbers.join(", "))
+}
+
+/// The number, or the table that it is taken from.
+fn property(value: f64, table: &Option<TemperatureTable>) -> String {
+    match table {
+        None => number(value),
+        Some(TemperatureTable { temperature, value }) => {
+            format!("{{ temperature = {}, value = {} }}", list(temperature), list(value))
+        }
+    }
 }
 
 fn hardening(law: &Hardening) -> String {
