@@ -32,6 +32,7 @@ mod element;
 #[cfg(test)]
 mod fake;
 pub mod figures;
+pub mod fracture;
 mod harmonic;
 mod lanes;
 mod material;

@@ -200,6 +200,7 @@ mod tests {
             thermal_conductivity: 44.5,
             thermal_expansion: 1.23e-5,
             softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.03 },
+            fracture: None,
             dependence: Default::default(),
         };
         Solid::new(&material, 298.0)

@@ -40,6 +40,17 @@ pub enum Softening {
     },
 }
 
+/// Where the shear fracture energy of a material comes from; see [`crate::fracture`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FractureData {
+    /// G_IIc, J/m².
+    Energy(f64),
+    /// K_IIc, Pa√m.
+    Toughness(f64),
+    /// Tensile strength σ_u, Pa, and uniform elongation ε_u (engineering strain).
+    Tensile { strength: f64, uniform_elongation: f64 },
+}
+
 /// A property over temperature, linear between the points, constant outside them. Two equal
 /// temperatures make a jump.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -98,6 +109,8 @@ pub struct Material {
     /// Coefficient dε/dT at the initial temperature, 1/K.
     pub thermal_expansion: f64,
     pub softening: Softening,
+    /// What is known of its fracture in shear.
+    pub fracture: Option<FractureData>,
     pub dependence: TemperatureDependence,
 }
 

@@ -30,6 +30,7 @@ pub fn plain_material(poisson_ratio: f64) -> Material {
         thermal_conductivity: 45.0,
         thermal_expansion: 0.0,
         softening: Softening::None,
+        fracture: None,
         dependence: Default::default(),
     }
 }

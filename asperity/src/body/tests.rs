@@ -33,6 +33,7 @@ fn body_with(hardening: Hardening, sectors: Sectors, dependence: TemperatureDepe
         thermal_conductivity: 45.0,
         thermal_expansion: 1.2e-5,
         softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.0 },
+        fracture: None,
         dependence,
     };
     let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });

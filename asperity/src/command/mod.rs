@@ -39,6 +39,10 @@ youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L 
 temperature) may be tables, linear in between and constant outside:
   thermal_conductivity = { temperature = [293.15, 1073.15], value = [53.3, 27.3] }    # K, W/(m K)
 
+With one of these in [material] the energy G is also given as a share of the shear fracture energy:
+  shear_fracture_energy (J/m2), fracture_toughness_mode_ii (Pa sqrt(m)), or tensile_strength (Pa)
+  and uniform_elongation, from which it is estimated for a crack as large as the contact.
+
 Examples:
   asperity run scene.toml -o run.nc
   asperity run scene.toml -o run.nc --set interface.law=coulomb --set interface.friction=0.3

@@ -5,9 +5,9 @@ use toml::{Table, Value};
 use super::error::{SceneFileError, hint};
 use super::reader::{NOT_NEGATIVE, POISSON, POSITIVE, Rule, Section, as_number};
 use crate::presets;
-use crate::scene::{Hardening, Material, Softening, TemperatureDependence, TemperatureTable};
+use crate::scene::{FractureData, Hardening, Material, Softening, TemperatureDependence, TemperatureTable};
 
-const MATERIAL: [&str; 10] = [
+const MATERIAL: [&str; 14] = [
     "preset",
     "youngs_modulus",
     "poisson_ratio",
@@ -18,6 +18,21 @@ const MATERIAL: [&str; 10] = [
     "thermal_conductivity",
     "thermal_expansion",
     "softening",
+    "shear_fracture_energy",
+    "fracture_toughness_mode_ii",
+    "tensile_strength",
+    "uniform_elongation",
+];
+
+/// Keys that may be left out.
+const OPTIONAL: [&str; 7] = [
+    "preset",
+    "hardening",
+    "softening",
+    "shear_fracture_energy",
+    "fracture_toughness_mode_ii",
+    "tensile_strength",
+    "uniform_elongation",
 ];
 
 /// Section `[material]`: the preset, if any, with the given keys laid over it.
@@ -34,9 +49,8 @@ pub(super) fn material(root: &mut Section<'_>) -> Result<Material, SceneFileErro
         }
     }
     let mut section = Section::new("material", table, &MATERIAL, given.origin())?;
-    let optional = ["preset", "hardening", "softening"];
     let missing: Vec<&str> =
-        MATERIAL.into_iter().filter(|key| !optional.contains(key) && !section.has(key)).collect();
+        MATERIAL.into_iter().filter(|key| !OPTIONAL.contains(key) && !section.has(key)).collect();
     if !missing.is_empty() {
         let names = presets::names().join(", ");
         let allowed = format!("given, or preset one of {names}");
@@ -64,6 +78,7 @@ pub(super) fn material(root: &mut Section<'_>) -> Result<Material, SceneFileErro
         density: section.number("density", "kg/m3", POSITIVE, None)?,
         hardening: hardening(&mut section)?,
         softening: softening(&mut section)?,
+        fracture: fracture(&mut section)?,
     })
 }
 
@@ -185,6 +200,34 @@ fn hardening(material: &mut Section<'_>) -> Result<Hardening, SceneFileError> {
             Hardening::Table { plastic_strain, factor }
         }
         _ => open(&["law"]).map(|_| Hardening::None)?,
+    })
+}
+
+/// One of: the shear fracture energy, the mode-II toughness, both numbers of a tensile test.
+fn fracture(material: &mut Section<'_>) -> Result<Option<FractureData>, SceneFileError> {
+    let ways = ["shear_fracture_energy", "fracture_toughness_mode_ii", "tensile_strength"];
+    let given: Vec<&str> = ways.into_iter().filter(|key| material.has(key)).collect();
+    if let [first, second, ..] = given[..] {
+        let value = material.take(second).expect("given");
+        return Err(material.invalid(second, value, format!("left out where {first} is given")));
+    }
+    if !material.has("tensile_strength") && material.has("uniform_elongation") {
+        let value = material.take("uniform_elongation").expect("given");
+        let allowed = "left out, or given together with tensile_strength";
+        return Err(material.invalid("uniform_elongation", value, allowed));
+    }
+    Ok(match given.first() {
+        Some(&key @ "shear_fracture_energy") => {
+            Some(FractureData::Energy(material.number(key, "J/m2", POSITIVE, None)?))
+        }
+        Some(&key @ "fracture_toughness_mode_ii") => {
+            Some(FractureData::Toughness(material.number(key, "Pa sqrt(m)", POSITIVE, None)?))
+        }
+        Some(&key) => Some(FractureData::Tensile {
+            strength: material.number(key, "Pa", POSITIVE, None)?,
+            uniform_elongation: material.number("uniform_elongation", "1", NOT_NEGATIVE, None)?,
+        }),
+        None => None,
     })
 }
 

@@ -129,7 +129,7 @@ fn another_law_replaces_that_of_the_preset() {
 
 #[test]
 fn written_scene_reads_back_the_same() {
-    let cases: [&[&str]; 10] = [
+    let cases: [&[&str]; 13] = [
         &[],
         &["material.hardening={law=\"linear\", modulus=1.234567890123e9}"],
         &["material.hardening={law=\"johnson-cook\", modulus=510e6, exponent=0.26}"],
@@ -139,6 +139,9 @@ fn written_scene_reads_back_the_same() {
         &["interface.law=full-stick", "loading.control=load", "model.kinematics=finite"],
         &["interface.law=frictionless", "asperity.radius=1e-8", "model.heat=off"],
         &["interface.strength=current"],
+        &["material.shear_fracture_energy=500"],
+        &["material.fracture_toughness_mode_ii=50e6"],
+        &["material.tensile_strength=1e9", "material.uniform_elongation=0.1"],
         &[
             "material.youngs_modulus={temperature=[293, 1473], value=[210e9, 5e9]}",
             "material.thermal_conductivity={temperature=[293, 1073, 1073], value=[53.3, 27.4, 27.3]}",
@@ -299,6 +302,16 @@ fn properties_may_be_tables_over_temperature() {
         &["material.softening={law=\"table\", temperature=[200, 290], factor=[1, 0]}"],
         &["loading.temperature", "material.softening.factor"],
     );
+}
+
+#[test]
+fn fracture_data_are_given_in_one_way() {
+    let two = ["material.shear_fracture_energy=5", "material.tensile_strength=1e9"];
+    refused(&two, &["material.tensile_strength", "left out where shear_fracture_energy is given"]);
+    refused(&["material.tensile_strength=1e9"], &["material.uniform_elongation is missing"]);
+    refused(&["material.uniform_elongation=0.1"], &["uniform_elongation", "together with tensile_strength"]);
+    refused(&["material.fracture_toughness_mode_ii=-1"], &["mode_ii", "-1", "Pa sqrt(m)"]);
+    refused(&["material.shear_fracture_energy=0"], &["shear_fracture_energy", "a positive number (J/m2)"]);
 }
 
 #[test]

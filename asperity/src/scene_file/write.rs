@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::request::Request;
 use crate::scene::{
-    Control, FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene, Softening, Switch,
+    Control, FractureData, FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene, Softening, Switch,
     TemperatureTable,
 };
 
@@ -53,6 +53,15 @@ fn sections(scene: &Scene, point: &str) -> String {
     line("thermal_conductivity", property(material.thermal_conductivity, &tables.thermal_conductivity));
     line("thermal_expansion", property(material.thermal_expansion, &tables.thermal_expansion));
     line("softening", softening(&material.softening));
+    match material.fracture {
+        None => {}
+        Some(FractureData::Energy(energy)) => line("shear_fracture_energy", number(energy)),
+        Some(FractureData::Toughness(toughness)) => line("fracture_toughness_mode_ii", number(toughness)),
+        Some(FractureData::Tensile { strength, uniform_elongation }) => {
+            line("tensile_strength", number(strength));
+            line("uniform_elongation", number(uniform_elongation));
+        }
+    }
     line("\n[asperity]", String::new());
     line("radius", number(scene.radius));
     line("\n[interface]", String::new());
