@@ -50,10 +50,10 @@ struct Tangent {
 #[derive(Clone, Copy)]
 struct PointHeat<'a, const W: usize> {
     rise: &'a Lanes<W>,
-    /// No point of the element has a lower softening factor over E(T)/E(T₀).
-    weakest: &'a Lanes<W>,
-    /// E(T)/E(T₀) of the element.
-    stiffness: &'a Lanes<W>,
+    /// No point of the element has a lower softening factor.
+    weakest: f64,
+    /// E(T)/E(T₀) of the element, unless constant.
+    stiffness: Option<&'a Lanes<W>>,
 }
 
 #[derive(Clone, Debug)]
@@ -151,10 +151,34 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        by_lanes!(self.internal_force_lanes(u, rise, force));
+        if self.solid.stiffness_varies() {
+            by_lanes!(self.internal_force_varying(u, rise, force));
+        } else {
+            by_lanes!(self.internal_force_constant(u, rise, force));
+        }
     }
 
-    fn internal_force_lanes<const W: usize>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+    fn internal_force_varying<const W: usize>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+        self.internal_force_lanes::<W, true>(u, rise, force);
+    }
+
+    fn internal_force_constant<const W: usize>(
+        &mut self,
+        u: &[f64],
+        rise: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
+        self.internal_force_lanes::<W, false>(u, rise, force);
+    }
+
+    /// VARYING: whether the moduli depend on temperature.
+    #[inline(always)]
+    fn internal_force_lanes<const W: usize, const VARYING: bool>(
+        &mut self,
+        u: &[f64],
+        rise: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
         force.fill(0.0);
         let lanes = self.mesh.sectors.lanes();
         for e in 0..self.mesh.elements.len() {
@@ -165,29 +189,27 @@ impl Body {
                 let (point_rise, mean_rise) = self.temperatures(element, nodal_rise);
                 let weakest = nodal_rise.map_or(1.0, |nodal| {
                     let hottest = nodal.iter().flatten().fold(0.0f64, |m, &t| m.max(t));
-                    let coldest = nodal.iter().flatten().fold(0.0f64, |m, &t| m.min(t));
+                    let coldest = || nodal.iter().flatten().fold(0.0f64, |m, &t| m.min(t));
                     self.solid.lowest_softening_factor(coldest, hottest)
                 });
-                let stiffness = mean_rise.map(|rise| self.solid.stiffness_factor(rise));
-                let weakest = stiffness.map(|stiffness| weakest / stiffness);
+                let stiffness = VARYING.then(|| mean_rise.map(|rise| self.solid.stiffness_factor(rise)));
+                let thermal = self.solid.thermal_dilatation(&mean_rise);
                 let (deviators, dilatation) = deviators_and_dilatation(element, &displacement);
                 let mut mean_stress = [0.0; W];
                 for l in 0..W {
-                    mean_stress[l] = self.solid.moduli.bulk
-                        * stiffness[l]
-                        * (dilatation[l] - self.solid.thermal_dilatation(mean_rise[l]));
+                    mean_stress[l] = self.solid.moduli.bulk * (dilatation[l] - thermal[l]);
                 }
                 let at = e * lanes + first;
+                if let Some(stiffness) = &stiffness {
+                    (0..W).for_each(|l| mean_stress[l] *= stiffness[l]);
+                    self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
+                }
                 self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
                 self.trial.rise[at..at + W].copy_from_slice(&mean_rise);
-                if !self.tangent.stiffness.is_empty() {
-                    self.tangent.stiffness[at..at + W].copy_from_slice(&stiffness);
-                }
-
                 let mut stresses = [[[0.0; W]; TENSOR]; POINTS];
                 let mut flows = false;
                 for q in 0..POINTS {
-                    let heat = PointHeat { rise: &point_rise[q], weakest: &weakest, stiffness: &stiffness };
+                    let heat = PointHeat { rise: &point_rise[q], weakest, stiffness: stiffness.as_ref() };
                     let (mut stress, flowing) = self.point_stress::<W>(e, q, first, &deviators[q], heat);
                     flows |= flowing;
                     let weight = self.mesh.elements[e].weight[q];
@@ -263,9 +285,10 @@ impl Body {
             let strength = self.committed.strength[scalar + l];
             // No softening factor need be evaluated where the lowest one in the element keeps the
             // point elastic.
-            let least = heat.weakest[l] * strength;
+            let over_stiffness = |factor: f64| heat.stiffness.map_or(factor, |f| factor / f[l]);
+            let least = over_stiffness(heat.weakest) * strength;
             flowing[l] = squared[l] > least * least && {
-                softening[l] = self.solid.softening_factor(heat.rise[l]) / heat.stiffness[l];
+                softening[l] = over_stiffness(self.solid.softening_factor(heat.rise[l]));
                 let limit = strength * softening[l];
                 squared[l] > limit * limit
             };
@@ -316,8 +339,8 @@ impl Body {
             self.tangent.coefficients[coefficient(1)..coefficient(1) + W].fill(0.0);
         }
         for i in 0..TENSOR {
-            for l in 0..W {
-                stress[i][l] *= heat.stiffness[l];
+            if let Some(stiffness) = heat.stiffness {
+                (0..W).for_each(|l| stress[i][l] *= stiffness[l]);
             }
             self.trial.deviator[tensor(i)..tensor(i) + W].copy_from_slice(&stress[i]);
         }

@@ -7,6 +7,7 @@
 
 use crate::curve::{Curve, interpolate};
 use crate::elastic::Moduli;
+use crate::lanes::Lanes;
 use crate::scene::{Hardening, Material, Softening};
 
 /// The material in dimensionless form.
@@ -77,13 +78,15 @@ impl Solid {
         factor / self.initial_factor
     }
 
-    /// Lower bound of the softening factor for rises between `coldest` and `hottest`.
-    pub fn lowest_softening_factor(&self, coldest: f64, hottest: f64) -> f64 {
-        let ends = self.softening_factor(coldest).min(self.softening_factor(hottest));
+    /// Lower bound of the softening factor for rises between `coldest`, which is asked for where it
+    /// matters, and `hottest`.
+    pub fn lowest_softening_factor(&self, coldest: impl Fn() -> f64, hottest: f64) -> f64 {
         match &self.softening {
             // These do not rise.
-            Softening::None | Softening::JohnsonCook { .. } => ends,
+            Softening::None | Softening::JohnsonCook { .. } => self.softening_factor(hottest),
             Softening::Table { temperature, factor } => {
+                let coldest = coldest();
+                let ends = self.softening_factor(coldest).min(self.softening_factor(hottest));
                 let rises = temperature.iter().map(|t| t - self.initial_temperature);
                 let between = rises.zip(factor).filter(|(rise, _)| (coldest..=hottest).contains(rise));
                 between.fold(ends, |lowest, (_, factor)| lowest.min(factor / self.initial_factor))
@@ -101,11 +104,11 @@ impl Solid {
         self.stiffness.as_ref().map_or(1.0, |curve| curve.value(rise))
     }
 
-    /// Volumetric thermal strain 3∫α dT of a rise.
-    pub fn thermal_dilatation(&self, rise: f64) -> f64 {
+    /// Volumetric thermal strain 3∫α dT of each rise.
+    pub fn thermal_dilatation<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
         match &self.expansion {
-            Expansion::Constant(alpha) => 3.0 * alpha * rise,
-            Expansion::Varying(alpha) => 3.0 * alpha.integral(rise),
+            Expansion::Constant(alpha) => rise.map(|rise| 3.0 * alpha * rise),
+            Expansion::Varying(alpha) => rise.map(|rise| 3.0 * alpha.integral(rise)),
         }
     }
 
@@ -136,6 +139,11 @@ impl Solid {
             }
             Hardening::Table { plastic_strain, factor } => interpolate(plastic_strain, factor, strain),
         }
+    }
+
+    /// Growth of the yield strength with plastic strain: σ_y(ε_p, T)/σ_y(0, T).
+    pub fn hardening_factor(&self, strain: f64) -> f64 {
+        self.hardened(strain).0
     }
 
     /// Current yield strength.
@@ -232,6 +240,52 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    /// A table that rises and falls again: the bound holds for every temperature in between.
+    #[test]
+    fn lowest_softening_factor_is_a_lower_bound() {
+        let mut solid = steel(Hardening::None);
+        let laws = [
+            Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 0.8 },
+            Softening::Table {
+                temperature: vec![250.0, 298.0, 400.0, 500.0, 700.0],
+                factor: vec![0.9, 1.0, 0.7, 1.1, 0.2],
+            },
+        ];
+        for law in laws {
+            solid.softening = law;
+            for (coldest, hottest) in [(0.0, 50.0), (-60.0, 0.0), (0.0, 202.0), (50.0, 180.0), (0.0, 3000.0)]
+            {
+                let bound = solid.lowest_softening_factor(|| coldest, hottest);
+                let lowest = (0..=1000)
+                    .map(|i| solid.softening_factor(coldest + (hottest - coldest) * i as f64 / 1000.0))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(bound <= lowest && bound > lowest - 0.01, "{bound} {lowest}");
+            }
+        }
+    }
+
+    /// Exponents below one fall steeply at once, and end at zero at the melting point.
+    #[test]
+    fn johnson_cook_softening_is_finite_everywhere() {
+        let mut solid = steel(Hardening::JohnsonCook { modulus: 331e6, exponent: 0.34 });
+        for exponent in [0.1, 0.8, 1.0, 3.0] {
+            solid.softening = Softening::JohnsonCook { reference: 298.0, melting: 1878.0, exponent };
+            let mut last = 1.0;
+            for rise in [-200.0, 0.0, 1e-300, 1e-9, 1.0, 500.0, 1579.999, 1580.0, 1e4, 1e300] {
+                let factor = solid.softening_factor(rise);
+                assert!(factor <= last && (0.0..=1.0).contains(&factor), "{exponent} {rise} {factor}");
+                last = factor;
+                for trial in [1e-12, 0.5, 3.0, 1e6] {
+                    if trial > factor {
+                        let Return { increment, slope } = solid.return_map(trial, 0.0, factor, 0.0);
+                        assert!(increment.is_finite() && increment >= 0.0 && slope >= 0.0, "{rise} {trial}");
+                    }
+                }
+            }
+            assert_eq!(last, 0.0);
         }
     }
 

@@ -90,7 +90,7 @@ struct FrictionHeat<'a> {
     contact: &'a Contact,
     /// Slip speed.
     speed: Vec<f64>,
-    /// Plastic strain that the interface has hardened by.
+    /// Factor by which the interface has hardened.
     hardened: &'a [f64],
 }
 
@@ -105,8 +105,8 @@ impl ContactHeat for FrictionHeat<'_> {
         let power = problem.heat_partition * area * self.speed[point];
         let (traction, slope) = match problem.law {
             FrictionLaw::ShearStrength => {
-                let strain = self.hardened[point];
-                let strength = |t: f64| shear_strength(problem, strain, t) * self.contact.cover[point];
+                let hardened = self.hardened[point];
+                let strength = |t: f64| shear_strength(problem, hardened, t) * self.contact.cover[point];
                 let h = 0.01;
                 (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
             }
@@ -134,25 +134,28 @@ impl FrictionHeat<'_> {
     }
 }
 
-/// f_τ σ_y(ε_p, T)/√3.
-fn shear_strength(problem: &Problem, strain: f64, rise: f64) -> f64 {
-    problem.strength_factor * SHEAR_RATIO * problem.solid.yield_strength(strain, rise)
+/// f_τ σ_Y(T)/√3 times what hardening adds.
+fn shear_strength(problem: &Problem, hardened: f64, rise: f64) -> f64 {
+    problem.strength_factor * SHEAR_RATIO * (hardened * problem.solid.softening_factor(rise))
 }
 
-/// Plastic strain that the interface has hardened by, at each contact point.
-fn interface_strain(problem: &Problem, body: &Body, contact: &Contact, state: &BodyState) -> Vec<f64> {
+/// Factor by which the interface has hardened, at each contact point.
+fn interface_hardening(problem: &Problem, body: &Body, contact: &Contact, state: &BodyState) -> Vec<f64> {
     match problem.strength {
-        InterfaceStrength::Initial => vec![0.0; contact.len()],
-        InterfaceStrength::Current => body.surface_strain(state),
+        InterfaceStrength::Initial => vec![1.0; contact.len()],
+        InterfaceStrength::Current => {
+            let strain = body.surface_strain(state);
+            strain.into_iter().map(|strain| problem.solid.hardening_factor(strain)).collect()
+        }
     }
 }
 
 /// Limit of the shear traction at each contact point.
-fn shear_limits(problem: &Problem, contact: &Contact, strain: &[f64], rise: Option<&[f64]>) -> Vec<f64> {
+fn shear_limits(problem: &Problem, contact: &Contact, hardened: &[f64], rise: Option<&[f64]>) -> Vec<f64> {
     (0..contact.len())
         .map(|i| {
             let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
-            let strength = contact.cover[i] * shear_strength(problem, strain[i], theta);
+            let strength = contact.cover[i] * shear_strength(problem, hardened[i], theta);
             match problem.law {
                 FrictionLaw::ShearStrength => strength,
                 FrictionLaw::Coulomb { friction, cap } => {
@@ -254,7 +257,7 @@ impl<'a> Slide<'a> {
         let mut heated: Option<(Vec<f64>, HeatBalance)> = None;
         let mut failure = None;
         let mut last_limit: Option<Vec<f64>> = None;
-        let strength = shear_strength(problem, 0.0, 0.0);
+        let strength = shear_strength(problem, 1.0, 0.0);
         let before = &self.sources;
         let mut sources = HeatSources::default();
         let (mut frozen, mut refreshed) = (false, 0);
@@ -267,7 +270,7 @@ impl<'a> Slide<'a> {
             }
             // A step that failed may have left any trial state.
             let state = if iteration == 0 { &body.committed } else { &body.trial };
-            let hardened = interface_strain(problem, body, contact, state);
+            let hardened = interface_hardening(problem, body, contact, state);
             let mut rise = None;
             if let Some(conduction) = conduction.as_mut() {
                 // The first guess heats as the step before did.
