@@ -1,8 +1,10 @@
 //! The elastic–plastic body: history at the Gauss points, internal forces, consistent tangent
 //! and mechanical energies. Small strain.
 //!
-//! Stress at a Gauss point: deviator s = 2G(e − ε_p), mean stress p = K(ε̄_v − 3αθ̄), where the
-//! dilatation ε̄_v and the temperature rise θ̄ are means over the element (B̄). Consistent tangent
+//! Stress at a Gauss point: deviator s = 2G(e − ε_p), mean stress p = K(ε̄_v − 3∫α dθ̄), where the
+//! dilatation ε̄_v and the temperature rise θ̄ are means over the element (B̄), and G and K those
+//! of the element at θ̄. All moduli are f = E(T)/E(T₀) times those at T₀, so that the stresses over
+//! f are those of the moduli at T₀ with a yield strength over f. Consistent tangent
 //! of the radial return: de Souza Neto, Perić & Owen, Computational Methods for Plasticity
 //! (2008), eq. (7.120).
 
@@ -11,6 +13,10 @@ use crate::element::{
 };
 use crate::lanes::Lanes;
 use crate::material::{Return, Solid};
+use crate::sectors::VECTOR_PARITY;
+
+mod energies;
+mod surface;
 
 /// History of all Gauss points: element by element, point by point, component by component,
 /// angles as lanes.
@@ -35,23 +41,26 @@ pub struct BodyState {
 struct Tangent {
     /// Per element and group of lanes: whether any point flows.
     flows: Vec<bool>,
-    /// (2G-factor, radial factor, n) per point, 8 values.
+    /// (2G-factor, radial factor, n) per point, 8 values; relative to E(T)/E(T₀).
     coefficients: Vec<f64>,
+    /// E(T)/E(T₀) per element; empty if constant.
+    stiffness: Vec<f64>,
 }
 
-/// Energies of a step or since a state, J in the problem's units, half body.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MechanicalEnergies {
-    pub plastic: f64,
-    pub thermal_expansion: f64,
+/// Temperature and what it does at one Gauss point.
+#[derive(Clone, Copy)]
+struct PointHeat<'a, const W: usize> {
+    rise: &'a Lanes<W>,
+    /// No point of the element has a lower softening factor.
+    weakest: f64,
+    /// E(T)/E(T₀) of the element, unless constant.
+    stiffness: Option<&'a Lanes<W>>,
 }
 
 #[derive(Clone, Debug)]
 pub struct Body {
     pub mesh: RevolvedMesh,
     pub solid: Solid,
-    /// 1/K.
-    pub expansion: f64,
     pub committed: BodyState,
     pub trial: BodyState,
     tangent: Tangent,
@@ -118,16 +127,16 @@ impl BodyState {
 
 impl Body {
     /// Virgin body.
-    pub fn new(mesh: RevolvedMesh, solid: Solid, expansion: f64) -> Self {
+    pub fn new(mesh: RevolvedMesh, solid: Solid) -> Self {
         let (elements, lanes) = (mesh.elements.len(), mesh.sectors.columns());
         let state = BodyState::new(elements, lanes);
         let tangent = Tangent {
             flows: vec![false; elements * lanes],
             coefficients: vec![0.0; elements * POINTS * COEFFICIENTS * lanes],
+            stiffness: vec![1.0; if solid.stiffness_varies() { elements * lanes } else { 0 }],
         };
         Self {
             solid,
-            expansion,
             committed: state.clone(),
             trial: state,
             tangent,
@@ -141,7 +150,7 @@ impl Body {
     /// Body of revolution with the history of an axisymmetric one on the same meridian.
     pub fn revolve(axisymmetric: &Body, mesh: RevolvedMesh) -> Self {
         let lanes = mesh.sectors.columns();
-        let mut body = Self::new(mesh, axisymmetric.solid.clone(), axisymmetric.expansion);
+        let mut body = Self::new(mesh, axisymmetric.solid.clone());
         body.committed = axisymmetric.committed.spread(lanes);
         body.trial = body.committed.clone();
         body
@@ -155,13 +164,37 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        by_lanes!(self.internal_force_lanes(u, rise, force));
+        if self.solid.stiffness_varies() {
+            by_lanes!(self.internal_force_varying(u, rise, force));
+        } else {
+            by_lanes!(self.internal_force_constant(u, rise, force));
+        }
     }
 
-    fn internal_force_lanes<const W: usize>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+    fn internal_force_varying<const W: usize>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+        self.internal_force_lanes::<W, true>(u, rise, force);
+    }
+
+    fn internal_force_constant<const W: usize>(
+        &mut self,
+        u: &[f64],
+        rise: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
+        self.internal_force_lanes::<W, false>(u, rise, force);
+    }
+
+    /// VARYING: whether the moduli depend on temperature.
+    #[inline(always)]
+    fn internal_force_lanes<const W: usize, const VARYING: bool>(
+        &mut self,
+        u: &[f64],
+        rise: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
         force.fill(0.0);
         self.on_slope.fill(0.0);
-        self.mesh.sectors.differentiate(u, &mut self.slope);
+        self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
         let lanes = self.mesh.sectors.columns();
         for e in 0..self.mesh.elements.len() {
             for first in (0..lanes).step_by(W) {
@@ -171,23 +204,28 @@ impl Body {
                 let (point_rise, mean_rise) = self.temperatures(element, nodal_rise);
                 let weakest = nodal_rise.map_or(1.0, |nodal| {
                     let hottest = nodal.iter().flatten().fold(0.0f64, |m, &t| m.max(t));
-                    self.solid.softening_factor(hottest).min(1.0)
+                    let coldest = || nodal.iter().flatten().fold(0.0f64, |m, &t| m.min(t));
+                    self.solid.lowest_softening_factor(coldest, hottest)
                 });
+                let stiffness = VARYING.then(|| mean_rise.map(|rise| self.solid.stiffness_factor(rise)));
+                let thermal = self.solid.thermal_dilatation(&mean_rise);
                 let (deviators, dilatation) = deviators_and_dilatation(element, &displacement);
                 let mut mean_stress = [0.0; W];
                 for l in 0..W {
-                    mean_stress[l] =
-                        self.solid.moduli.bulk * (dilatation[l] - 3.0 * self.expansion * mean_rise[l]);
+                    mean_stress[l] = self.solid.moduli.bulk * (dilatation[l] - thermal[l]);
                 }
                 let at = e * lanes + first;
+                if let Some(stiffness) = &stiffness {
+                    (0..W).for_each(|l| mean_stress[l] *= stiffness[l]);
+                    self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
+                }
                 self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
                 self.trial.rise[at..at + W].copy_from_slice(&mean_rise);
-
                 let mut stresses = [[[0.0; W]; TENSOR]; POINTS];
                 let mut flows = false;
                 for q in 0..POINTS {
-                    let (mut stress, flowing) =
-                        self.point_stress::<W>(e, q, first, &deviators[q], &point_rise[q], weakest);
+                    let heat = PointHeat { rise: &point_rise[q], weakest, stiffness: stiffness.as_ref() };
+                    let (mut stress, flowing) = self.point_stress::<W>(e, q, first, &deviators[q], heat);
                     flows |= flowing;
                     let weight = self.mesh.elements[e].weight[q];
                     for (i, component) in stress.iter_mut().enumerate() {
@@ -209,7 +247,7 @@ impl Body {
                 );
             }
         }
-        self.mesh.sectors.add_transposed(&self.on_slope, force);
+        self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
     }
 
     /// Temperature rise at the Gauss points and its mean over the element.
@@ -244,8 +282,7 @@ impl Body {
         q: usize,
         first: usize,
         deviator: &[Lanes<W>; TENSOR],
-        rise: &Lanes<W>,
-        weakest: f64,
+        heat: PointHeat<'_, W>,
     ) -> ([Lanes<W>; TENSOR], bool) {
         let lanes = self.mesh.sectors.columns();
         let point = e * POINTS + q;
@@ -264,14 +301,17 @@ impl Body {
             }
         }
         let mut flowing = [false; W];
+        let mut softening = [1.0; W];
         let mut any = false;
         for l in 0..W {
             let strength = self.committed.strength[scalar + l];
             // No softening factor need be evaluated where the lowest one in the element keeps the
             // point elastic.
-            let least = weakest * strength;
+            let over_stiffness = |factor: f64| heat.stiffness.map_or(factor, |f| factor / f[l]);
+            let least = over_stiffness(heat.weakest) * strength;
             flowing[l] = squared[l] > least * least && {
-                let limit = strength * self.solid.softening_factor(rise[l]);
+                softening[l] = over_stiffness(self.solid.softening_factor(heat.rise[l]));
+                let limit = strength * softening[l];
                 squared[l] > limit * limit
             };
             any |= flowing[l];
@@ -297,7 +337,8 @@ impl Body {
                 }
                 let trial = squared[l].sqrt();
                 let strain = self.committed.accumulated[scalar + l];
-                let Return { increment, slope } = self.solid.return_map(trial, strain, rise[l], guess[l]);
+                let Return { increment, slope } =
+                    self.solid.return_map(trial, strain, softening[l], guess[l]);
                 let shear = self.solid.moduli.shear;
                 let ratio = 3.0 * shear * increment / trial;
                 self.trial.accumulated[scalar + l] = strain + increment;
@@ -320,6 +361,9 @@ impl Body {
             self.tangent.coefficients[coefficient(1)..coefficient(1) + W].fill(0.0);
         }
         for i in 0..TENSOR {
+            if let Some(stiffness) = heat.stiffness {
+                (0..W).for_each(|l| stress[i][l] *= stiffness[l]);
+            }
             self.trial.deviator[tensor(i)..tensor(i) + W].copy_from_slice(&stress[i]);
         }
         (stress, any)
@@ -333,20 +377,26 @@ impl Body {
     fn tangent_product_lanes<const W: usize>(&mut self, u: &[f64], force: &mut [f64]) {
         force.fill(0.0);
         self.on_slope.fill(0.0);
-        self.mesh.sectors.differentiate(u, &mut self.slope);
+        self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
         let lanes = self.mesh.sectors.columns();
         for (e, element) in self.mesh.elements.iter().enumerate() {
             for first in (0..lanes).step_by(W) {
                 let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
-                let nodal_force = if self.tangent.flows[e * lanes + first] {
+                let mut nodal_force = if self.tangent.flows[e * lanes + first] {
                     self.plastic_element_force(e, first, &displacement)
                 } else {
                     crate::elastic::element_force(element, self.solid.moduli, &displacement)
                 };
+                if !self.tangent.stiffness.is_empty() {
+                    let stiffness = &self.tangent.stiffness[e * lanes + first..][..W];
+                    for component in nodal_force.iter_mut().flatten() {
+                        (0..W).for_each(|l| component[l] *= stiffness[l]);
+                    }
+                }
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
         }
-        self.mesh.sectors.add_transposed(&self.on_slope, force);
+        self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
     }
 
     #[inline(always)]
@@ -388,186 +438,7 @@ impl Body {
         }
         stress_force(element, &stresses)
     }
-
-    /// Elastic energy ∫½ s:s/2G + p²/2K of a state, half body.
-    pub fn elastic_energy(&self, state: &BodyState) -> f64 {
-        let lanes = self.mesh.sectors.columns();
-        let moduli = self.solid.moduli;
-        let mut energy = 0.0;
-        for (e, element) in self.mesh.elements.iter().enumerate() {
-            for l in 0..lanes {
-                let p = state.mean_stress[e * lanes + l];
-                energy += element.volume * p * p / (2.0 * moduli.bulk);
-                for q in 0..POINTS {
-                    let s = |i: usize| state.deviator[((e * POINTS + q) * TENSOR + i) * lanes + l];
-                    let squared: f64 =
-                        (0..TENSOR).map(|i| if i < 3 { s(i) * s(i) } else { 2.0 * s(i) * s(i) }).sum();
-                    energy += element.weight[q] * squared / (4.0 * moduli.shear);
-                }
-            }
-        }
-        energy
-    }
-
-    /// Plastic work of the step at each Gauss point, by the trapezoidal rule, which closes the
-    /// energy balance of the step exactly: ½(s₀ + s₁):Δε_p per volume.
-    fn point_plastic_work(&self, point: usize, l: usize) -> f64 {
-        let lanes = self.mesh.sectors.columns();
-        (0..TENSOR)
-            .map(|i| {
-                let at = (point * TENSOR + i) * lanes + l;
-                let mean = 0.5 * (self.committed.deviator[at] + self.trial.deviator[at]);
-                let change = self.trial.plastic_strain[at] - self.committed.plastic_strain[at];
-                if i < 3 { mean * change } else { 2.0 * mean * change }
-            })
-            .sum()
-    }
-
-    /// Plastic work and work through thermal expansion of the step from committed to trial.
-    pub fn step_energies(&self) -> MechanicalEnergies {
-        let lanes = self.mesh.sectors.columns();
-        let mut energies = MechanicalEnergies::default();
-        for (e, element) in self.mesh.elements.iter().enumerate() {
-            for l in 0..lanes {
-                let at = e * lanes + l;
-                let mean = 0.5 * (self.committed.mean_stress[at] + self.trial.mean_stress[at]);
-                let rise = self.trial.rise[at] - self.committed.rise[at];
-                energies.thermal_expansion += element.volume * mean * 3.0 * self.expansion * rise;
-                for q in 0..POINTS {
-                    energies.plastic += element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
-                }
-            }
-        }
-        energies
-    }
-
-    /// Adds `factor` times the plastic work of the step to the nodes.
-    pub fn add_plastic_work(&self, factor: f64, nodal: &mut [f64]) {
-        let lanes = self.mesh.sectors.columns();
-        for (e, element) in self.mesh.elements.iter().enumerate() {
-            for l in 0..lanes {
-                let mut share = [[0.0; 1]; CORNERS];
-                for q in 0..POINTS {
-                    let work = factor * element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
-                    for (n, value) in share.iter_mut().enumerate() {
-                        value[0] += self.shapes[q][n] * work;
-                    }
-                }
-                self.mesh.scatter_scalar::<1>(&share, element, l, nodal);
-            }
-        }
-    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::{MeridianMesh, MeshSize};
-    use crate::scene::{Hardening, Material, Softening};
-    use crate::sectors::Sectors;
-
-    fn body(hardening: Hardening, sectors: Sectors) -> Body {
-        let material = Material {
-            youngs_modulus: 200e9,
-            poisson_ratio: 0.3,
-            yield_strength: 400e6,
-            hardening,
-            density: 7850.0,
-            specific_heat: 475.0,
-            thermal_conductivity: 45.0,
-            thermal_expansion: 1.2e-5,
-            softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.0 },
-        };
-        let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
-        let mesh = RevolvedMesh::new(meridian, sectors);
-        Body::new(mesh, Solid::new(&material, 298.0), material.thermal_expansion)
-    }
-
-    fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
-        (0..n).map(|i| scale * (i as f64 * 0.37 + phase).sin()).collect()
-    }
-
-    #[test]
-    fn tangent_agrees_with_finite_differences() {
-        for hardening in [
-            Hardening::None,
-            Hardening::Linear { modulus: 2e9 },
-            Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 },
-        ] {
-            let mut body = body(hardening, Sectors::full(4));
-            let n = body.mesh.field_length(3);
-            let rise: Vec<f64> =
-                wave(body.mesh.field_length(1), 100.0, 0.3).iter().map(|t| t + 150.0).collect();
-            // Strains of a few per cent in the fine elements; history from a first step.
-            let first = wave(n, 2e-4, 0.1);
-            let mut force = vec![0.0; n];
-            body.internal_force(&first, None, &mut force);
-            body.commit();
-            let u: Vec<f64> = first.iter().zip(wave(n, 1e-4, 1.0)).map(|(a, b)| a + b).collect();
-            let d = wave(n, 1e-4, 2.0);
-            let at = |body: &mut Body, t: f64| {
-                let x: Vec<f64> = u.iter().zip(&d).map(|(a, b)| a + t * b).collect();
-                let mut f = vec![0.0; n];
-                body.internal_force(&x, Some(&rise), &mut f);
-                f
-            };
-            let h = 1e-6;
-            let (plus, minus) = (at(&mut body, h), at(&mut body, -h));
-            at(&mut body, 0.0);
-            assert!(body.tangent.flows.contains(&true));
-            let mut product = vec![0.0; n];
-            body.tangent_product(&d, &mut product);
-            let norm = product.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let error =
-                (0..n).map(|i| ((plus[i] - minus[i]) / (2.0 * h) - product[i]).powi(2)).sum::<f64>().sqrt();
-            assert!(error < 1e-6 * norm, "{error} {norm}");
-        }
-    }
-
-    #[test]
-    fn internal_work_is_stored_or_dissipated() {
-        let mut body = body(Hardening::Linear { modulus: 2e9 }, Sectors::full(4));
-        let n = body.mesh.field_length(3);
-        let (u0, u1) = (wave(n, 1e-4, 0.1), wave(n, 1.5e-4, 0.4));
-        let (mut f0, mut f1) = (vec![0.0; n], vec![0.0; n]);
-        body.internal_force(&u0, None, &mut f0);
-        body.commit();
-        let rise = wave(body.mesh.field_length(1), 50.0, 0.0);
-        body.internal_force(&u1, Some(&rise), &mut f1);
-        let work: f64 = (0..n).map(|i| 0.5 * (f0[i] + f1[i]) * (u1[i] - u0[i])).sum();
-        let MechanicalEnergies { plastic, thermal_expansion } = body.step_energies();
-        let elastic = body.elastic_energy(&body.trial) - body.elastic_energy(&body.committed);
-        assert!(plastic > 0.0);
-        assert!((work - elastic - plastic - thermal_expansion).abs() < 1e-12 * work.abs().max(plastic));
-        let mut nodal = vec![0.0; body.mesh.field_length(1)];
-        body.add_plastic_work(1.0, &mut nodal);
-        assert!((nodal.iter().sum::<f64>() - plastic).abs() < 1e-12 * plastic);
-    }
-
-    #[test]
-    fn axisymmetric_and_revolved_bodies_agree() {
-        let mut flat =
-            body(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 }, Sectors::axisymmetric());
-        let n = flat.mesh.field_length(3);
-        let mut u = wave(n, 2e-4, 0.1);
-        for node in 0..flat.mesh.node_count() {
-            u[3 * node + 1] = 0.0;
-        }
-        let mut force = vec![0.0; n];
-        flat.internal_force(&u, None, &mut force);
-        flat.commit();
-        let mesh = RevolvedMesh::new(flat.mesh.meridian.clone(), Sectors::full(8));
-        let mut round = Body::revolve(&flat, mesh);
-        let mut round_force = vec![0.0; round.mesh.field_length(3)];
-        round.internal_force(&round.mesh.sectors.spread(&u), None, &mut round_force);
-        let scale = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-        for node in 0..flat.mesh.node_count() {
-            for c in [0, 2] {
-                let sum: f64 = (0..8).map(|j| round_force[(3 * node + c) * 8 + j]).sum();
-                assert!((sum - force[3 * node + c]).abs() < 1e-12 * scale);
-            }
-        }
-        let (strain, alike) = (round.trial.largest_plastic_strain(), flat.committed.largest_plastic_strain());
-        assert!((strain - alike).abs() < 1e-12 * alike);
-    }
-}
+mod tests;

@@ -63,7 +63,7 @@ mod tests {
     use super::*;
     use crate::harmonic::{FieldKind, HarmonicPattern};
     use crate::mesh::{MeridianMesh, MeshSize};
-    use crate::sectors::Sectors;
+    use crate::sectors::{Sectors, VECTOR_PARITY};
     use faer::linalg::solvers::Solve;
     use faer::sparse::{SparseColMat, Triplet};
 
@@ -113,13 +113,13 @@ mod tests {
                 for &j in &places {
                     u[j] = 1.0;
                     // Only the node's own values are wanted; the rest of the fields stays zero.
-                    mesh.sectors.differentiate(&u, &mut slope);
+                    mesh.sectors.differentiate(&VECTOR_PARITY, &u, &mut slope);
                     for first in 0..count {
                         let values = mesh.gather_vector::<1>(&u, &slope, element, first);
                         let f = element_force::<1>(element, moduli, &values);
                         mesh.scatter_vector(&f, element, first, &mut force, &mut on_slope);
                     }
-                    mesh.sectors.add_transposed(&on_slope, &mut force);
+                    mesh.sectors.add_transposed(&VECTOR_PARITY, &on_slope, &mut force);
                     for &i in &places {
                         if let (Some((p, a)), Some((q, b))) = (expand[i], expand[j])
                             && force[i] != 0.0

@@ -308,6 +308,7 @@ pub fn stress_force<const W: usize>(
 mod tests {
     use super::*;
     use crate::mesh::MeshSize;
+    use crate::sectors::VECTOR_PARITY;
 
     fn mesh(sectors: Sectors) -> RevolvedMesh {
         let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: 4 });
@@ -336,7 +337,7 @@ mod tests {
         // Symmetric about y = 0: u_x, u_z even and u_y odd in y.
         let u = nodal(&mesh, |[x, y, z]| [0.3 * x - 0.2 * z + 1.0, 0.7 * y, 0.5 * x + 0.1 * z]);
         let mut slope = vec![0.0; u.len()];
-        mesh.sectors.differentiate(&u, &mut slope);
+        mesh.sectors.differentiate(&VECTOR_PARITY, &u, &mut slope);
         for element in &mesh.elements {
             for first in [0, 4] {
                 let local = mesh.gather_vector::<4>(&u, &slope, element, first);

@@ -13,12 +13,13 @@ const FORCES: [History; 2] = [("Q", |step| step.friction), ("P", |step| step.loa
 const AREA: [History; 1] = [("", |step| step.area)];
 const TEMPERATURES: [History; 2] =
     [("highest", |step| step.temperature_max), ("mean", |step| step.temperature_mean)];
-const ENERGIES: [History; 5] = [
+const ENERGIES: [History; 6] = [
     ("work of the flat", |step| step.work),
     ("elastic", |step| step.energy_elastic),
     ("plastic", |step| step.dissipation_plastic),
     ("frictional", |step| step.dissipation_friction),
     ("thermal expansion", |step| step.work_thermal_expansion),
+    ("softening of moduli", |step| step.energy_moduli_softening),
 ];
 
 /// Friction, forces, area, temperature and energies of a run against slip.

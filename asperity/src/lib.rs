@@ -26,12 +26,14 @@
 mod body;
 mod conduction;
 mod contact;
+mod curve;
 mod elastic;
 mod element;
 mod error_budget;
 #[cfg(test)]
 mod fake;
 pub mod figures;
+pub mod fracture;
 mod harmonic;
 mod lanes;
 mod material;

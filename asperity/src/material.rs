@@ -1,15 +1,23 @@
-//! Constitutive law: J2 plasticity with isotropic hardening and thermal softening.
+//! Constitutive law: J2 plasticity with isotropic hardening and thermal softening, elastic moduli
+//! and thermal expansion that may depend on temperature.
 //!
-//! σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T), with h and f of the scene. Stresses in units of
-//! σ_Y(T₀, ε_p = 0), temperatures as the rise θ = T − T₀ in kelvin.
+//! σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T), with h and f of the scene. Bulk and shear modulus follow
+//! Young's modulus, Poisson's ratio does not change. Stresses in units of σ_Y(T₀, ε_p = 0),
+//! temperatures as the rise θ = T − T₀ in kelvin.
 
+use crate::curve::{Curve, interpolate};
 use crate::elastic::Moduli;
+use crate::lanes::Lanes;
 use crate::scene::{Hardening, Material, Softening};
 
 /// The material in dimensionless form.
 #[derive(Clone, Debug)]
 pub struct Solid {
+    /// At the initial temperature.
     pub moduli: Moduli,
+    /// E(T)/E(T₀) over the rise, unless constant.
+    stiffness: Option<Curve>,
+    expansion: Expansion,
     hardening: Hardening,
     /// Pa, the unit of stress.
     yield_strength: f64,
@@ -18,6 +26,14 @@ pub struct Solid {
     initial_temperature: f64,
     /// f(T₀): strengths are relative to that at the initial temperature.
     initial_factor: f64,
+}
+
+/// Thermal expansion coefficient dε/dT, 1/K.
+#[derive(Clone, Debug)]
+enum Expansion {
+    Constant(f64),
+    /// Over the rise.
+    Varying(Curve),
 }
 
 /// Result of a return mapping.
@@ -33,6 +49,11 @@ impl Solid {
     pub fn new(material: &Material, initial_temperature: f64) -> Self {
         let mut solid = Self {
             moduli: Moduli::new(material.youngs_modulus / material.yield_strength, material.poisson_ratio),
+            stiffness: material.dependence.youngs_modulus.as_ref().map(|e| e.relative(initial_temperature)),
+            expansion: match &material.dependence.thermal_expansion {
+                None => Expansion::Constant(material.thermal_expansion),
+                Some(alpha) => Expansion::Varying(alpha.over_rise(initial_temperature)),
+            },
             hardening: material.hardening.clone(),
             yield_strength: material.yield_strength,
             softening: material.softening.clone(),
@@ -57,9 +78,47 @@ impl Solid {
         factor / self.initial_factor
     }
 
-    /// Initial yield strength with softening: what the interface shears at, times √3.
-    pub fn initial_strength(&self, rise: f64) -> f64 {
-        self.softening_factor(rise)
+    /// Lower bound of the softening factor for rises between `coldest`, which is asked for where it
+    /// matters, and `hottest`.
+    pub fn lowest_softening_factor(&self, coldest: impl Fn() -> f64, hottest: f64) -> f64 {
+        match &self.softening {
+            // These do not rise.
+            Softening::None | Softening::JohnsonCook { .. } => self.softening_factor(hottest),
+            Softening::Table { temperature, factor } => {
+                let coldest = coldest();
+                let ends = self.softening_factor(coldest).min(self.softening_factor(hottest));
+                let rises = temperature.iter().map(|t| t - self.initial_temperature);
+                let between = rises.zip(factor).filter(|(rise, _)| (coldest..=hottest).contains(rise));
+                between.fold(ends, |lowest, (_, factor)| lowest.min(factor / self.initial_factor))
+            }
+        }
+    }
+
+    /// Whether the elastic moduli depend on temperature.
+    pub fn stiffness_varies(&self) -> bool {
+        self.stiffness.is_some()
+    }
+
+    /// E(T)/E(T₀).
+    pub fn stiffness_factor(&self, rise: f64) -> f64 {
+        self.stiffness.as_ref().map_or(1.0, |curve| curve.value(rise))
+    }
+
+    /// Volumetric thermal strain 3∫α dT of each rise.
+    pub fn thermal_dilatation<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
+        match &self.expansion {
+            Expansion::Constant(alpha) => rise.map(|rise| 3.0 * alpha * rise),
+            Expansion::Varying(alpha) => rise.map(|rise| 3.0 * alpha.integral(rise)),
+        }
+    }
+
+    /// Mean expansion coefficient between two rises, 1/K.
+    pub fn mean_expansion(&self, from: f64, to: f64) -> f64 {
+        match &self.expansion {
+            Expansion::Constant(alpha) => *alpha,
+            Expansion::Varying(alpha) if from == to => alpha.value(from),
+            Expansion::Varying(alpha) => (alpha.integral(to) - alpha.integral(from)) / (to - from),
+        }
     }
 
     /// (σ_y, dσ_y/dε_p) without softening.
@@ -82,13 +141,19 @@ impl Solid {
         }
     }
 
+    /// Growth of the yield strength with plastic strain: σ_y(ε_p, T)/σ_y(0, T).
+    pub fn hardening_factor(&self, strain: f64) -> f64 {
+        self.hardened(strain).0
+    }
+
     /// Current yield strength.
     pub fn yield_strength(&self, strain: f64, rise: f64) -> f64 {
         self.hardened(strain).0 * self.softening_factor(rise)
     }
 
-    /// Radial return: the increment x with q − 3Gx = σ_y(ε_p + x, T), for a trial von Mises
-    /// stress q above the yield strength.
+    /// Radial return: the increment x with q − 3Gx = factor·σ_y(ε_p + x, T₀), for a trial von Mises
+    /// stress q above the yield strength; `factor` is that of softening. G is that of T₀: where the
+    /// moduli have changed, q and the factor are relative to E(T)/E(T₀).
     ///
     /// The residual falls and is convex where hardening is concave, so Newton's method started
     /// left of the root never passes it; for a power law with its infinite first slope the start
@@ -96,8 +161,7 @@ impl Solid {
     /// guards against laws that are not concave.
     ///
     /// `guess` is a first guess of the increment, 0 if there is none.
-    pub fn return_map(&self, trial: f64, strain: f64, rise: f64, guess: f64) -> Return {
-        let factor = self.softening_factor(rise);
+    pub fn return_map(&self, trial: f64, strain: f64, factor: f64, guess: f64) -> Return {
         let stiffness = 3.0 * self.moduli.shear;
         let excess = trial - factor * self.hardened(strain).0;
         let (mut low, mut high) = (0.0, excess / stiffness);
@@ -129,19 +193,6 @@ impl Solid {
     }
 }
 
-/// Piecewise linear value and slope, constant outside the knots.
-fn interpolate(knots: &[f64], values: &[f64], x: f64) -> (f64, f64) {
-    let after = knots.partition_point(|&k| k <= x);
-    if after == 0 {
-        return (values[0], 0.0);
-    }
-    if after == knots.len() {
-        return (values[after - 1], 0.0);
-    }
-    let slope = (values[after] - values[after - 1]) / (knots[after] - knots[after - 1]);
-    (values[after - 1] + slope * (x - knots[after - 1]), slope)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -157,6 +208,8 @@ mod tests {
             thermal_conductivity: 44.5,
             thermal_expansion: 1.23e-5,
             softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.03 },
+            fracture: None,
+            dependence: Default::default(),
         };
         Solid::new(&material, 298.0)
     }
@@ -175,7 +228,8 @@ mod tests {
                 for rise in [0.0, 300.0, 1400.0] {
                     for (overshoot, guess) in [(1e-9, 0.0), (1e-4, 1e-3), (0.1, 1e-7), (10.0, 0.02)] {
                         let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
-                        let Return { increment, .. } = solid.return_map(trial, strain, rise, guess);
+                        let factor = solid.softening_factor(rise);
+                        let Return { increment, .. } = solid.return_map(trial, strain, factor, guess);
                         assert!(increment >= 0.0);
                         let q = trial - 3.0 * solid.moduli.shear * increment;
                         let strength = solid.yield_strength(strain + increment, rise);
@@ -189,12 +243,58 @@ mod tests {
         }
     }
 
+    /// A table that rises and falls again: the bound holds for every temperature in between.
+    #[test]
+    fn lowest_softening_factor_is_a_lower_bound() {
+        let mut solid = steel(Hardening::None);
+        let laws = [
+            Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 0.8 },
+            Softening::Table {
+                temperature: vec![250.0, 298.0, 400.0, 500.0, 700.0],
+                factor: vec![0.9, 1.0, 0.7, 1.1, 0.2],
+            },
+        ];
+        for law in laws {
+            solid.softening = law;
+            for (coldest, hottest) in [(0.0, 50.0), (-60.0, 0.0), (0.0, 202.0), (50.0, 180.0), (0.0, 3000.0)]
+            {
+                let bound = solid.lowest_softening_factor(|| coldest, hottest);
+                let lowest = (0..=1000)
+                    .map(|i| solid.softening_factor(coldest + (hottest - coldest) * i as f64 / 1000.0))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(bound <= lowest && bound > lowest - 0.01, "{bound} {lowest}");
+            }
+        }
+    }
+
+    /// Exponents below one fall steeply at once, and end at zero at the melting point.
+    #[test]
+    fn johnson_cook_softening_is_finite_everywhere() {
+        let mut solid = steel(Hardening::JohnsonCook { modulus: 331e6, exponent: 0.34 });
+        for exponent in [0.1, 0.8, 1.0, 3.0] {
+            solid.softening = Softening::JohnsonCook { reference: 298.0, melting: 1878.0, exponent };
+            let mut last = 1.0;
+            for rise in [-200.0, 0.0, 1e-300, 1e-9, 1.0, 500.0, 1579.999, 1580.0, 1e4, 1e300] {
+                let factor = solid.softening_factor(rise);
+                assert!(factor <= last && (0.0..=1.0).contains(&factor), "{exponent} {rise} {factor}");
+                last = factor;
+                for trial in [1e-12, 0.5, 3.0, 1e6] {
+                    if trial > factor {
+                        let Return { increment, slope } = solid.return_map(trial, 0.0, factor, 0.0);
+                        assert!(increment.is_finite() && increment >= 0.0 && slope >= 0.0, "{rise} {trial}");
+                    }
+                }
+            }
+            assert_eq!(last, 0.0);
+        }
+    }
+
     #[test]
     fn molten_material_has_no_strength() {
         let solid = steel(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
-        assert_eq!(solid.initial_strength(1495.0), 0.0);
-        assert_eq!(solid.initial_strength(1e5), 0.0);
-        let Return { increment, slope } = solid.return_map(1.0, 0.0, 2000.0, 0.0);
+        assert_eq!(solid.yield_strength(0.0, 1495.0), 0.0);
+        assert_eq!(solid.yield_strength(0.3, 1e5), 0.0);
+        let Return { increment, slope } = solid.return_map(1.0, 0.0, solid.softening_factor(2000.0), 0.0);
         assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
     }
 }

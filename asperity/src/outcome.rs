@@ -41,6 +41,8 @@ pub struct SlideStep {
     pub dissipation_friction: f64,
     /// Work done through thermal expansion: ∫σ:dε_th.
     pub work_thermal_expansion: f64,
+    /// Elastic energy given up as the elastic moduli fall with temperature.
+    pub energy_moduli_softening: f64,
     /// Frictional and plastic heat that entered the body.
     pub heat_in: f64,
     /// ∫ρc(T − T₀).

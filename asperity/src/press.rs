@@ -37,7 +37,7 @@ pub fn press_on(
     let mesh = discretisation.mesh;
     let contact = Contact::new(&mesh, problem.contact_modulus);
     let displacement = vec![0.0; mesh.field_length(3)];
-    let body = Body::new(mesh, problem.solid.clone(), problem.expansion);
+    let body = Body::new(mesh, problem.solid.clone());
     let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement, NEWTON_TOLERANCE);
 
     let limit = if problem.law == FrictionLaw::Frictionless { 0.0 } else { f64::INFINITY };

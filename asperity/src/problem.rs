@@ -8,12 +8,14 @@ use std::sync::Arc;
 use tables::closed_forms::hertz;
 use tables::closed_forms::jackson_green;
 
+use crate::conduction::ThermalProperties;
+use crate::curve::Curve;
 use crate::elastic::element_stiffness;
 use crate::element::RevolvedMesh;
 use crate::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
 use crate::material::Solid;
 use crate::mesh::{MeridianMesh, MeshSize};
-use crate::scene::{FrictionLaw, Scene};
+use crate::scene::{FrictionLaw, InterfaceStrength, Material, Scene, TemperatureTable};
 use crate::sectors::Sectors;
 
 /// 1/√3, von Mises' ratio of shear to tensile strength.
@@ -22,8 +24,6 @@ pub const SHEAR_RATIO: f64 = 0.577_350_269_189_625_8;
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub solid: Solid,
-    /// Thermal expansion, 1/K.
-    pub expansion: f64,
     /// E*/σ_Y.
     pub contact_modulus: f64,
     /// ω_c/R.
@@ -31,9 +31,12 @@ pub struct Problem {
     /// ω₀/R.
     pub interference: f64,
     pub law: FrictionLaw,
+    pub strength: InterfaceStrength,
     pub strength_factor: f64,
-    /// ρc·(1 K)/σ_Y; also k·(1 K), as κ = 1.
+    /// ρc·(1 K)/σ_Y at T₀; also k·(1 K), as κ = 1.
     pub heat_capacity: f64,
+    /// None where specific heat and conductivity are constant.
+    pub thermal_properties: Option<ThermalProperties>,
     pub heat_partition: f64,
     pub taylor_quinney: f64,
     /// h_g R/k.
@@ -80,13 +83,14 @@ impl Problem {
         let diffusivity = material.thermal_conductivity / capacity;
         Self {
             solid: Solid::new(material, scene.loading.temperature),
-            expansion: material.thermal_expansion,
             contact_modulus: e_star / material.yield_strength,
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),
+            strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,
             heat_capacity: capacity / material.yield_strength,
+            thermal_properties: thermal_properties(material, scene.loading.temperature),
             heat_partition: scene.interface.heat_partition,
             taylor_quinney: scene.interface.taylor_quinney,
             gap_conductance: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
@@ -106,6 +110,19 @@ impl Problem {
         // A_c = πRω_c.
         (area * self.critical_interference).sqrt()
     }
+}
+
+fn thermal_properties(material: &Material, initial_temperature: f64) -> Option<ThermalProperties> {
+    let (specific_heat, conductivity) =
+        (&material.dependence.specific_heat, &material.dependence.thermal_conductivity);
+    let relative = |table: &Option<TemperatureTable>| match table {
+        Some(table) => table.relative(initial_temperature),
+        None => Curve::constant(1.0),
+    };
+    (specific_heat.is_some() || conductivity.is_some()).then(|| ThermalProperties {
+        specific_heat: relative(specific_heat),
+        conductivity: relative(conductivity),
+    })
 }
 
 /// Mesh and elastic factors for one number of sectors.

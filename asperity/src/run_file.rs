@@ -8,6 +8,7 @@ use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use tables::law::Estimate;
 use tables::quantity::{QUANTITIES, Quantity};
 
+use crate::fracture;
 use crate::outcome::{ErrorSource, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot};
 use crate::provenance::SOURCE;
 use crate::quantities::estimate;
@@ -39,7 +40,7 @@ const fn column<T>(
 }
 
 #[rustfmt::skip]
-const SLIDE: [Column<SlideStep>; 18] = [
+const SLIDE: [Column<SlideStep>; 19] = [
     column("slip", "m", "displacement of the flat less that of the surface", |s| s.slip),
     column("time", "s", "time since the start of the slide", |s| s.time),
     column("Q", "N", "friction force", |s| s.friction),
@@ -55,6 +56,7 @@ const SLIDE: [Column<SlideStep>; 18] = [
     column("dissipation_plastic", "J", "plastic dissipation", |s| s.dissipation_plastic),
     column("dissipation_friction", "J", "frictional dissipation", |s| s.dissipation_friction),
     column("work_thermal_expansion", "J", "work done through thermal expansion", |s| s.work_thermal_expansion),
+    column("energy_moduli_softening", "J", "elastic energy given up as the moduli fall with temperature", |s| s.energy_moduli_softening),
     column("heat_in", "J", "frictional and plastic heat that entered the body", |s| s.heat_in),
     column("heat_stored", "J", "heat stored in the body", |s| s.heat_stored),
     column("heat_out", "J", "heat that left through base and gap", |s| s.heat_out),
@@ -94,7 +96,7 @@ pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -
     file.attribute("warnings", outcome.account.warnings.join("\n"))?;
     columns(&mut file, "step_press", &PRESS, &outcome.press, "interference_press")?;
     columns(&mut file, "step", &SLIDE, &outcome.slide, "slip time")?;
-    estimates(&mut file, outcome)?;
+    estimates(&mut file, scene, outcome)?;
     account(&mut file, outcome)?;
     fields(&mut file, outcome)?;
     file.finish()
@@ -129,7 +131,7 @@ fn columns<T>(
 }
 
 /// Scalars with their errors.
-fn estimates(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetError> {
+fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Result<(), DatasetError> {
     for quantity in Quantity::ALL {
         let Estimate { value, error } = estimate(&outcome.summary, quantity);
         let descriptor = quantity.descriptor();
@@ -152,6 +154,13 @@ fn estimates(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetE
             let part = outcome.budget.part(source, quantity);
             file.reals(&format!("{error_name}_{}", source.name()), &[], &[part], &attributes)?;
         }
+    }
+    for (name, unit, long_name, Estimate { value, error }) in fracture::of_run(scene, outcome) {
+        let mut attributes = described(unit, long_name);
+        attributes.push(("ancillary_variables", format!("{name}_error").into()));
+        file.reals(name, &[], &[value], &attributes)?;
+        let attributes = described(unit, &format!("estimated absolute error of {name}"));
+        file.reals(&format!("{name}_error"), &[], &[error], &attributes)?;
     }
     Ok(())
 }
@@ -278,6 +287,24 @@ mod tests {
         let slip: Vec<f64> = file.variable("slip").unwrap().get_values(..).unwrap();
         assert_eq!(slip.len(), outcome.slide.len());
         assert_eq!(slip[3], outcome.slide[3].slip);
+    }
+
+    #[test]
+    fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
+        let directory = tempfile::tempdir().unwrap();
+        let mut scene = fake::scene(20.0, 1.0);
+        let outcome = Fake::outcome(&scene);
+        let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
+        assert!(file.variable("G_ratio").is_none());
+        scene.material.fracture = Some(crate::scene::FractureData::Energy(500.0));
+        let path = directory.path().join("fracture.nc");
+        let about = About { history: String::new(), incomplete: None };
+        write(&path, &scene, &outcome, &about).unwrap();
+        let file = netcdf::open(path).unwrap();
+        let value = |name: &str| file.variable(name).unwrap().get_value::<f64, _>(..).unwrap();
+        assert_eq!((value("G_IIc"), value("G_IIc_error")), (500.0, 0.0));
+        assert_eq!(value("G_ratio"), value("G") / 500.0);
+        assert_eq!(value("G_ratio_error"), value("G_error") / 500.0);
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! What is simulated: material, asperity, interface, loading, model and numerics.
 //! SI units and kelvin throughout; plain data, no files.
 
+use crate::curve::{Curve, interpolate};
+
 /// Growth of the yield strength with equivalent plastic strain ε_p at the initial temperature.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Hardening {
@@ -38,26 +40,103 @@ pub enum Softening {
     },
 }
 
+/// Where the shear fracture energy of a material comes from; see [`crate::fracture`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FractureData {
+    /// G_IIc, J/m².
+    Energy(f64),
+    /// K_IIc, Pa√m.
+    Toughness(f64),
+    /// Tensile strength σ_u, Pa, and uniform elongation ε_u (engineering strain).
+    Tensile { strength: f64, uniform_elongation: f64 },
+}
+
+/// A property over temperature, linear between the points, constant outside them. Two equal
+/// temperatures make a jump.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TemperatureTable {
+    /// K, not falling.
+    pub temperature: Vec<f64>,
+    /// In the unit of the property.
+    pub value: Vec<f64>,
+}
+
+impl TemperatureTable {
+    /// Value at a temperature in K.
+    pub fn at(&self, temperature: f64) -> f64 {
+        interpolate(&self.temperature, &self.value, temperature).0
+    }
+
+    /// Over the rise above `initial`, K.
+    pub(crate) fn over_rise(&self, initial: f64) -> Curve {
+        Curve::new(self.temperature.iter().map(|t| t - initial).collect(), self.value.clone())
+    }
+
+    /// The same, relative to the value at `initial`.
+    pub(crate) fn relative(&self, initial: f64) -> Curve {
+        let scale = self.at(initial);
+        let values = self.value.iter().map(|value| value / scale).collect();
+        Curve::new(self.temperature.iter().map(|t| t - initial).collect(), values)
+    }
+}
+
+/// How properties change with temperature; those without a table are constant.
+///
+/// The fields of the same names in [`Material`] hold the values at the initial temperature, see
+/// [`Material::settle`]. Modulus, specific heat and conductivity vary in proportion to them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TemperatureDependence {
+    pub youngs_modulus: Option<TemperatureTable>,
+    pub specific_heat: Option<TemperatureTable>,
+    pub thermal_conductivity: Option<TemperatureTable>,
+    pub thermal_expansion: Option<TemperatureTable>,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
+    /// E at the initial temperature, Pa.
     pub youngs_modulus: f64,
     pub poisson_ratio: f64,
     /// At the initial temperature and zero plastic strain, Pa.
     pub yield_strength: f64,
     pub hardening: Hardening,
+    /// kg/m³.
     pub density: f64,
+    /// c at the initial temperature, J/(kg K).
     pub specific_heat: f64,
+    /// k at the initial temperature, W/(m K).
     pub thermal_conductivity: f64,
+    /// Coefficient dε/dT at the initial temperature, 1/K.
     pub thermal_expansion: f64,
     pub softening: Softening,
+    /// What is known of its fracture in shear.
+    pub fracture: Option<FractureData>,
+    pub dependence: TemperatureDependence,
+}
+
+impl Material {
+    /// Sets the values at the initial temperature, K, of the properties that have a table.
+    pub fn settle(&mut self, temperature: f64) {
+        let tables = &self.dependence;
+        for (value, table) in [
+            (&mut self.youngs_modulus, &tables.youngs_modulus),
+            (&mut self.specific_heat, &tables.specific_heat),
+            (&mut self.thermal_conductivity, &tables.thermal_conductivity),
+            (&mut self.thermal_expansion, &tables.thermal_expansion),
+        ] {
+            if let Some(table) = table {
+                *value = table.at(temperature);
+            }
+        }
+    }
 }
 
 /// Law of the tangential traction on the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FrictionLaw {
-    /// Slip at τ_c = f_τ σ_Y(T)/√3.
+    /// Slip at τ_c = f_τ σ/√3, with the strength σ that [`InterfaceStrength`] says.
     ShearStrength,
-    /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ_Y(T)/√3.
+    /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ/√3.
     Coulomb {
         friction: f64,
         cap: bool,
@@ -66,9 +145,20 @@ pub enum FrictionLaw {
     Frictionless,
 }
 
+/// Which yield strength of the material the interface shears at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InterfaceStrength {
+    /// That of the virgin material at the temperature of the contact: σ_Y(T).
+    Initial,
+    /// The flow stress σ_y(ε_p, T), with the mean plastic strain of the surface elements around
+    /// the contact point: an interface that work-hardens with the metal below it.
+    Current,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interface {
     pub law: FrictionLaw,
+    pub strength: InterfaceStrength,
     /// f_τ.
     pub strength_factor: f64,
     /// f_h, share of the frictional heat that enters the asperity.

@@ -78,12 +78,12 @@ impl Sectors {
         harmonics(self.count, parity)
     }
 
-    /// ∂/∂θ of a vector field.
-    pub fn differentiate(&self, field: &[f64], derivative: &mut [f64]) {
+    /// ∂/∂θ of a field whose components have the given parities.
+    pub fn differentiate(&self, parities: &[Parity], field: &[f64], derivative: &mut [f64]) {
         let n = self.count;
         for (i, (value, slope)) in field.chunks_exact(n).zip(derivative.chunks_exact_mut(n)).enumerate() {
             slope.fill(0.0);
-            match VECTOR_PARITY[i % 3] {
+            match parities[i % parities.len()] {
                 Parity::Even => small_product(1.0, &self.derivative, value, slope),
                 Parity::Odd => small_product(-1.0, &self.transpose, value, slope),
             }
@@ -91,11 +91,11 @@ impl Sectors {
     }
 
     /// Adds to `force` what works on a displacement as `on_derivative` works on its ∂/∂θ.
-    pub fn add_transposed(&self, on_derivative: &[f64], force: &mut [f64]) {
+    pub fn add_transposed(&self, parities: &[Parity], on_derivative: &[f64], force: &mut [f64]) {
         let n = self.count;
         for (i, (source, target)) in on_derivative.chunks_exact(n).zip(force.chunks_exact_mut(n)).enumerate()
         {
-            match VECTOR_PARITY[i % 3] {
+            match parities[i % parities.len()] {
                 Parity::Even => small_product(1.0, &self.transpose, source, target),
                 Parity::Odd => small_product(-1.0, &self.derivative, source, target),
             }
@@ -167,14 +167,14 @@ mod tests {
         ]
         .concat();
         let mut derivative = vec![0.0; 24];
-        sectors.differentiate(&field, &mut derivative);
+        sectors.differentiate(&VECTOR_PARITY, &field, &mut derivative);
         for (d, e) in derivative.iter().zip(&exact) {
             assert!((d - e).abs() < 1e-12);
         }
         // The transpose: f·(Du) = (Dᵀf)·u.
         let force: Vec<f64> = (0..24).map(|i| (1.7 * i as f64).sin()).collect();
         let mut turned = vec![0.0; 24];
-        sectors.add_transposed(&force, &mut turned);
+        sectors.add_transposed(&VECTOR_PARITY, &force, &mut turned);
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
         assert!((dot(&force, &derivative) - dot(&turned, &field)).abs() < 1e-12);
     }

@@ -227,7 +227,9 @@ impl Task<'_> {
         let factors = discretisation.factors.clone();
         let mechanics = Mechanics::new(body, contact, factors, displacement, resolution.tolerance);
         let conduction = if self.heat {
-            Some(Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?)
+            let conduction =
+                Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
+            Some(conduction.with_properties(problem.thermal_properties.clone()))
         } else {
             None
         };

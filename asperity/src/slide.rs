@@ -1,13 +1,12 @@
 //! The slide: increments of the flat's displacement, mechanics and heat coupled in each.
 
-use crate::body::Body;
-use crate::conduction::{Conduction, ContactHeat, HeatBalance};
+use crate::body::{Body, BodyState};
+use crate::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::contact::{Contact, Flat, Status};
-use crate::harmonic::FactorError;
 use crate::mechanics::{Mechanics, StepFailure, Surroundings};
 use crate::press::extrapolate;
 use crate::problem::{Problem, SHEAR_RATIO};
-use crate::scene::FrictionLaw;
+use crate::scene::{FrictionLaw, InterfaceStrength};
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
 const LIMIT_TOLERANCE: f64 = 3e-5;
@@ -21,7 +20,7 @@ const LEAST_INCREMENTS: f64 = 24.0;
 #[derive(Debug, thiserror::Error)]
 pub enum SlideFailure {
     #[error(transparent)]
-    Factor(#[from] FactorError),
+    Heat(#[from] HeatError),
     #[error("{0}")]
     Step(#[from] StepFailure),
     #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
@@ -48,6 +47,7 @@ pub struct Instant {
     pub friction_work: f64,
     pub springs: f64,
     pub thermal_expansion: f64,
+    pub moduli_softening: f64,
     pub heat_in: f64,
     pub heat_stored: f64,
     pub heat_out: f64,
@@ -93,6 +93,8 @@ struct FrictionHeat<'a> {
     contact: &'a Contact,
     /// Slip speed.
     speed: Vec<f64>,
+    /// Factor by which the interface has hardened.
+    hardened: &'a [f64],
 }
 
 impl ContactHeat for FrictionHeat<'_> {
@@ -106,7 +108,8 @@ impl ContactHeat for FrictionHeat<'_> {
         let power = problem.heat_partition * area * self.speed[point];
         let (traction, slope) = match problem.law {
             FrictionLaw::ShearStrength => {
-                let strength = |t: f64| shear_strength(problem, t) * self.contact.cover[point];
+                let hardened = self.hardened[point];
+                let strength = |t: f64| shear_strength(problem, hardened, t) * self.contact.cover[point];
                 let h = 0.01;
                 (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
             }
@@ -134,17 +137,28 @@ impl FrictionHeat<'_> {
     }
 }
 
-/// f_τ σ_Y(T)/√3.
-fn shear_strength(problem: &Problem, rise: f64) -> f64 {
-    problem.strength_factor * SHEAR_RATIO * problem.solid.initial_strength(rise)
+/// f_τ σ_Y(T)/√3 times what hardening adds.
+fn shear_strength(problem: &Problem, hardened: f64, rise: f64) -> f64 {
+    problem.strength_factor * SHEAR_RATIO * (hardened * problem.solid.softening_factor(rise))
+}
+
+/// Factor by which the interface has hardened, at each contact point.
+fn interface_hardening(problem: &Problem, body: &Body, contact: &Contact, state: &BodyState) -> Vec<f64> {
+    match problem.strength {
+        InterfaceStrength::Initial => vec![1.0; contact.len()],
+        InterfaceStrength::Current => {
+            let strain = body.surface_strain(state);
+            strain.into_iter().map(|strain| problem.solid.hardening_factor(strain)).collect()
+        }
+    }
 }
 
 /// Limit of the shear traction at each contact point.
-fn shear_limits(problem: &Problem, contact: &Contact, rise: Option<&[f64]>) -> Vec<f64> {
+fn shear_limits(problem: &Problem, contact: &Contact, hardened: &[f64], rise: Option<&[f64]>) -> Vec<f64> {
     (0..contact.len())
         .map(|i| {
             let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
-            let strength = contact.cover[i] * shear_strength(problem, theta);
+            let strength = contact.cover[i] * shear_strength(problem, hardened[i], theta);
             match problem.law {
                 FrictionLaw::ShearStrength => strength,
                 FrictionLaw::Coulomb { friction, cap } => {
@@ -217,7 +231,9 @@ impl<'a> Slide<'a> {
                         .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
                     advance = (2.0 * advance).min(most).min(self.to_less_stick(least));
                 }
-                Err(failure @ SlideFailure::Step(_)) => {
+                Err(
+                    failure @ (SlideFailure::Step(_) | SlideFailure::Heat(HeatError::NotConverged { .. })),
+                ) => {
                     self.mechanics.displacement = committed;
                     self.cutbacks += 1;
                     advance = 0.5 * increment;
@@ -252,7 +268,7 @@ impl<'a> Slide<'a> {
         let mut heated: Option<(Vec<f64>, HeatBalance)> = None;
         let mut failure = None;
         let mut last_limit: Option<Vec<f64>> = None;
-        let strength = shear_strength(problem, 0.0);
+        let strength = shear_strength(problem, 1.0, 0.0);
         let before = &self.sources;
         let mut sources = HeatSources::default();
         let (mut frozen, mut refreshed) = (false, 0);
@@ -264,12 +280,15 @@ impl<'a> Slide<'a> {
             if iteration > 0 {
                 contact.update_cover();
             }
+            // A step that failed may have left any trial state.
+            let state = if iteration == 0 { &body.committed } else { &body.trial };
+            let hardened = interface_hardening(problem, body, contact, state);
             let mut rise = None;
             if let Some(conduction) = conduction.as_mut() {
                 // The first guess heats as the step before did.
                 sources =
                     if iteration == 0 { before.clone() } else { HeatSources::of(problem, body, contact, dt) };
-                match sources.heat(problem, conduction, contact, dt) {
+                match sources.heat(problem, conduction, contact, &hardened, dt) {
                     Ok(result) => {
                         rise = Some(result.0.clone());
                         heated = Some(result);
@@ -277,7 +296,7 @@ impl<'a> Slide<'a> {
                     Err(error) => failure = Some(error),
                 }
             }
-            let limit = shear_limits(problem, contact, rise.as_deref());
+            let limit = shear_limits(problem, contact, &hardened, rise.as_deref());
             // Once they no longer change they are held, and Newton's method converges fast.
             let agrees = last_limit.as_ref().is_some_and(|last| {
                 last.iter()
@@ -312,6 +331,7 @@ impl<'a> Slide<'a> {
         instant.elastic += elastic;
         instant.plastic += energies.plastic;
         instant.thermal_expansion += energies.thermal_expansion;
+        instant.moduli_softening += energies.moduli_softening;
         if let (Some((rise, balance)), Some(conduction)) = (heated, self.conduction.as_mut()) {
             instant.heat_in += balance.contact + balance.body;
             instant.heat_out += balance.base + balance.gap;
@@ -381,13 +401,14 @@ impl HeatSources {
         problem: &Problem,
         conduction: &mut Conduction,
         contact: &Contact,
+        hardened: &[f64],
         dt: f64,
-    ) -> Result<(Vec<f64>, HeatBalance), FactorError> {
+    ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let mut plastic: Vec<f64> = self.plastic.iter().map(|power| power * dt).collect();
         plastic.resize(conduction.committed.len(), 0.0);
         let mut speed = self.speed.clone();
         speed.resize(contact.len(), 0.0);
-        conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed })
+        conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed, hardened })
     }
 }
 

@@ -8,7 +8,7 @@ use crate::outcome::{Account, ContactGrid, Outcome, PressStep, SlideStep, Snapsh
 use crate::press::Increment;
 use crate::problem::Problem;
 use crate::scalars::Scalars;
-use crate::scene::{FrictionLaw, Hardening, Scene};
+use crate::scene::{FrictionLaw, Hardening, InterfaceStrength, Scene};
 use crate::simulate::Slid;
 use crate::slide::Instant;
 
@@ -24,6 +24,13 @@ pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
         warnings.push(
             "body and interface are equally strong and the body does not harden: shear may localise \
              in one layer of elements, and mu then follows the mesh"
+                .into(),
+        );
+    }
+    if equal_strength && scene.interface.strength == InterfaceStrength::Current && plastic {
+        warnings.push(
+            "the interface is as strong as the hardened body: the top layer of elements shears before \
+             the contact slips, and mu then follows the mesh; a strength_factor below 1 lets it slip"
                 .into(),
         );
     }
@@ -90,6 +97,7 @@ pub fn outcome(
             dissipation_plastic: energy(i.plastic),
             dissipation_friction: energy(i.friction_work),
             work_thermal_expansion: energy(i.thermal_expansion),
+            energy_moduli_softening: energy(i.moduli_softening),
             heat_in: energy(i.heat_in),
             heat_stored: energy(i.heat_stored),
             heat_out: energy(i.heat_out),

@@ -75,7 +75,7 @@ fn usage_errors_have_status_2_and_help_has_0() {
 fn materials_are_listed_with_units_and_sources() {
     let here = Path::new(".");
     let list = text(&asperity(here, &["materials"]).stdout);
-    assert_eq!(list.lines().count(), 6, "{list}");
+    assert_eq!(list.lines().count(), 7, "{list}");
     let steel = text(&asperity(here, &["materials", "steel-4340"]).stdout);
     let line = steel.lines().find(|line| line.starts_with("yield_strength")).unwrap();
     for part in ["7.92e8", "Pa", "Johnson & Cook 1985"] {
@@ -84,4 +84,8 @@ fn materials_are_listed_with_units_and_sources() {
     let json = text(&asperity(here, &["materials", "copper", "--json"]).stdout);
     let value: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(value["constants"]["yield_strength"]["value"], 90e6);
+    let carbon = text(&asperity(here, &["materials", "carbon-steel-en1993"]).stdout);
+    for part in ["youngs_modulus", "873.15 K: 6.51e10", "1008.15 K: 5000", "EN 1993-1-2:2005", "checked: "] {
+        assert!(carbon.contains(part), "{carbon}");
+    }
 }

@@ -14,6 +14,7 @@ mod assembly;
 pub mod closed_forms;
 pub mod dataset;
 pub mod figure;
+pub mod fracture;
 mod interpolation;
 pub mod law;
 mod netcdf_file;

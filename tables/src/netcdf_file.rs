@@ -3,11 +3,15 @@
 use std::path::Path;
 
 use crate::dataset::{AttributeValue, DatasetError, DatasetReader, DatasetWriter};
+use crate::fracture::FractureEnergy;
 use crate::quantity::{Descriptor, QUANTITIES, Quantity};
 use crate::table::{Axes, Cell, Metadata, Status, Table};
 
 const GRID: [&str; 2] = ["interference", "slip_rate"];
 const GRID_AND_SLIP: [&str; 3] = ["interference", "slip_rate", "slip"];
+/// G_IIc = coefficient·aⁿ in J m-2, contact radius a in m.
+const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
+const FRACTURE_EXPONENT: &str = "fracture_energy_radius_exponent";
 const STATUS_MEANINGS: [&str; 3] = ["done", "not_run", "failed"];
 
 /// A number of the metadata as a global attribute, in SI units.
@@ -63,6 +67,9 @@ impl Table {
         for descriptor in &QUANTITIES {
             self.write_quantity(&mut file, descriptor)?;
         }
+        if let Some(fracture_energy) = metadata.fracture_energy {
+            self.write_energy_ratio(&mut file, fracture_energy)?;
+        }
         self.write_state(&mut file)?;
         file.finish()
     }
@@ -83,6 +90,13 @@ impl Table {
             *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
         }
         metadata.strength_factor = file.optional_real("strength_factor")?;
+        metadata.fracture_energy = match file.optional_real(FRACTURE_ENERGY)? {
+            None => None,
+            Some(coefficient) => {
+                let radius_exponent = file.attribute_real(FRACTURE_EXPONENT)? as i32;
+                Some(FractureEnergy { coefficient, radius_exponent })
+            }
+        };
         let mut table = Table::new(axes, metadata).map_err(|error| file.content(error.to_string()))?;
         table.read_cells(&file)?;
         Ok(table)
@@ -149,6 +163,27 @@ impl Table {
             file.reals(&history_name(name), &GRID_AND_SLIP, &values, &attributes)?;
         }
         Ok(())
+    }
+
+    /// G/G_IIc, which follows from G and the contact radius and is not read back.
+    fn write_energy_ratio(&self, file: &mut DatasetWriter, law: FractureEnergy) -> Result<(), DatasetError> {
+        file.attribute(FRACTURE_ENERGY, law.coefficient)?;
+        file.attribute(FRACTURE_EXPONENT, law.radius_exponent)?;
+        let ratio = |cell: &Cell| law.ratio(cell[Quantity::EnergyRelease], cell[Quantity::ContactRadius]);
+        let exponent = Quantity::EnergyRelease.descriptor().radius_exponent - law.radius_exponent;
+        let attributes = |long_name: &str| {
+            vec![
+                ("units", AttributeValue::from("1")),
+                ("long_name", long_name.into()),
+                ("radius_exponent", exponent.into()),
+            ]
+        };
+        let long_name = "energy released over the shear fracture energy of the material, G/G_IIc";
+        let mut described = attributes(long_name);
+        described.push(("ancillary_variables", "G_ratio_error status".into()));
+        file.reals("G_ratio", &GRID, &self.collect(|cell| ratio(cell).value), &described)?;
+        let described = attributes(&format!("absolute error of {long_name}"));
+        file.reals("G_ratio_error", &GRID, &self.collect(|cell| ratio(cell).error), &described)
     }
 
     fn write_state(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
@@ -311,6 +346,26 @@ mod tests {
         let read = Table::read(&path).unwrap();
         std::fs::remove_file(&path).unwrap();
         assert_eq!(read, table());
+    }
+
+    #[test]
+    fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
+        let path = place("fracture");
+        for radius_exponent in [0, 1] {
+            let mut with = table();
+            let law = FractureEnergy { coefficient: 0.25, radius_exponent };
+            with.set_metadata(Metadata { fracture_energy: Some(law), ..with.metadata().clone() });
+            with.write(&path).unwrap();
+            assert_eq!(Table::read(&path).unwrap(), with);
+            let file = DatasetReader::open(&path).unwrap();
+            let values = file.reals("G_ratio", &[2, 3]).unwrap();
+            let cell = with.cell(1, 2).unwrap();
+            let (energy, radius) = (cell[Quantity::EnergyRelease].value, cell[Quantity::ContactRadius].value);
+            let exact = energy / (0.25 * radius.powi(radius_exponent));
+            assert!((values[5] / exact - 1.0).abs() < 1e-14 && values[3].is_nan());
+            assert!(file.reals("G_ratio_error", &[2, 3]).unwrap()[5] > 0.0);
+            std::fs::remove_file(&path).unwrap();
+        }
     }
 
     #[test]

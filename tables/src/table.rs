@@ -2,6 +2,7 @@
 
 use std::ops::{Index, IndexMut};
 
+use crate::fracture::FractureEnergy;
 use crate::law::Estimate;
 use crate::quantity::Quantity;
 
@@ -46,6 +47,8 @@ pub struct Metadata {
     pub heat_partition: f64,
     /// h_g, W/(m² K); unless 0 the table holds for its own radius only.
     pub gap_conductance: f64,
+    /// Of the material in shear, where it is known.
+    pub fracture_energy: Option<FractureEnergy>,
 }
 
 /// Results at one interference and slip rate. Values not known are NaN.

@@ -7,8 +7,8 @@
 
 use asperity::outcome::{Outcome, SlideStep};
 use asperity::scene::{
-    Control, FrictionLaw, Hardening, Interface, Kinematics, Loading, Material, Model, Numerics, Scene,
-    Softening, Switch,
+    Control, FrictionLaw, Hardening, Interface, InterfaceStrength, Kinematics, Loading, Material, Model,
+    Numerics, Scene, Softening, Switch,
 };
 use asperity::scene_file::parse_scene;
 use asperity::simulate::{SimulationError, Unwatched, Watch, simulate};
@@ -30,6 +30,8 @@ pub fn plain_material(poisson_ratio: f64) -> Material {
         thermal_conductivity: 45.0,
         thermal_expansion: 0.0,
         softening: Softening::None,
+        fracture: None,
+        dependence: Default::default(),
     }
 }
 
@@ -47,6 +49,7 @@ pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh
         radius: 1e-3,
         interface: Interface {
             law,
+            strength: InterfaceStrength::Initial,
             strength_factor: 1.0,
             heat_partition: 1.0,
             gap_conductance: 0.0,

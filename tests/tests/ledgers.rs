@@ -3,11 +3,13 @@
 //! Problem: 4340 steel, R = 1 mm, ω₀ = 20 ω_c, V = 3 m/s, half of the frictional heat and 0.9 of
 //! the plastic work heating the asperity, thermal expansion included.
 //! Source: first law of thermodynamics; for the mechanics
-//! work of the flat = elastic energy + plastic + frictional dissipation + work on thermal expansion,
+//! work of the flat = elastic energy + plastic + frictional dissipation + work on thermal expansion and
+//! the elastic energy given up by moduli that fall with temperature,
 //! for the heat  heat in = heat stored + heat out.
 
 use asperity::outcome::{Outcome, SlideStep};
 use asperity::scene::FrictionLaw;
+use asperity::scene_file::parse_scene;
 use tests::{assert_close, last, mesh, run, scene, steel_4340};
 
 fn slide(gap_conductance: f64) -> Outcome {
@@ -30,9 +32,15 @@ fn off(balance: f64, terms: &[f64]) -> f64 {
 
 fn energy_off(step: &SlideStep) -> f64 {
     let s = step;
-    let spent = [s.energy_elastic, s.dissipation_plastic, s.dissipation_friction, s.work_thermal_expansion];
+    let spent = [
+        s.energy_elastic,
+        s.dissipation_plastic,
+        s.dissipation_friction,
+        s.work_thermal_expansion,
+        s.energy_moduli_softening,
+    ];
     let balance = s.work - spent.iter().sum::<f64>();
-    off(balance, &[s.work, spent[0], spent[1], spent[2], spent[3]])
+    off(balance, &[s.work, spent[0], spent[1], spent[2], spent[3], spent[4]])
 }
 
 fn heat_off(step: &SlideStep) -> f64 {
@@ -49,6 +57,29 @@ fn energy_and_heat_are_accounted_for_at_every_step() {
     let (energy, heat) = (worst(energy_off), worst(heat_off));
     println!("energy {energy:.1e}, heat {heat:.1e}");
     assert!(heat <= 1e-6, "heat is off by {heat:.1e}");
+    assert!(energy <= 1e-6, "energy is off by {energy:.1e}");
+}
+
+/// Carbon steel of EN 1993-1-2: modulus, expansion, conductivity and specific heat over temperature,
+/// fast enough for the surface to lose half of its strength and modulus and a third of its conductivity.
+#[test]
+fn ledgers_close_with_properties_that_depend_on_temperature() {
+    let text = "[material]\npreset = \"carbon-steel-en1993\"\n[asperity]\nradius = 1e-3\n\
+                [loading]\ninterference = 1\nslip_rate = 1\n";
+    let steel = parse_scene(text, "carbon steel", &[]).unwrap().material;
+    let mut scene = scene(steel, FrictionLaw::ShearStrength, 20.0, mesh(6, 8));
+    scene.interface.strength_factor = 0.9;
+    scene.interface.taylor_quinney = 0.9;
+    scene.loading.slip_rate = 300.0;
+    scene.loading.slip_distance = 1.0;
+    let outcome = run(&scene);
+    let end = last(&outcome);
+    assert!(end.temperature_max > 850.0 && end.energy_moduli_softening > 0.0, "{end:?}");
+    let steps = &outcome.slide[1..];
+    let worst = |off: fn(&SlideStep) -> f64| steps.iter().map(off).fold(0.0, f64::max);
+    let (energy, heat) = (worst(energy_off), worst(heat_off));
+    println!("energy {energy:.1e}, heat {heat:.1e}");
+    assert!(heat <= 1e-10, "heat is off by {heat:.1e}");
     assert!(energy <= 1e-6, "energy is off by {energy:.1e}");
 }
 

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use asperity::numbers;
-use asperity::presets::{self, Preset};
+use asperity::presets::{self, ConstantValue, Preset};
+use asperity::scene::TemperatureTable;
 use serde_json::json;
 
 use super::{Display, Failure, print};
@@ -24,7 +25,7 @@ pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
         return Ok(());
     }
     let text = match name {
-        None => chosen.iter().map(|preset| format!("{:16}{}\n", preset.name, preset.title)).collect(),
+        None => chosen.iter().map(|preset| format!("{:21}{}\n", preset.name, preset.title)).collect(),
         Some(_) => constants(chosen[0]),
     };
     print(&text);
@@ -43,16 +44,31 @@ fn constants(preset: &Preset) -> String {
         let _ = writeln!(text, "{group}: {law}");
     }
     for constant in &preset.constants {
-        let _ = writeln!(
-            text,
-            "{:22}{:>10} {:9} {}",
-            constant.key,
-            numbers::plain(constant.value),
-            constant.unit,
-            constant.source
-        );
+        let value = match &constant.value {
+            ConstantValue::Number(number) => numbers::plain(*number),
+            ConstantValue::List(_) => "list".into(),
+            ConstantValue::Table(_) => "table".into(),
+        };
+        let _ = writeln!(text, "{:24}{value:>10} {:9} {}", constant.key, constant.unit, constant.source);
+        points(&mut text, &constant.value);
     }
+    let _ = writeln!(text, "checked: {}", preset.checked);
     text
+}
+
+/// The points of a list or table, a few to a line.
+fn points(text: &mut String, value: &ConstantValue) {
+    let (points, per_line): (Vec<String>, usize) = match value {
+        ConstantValue::Number(_) => return,
+        ConstantValue::List(numbers) => (numbers.iter().map(|&number| numbers::plain(number)).collect(), 12),
+        ConstantValue::Table(TemperatureTable { temperature, value }) => {
+            let point = |(t, v): (&f64, &f64)| format!("{} K: {}", numbers::plain(*t), numbers::plain(*v));
+            (temperature.iter().zip(value).map(point).collect(), 5)
+        }
+    };
+    for line in points.chunks(per_line) {
+        let _ = writeln!(text, "    {}", line.join(", "));
+    }
 }
 
 fn as_json(preset: &Preset) -> serde_json::Value {
@@ -60,7 +76,14 @@ fn as_json(preset: &Preset) -> serde_json::Value {
         .constants
         .iter()
         .map(|c| {
-            let entry = json!({ "value": c.value, "unit": c.unit, "source": c.source });
+            let value = match &c.value {
+                ConstantValue::Number(number) => json!(number),
+                ConstantValue::List(numbers) => json!(numbers),
+                ConstantValue::Table(TemperatureTable { temperature, value }) => {
+                    json!({ "temperature": temperature, "value": value })
+                }
+            };
+            let entry = json!({ "value": value, "unit": c.unit, "source": c.source });
             (c.key.clone(), entry)
         })
         .collect();
@@ -69,6 +92,7 @@ fn as_json(preset: &Preset) -> serde_json::Value {
     json!({
         "name": preset.name,
         "title": preset.title,
+        "checked": preset.checked,
         "laws": laws,
         "constants": constants,
     })

@@ -30,6 +30,18 @@ Example of a scene (SI units, kelvin):
   [loading]
   interference = 20.0      # in units of the interference of first yield
   slip_rate = 1.0          # m/s; 0 is the isothermal limit
+  [interface]              # optional
+  strength = \"initial\"     # slip at strength_factor * sigma_Y(T)/sqrt(3) of the virgin material, or
+                           # \"current\": at that of the hardened material under the contact
+  strength_factor = 1.0
+
+youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
+temperature) may be tables, linear in between and constant outside:
+  thermal_conductivity = { temperature = [293.15, 1073.15], value = [53.3, 27.3] }    # K, W/(m K)
+
+With one of these in [material] the energy G is also given as a share of the shear fracture energy:
+  shear_fracture_energy (J/m2), fracture_toughness_mode_ii (Pa sqrt(m)), or tensile_strength (Pa)
+  and uniform_elongation, from which it is estimated for a crack as large as the contact.
 
 Examples:
   asperity run scene.toml -o run.nc

@@ -8,7 +8,7 @@ use asperity::run_file::{self, About};
 use asperity::scene::Scene;
 use asperity::scene_file::read_scene;
 use asperity::simulate::{SimulationError, simulate};
-use asperity::{figures, numbers, provenance};
+use asperity::{figures, fracture, numbers, provenance};
 use serde_json::json;
 use tables::quantity::Quantity;
 
@@ -91,6 +91,9 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
         let estimate = estimate(&outcome.summary, quantity);
         line(descriptor.name, numbers::with_error(estimate, descriptor.units));
     }
+    for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
+        line(name, numbers::with_error(estimate, unit));
+    }
     line("inception", inception_in_words(outcome.summary.inception).into());
     line("levelled", if outcome.summary.levelled { "yes" } else { "no" }.into());
     line("wall_time", format!("{:.1} s", outcome.account.wall_time));
@@ -140,7 +143,10 @@ fn as_json(
         let value = numbers::as_json(estimate, descriptor.units);
         (descriptor.name.to_owned(), value)
     };
-    let summary: serde_json::Map<_, _> = Quantity::ALL.into_iter().map(entry).collect();
+    let mut summary: serde_json::Map<_, _> = Quantity::ALL.into_iter().map(entry).collect();
+    for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
+        summary.insert(name.to_owned(), numbers::as_json(estimate, unit));
+    }
     let account = &outcome.account;
     json!({
         "output": arguments.output.display().to_string(),

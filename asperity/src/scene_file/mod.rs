@@ -4,6 +4,7 @@
 //! value and what is allowed. Nothing is guessed: an unknown key is an error.
 
 mod error;
+mod material;
 mod overrides;
 mod reader;
 mod request;
@@ -64,14 +65,16 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
 }
 
 fn scene(root: &mut Section<'_>, point: Option<(f64, f64)>) -> Result<Scene, SceneFileError> {
-    Ok(Scene {
-        material: sections::material(root)?,
+    let mut scene = Scene {
+        material: material::material(root)?,
         radius: sections::radius(root)?,
         interface: sections::interface(root)?,
         loading: sections::loading(root, point)?,
         model: sections::model(root)?,
         numerics: sections::numerics(root)?,
-    })
+    };
+    scene.material.settle(scene.loading.temperature);
+    Ok(scene)
 }
 
 fn read(path: &Path) -> Result<String, SceneFileError> {

@@ -1,206 +1,12 @@
-//! The sections of a scene, one function each, and the checks between them.
+//! The sections of a scene but `[material]`, one function each, and the checks between them.
 
-use toml::{Table, Value};
-
-use super::error::{SceneFileError, hint};
-use super::reader::{ACCURACY, NOT_NEGATIVE, Origin, POISSON, POSITIVE, SHARE, Section};
-use crate::presets;
+use super::error::SceneFileError;
+use super::reader::{ACCURACY, NOT_NEGATIVE, Origin, POSITIVE, SHARE, Section};
+use crate::curve::interpolate;
 use crate::scene::{
-    Control, FrictionLaw, Hardening, Interface, Kinematics, Loading, Material, Model, Numerics, Softening,
+    Control, FrictionLaw, Interface, InterfaceStrength, Kinematics, Loading, Model, Numerics, Softening,
     Switch,
 };
-
-const MATERIAL: [&str; 10] = [
-    "preset",
-    "youngs_modulus",
-    "poisson_ratio",
-    "yield_strength",
-    "hardening",
-    "density",
-    "specific_heat",
-    "thermal_conductivity",
-    "thermal_expansion",
-    "softening",
-];
-
-/// Section `[material]`: the preset, if any, with the given keys laid over it.
-pub(super) fn material(root: &mut Section<'_>) -> Result<Material, SceneFileError> {
-    let mut given = root.take_section("material", &MATERIAL)?;
-    let mut table = preset(&mut given)?;
-    for key in MATERIAL {
-        match (given.take(key), table.get_mut(key)) {
-            (Some(Value::Table(over)), Some(Value::Table(base))) => lay_over(base, over),
-            (Some(value), _) => {
-                table.insert(key.into(), value);
-            }
-            (None, _) => {}
-        }
-    }
-    let mut section = Section::new("material", table, &MATERIAL, given.origin())?;
-    let optional = ["preset", "hardening", "softening"];
-    let missing: Vec<&str> =
-        MATERIAL.into_iter().filter(|key| !optional.contains(key) && !section.has(key)).collect();
-    if !missing.is_empty() {
-        let names = presets::names().join(", ");
-        let allowed = format!("given, or preset one of {names}");
-        return Err(section.missing(&missing.join(", "), allowed));
-    }
-    let material = Material {
-        youngs_modulus: section.number("youngs_modulus", "Pa", POSITIVE, None)?,
-        poisson_ratio: section.number("poisson_ratio", "1", POISSON, None)?,
-        yield_strength: section.number("yield_strength", "Pa", POSITIVE, None)?,
-        density: section.number("density", "kg/m3", POSITIVE, None)?,
-        specific_heat: section.number("specific_heat", "J/(kg K)", POSITIVE, None)?,
-        thermal_conductivity: section.number("thermal_conductivity", "W/(m K)", POSITIVE, None)?,
-        // Zero switches expansion off.
-        thermal_expansion: section.number("thermal_expansion", "1/K", NOT_NEGATIVE, None)?,
-        hardening: hardening(&mut section)?,
-        softening: softening(&mut section)?,
-    };
-    if material.yield_strength >= material.youngs_modulus {
-        return Err(section.invalid(
-            "yield_strength",
-            format!("{:?}", material.yield_strength),
-            format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus),
-        ));
-    }
-    Ok(material)
-}
-
-/// The preset's section, empty without a preset.
-fn preset(given: &mut Section<'_>) -> Result<Table, SceneFileError> {
-    match given.take("preset") {
-        None => Ok(Table::new()),
-        Some(value) => match value.as_str().and_then(presets::find) {
-            Some(preset) => Ok(preset.section()),
-            None => {
-                let hint = hint(value.as_str().unwrap_or_default(), &presets::names());
-                Err(given.invalid("preset", value, format!("the name of a material; {hint}")))
-            }
-        },
-    }
-}
-
-/// Keys of `over` replace those of `base`; another law replaces the whole.
-fn lay_over(base: &mut Table, over: Table) {
-    if over.get("law").is_some_and(|law| base.get("law") != Some(law)) {
-        base.clear();
-    }
-    base.extend(over);
-}
-
-/// The law's name, checked before its keys are, since they depend on it.
-fn law_name(
-    parent: &Section<'_>,
-    table: &Value,
-    group: &str,
-    laws: &[&str],
-) -> Result<String, SceneFileError> {
-    let quoted: Vec<String> = laws.iter().map(|law| format!("{law:?}")).collect();
-    let allowed = format!("one of {}", quoted.join(", "));
-    let key = format!("{group}.law");
-    match table.get("law") {
-        Some(Value::String(law)) if laws.contains(&law.as_str()) => Ok(law.clone()),
-        Some(value) => Err(parent.invalid(&key, value, allowed)),
-        None if table.is_table() => Err(parent.missing(&key, allowed)),
-        None => Err(parent.invalid(group, table, format!("{{ law = … }}, {allowed}"))),
-    }
-}
-
-fn law_section<'a>(
-    parent: &Section<'a>,
-    group: &str,
-    table: Value,
-    known: &[&str],
-) -> Result<Section<'a>, SceneFileError> {
-    let Value::Table(table) = table else {
-        return Err(parent.invalid(group, table, "{ law = … }"));
-    };
-    Section::new(parent.full(group), table, known, parent.origin())
-}
-
-fn hardening(material: &mut Section<'_>) -> Result<Hardening, SceneFileError> {
-    let Some(table) = material.take("hardening") else {
-        return Ok(Hardening::None);
-    };
-    let laws = ["none", "linear", "johnson-cook", "table"];
-    let law = law_name(material, &table, "hardening", &laws)?;
-    let open = |known: &[&str]| law_section(material, "hardening", table.clone(), known);
-    Ok(match law.as_str() {
-        "linear" => Hardening::Linear {
-            modulus: open(&["law", "modulus"])?.number("modulus", "Pa", NOT_NEGATIVE, None)?,
-        },
-        "johnson-cook" => {
-            let mut section = open(&["law", "modulus", "exponent"])?;
-            Hardening::JohnsonCook {
-                modulus: section.number("modulus", "Pa", NOT_NEGATIVE, None)?,
-                exponent: section.number("exponent", "1", POSITIVE, None)?,
-            }
-        }
-        "table" => {
-            let mut section = open(&["law", "plastic_strain", "factor"])?;
-            let (plastic_strain, factor) = curve(&mut section, "plastic_strain", "1", POSITIVE)?;
-            if (plastic_strain[0], factor[0]) != (0.0, 1.0) {
-                return Err(section.invalid(
-                    "plastic_strain",
-                    format!("[{:?}, …], factor = [{:?}, …]", plastic_strain[0], factor[0]),
-                    "a table that starts at plastic strain 0 with factor 1",
-                ));
-            }
-            Hardening::Table { plastic_strain, factor }
-        }
-        _ => open(&["law"]).map(|_| Hardening::None)?,
-    })
-}
-
-fn softening(material: &mut Section<'_>) -> Result<Softening, SceneFileError> {
-    let Some(table) = material.take("softening") else {
-        return Ok(Softening::None);
-    };
-    let law = law_name(material, &table, "softening", &["none", "johnson-cook", "table"])?;
-    let open = |known: &[&str]| law_section(material, "softening", table.clone(), known);
-    Ok(match law.as_str() {
-        "johnson-cook" => {
-            let mut section = open(&["law", "reference", "melting", "exponent"])?;
-            let reference = section.number("reference", "K", POSITIVE, None)?;
-            let melting = section.number("melting", "K", POSITIVE, None)?;
-            if melting <= reference {
-                let allowed = format!("a temperature above reference = {reference:?} K");
-                return Err(section.invalid("melting", format!("{melting:?}"), allowed));
-            }
-            Softening::JohnsonCook {
-                reference,
-                melting,
-                exponent: section.number("exponent", "1", POSITIVE, None)?,
-            }
-        }
-        "table" => {
-            let mut section = open(&["law", "temperature", "factor"])?;
-            let (temperature, factor) = curve(&mut section, "temperature", "K", NOT_NEGATIVE)?;
-            Softening::Table { temperature, factor }
-        }
-        _ => open(&["law"]).map(|_| Softening::None)?,
-    })
-}
-
-/// A curve given by points: a rising list of abscissae and as many factors that obey `rule`.
-fn curve(
-    section: &mut Section<'_>,
-    key: &str,
-    unit: &str,
-    rule: super::reader::Rule,
-) -> Result<(Vec<f64>, Vec<f64>), SceneFileError> {
-    let abscissae = section.rising(key, unit, NOT_NEGATIVE)?;
-    let factors = section.numbers("factor", "1", rule)?;
-    if factors.len() != abscissae.len() {
-        return Err(section.invalid(
-            "factor",
-            format!("{} numbers", factors.len()),
-            format!("as long as {key} ({})", abscissae.len()),
-        ));
-    }
-    Ok((abscissae, factors))
-}
 
 /// Section `[asperity]`: the radius, m.
 pub(super) fn radius(root: &mut Section<'_>) -> Result<f64, SceneFileError> {
@@ -216,8 +22,16 @@ pub(super) fn interface(root: &mut Section<'_>) -> Result<Interface, SceneFileEr
         FullStick,
         Frictionless,
     }
-    let known =
-        ["law", "strength_factor", "heat_partition", "gap_conductance", "taylor_quinney", "friction", "cap"];
+    let known = [
+        "law",
+        "strength",
+        "strength_factor",
+        "heat_partition",
+        "gap_conductance",
+        "taylor_quinney",
+        "friction",
+        "cap",
+    ];
     let mut section = root.take_section("interface", &known)?;
     let laws = [
         ("shear-strength", Law::ShearStrength),
@@ -233,7 +47,9 @@ pub(super) fn interface(root: &mut Section<'_>) -> Result<Interface, SceneFileEr
             return Err(section.invalid(key, value, "left out unless law = \"coulomb\""));
         }
     }
+    let strengths = [("initial", InterfaceStrength::Initial), ("current", InterfaceStrength::Current)];
     Ok(Interface {
+        strength: section.choice("strength", &strengths, Some(InterfaceStrength::Initial))?,
         law: match law {
             Law::ShearStrength => FrictionLaw::ShearStrength,
             Law::Coulomb => FrictionLaw::Coulomb {
@@ -314,11 +130,26 @@ pub(super) fn check_together(
     origin: &Origin,
 ) -> Result<(), SceneFileError> {
     let temperature = scene.loading.temperature;
-    if let Softening::JohnsonCook { melting, .. } = scene.material.softening
-        && temperature >= melting
-    {
-        let allowed = format!("below material.softening.melting = {melting:?} K");
-        return Err(origin.invalid("loading.temperature", format!("{temperature:?}"), allowed));
+    let bad_temperature =
+        |allowed: String| Err(origin.invalid("loading.temperature", format!("{temperature:?}"), allowed));
+    match &scene.material.softening {
+        Softening::JohnsonCook { melting, .. } if temperature >= *melting => {
+            return bad_temperature(format!("below material.softening.melting = {melting:?} K"));
+        }
+        Softening::Table { temperature: knots, factor }
+            if interpolate(knots, factor, temperature).0 <= 0.0 =>
+        {
+            return bad_temperature("one at which material.softening.factor is above 0".into());
+        }
+        _ => {}
+    }
+    let material = &scene.material;
+    if material.yield_strength >= material.youngs_modulus {
+        return Err(origin.invalid(
+            "material.yield_strength",
+            format!("{:?}", material.yield_strength),
+            format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus),
+        ));
     }
     if scene.model.heat == Switch::On && slip_rates.contains(&0.0) {
         let allowed = "\"auto\" or \"off\" where the slip rate is 0, the isothermal limit";

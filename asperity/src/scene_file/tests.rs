@@ -1,7 +1,7 @@
 //! What is accepted, what is refused and with which words.
 
 use super::*;
-use crate::scene::{FrictionLaw, Hardening, Kinematics, Softening, Switch};
+use crate::scene::{FrictionLaw, Hardening, Kinematics, Softening, Switch, TemperatureTable};
 
 const COMPLETE: &str = r#"
 [material]
@@ -129,7 +129,7 @@ fn another_law_replaces_that_of_the_preset() {
 
 #[test]
 fn written_scene_reads_back_the_same() {
-    let cases: [&[&str]; 8] = [
+    let cases: [&[&str]; 13] = [
         &[],
         &["material.hardening={law=\"linear\", modulus=1.234567890123e9}"],
         &["material.hardening={law=\"johnson-cook\", modulus=510e6, exponent=0.26}"],
@@ -138,6 +138,14 @@ fn written_scene_reads_back_the_same() {
         &["interface.law=coulomb", "interface.friction=0.1", "interface.cap=false"],
         &["interface.law=full-stick", "loading.control=load", "model.kinematics=finite"],
         &["interface.law=frictionless", "asperity.radius=1e-8", "model.heat=off"],
+        &["interface.strength=current"],
+        &["material.shear_fracture_energy=500"],
+        &["material.fracture_toughness_mode_ii=50e6"],
+        &["material.tensile_strength=1e9", "material.uniform_elongation=0.1"],
+        &[
+            "material.youngs_modulus={temperature=[293, 1473], value=[210e9, 5e9]}",
+            "material.thermal_conductivity={temperature=[293, 1073, 1073], value=[53.3, 27.4, 27.3]}",
+        ],
     ];
     for overrides in cases {
         let scene = scene_with(overrides).unwrap();
@@ -244,6 +252,7 @@ fn numbers_out_of_range_are_refused() {
 #[test]
 fn laws_are_checked_with_their_keys() {
     refused(&["interface.law=friction"], &["\"shear-strength\"", "\"coulomb\""]);
+    refused(&["interface.strength=flow"], &["interface.strength", "\"initial\"", "\"current\""]);
     refused(&["interface.friction=0.3"], &["interface.friction", "coulomb"]);
     refused(&["material.hardening={law=\"cubic\"}"], &["material.hardening.law", "\"linear\""]);
     refused(&["material.hardening=none"], &["material.hardening", "\"none\""]);
@@ -262,6 +271,47 @@ fn laws_are_checked_with_their_keys() {
     refused(&["material.softening={law=\"table\", temperature=[300, 200], factor=[1, 0]}"], &["rises"]);
     refused(&["material.softening={law=\"table\", temperature=[], factor=[]}"], &["not empty"]);
     refused(&["material.softening.melting=200"], &["material.softening.melting", "above reference"]);
+}
+
+#[test]
+fn properties_may_be_tables_over_temperature() {
+    let table = "material.specific_heat={temperature=[198, 398], value=[400, 500]}";
+    let scene = scene_with(&[table]).unwrap();
+    // The value at the initial temperature of 298 K.
+    assert_eq!(scene.material.specific_heat, 450.0);
+    let expected = TemperatureTable { temperature: vec![198.0, 398.0], value: vec![400.0, 500.0] };
+    assert_eq!(scene.material.dependence.specific_heat, Some(expected));
+    assert_eq!(scene.material.dependence.youngs_modulus, None);
+    // A number replaces the table of a preset.
+    let short = SHORT.replace("steel-4340\"", "carbon-steel-en1993\"\nspecific_heat = 450.0");
+    let scene = parse_scene(&short, "scene.toml", &[]).unwrap();
+    assert_eq!((scene.material.specific_heat, scene.material.dependence.specific_heat), (450.0, None));
+    assert!(scene.material.dependence.thermal_conductivity.is_some());
+
+    let key = "material.specific_heat";
+    let refuse = |table: &str, parts: &[&str]| refused(&[&format!("{key}={table}")], parts);
+    refuse("{temperature=[300, 200], value=[1, 2]}", &["specific_heat.temperature", "300", "does not fall"]);
+    refuse("{temperature=[3, 3, 3], value=[1, 2, 3]}", &["specific_heat.temperature", "a jump"]);
+    refuse("{temperature=[300, 400], value=[1]}", &["specific_heat.value", "as long as temperature (2)"]);
+    refuse("{temperature=[300, 400], value=[1, -2]}", &["specific_heat.value", "-2", "J/(kg K)"]);
+    refuse("{temperature=[], value=[]}", &["specific_heat.temperature", "not empty"]);
+    refuse("{temperature=[300]}", &["specific_heat.value is missing"]);
+    refuse("{temperatures=[300], value=[1]}", &["did you mean temperature?"]);
+    refuse("-5", &["-5", "a positive number (J/(kg K)), or { temperature"]);
+    refused(
+        &["material.softening={law=\"table\", temperature=[200, 290], factor=[1, 0]}"],
+        &["loading.temperature", "material.softening.factor"],
+    );
+}
+
+#[test]
+fn fracture_data_are_given_in_one_way() {
+    let two = ["material.shear_fracture_energy=5", "material.tensile_strength=1e9"];
+    refused(&two, &["material.tensile_strength", "left out where shear_fracture_energy is given"]);
+    refused(&["material.tensile_strength=1e9"], &["material.uniform_elongation is missing"]);
+    refused(&["material.uniform_elongation=0.1"], &["uniform_elongation", "together with tensile_strength"]);
+    refused(&["material.fracture_toughness_mode_ii=-1"], &["mode_ii", "-1", "Pa sqrt(m)"]);
+    refused(&["material.shear_fracture_energy=0"], &["shear_fracture_energy", "a positive number (J/m2)"]);
 }
 
 #[test]

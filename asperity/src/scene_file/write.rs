@@ -3,7 +3,10 @@
 use std::fmt::Write;
 
 use super::request::Request;
-use crate::scene::{Control, FrictionLaw, Hardening, Kinematics, Scene, Softening, Switch};
+use crate::scene::{
+    Control, FractureData, FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene, Softening, Switch,
+    TemperatureTable,
+};
 
 /// The whole scene as TOML; reading it gives the same scene.
 pub fn write_scene(scene: &Scene) -> String {
@@ -40,15 +43,25 @@ fn sections(scene: &Scene, point: &str) -> String {
         };
     };
     line("[material]", String::new());
-    line("youngs_modulus", number(material.youngs_modulus));
+    let tables = &material.dependence;
+    line("youngs_modulus", property(material.youngs_modulus, &tables.youngs_modulus));
     line("poisson_ratio", number(material.poisson_ratio));
     line("yield_strength", number(material.yield_strength));
     line("hardening", hardening(&material.hardening));
     line("density", number(material.density));
-    line("specific_heat", number(material.specific_heat));
-    line("thermal_conductivity", number(material.thermal_conductivity));
-    line("thermal_expansion", number(material.thermal_expansion));
+    line("specific_heat", property(material.specific_heat, &tables.specific_heat));
+    line("thermal_conductivity", property(material.thermal_conductivity, &tables.thermal_conductivity));
+    line("thermal_expansion", property(material.thermal_expansion, &tables.thermal_expansion));
     line("softening", softening(&material.softening));
+    match material.fracture {
+        None => {}
+        Some(FractureData::Energy(energy)) => line("shear_fracture_energy", number(energy)),
+        Some(FractureData::Toughness(toughness)) => line("fracture_toughness_mode_ii", number(toughness)),
+        Some(FractureData::Tensile { strength, uniform_elongation }) => {
+            line("tensile_strength", number(strength));
+            line("uniform_elongation", number(uniform_elongation));
+        }
+    }
     line("\n[asperity]", String::new());
     line("radius", number(scene.radius));
     line("\n[interface]", String::new());
@@ -57,6 +70,7 @@ fn sections(scene: &Scene, point: &str) -> String {
         line("friction", number(friction));
         line("cap", cap.to_string());
     }
+    line("strength", strength(interface.strength));
     line("strength_factor", number(interface.strength_factor));
     line("heat_partition", number(interface.heat_partition));
     line("gap_conductance", number(interface.gap_conductance));
@@ -94,6 +108,16 @@ fn number(value: f64) -> String {
 fn list(values: &[f64]) -> String {
     let numbers: Vec<String> = values.iter().map(|&value| number(value)).collect();
     format!("[{}]", numbers.join(", "))
+}
+
+/// The number, or the table that it is taken from.
+fn property(value: f64, table: &Option<TemperatureTable>) -> String {
+    match table {
+        None => number(value),
+        Some(TemperatureTable { temperature, value }) => {
+            format!("{{ temperature = {}, value = {} }}", list(temperature), list(value))
+        }
+    }
 }
 
 fn hardening(law: &Hardening) -> String {
@@ -140,6 +164,13 @@ fn law(law: &FrictionLaw) -> String {
         FrictionLaw::Coulomb { .. } => "coulomb",
         FrictionLaw::FullStick => "full-stick",
         FrictionLaw::Frictionless => "frictionless",
+    })
+}
+
+fn strength(strength: InterfaceStrength) -> String {
+    quoted(match strength {
+        InterfaceStrength::Initial => "initial",
+        InterfaceStrength::Current => "current",
     })
 }
 

@@ -4,6 +4,7 @@ use tables::closed_forms::hertz;
 use tables::table::{Axes, Metadata, Table, TableError};
 
 use super::{Finished, Index, Tabulation};
+use crate::fracture::fracture_energy;
 use crate::numbers::plain;
 use crate::provenance::SOURCE;
 use crate::scene::FrictionLaw;
@@ -64,6 +65,7 @@ impl Tabulation {
             temperature: scene.loading.temperature,
             heat_partition: interface.heat_partition,
             gap_conductance: interface.gap_conductance,
+            fracture_energy: fracture_energy(material),
         }
     }
 

@@ -1,0 +1,104 @@
+//! Piecewise linear curves with their integrals and the inverse of these.
+
+/// Piecewise linear function of x, constant beyond its ends. Two equal neighbouring abscissae make
+/// a jump, at which the right-hand value holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    knots: Vec<f64>,
+    values: Vec<f64>,
+    /// ∫₀ of the curve, at the knots.
+    integrals: Vec<f64>,
+}
+
+impl Curve {
+    /// Through the points (knots, values); knots do not fall.
+    pub fn new(knots: Vec<f64>, values: Vec<f64>) -> Self {
+        assert!(knots.len() == values.len() && !knots.is_empty(), "a curve has points");
+        let mut integrals = vec![0.0];
+        for i in 1..knots.len() {
+            let area = 0.5 * (values[i - 1] + values[i]) * (knots[i] - knots[i - 1]);
+            integrals.push(integrals[i - 1] + area);
+        }
+        let mut curve = Self { knots, values, integrals };
+        let origin = curve.integral(0.0);
+        curve.integrals.iter_mut().for_each(|integral| *integral -= origin);
+        curve
+    }
+
+    pub fn constant(value: f64) -> Self {
+        Self::new(vec![0.0], vec![value])
+    }
+
+    pub fn value(&self, x: f64) -> f64 {
+        interpolate(&self.knots, &self.values, x).0
+    }
+
+    /// ∫₀ˣ.
+    pub fn integral(&self, x: f64) -> f64 {
+        let at = self.knots.partition_point(|&knot| knot <= x).saturating_sub(1);
+        let slope = interpolate(&self.knots, &self.values, x).1;
+        let d = x - self.knots[at];
+        self.integrals[at] + d * (self.values[at] + 0.5 * slope * d)
+    }
+
+    /// The x at which ∫₀ˣ is `integral`; the curve must be positive.
+    pub fn inverse_integral(&self, integral: f64) -> f64 {
+        let after = self.integrals.partition_point(|&known| known <= integral);
+        let at = after.saturating_sub(1);
+        let (value, excess) = (self.values[at], integral - self.integrals[at]);
+        let slope = match after {
+            inner if inner > 0 && inner < self.knots.len() => {
+                (self.values[inner] - value) / (self.knots[inner] - self.knots[at])
+            }
+            _ => 0.0,
+        };
+        // The root of ½·slope·d² + value·d = excess in the form without cancellation.
+        let discriminant = (value * value + 2.0 * slope * excess).max(0.0);
+        self.knots[at] + 2.0 * excess / (value + discriminant.sqrt())
+    }
+}
+
+/// Value and slope at x of the piecewise linear function through the points, constant beyond them.
+pub fn interpolate(knots: &[f64], values: &[f64], x: f64) -> (f64, f64) {
+    let after = knots.partition_point(|&k| k <= x);
+    if after == 0 {
+        return (values[0], 0.0);
+    }
+    if after == knots.len() {
+        return (values[after - 1], 0.0);
+    }
+    let slope = (values[after] - values[after - 1]) / (knots[after] - knots[after - 1]);
+    (values[after - 1] + slope * (x - knots[after - 1]), slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rise, a fall, a jump at 2 and constant ends.
+    fn curve() -> Curve {
+        Curve::new(vec![-1.0, 1.0, 2.0, 2.0, 5.0], vec![1.0, 3.0, 0.5, 4.0, 4.0])
+    }
+
+    #[test]
+    fn integral_is_the_area_under_the_curve() {
+        let curve = curve();
+        assert_eq!(curve.integral(0.0), 0.0);
+        // By hand: from 0 to 1 the mean is 2.5, from 1 to 2 it is 1.75, then 4.
+        for (x, area) in [(1.0, 2.5), (2.0, 4.25), (3.0, 8.25), (7.0, 24.25), (-1.0, -1.5), (-3.0, -3.5)] {
+            assert!((curve.integral(x) - area).abs() < 1e-14, "{x}");
+        }
+        assert_eq!((curve.value(2.0), curve.value(1.5), curve.value(-9.0)), (4.0, 1.75, 1.0));
+    }
+
+    #[test]
+    fn inverse_integral_undoes_the_integral() {
+        for curve in [curve(), Curve::constant(0.3)] {
+            for i in -400..800 {
+                let x = 0.01 * i as f64 + 0.003;
+                let back = curve.inverse_integral(curve.integral(x));
+                assert!((back - x).abs() < 1e-13 * (1.0 + x.abs()), "{x} {back}");
+            }
+        }
+    }
+}
