@@ -306,7 +306,7 @@ yield_strength = 400e6
             (
                 "\"gaussian\"",
                 "\"gausian\"",
-                "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, sample (did you mean \"gaussian\"?)",
+                "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, sample, histogram (did you mean \"gaussian\"?)",
             ),
         ] {
             assert_eq!(message(from, to), expected);
