@@ -26,8 +26,11 @@ fn main() -> anyhow::Result<()> {
 
     // 2. The surface: one summit of 1 mm radius in 100 µm × 100 µm.
     let deviation = 0.4e-6;
-    let surface =
-        Surface { asperity_density: 1e8, asperity_radius: 1e-3, heights: Box::new(Gaussian::new(deviation)) };
+    let surface = Surface {
+        asperity_density: 1e8,
+        asperity_radius: 1e-3.into(),
+        heights: Box::new(Gaussian::new(deviation)),
+    };
     let critical = law.critical_interference(surface.asperity_radius);
     println!("asperity law {}, plasticity index {:.2}", law.name(), (deviation / critical).sqrt());
 

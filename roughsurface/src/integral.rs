@@ -285,21 +285,20 @@ impl<'a> HeightIntegral<'a> {
         let critical = self.asperity.critical_interference();
         let weight = 1.0 / heights.len() as f64;
         let mut total = [0.0; QUANTITIES];
-        let mut highest_load = Vec::new();
-        for &height in heights.iter().take_while(|&&height| height > separation) {
-            let interference = (height - separation) / critical;
-            let values = quantities(&self.asperity, interference)?;
+        let touching = heights.iter().take_while(|&&height| height > separation);
+        for &height in touching.clone() {
+            let values = quantities(&self.asperity, (height - separation) / critical)?;
             for (sum, value) in total.iter_mut().zip(values) {
                 *sum += weight * value;
             }
-            highest_load.push((interference, weight * values[LOAD]));
         }
         let tail = self.heights.tail(separation);
         let mut state = self.scaled(tail, &total, &[0.0; QUANTITIES]);
         if state.outside > NEGLIGIBLE_SHARE {
             let mut beyond = 0.0;
-            for (interference, load) in highest_load {
-                beyond += load;
+            for &height in touching {
+                let interference = (height - separation) / critical;
+                beyond += weight * quantities(&self.asperity, interference)?[LOAD];
                 if beyond > NEGLIGIBLE_SHARE * total[LOAD] {
                     state.reach = interference;
                     break;

@@ -23,10 +23,15 @@ pub mod monte_carlo;
 pub mod monte_carlo_file;
 mod panels;
 pub mod query;
+pub mod radii;
+pub mod rate_dependence;
+pub mod regime;
 pub mod separation;
 pub mod slip_curve;
 pub mod summary;
 pub mod surface_file;
+pub mod surface_integral;
+mod sweep;
 
 #[cfg(test)]
 mod test_laws;

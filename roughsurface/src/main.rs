@@ -180,7 +180,7 @@ fn run_predict(options: &Predict) -> Result<(), Failure> {
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(input)?;
     }
-    let radius = file.surface.asperity_radius;
+    let radius = file.surface.asperity_radius.mean();
     if options.run.verbose {
         let critical = law.critical_interference(radius);
         let std = file.surface.heights.standard_deviation();

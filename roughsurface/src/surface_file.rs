@@ -5,6 +5,8 @@
 //! asperity_density = 1e10        # summits per nominal area, 1/m²
 //! asperity_radius = 100e-6       # m
 //! heights = { distribution = "gaussian", std = 0.5e-6 }
+//! radii = { distribution = "lognormal", std = 30e-6 }    # optional: asperity_radius is their mean;
+//!                                # or { distribution = "classes", radius = [..], share = [..] }
 //!
 //! [query]
 //! pressure = [1e5, 1e6, 1e7]     # nominal, Pa; or separation = [..] in m
@@ -19,6 +21,7 @@
 
 use crate::heights::{self, HeightsKeys};
 use crate::query::{Hold, Pressing, Query, Surface};
+use crate::radii::{LARGEST_VARIATION, Radii};
 use serde::Deserialize;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
@@ -56,8 +59,25 @@ struct FileKeys {
 #[serde(deny_unknown_fields)]
 struct SurfaceKeys {
     asperity_density: f64,
-    asperity_radius: f64,
+    asperity_radius: Option<f64>,
+    radii: Option<RadiiKeys>,
     heights: HeightsKeys,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RadiiKeys {
+    distribution: RadiiDistribution,
+    std: Option<f64>,
+    radius: Option<Vec<f64>>,
+    share: Option<Vec<f64>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum RadiiDistribution {
+    LogNormal,
+    Classes,
 }
 
 #[derive(Deserialize)]
@@ -108,9 +128,9 @@ impl SurfaceFile {
 }
 
 fn build(keys: FileKeys, folder: &Path, text: &str) -> Result<SurfaceFile, String> {
-    let SurfaceKeys { asperity_density, asperity_radius, heights } = keys.surface;
+    let SurfaceKeys { asperity_density, asperity_radius, radii, heights } = keys.surface;
     positive("surface.asperity_density", asperity_density, "1/m2")?;
-    positive("surface.asperity_radius", asperity_radius, "m")?;
+    let asperity_radius = radii_of(asperity_radius, radii)?;
     let heights = heights::build(&heights, folder).map_err(|error| format!("surface.heights.{error}"))?;
 
     let pressing = match (keys.query.pressure, keys.query.separation) {
@@ -140,6 +160,48 @@ fn build(keys: FileKeys, folder: &Path, text: &str) -> Result<SurfaceFile, Strin
         material: keys.material,
         text: text.to_string(),
     })
+}
+
+/// One radius, or the distribution that the keys describe.
+fn radii_of(mean: Option<f64>, keys: Option<RadiiKeys>) -> Result<Radii, String> {
+    let mean = || {
+        let mean = mean.ok_or("surface.asperity_radius: is missing")?;
+        positive("surface.asperity_radius", mean, "m").map(|()| mean)
+    };
+    let Some(RadiiKeys { distribution, std, radius, share }) = keys else {
+        return Ok(Radii::from(mean()?));
+    };
+    let useless = |key: &str, given: bool, name: &str| match given {
+        true => Err(format!("surface.radii.{key}: has no meaning for the distribution {name}")),
+        false => Ok(()),
+    };
+    match distribution {
+        RadiiDistribution::LogNormal => {
+            useless("radius", radius.is_some(), "lognormal")?;
+            useless("share", share.is_some(), "lognormal")?;
+            let mean = mean()?;
+            let std = std.ok_or("surface.radii.std: is missing")?;
+            positive("surface.radii.std", std, "m")?;
+            if std > LARGEST_VARIATION * mean {
+                return Err(allowed(
+                    "surface.radii.std",
+                    format!("{std:e}"),
+                    &format!("must not exceed asperity_radius = {mean:e} m"),
+                ));
+            }
+            Ok(Radii::log_normal(mean, std))
+        }
+        RadiiDistribution::Classes => {
+            useless("std", std.is_some(), "classes")?;
+            if mean().is_ok() {
+                return Err("surface.asperity_radius: follows from surface.radii.radius; leave it out".into());
+            }
+            let (radius, share) = (radius.unwrap_or_default(), share.unwrap_or_default());
+            Radii::counted(&radius, &share).ok_or_else(|| {
+                "surface.radii: radius (m) and share must be lists of as many positive numbers".into()
+            })
+        }
+    }
 }
 
 fn allowed(key: &str, value: impl Display, rule: &str) -> String {
@@ -257,7 +319,7 @@ yield_strength = 400e6
         let file = parse(GOOD).unwrap();
         assert_eq!(file.query.pressing, Pressing::Pressure(vec![1e5, 1e7]));
         assert_eq!(file.query.hold, Hold::Separation);
-        assert_eq!(file.surface.asperity_radius, 1e-4);
+        assert_eq!(file.surface.asperity_radius, Radii::from(1e-4));
         assert_eq!(file.material.unwrap().poisson_ratio, 0.3);
         assert_eq!(file.text, GOOD);
         let short = parse(&GOOD.replace("hold = \"separation\"", "")).unwrap();
@@ -310,6 +372,30 @@ yield_strength = 400e6
             ),
         ] {
             assert_eq!(message(from, to), expected);
+        }
+    }
+
+    #[test]
+    fn radii_may_be_distributed() {
+        let radii = |line: &str, radius: &str| {
+            let line = format!("{radius}\nradii = {{ {line} }}");
+            parse(&GOOD.replace("asperity_radius = 100e-6", &line)).map(|file| file.surface.asperity_radius)
+        };
+        let mean = "asperity_radius = 100e-6";
+        let found = radii("distribution = \"lognormal\", std = 30e-6", mean).unwrap();
+        assert_eq!(found, Radii::log_normal(1e-4, 3e-5));
+        let classes = "distribution = \"classes\", radius = [1e-5, 2e-5], share = [1.0, 1.0]";
+        assert!((radii(classes, "").unwrap().mean() - 1.5e-5).abs() < 1e-18);
+        for (line, radius, expected) in [
+            (classes, mean, "surface.asperity_radius: follows from"),
+            ("distribution = \"lognormal\", std = 3e-4", mean, "surface.radii.std = 3e-4: must not exceed"),
+            ("distribution = \"lognormal\"", mean, "surface.radii.std: is missing"),
+            ("distribution = \"lognormal\", std = 3e-5", "", "surface.asperity_radius: is missing"),
+            ("distribution = \"classes\", radius = [1e-5]", "", "as many positive numbers"),
+            ("distribution = \"gamma\"", mean, "unknown variant"),
+        ] {
+            let message = radii(line, radius).unwrap_err().to_string();
+            assert!(message.contains(expected) && message.lines().count() == 1, "{message}");
         }
     }
 
