@@ -18,9 +18,9 @@ pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
 const MOST_ROUNDS: usize = 60;
 
 /// Across a panel the logarithm of the density may change by this much before the
-/// panel is halved unseen: ten points still see the exponential, and the error
+/// panel is halved unseen: its points still see the exponential, and the error
 /// control does the rest.
-const DENSITY_RANGE: f64 = 12.0;
+const DENSITY_RANGE: f64 = 25.0;
 
 /// The start of contact of a law without kinks and the growth of the panels
 /// beyond the last kink: each is twice as long in √ω as the one before.

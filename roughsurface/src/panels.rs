@@ -129,7 +129,11 @@ impl Panel {
     /// Integral over the panel with summits of density `heights` above a flat at `separation`,
     /// and its error: what the ten-point Gauss rule would differ, a generous one.
     pub fn integral(&self, heights: &dyn Heights, separation: f64) -> (Sums, Sums) {
-        let mut density = self.interference.map(|interference| separation + interference);
+        // Whole vectors of eight: what is left over would go through the exponential one by one.
+        let mut density = [separation; POINTS.next_multiple_of(8)];
+        for (height, interference) in density.iter_mut().zip(&self.interference) {
+            *height += interference;
+        }
         heights.densities(&mut density);
         let mut sums = [0.0; QUANTITIES];
         let mut difference = [0.0; QUANTITIES];

@@ -20,7 +20,8 @@ pub struct Carried {
     /// Distance of the flat from the plane of the heights, m.
     pub separation: f64,
     pub state: ContactState,
-    /// State a little closer to the surface, at `separation − step`.
+    /// State a little closer to the surface or, if the step is negative, farther from it: at
+    /// `separation − step`.
     closer: ContactState,
     step: f64,
 }
@@ -74,7 +75,7 @@ impl Carried {
 
     /// |d(quantity)/d(separation)|, unit of the quantity per metre.
     pub fn slope(&self, quantity: impl Fn(&ContactState) -> f64) -> f64 {
-        (quantity(&self.closer) - quantity(&self.state)).abs() / self.step
+        (quantity(&self.closer) - quantity(&self.state)).abs() / self.step.abs()
     }
 
     /// Error of the separation (m): of the pressure, through its slope, and of the
@@ -90,6 +91,10 @@ impl Carried {
 /// Steps of the bracketing and of the root search: doubling reaches any
 /// separation of interest in a few, halving any accuracy in sixty.
 const MOST_STEPS: usize = 200;
+
+/// Steps of the search, in two standard deviations of the heights, that are long against the
+/// rounding of the integrals and short against their curvature.
+const USEFUL: std::ops::Range<f64> = 1e-5..0.02;
 
 /// Steps after which the secant gives way to the bracket.
 const SECANT_STEPS: usize = 8;
@@ -110,21 +115,30 @@ pub fn separation_for(
     let longest = 2.0 * heights.standard_deviation();
     let mut here = start.separation;
     let mut slope = start.slope;
-    let mut last: Option<(f64, f64)> = None;
+    let mut last: Option<(f64, f64, ContactState)> = None;
     for _ in 0..SECANT_STEPS {
         let state = integral.at(here)?;
         let excess = (state.pressure.value / pressure).ln();
         if excess.abs() <= tolerance {
-            return Ok(Carried::of(integral, heights, here, state)?);
+            return match last {
+                // A step of the search is as good for the sensitivity as one made for it.
+                Some((before, _, beside)) if USEFUL.contains(&((here - before).abs() / longest)) => {
+                    let mut carried =
+                        Carried { separation: here, state, closer: beside, step: here - before };
+                    integral.complete_errors(here, &mut carried.state)?;
+                    Ok(carried)
+                }
+                _ => Ok(Carried::of(integral, heights, here, state)?),
+            };
         }
-        if let Some((before, excess_before)) = last {
+        if let Some((before, excess_before, _)) = last {
             slope = (excess - excess_before) / (here - before);
         }
         // Neither where nothing touches nor where the pressure does not fall is there a secant.
         if !(slope < 0.0 && excess.is_finite() && slope.is_finite()) {
             break;
         }
-        last = Some((here, excess));
+        last = Some((here, excess, state));
         here -= (excess / slope).clamp(-longest, longest);
     }
     bracketed(integral, heights, pressure, start.separation, tolerance)
