@@ -19,6 +19,7 @@ use crate::regime::{RegimeShares, plasticity_index};
 use crate::separation::{Carried, SeparationError};
 use crate::slip_curve::{SlipState, slip_grid};
 use crate::sweep::Sweep;
+use crate::uncertainty::Propagated;
 use rayon::prelude::*;
 use tables::law::{AsperityLaw, Estimate, LookupError};
 
@@ -106,6 +107,8 @@ pub struct Prediction {
     pub plasticity_index: f64,
     /// Flash-heating parameters per pressure or separation.
     pub flash_heating: Vec<Result<FlashHeating, NoFit>>,
+    /// What uncertain parameters mean for the results; filled in by who asked for it.
+    pub propagated: Option<Propagated>,
     /// What the user should know before believing the numbers.
     pub warnings: Vec<String>,
 }
@@ -201,6 +204,7 @@ pub fn predict(
         friction,
         plasticity_index: plasticity_index(law, surface),
         flash_heating,
+        propagated: None,
         warnings,
     })
 }

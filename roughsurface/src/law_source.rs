@@ -38,9 +38,32 @@ pub fn asperity_law(
     }
 }
 
+/// Melting temperature (K) of the material that a table was computed for, from the scene that it
+/// carries: what its softening law calls `melting`. None for closed forms and other softening.
+pub fn melting_temperature(asked: &str) -> Option<f64> {
+    if asked.starts_with("model:") {
+        return None;
+    }
+    let table = Table::read(Path::new(asked)).ok()?;
+    melting_of(&table.metadata().scene)
+}
+
+fn melting_of(scene: &str) -> Option<f64> {
+    let scene: toml::Table = scene.parse().ok()?;
+    scene.get("material")?.get("softening")?.get("melting")?.as_float()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_scene_of_a_table_knows_the_melting_temperature() {
+        let scene = "[material]\nsoftening = { law = \"johnson-cook\", melting = 1793.0 }\n";
+        assert_eq!(melting_of(scene), Some(1793.0));
+        assert_eq!(melting_of("[material]\nsoftening = { law = \"none\" }\n"), None);
+        assert_eq!(melting_of(""), None);
+    }
 
     #[test]
     fn closed_forms_need_a_known_name_and_a_material() {

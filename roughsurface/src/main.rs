@@ -5,12 +5,13 @@ use clap::{Args, Parser, Subcommand};
 use roughsurface::friction::{PredictionError, Settings, end_of_slide, predict};
 use roughsurface::friction_figure::figure;
 use roughsurface::friction_file::{self, Origin};
-use roughsurface::law_source::asperity_law;
+use roughsurface::law_source::{asperity_law, melting_temperature};
 use roughsurface::monte_carlo::{Sampling, sample};
 use roughsurface::monte_carlo_file;
 use roughsurface::separation::SeparationError;
 use roughsurface::summary;
 use roughsurface::surface_file::SurfaceFile;
+use roughsurface::uncertainty::propagate;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -29,7 +30,14 @@ A surface file, surface.toml:
     hold = \"load\"               # or \"separation\"
 
 Heights: gaussian, exponential, uniform (std); truncated-gaussian (std, lower, upper);
-weibull, lognormal (std, shape); sample (file of heights in metres).
+weibull, lognormal (std, shape); sample (file of heights in metres); histogram (file of lower
+edges of bins in metres and counts, a last line with the upper edge alone).
+Radii that differ: radii = { distribution = \"lognormal\", std = 30e-6 } beside asperity_radius,
+their mean, or radii = { distribution = \"classes\", radius = [..], share = [..] } without it.
+Uncertain parameters, by standard deviation, are propagated to the results:
+    [uncertainty]
+    heights_std = 0.05e-6       # also asperity_density, asperity_radius and, for closed forms,
+    yield_strength = 20e6       # youngs_modulus, poisson_ratio, yield_strength
 
 Exit status: 0 done, 1 failed, 2 bad input or usage.";
 
@@ -85,6 +93,9 @@ struct Predict {
     /// Continue the table beyond its last interference, and say so
     #[arg(long)]
     extrapolate: bool,
+    /// Relative error of integrals and pressures, 1e-6 unless given
+    #[arg(long, value_name = "X", value_parser = tolerance)]
+    tolerance: Option<f64>,
     #[command(flatten)]
     run: RunOptions,
 }
@@ -116,6 +127,13 @@ struct SampleOptions {
     extrapolate: bool,
     #[command(flatten)]
     run: RunOptions,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(tolerance) if (1e-12..=1e-3).contains(&tolerance) => Ok(tolerance),
+        _ => Err("must lie between 1e-12 and 1e-3".into()),
+    }
 }
 
 fn slip_length(text: &str) -> Result<f64, String> {
@@ -191,17 +209,27 @@ fn run_predict(options: &Predict) -> Result<(), Failure> {
             law.interference_limit()
         );
     }
-    let settings = Settings { extrapolate: options.extrapolate, ..Settings::default() };
+    let settings = Settings {
+        extrapolate: options.extrapolate,
+        melting_temperature: melting_temperature(&options.table),
+        ..Settings::default()
+    };
+    let settings = Settings { tolerance: options.tolerance.unwrap_or(settings.tolerance), ..settings };
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "slips");
     let started = std::time::Instant::now();
-    let prediction = pool
+    let mut prediction = pool
         .install(|| {
             predict(law.as_ref(), &file.surface, &file.query, &settings, &|done, total| {
                 progress.show(done, total)
             })
         })
         .map_err(failure)?;
+    if !file.uncertain.is_empty() {
+        let shown = |done, total| progress.show(done, total);
+        let propagated = pool.install(|| propagate(&file, &options.table, &settings, &shown));
+        prediction.propagated = Some(propagated.map_err(input)?);
+    }
     progress.clear();
     if options.run.verbose {
         eprintln!(

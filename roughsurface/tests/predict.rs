@@ -171,7 +171,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
     let output = folder.run("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let summary = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert_eq!(summary.lines().count(), 1 + 15 + 1 + 2 + 3, "{summary}");
+    assert_eq!(summary.lines().count(), 2 + 1 + 15 + 1 + 2 + 3, "{summary}");
     assert!(std::fs::metadata(folder.path("f.svg")).unwrap().len() > 10_000);
 
     let surface = SurfaceFile::read(&folder.path("surface.toml")).unwrap();
