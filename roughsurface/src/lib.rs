@@ -32,6 +32,7 @@ pub mod summary;
 pub mod surface_file;
 pub mod surface_integral;
 mod sweep;
+pub mod topography;
 pub mod uncertainty;
 
 #[cfg(test)]
