@@ -75,7 +75,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
         Some(file) => (
             found.found.density,
             found.found.radius,
-            format!("{{ distribution = \"sample\", file = \"{file}\" }}"),
+            format!("{{ distribution = \"sample\", file = {} }}", json!(file)),
             found.found.mean,
         ),
         None => (
