@@ -12,6 +12,7 @@
 //! the flat has hardly moved and the approximation is good; compare `hold =
 //! "separation"` to see how much it can matter.
 
+use crate::comparison::Comparison;
 use crate::flash_heating::{self, FlashHeating, NoFit};
 use crate::query::{Query, Surface};
 use crate::rate_dependence::rate_sensitivity;
@@ -109,6 +110,8 @@ pub struct Prediction {
     pub flash_heating: Vec<Result<FlashHeating, NoFit>>,
     /// What uncertain parameters mean for the results; filled in by who asked for it.
     pub propagated: Option<Propagated>,
+    /// What models of the literature say; filled in by who asked for it.
+    pub comparisons: Vec<Comparison>,
     /// What the user should know before believing the numbers.
     pub warnings: Vec<String>,
 }
@@ -205,6 +208,7 @@ pub fn predict(
         plasticity_index: plasticity_index(law, surface),
         flash_heating,
         propagated: None,
+        comparisons: Vec::new(),
         warnings,
     })
 }

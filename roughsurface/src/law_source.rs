@@ -38,14 +38,42 @@ pub fn asperity_law(
     }
 }
 
-/// Melting temperature (K) of the material that a table was computed for, from the scene that it
-/// carries: what its softening law calls `melting`. None for closed forms and other softening.
-pub fn melting_temperature(asked: &str) -> Option<f64> {
+/// What else the source of a law knows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Background {
+    /// The asperities' material, for comparison with closed forms.
+    pub material: Option<ElasticPlastic>,
+    /// Melting temperature, K: what the softening law of a table's scene calls `melting`.
+    pub melting_temperature: Option<f64>,
+}
+
+/// What a table knows of its material; of a closed form, the `material` of the surface file.
+pub fn background(asked: &str, material: Option<&ElasticPlastic>) -> Background {
     if asked.starts_with("model:") {
-        return None;
+        return Background { material: material.copied(), melting_temperature: None };
     }
-    let table = Table::read(Path::new(asked)).ok()?;
-    melting_of(&table.metadata().scene)
+    let Ok(table) = Table::read(Path::new(asked)) else {
+        return Background::default();
+    };
+    let metadata = table.metadata();
+    let nu = metadata.poisson_ratio;
+    let of_table = ElasticPlastic {
+        youngs_modulus: metadata.contact_modulus * (1.0 - nu * nu),
+        poisson_ratio: nu,
+        yield_strength: metadata.yield_strength,
+    };
+    Background { material: Some(of_table), melting_temperature: melting_of(&metadata.scene) }
+}
+
+/// What holds for a closed form only under conditions that `material` does not meet.
+pub fn caveat(asked: &str, material: &ElasticPlastic) -> Option<String> {
+    let off = (material.poisson_ratio - 0.3).abs() > 0.02;
+    (asked.ends_with("chang-etsion-bogy") && off).then(|| {
+        format!(
+            "chang-etsion-bogy: its static friction was published for a Poisson ratio of 0.3, not {}",
+            material.poisson_ratio
+        )
+    })
 }
 
 fn melting_of(scene: &str) -> Option<f64> {

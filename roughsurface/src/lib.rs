@@ -11,6 +11,7 @@
 //! or rough counter-face.
 
 pub mod asperity_at_slip;
+pub mod comparison;
 pub mod contact_state;
 pub mod flash_heating;
 pub mod friction;
@@ -26,6 +27,7 @@ pub mod query;
 pub mod radii;
 pub mod rate_dependence;
 pub mod regime;
+pub mod report;
 pub mod separation;
 pub mod slip_curve;
 pub mod summary;

@@ -82,6 +82,24 @@ pub fn text(prediction: &Prediction) -> String {
     if let Some(propagated) = &prediction.propagated {
         text.push_str(&parameters(prediction, propagated));
     }
+    if !prediction.comparisons.is_empty() {
+        text.push_str("\nWith asperities after models of the literature:\n");
+        let head = [row_head, "model", "mu_static", "mu", "area fraction"].map(String::from);
+        let mut rows = vec![head.to_vec()];
+        for (row, value) in pressing.iter().enumerate() {
+            for comparison in &prediction.comparisons {
+                let cell = &comparison.friction[row];
+                rows.push(vec![
+                    format!("{value:.3e}"),
+                    comparison.model.clone(),
+                    format!("{:.4}", cell.mu_static.value),
+                    format!("{:.4}", cell.sliding.mu.value),
+                    format!("{:.3e}", cell.sliding.area_fraction.value),
+                ]);
+            }
+        }
+        text.push_str(&aligned(&rows));
+    }
     if prediction.query.slip_rates.len() > 1 {
         text.push('\n');
         text.push_str("Flash heating, mu = mu_w + (mu_0 - mu_w)/[1 + (V/V_w)^8]^(1/8):\n");
@@ -203,12 +221,28 @@ pub fn json(prediction: &Prediction) -> Value {
             cell["parameter_std"] = Value::Object(stds.collect());
         }
     }
+    let comparisons: Vec<Value> = prediction
+        .comparisons
+        .iter()
+        .flat_map(|comparison| {
+            pressing.iter().zip(&comparison.friction).map(move |(value, cell)| {
+                json!({
+                    "model": comparison.model,
+                    row: value,
+                    "mu_static": cell.mu_static,
+                    "mu": cell.sliding.mu,
+                    "real_area_fraction": cell.sliding.area_fraction,
+                })
+            })
+        })
+        .collect();
     json!({
         "law": prediction.law,
         "hold": prediction.query.hold,
         "plasticity_index": prediction.plasticity_index,
         "regime": regime(prediction.plasticity_index),
         "friction": cells,
+        "comparisons": comparisons,
         "flash_heating": fits,
         "warnings": prediction.warnings,
     })

@@ -1,15 +1,19 @@
 //! `roughsurface predict`.
 
 use super::common::*;
+use anyhow::anyhow;
 use clap::Args;
+use roughsurface::comparison::compare;
 use roughsurface::friction::{Settings, predict};
 use roughsurface::friction_figure::figure;
 use roughsurface::friction_file::{self, Origin};
-use roughsurface::law_source::{asperity_law, melting_temperature};
+use roughsurface::law_source::{asperity_law, background, caveat};
+use roughsurface::report;
 use roughsurface::summary;
 use roughsurface::surface_file::SurfaceFile;
 use roughsurface::uncertainty::propagate;
 use std::path::PathBuf;
+use tables::closed_forms::NAMES;
 use tables::figure::Figure;
 
 pub const HELP: &str = "\
@@ -19,6 +23,8 @@ Examples:
   From a closed form of the literature; surface.toml then needs
   [material] with youngs_modulus, poisson_ratio and yield_strength:
     roughsurface predict surface.toml --table model:kogut-etsion -o friction.nc
+  The same beside the models of the literature, with a report for the browser:
+    roughsurface predict surface.toml --table table.nc -o friction.nc --compare all --report friction.html
   Summary for a script:
     roughsurface predict surface.toml --table table.nc -o friction.nc --json | jq .friction
 
@@ -38,6 +44,12 @@ pub struct Predict {
     /// Plot of the result (.svg or .png)
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// Models to compare with, separated by commas, or all
+    #[arg(long, value_name = "MODELS", value_delimiter = ',')]
+    compare: Vec<String>,
+    /// Report with figures, parameters, errors and warnings, one file for any browser
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
     /// Continue the table beyond its last interference, and say so
     #[arg(long)]
     extrapolate: bool,
@@ -46,6 +58,17 @@ pub struct Predict {
     tolerance: Option<f64>,
     #[command(flatten)]
     run: RunOptions,
+}
+
+/// Names of closed forms.
+fn models(asked: &[String]) -> Result<Vec<String>, Failure> {
+    if asked.iter().any(|name| name == "all") {
+        return Ok(NAMES.map(String::from).to_vec());
+    }
+    match asked.iter().find(|name| !NAMES.contains(&name.as_str())) {
+        Some(name) => Err(input(anyhow!("--compare {name}: must be among {}, or all", NAMES.join(", ")))),
+        None => Ok(asked.to_vec()),
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -59,8 +82,10 @@ fn tolerance(text: &str) -> Result<f64, String> {
 pub fn run(options: &Predict) -> Result<(), Failure> {
     let file = SurfaceFile::read(&options.surface).map_err(input)?;
     let law = asperity_law(&options.table, file.material.as_ref()).map_err(input)?;
+    let background = background(&options.table, file.material.as_ref());
+    let models = models(&options.compare)?;
     // Known before the work, not after it.
-    for path in std::iter::once(&options.output).chain(&options.plot) {
+    for path in std::iter::once(&options.output).chain(&options.plot).chain(&options.report) {
         check_folder(path)?;
     }
     if let Some(plot) = &options.plot {
@@ -79,7 +104,7 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
     }
     let settings = Settings {
         extrapolate: options.extrapolate,
-        melting_temperature: melting_temperature(&options.table),
+        melting_temperature: background.melting_temperature,
         ..Settings::default()
     };
     let settings = Settings { tolerance: options.tolerance.unwrap_or(settings.tolerance), ..settings };
@@ -98,6 +123,12 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
         let propagated = pool.install(|| propagate(&file, &options.table, &settings, &shown));
         prediction.propagated = Some(propagated.map_err(input)?);
     }
+    if let Some(material) = &background.material {
+        let compared = pool.install(|| compare(&models, material, &file.surface, &file.query, &settings));
+        prediction.comparisons = compared.map_err(failure)?;
+        let caveats = models.iter().map(String::as_str).chain(options.table.strip_prefix("model:"));
+        prediction.warnings.extend(caveats.filter_map(|model| caveat(model, material)));
+    }
     progress.clear();
     if options.run.verbose {
         eprintln!(
@@ -113,6 +144,9 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
         .map_err(|error| Failure::Run(error.into()))?;
     if let Some(plot) = &options.plot {
         figure(&prediction).save(plot).map_err(|error| Failure::Run(error.into()))?;
+    }
+    if let Some(report) = &options.report {
+        write_whole(report, report::html(&prediction, &origin).as_bytes())?;
     }
     summarise(
         options.run.quiet,
