@@ -105,10 +105,9 @@ pub fn propagate(
     settings: &Settings,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Propagated, UncertaintyError> {
-    if !table.starts_with("model:") {
-        if let Some(fixed) = file.uncertain.iter().find(|uncertain| uncertain.parameter.is_of_material()) {
-            return Err(UncertaintyError::Fixed { key: fixed.parameter.key() });
-        }
+    let fixed = file.uncertain.iter().find(|uncertain| uncertain.parameter.is_of_material());
+    if let Some(fixed) = fixed.filter(|_| !table.starts_with("model:")) {
+        return Err(UncertaintyError::Fixed { key: fixed.parameter.key() });
     }
     let mut propagated = Propagated { parameters: file.uncertain.clone(), contributions: Vec::new() };
     for uncertain in &file.uncertain {
