@@ -31,7 +31,7 @@ fn main() -> anyhow::Result<()> {
         asperity_radius: 1e-3.into(),
         heights: Box::new(Gaussian::new(deviation)),
     };
-    let critical = law.critical_interference(surface.asperity_radius);
+    let critical = law.critical_interference(surface.asperity_radius.mean());
     println!("asperity law {}, plasticity index {:.2}", law.name(), (deviation / critical).sqrt());
 
     // 3. The question: nominal pressures and slip rates, the load held while it slides.

@@ -326,6 +326,9 @@ mod tests {
         assert!(scattered.lower < exact && exact < scattered.upper);
     }
 
+    /// Name, value of the integral, and value of a drawn surface.
+    type Expected = (&'static str, f64, fn(&Draw) -> f64);
+
     #[test]
     fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
         // At a held separation pressure, friction stress, area and number are means over the
@@ -350,7 +353,7 @@ mod tests {
             let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-9);
             for (row, &separation) in query.pressing.values().iter().enumerate() {
                 let state = integral.at(separation).unwrap();
-                let expected: [(&str, f64, fn(&Draw) -> f64); 4] = [
+                let expected: [Expected; 4] = [
                     ("pressure", state.pressure.value, |draw| draw.pressure),
                     ("friction stress", state.shear.value, |draw| draw.shear),
                     ("area", state.area_fraction.value, |draw| draw.area_fraction),
