@@ -26,9 +26,12 @@ fn main() -> anyhow::Result<()> {
 
     // 2. The surface: one summit of 1 mm radius in 100 µm × 100 µm.
     let deviation = 0.4e-6;
-    let surface =
-        Surface { asperity_density: 1e8, asperity_radius: 1e-3, heights: Box::new(Gaussian::new(deviation)) };
-    let critical = law.critical_interference(surface.asperity_radius);
+    let surface = Surface {
+        asperity_density: 1e8,
+        asperity_radius: 1e-3.into(),
+        heights: Box::new(Gaussian::new(deviation)),
+    };
+    let critical = law.critical_interference(surface.asperity_radius.mean());
     println!("asperity law {}, plasticity index {:.2}", law.name(), (deviation / critical).sqrt());
 
     // 3. The question: nominal pressures and slip rates, the load held while it slides.

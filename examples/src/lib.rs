@@ -5,6 +5,7 @@
 //! | one asperity, pressed and slid, from Rust | `cargo run --release -p examples --example hertz_to_slide` |
 //! | friction of a Gaussian surface, from Rust | `cargo run --release -p examples --example rough_surface [table.nc]` |
 //! | the same as the first, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
+//! | a brake disc, bearing steel, a granite fault | `roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc` |
 //! | material and roughness to friction, the main job | `examples/friction-of-steel.sh` |
 
 use std::path::PathBuf;

@@ -13,6 +13,12 @@ pub struct Integral {
 }
 
 impl Integral {
+    fn add(&mut self, share: f64, other: Integral) {
+        self.value += share * other.value;
+        self.law_error += share * other.law_error;
+        self.quadrature_error += share * other.quadrature_error;
+    }
+
     /// Value with the sum of the errors.
     pub fn estimate(&self) -> Estimate {
         Estimate { value: self.value, error: self.law_error + self.quadrature_error }
@@ -42,6 +48,23 @@ pub struct ContactState {
 }
 
 impl ContactState {
+    /// Adds a `share` of another state to this one.
+    pub(crate) fn add(&mut self, share: f64, other: &ContactState) {
+        let load = self.pressure.value + share * other.pressure.value;
+        let of_load = if load > 0.0 { share * other.pressure.value / load } else { 0.0 };
+        let average = |mean: f64, value: f64| mean + of_load * (value - mean);
+        self.loaded_radius = average(self.loaded_radius, other.loaded_radius);
+        self.outside = average(self.outside, other.outside);
+        self.reach = self.reach.max(other.reach);
+        self.contact_density += share * other.contact_density;
+        self.pressure.add(share, other.pressure);
+        self.shear.add(share, other.shear);
+        self.area_fraction.add(share, other.area_fraction);
+        if let Some(energy) = other.energy {
+            self.energy.get_or_insert_default().add(share, energy);
+        }
+    }
+
     /// Friction over load, with its error if `shear` and `pressure` err in
     /// opposite directions.
     pub fn friction_coefficient(&self) -> Estimate {

@@ -18,6 +18,15 @@ pub struct FlashHeating {
     pub v_w: Estimate,
     /// Root mean square misfit, 1.
     pub misfit: f64,
+    /// R², share of the variance of μ over the slip rates that the fit explains, 1.
+    pub r_squared: f64,
+}
+
+impl FlashHeating {
+    /// Fitted friction coefficient at `slip_rate` (m/s).
+    pub fn friction_coefficient(&self, slip_rate: f64) -> f64 {
+        self.mu_w.value + (self.mu_0.value - self.mu_w.value) * remaining(slip_rate, self.v_w.value)
+    }
 }
 
 /// Why there are no parameters.
@@ -101,11 +110,14 @@ pub fn fit(slip_rates: &[f64], mu: &[Estimate]) -> Result<FlashHeating, NoFit> {
     let (mu_0, mu_w, squares) = linear_fit(&rates, &mu, v_w);
     let errors = parameter_errors(&rates, &mu, mu_0 - mu_w, v_w, squares).ok_or(NoFit::OnsetOutside)?;
     let estimate = |value: f64, error: f64| Estimate { value, error };
+    let mean = values().sum::<f64>() / mu.len() as f64;
+    let variance: f64 = values().map(|value| (value - mean).powi(2)).sum();
     Ok(FlashHeating {
         mu_0: estimate(mu_0, errors[0]),
         mu_w: estimate(mu_w, errors[1]),
         v_w: estimate(v_w, errors[2]),
         misfit: (squares / mu.len() as f64).sqrt(),
+        r_squared: 1.0 - squares / variance,
     })
 }
 
@@ -188,6 +200,8 @@ mod tests {
         assert!((fitted.v_w.value - 0.2).abs() < 1e-6);
         // The search ends at the rounding of the squares, 1e-8 in the parameters.
         assert!(fitted.v_w.error < 1e-6 && fitted.misfit < 1e-7);
+        assert!((fitted.r_squared - 1.0).abs() < 1e-12);
+        assert!((fitted.friction_coefficient(0.2) - (0.15 + 0.45 * 2f64.powf(-0.125))).abs() < 1e-6);
         // Three rates determine three parameters.
         let rates = [0.01, 0.3, 3.0];
         let fitted = fit(&rates, &curve(&rates, 0.0)).unwrap();
@@ -209,6 +223,13 @@ mod tests {
             assert!((one.value - two.value).abs() < 1.5 * one.error, "{one:?} {two:?}");
             assert!(two.error > 0.0);
         }
+        // Misfit and variance by hand from the fitted curve.
+        let mean = shifted.iter().map(|m| m.value).sum::<f64>() / 6.0;
+        let of = |points: &dyn Fn(usize) -> f64| -> f64 { (0..6).map(|i| points(i).powi(2)).sum() };
+        let left = of(&|i| shifted[i].value - other.friction_coefficient(rates[i]));
+        let all = of(&|i| shifted[i].value - mean);
+        assert!((other.r_squared - (1.0 - left / all)).abs() < 1e-12 && other.r_squared < 0.999);
+        assert!((other.misfit - (left / 6.0).sqrt()).abs() < 1e-12);
     }
 
     #[test]

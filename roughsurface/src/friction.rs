@@ -12,12 +12,15 @@
 //! the flat has hardly moved and the approximation is good; compare `hold =
 //! "separation"` to see how much it can matter.
 
-use crate::asperity_at_slip::AsperityAtSlip;
+use crate::comparison::Comparison;
 use crate::flash_heating::{self, FlashHeating, NoFit};
-use crate::integral::{HeightIntegral, NEGLIGIBLE_SHARE};
-use crate::query::{Hold, Pressing, Query, Surface};
-use crate::separation::{Carried, SeparationError, separation_for};
-use crate::slip_curve::{SlipState, inception, slip_grid, weakening_energy};
+use crate::query::{Query, Surface};
+use crate::rate_dependence::rate_sensitivity;
+use crate::regime::{RegimeShares, plasticity_index};
+use crate::separation::{Carried, SeparationError};
+use crate::slip_curve::{SlipState, slip_grid};
+use crate::sweep::Sweep;
+use crate::uncertainty::Propagated;
 use rayon::prelude::*;
 use tables::law::{AsperityLaw, Estimate, LookupError};
 
@@ -30,25 +33,50 @@ pub struct Settings {
     pub slip_points: usize,
     /// Continue the law beyond its range instead of refusing.
     pub extrapolate: bool,
+    /// Temperature from which on a contact counts as melting, K, where it is known.
+    pub melting_temperature: Option<f64>,
+}
+
+impl Friction {
+    /// An energy per nominal area as one per real contact area (J/m²).
+    fn per(energy: Estimate, area_fraction: Estimate) -> Estimate {
+        let value = energy.value / area_fraction.value;
+        let error = (energy.error + value.abs() * area_fraction.error) / area_fraction.value;
+        Estimate { value, error }
+    }
+
+    /// [`energy`](Self::energy) per real contact area at the end of the slide, J/m².
+    pub fn energy_of_real_area(&self) -> Estimate {
+        Self::per(self.energy, self.sliding.area_fraction)
+    }
+
+    /// [`energy_stick_slip`](Self::energy_stick_slip) per real contact area before the slide, J/m².
+    pub fn energy_stick_slip_of_real_area(&self) -> Option<Estimate> {
+        self.energy_stick_slip.map(|energy| Self::per(energy, self.pressed.area_fraction))
+    }
 }
 
 impl Default for Settings {
     /// Integrals to a millionth and neighbouring slips 6 % apart: both far below the errors
     /// of tables.
     fn default() -> Self {
-        Self { tolerance: 1e-6, slip_points: 193, extrapolate: false }
+        Self { tolerance: 1e-6, slip_points: 200, extrapolate: false, melting_temperature: None }
     }
 }
 
 /// Friction of the surface at one pressure or separation and one slip rate.
 #[derive(Clone, Debug)]
 pub struct Friction {
-    /// Static friction coefficient, see [`inception`].
+    /// Static friction coefficient, see [`inception`](crate::slip_curve::inception).
     pub mu_static: Estimate,
     /// Slip at which it is reached, m.
     pub inception_slip: f64,
-    /// Energy released by weakening, J per m² of nominal area, see [`weakening_energy`].
+    /// Energy released by weakening, J per m² of nominal area, see
+    /// [`weakening_energy`](crate::slip_curve::weakening_energy).
     pub energy: Estimate,
+    /// Slip over which friction weakens, m, see
+    /// [`weakening_distance`](crate::slip_curve::weakening_distance).
+    pub weakening_distance: Estimate,
     /// Energy that the asperities release from full stick to full slip, J per m² of
     /// nominal area; none where the law does not know it.
     pub energy_stick_slip: Option<Estimate>,
@@ -56,6 +84,10 @@ pub struct Friction {
     pub pressed: SlipState,
     /// At the end of the slide: sliding friction.
     pub sliding: SlipState,
+    /// Share of the contacts in each regime at the end of the slide.
+    pub shares: RegimeShares,
+    /// dμ/d ln V of sliding friction, see [`rate_sensitivity`].
+    pub rate_sensitivity: Estimate,
     /// Friction coefficient at each slip.
     pub mu_history: Vec<Estimate>,
     /// Largest share of the load beyond the range of the law, at any slip.
@@ -72,8 +104,14 @@ pub struct Prediction {
     pub slip: Vec<f64>,
     /// One row per pressure or separation, one column per slip rate.
     pub friction: Vec<Vec<Friction>>,
+    /// √(σ_s/ω_c) of heights of standard deviation σ_s, ω_c at the mean radius.
+    pub plasticity_index: f64,
     /// Flash-heating parameters per pressure or separation.
     pub flash_heating: Vec<Result<FlashHeating, NoFit>>,
+    /// What uncertain parameters mean for the results; filled in by who asked for it.
+    pub propagated: Option<Propagated>,
+    /// What models of the literature say; filled in by who asked for it.
+    pub comparisons: Vec<Comparison>,
     /// What the user should know before believing the numbers.
     pub warnings: Vec<String>,
 }
@@ -94,8 +132,8 @@ pub enum PredictionError {
     NoContact { pressing: String },
 }
 
-/// Real area fraction above which asperities no longer deform independently.
-const CROWDED: f64 = 0.3;
+/// Slips of a slide that one thread goes through in order.
+const PIECE: usize = 10;
 
 /// Predicts the friction of `surface` from the `law` of its asperities.
 ///
@@ -113,25 +151,26 @@ pub fn predict(
         (0..query.slip_rates.len()).into_par_iter().map(|rate| sweep.press(rate)).collect::<Vec<_>>();
     let pressed = pressed.into_iter().collect::<Result<Vec<_>, _>>()?;
 
-    let radii = pressed.iter().flatten().map(|carried| carried.state.loaded_radius);
-    let (smallest, largest) = radii
-        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), radius| (low.min(radius), high.max(radius)));
+    let (smallest, largest) = loaded_radii(&pressed);
     let slip = slip_grid(smallest, largest, settings.slip_points);
 
+    // Each piece of a slide starts from the press; along it a slip starts from the one before.
+    let pieces: Vec<(usize, &[f64])> = (0..query.slip_rates.len())
+        .flat_map(|rate| slip.chunks(PIECE).map(move |piece| (rate, piece)))
+        .collect();
     let tasks = query.slip_rates.len() * slip.len();
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let states = (0..tasks)
+    let states = pieces
         .into_par_iter()
-        .map(|task| {
-            let (rate, step) = (task / slip.len(), task % slip.len());
-            let states = sweep.slide(rate, slip[step], &pressed[rate]);
-            let count = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+        .map(|(rate, piece)| {
+            let states = sweep.slide(rate, piece, &pressed[rate]);
+            let count = done.fetch_add(piece.len(), std::sync::atomic::Ordering::Relaxed) + piece.len();
             progress(count, tasks);
             states
         })
         .collect::<Vec<_>>();
     // In order, so that the same failure is reported whatever thread meets it first.
-    let states = states.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let states = states.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
 
     let mut warnings = Vec::new();
     let friction: Vec<Vec<Friction>> = (0..query.pressing.values().len())
@@ -147,6 +186,13 @@ pub fn predict(
                 .collect()
         })
         .collect();
+    let mut friction = friction;
+    for row in &mut friction {
+        let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
+        for (cell, sensitivity) in row.iter_mut().zip(rate_sensitivity(&query.slip_rates, &mu)) {
+            cell.rate_sensitivity = sensitivity;
+        }
+    }
     let flash_heating = friction
         .iter()
         .map(|row| {
@@ -154,7 +200,17 @@ pub fn predict(
             flash_heating::fit(&query.slip_rates, &mu)
         })
         .collect();
-    Ok(Prediction { query: query.clone(), law: law.name(), slip, friction, flash_heating, warnings })
+    Ok(Prediction {
+        query: query.clone(),
+        law: law.name(),
+        slip,
+        friction,
+        plasticity_index: plasticity_index(law, surface),
+        flash_heating,
+        propagated: None,
+        comparisons: Vec::new(),
+        warnings,
+    })
 }
 
 /// Slip (m) at which [`predict`] ends its slides.
@@ -176,159 +232,6 @@ fn loaded_radii(pressed: &[Vec<Carried>]) -> (f64, f64) {
     radii.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), radius: f64| {
         (low.min(radius), high.max(radius))
     })
-}
-
-struct Sweep<'a> {
-    law: &'a dyn AsperityLaw,
-    surface: &'a Surface,
-    query: &'a Query,
-    settings: &'a Settings,
-    /// The asperities at each slip rate, before the slide.
-    asperities: Vec<AsperityAtSlip<'a>>,
-}
-
-impl<'a> Sweep<'a> {
-    fn new(
-        law: &'a dyn AsperityLaw,
-        surface: &'a Surface,
-        query: &'a Query,
-        settings: &'a Settings,
-    ) -> Result<Self, LookupError> {
-        let radius = surface.asperity_radius;
-        query.check_slip_rates(law, radius)?;
-        let rates = query.slip_rates.iter();
-        let asperities = rates.map(|&rate| AsperityAtSlip::new(law, radius, rate, 0.0));
-        Ok(Self { law, surface, query, settings, asperities: asperities.collect::<Result<_, _>>()? })
-    }
-
-    fn integral(&self, asperity: AsperityAtSlip<'a>) -> HeightIntegral<'a> {
-        HeightIntegral::new(
-            asperity,
-            self.surface.heights.as_ref(),
-            self.surface.asperity_density,
-            self.settings.tolerance,
-        )
-    }
-
-    /// The surface under every pressure or separation, before the slide, per slip rate.
-    fn press_all(&self) -> Result<Vec<Vec<Carried>>, PredictionError> {
-        let pressed =
-            (0..self.query.slip_rates.len()).into_par_iter().map(|rate| self.press(rate)).collect::<Vec<_>>();
-        pressed.into_iter().collect()
-    }
-
-    /// The surface under every pressure or separation, before the slide.
-    fn press(&self, rate: usize) -> Result<Vec<Carried>, PredictionError> {
-        let heights = self.surface.heights.as_ref();
-        let mut integral = self.integral(self.asperities[rate].asked_for_energy());
-        let mut start = heights.mode();
-        let mut pressed = Vec::new();
-        for (row, &value) in self.query.pressing.values().iter().enumerate() {
-            let carried = match self.query.pressing {
-                Pressing::Pressure(_) => {
-                    separation_for(&mut integral, heights, value, start, self.settings.tolerance)?
-                }
-                Pressing::Separation(_) => Carried::at(&mut integral, heights, value)?,
-            };
-            if carried.state.pressure.value <= 0.0 {
-                return Err(PredictionError::NoContact { pressing: self.query.pressing.describe(row) });
-            }
-            start = carried.separation;
-            pressed.push(carried);
-        }
-        Ok(pressed)
-    }
-
-    /// The surface after `slip` (m), for every pressure or separation.
-    fn slide(&self, rate: usize, slip: f64, pressed: &[Carried]) -> Result<Vec<SlipState>, PredictionError> {
-        let heights = self.surface.heights.as_ref();
-        let mut integral = self.integral(self.asperities[rate].after(slip));
-        let mut states = Vec::with_capacity(pressed.len());
-        for (row, before) in pressed.iter().enumerate() {
-            let state = match self.query.hold {
-                Hold::Separation => {
-                    SlipState::at_separation(&Carried::at(&mut integral, heights, before.separation)?)
-                }
-                Hold::Load => {
-                    let pressure = match &self.query.pressing {
-                        Pressing::Pressure(pressures) => pressures[row],
-                        Pressing::Separation(_) => before.state.pressure.value,
-                    };
-                    let carried = separation_for(
-                        &mut integral,
-                        heights,
-                        pressure,
-                        before.separation,
-                        self.settings.tolerance,
-                    )?;
-                    SlipState::at_pressure(&carried, pressure)
-                }
-            };
-            if state.outside > NEGLIGIBLE_SHARE && !self.settings.extrapolate {
-                return Err(PredictionError::OutsideTable {
-                    pressing: self.query.pressing.describe(row),
-                    slip_rate: self.query.slip_rates[rate],
-                    limit: self.law.interference_limit(),
-                    reach: state.reach,
-                    share: state.outside,
-                });
-            }
-            states.push(state);
-        }
-        Ok(states)
-    }
-
-    fn evaluate(
-        &self,
-        (row, rate): (usize, usize),
-        pressed: &Carried,
-        slip: &[f64],
-        curve: &[SlipState],
-        warnings: &mut Vec<String>,
-    ) -> Friction {
-        let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
-        let shear: Vec<Estimate> = curve.iter().map(|state| state.shear).collect();
-        let start = inception(slip, &mu_history);
-        let friction = Friction {
-            mu_static: start.mu,
-            inception_slip: start.slip,
-            energy: weakening_energy(slip, &shear),
-            energy_stick_slip: self.energy_stick_slip(row, pressed),
-            pressed: curve[0],
-            sliding: curve[curve.len() - 1],
-            mu_history,
-            outside_table: curve.iter().map(|state| state.outside).fold(0.0, f64::max),
-        };
-        let place = format!("{}, {} m/s", self.query.pressing.describe(row), self.query.slip_rates[rate]);
-        if friction.outside_table > NEGLIGIBLE_SHARE {
-            warnings.push(format!(
-                "{place}: {:.2} % of the load lies beyond the table and is extrapolated",
-                100.0 * friction.outside_table
-            ));
-        }
-        if !start.reached {
-            warnings.push(format!(
-                "{place}: friction still rises at the end of the slide; mu_static is the last value"
-            ));
-        }
-        let covered = friction.sliding.area_fraction.value;
-        if covered > CROWDED {
-            warnings.push(format!(
-                "{place}: {:.0} % of the nominal area is in contact; neighbouring asperities, here independent, would interact",
-                100.0 * covered
-            ));
-        }
-        friction
-    }
-
-    fn energy_stick_slip(&self, row: usize, pressed: &Carried) -> Option<Estimate> {
-        let mut energy = pressed.state.energy?.estimate();
-        if let Pressing::Pressure(pressures) = &self.query.pressing {
-            let slope = pressed.slope(|state| state.energy.map_or(f64::NAN, |e| e.value));
-            energy.error += pressed.separation_error(pressures[row]) * slope;
-        }
-        Some(energy)
-    }
 }
 
 #[cfg(test)]

@@ -10,30 +10,76 @@ const MOST_CURVES: usize = 6;
 
 const FRICTION_LABEL: &str = "friction coefficient";
 
-/// Friction against slip rate and against pressure, along the slide, and real contact area.
+/// Friction against slip rate, pressure and slip, real contact area, separation, and what the
+/// contacts do; with models of the literature if there are any.
 pub fn figure(prediction: &Prediction) -> Figure {
-    Figure {
-        title: title(&prediction.law),
-        panels: vec![
-            over_slip_rate(prediction),
-            over_pressing(
+    let mut panels = vec![
+        over_slip_rate(prediction),
+        over_pressing(
+            prediction,
+            "Static and sliding friction",
+            FRICTION_LABEL,
+            &[("", |friction| friction.sliding.mu), ("static, ", |friction| friction.mu_static)],
+        ),
+        along_the_slide(prediction),
+        Panel {
+            y: Axis::logarithmic("real area fraction"),
+            ..over_pressing(
                 prediction,
-                "Static and sliding friction",
-                FRICTION_LABEL,
-                &[("", |friction| friction.sliding.mu), ("static, ", |friction| friction.mu_static)],
-            ),
-            along_the_slide(prediction),
-            Panel {
-                y: Axis::logarithmic("real area fraction"),
-                ..over_pressing(
-                    prediction,
-                    "Real contact area",
-                    "",
-                    &[("", |friction| friction.sliding.area_fraction)],
-                )
-            },
-        ],
+                "Real contact area",
+                "",
+                &[("", |friction| friction.sliding.area_fraction)],
+            )
+        },
+        over_pressing(
+            prediction,
+            "Separation",
+            "separation while sliding (µm)",
+            &[("", |friction| scaled(friction.sliding.separation, 1e6))],
+        ),
+        regimes(prediction),
+    ];
+    if !prediction.comparisons.is_empty() {
+        panels.push(compared(prediction));
     }
+    Figure { title: title(&prediction.law), panels }
+}
+
+fn scaled(estimate: Estimate, factor: f64) -> Estimate {
+    Estimate { value: factor * estimate.value, error: factor * estimate.error }
+}
+
+/// Shares of the contacts at the slowest and the fastest slip rate.
+fn regimes(prediction: &Prediction) -> Panel {
+    over_pressing(
+        prediction,
+        "Share of the contacts",
+        "share of contacts",
+        &[
+            ("elastic, ", |friction| exact(friction.shares.elastic)),
+            ("plastic, ", |friction| exact(friction.shares.plastic)),
+            ("melting, ", |friction| exact(friction.shares.melting)),
+        ],
+    )
+}
+
+fn exact(value: f64) -> Estimate {
+    Estimate { value, error: 0.0 }
+}
+
+/// Sliding friction of the slowest rate beside that of the models.
+fn compared(prediction: &Prediction) -> Panel {
+    let values = prediction.query.pressing.values();
+    let x = pressing_axis(prediction);
+    let own = prediction.friction.iter().map(|cells| cells[0].sliding.mu);
+    let (y, error) = values_and_errors(own);
+    let label = format!("this, {} m/s", prediction.query.slip_rates[0]);
+    let mut curves = vec![Curve::new(label, values.to_vec(), y).with_error(error)];
+    for comparison in &prediction.comparisons {
+        let y = comparison.friction.iter().map(|cell| cell.sliding.mu.value).collect();
+        curves.push(Curve::new(comparison.model.as_str(), values.to_vec(), y));
+    }
+    Panel { title: "Models of the literature".into(), x, y: Axis::linear(FRICTION_LABEL), curves }
 }
 
 /// Names the law where it is short: that of a table is a sentence, and too long for the sheet.
@@ -75,16 +121,44 @@ fn short(value: f64) -> String {
 
 fn over_slip_rate(prediction: &Prediction) -> Panel {
     let rates = &prediction.query.slip_rates;
-    let curves = chosen(prediction.friction.len(), MOST_CURVES).into_iter().map(|row| {
+    let rows = chosen(prediction.friction.len(), MOST_CURVES);
+    let curves = rows.iter().map(|&row| {
         let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
         let (y, error) = values_and_errors(mu);
         Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error)
     });
     Panel {
-        title: "Sliding friction".into(),
+        title: "Sliding friction and flash-heating fit".into(),
         x: Axis::logarithmic("slip rate V (m/s)"),
         y: Axis::linear(FRICTION_LABEL),
-        curves: curves.collect(),
+        curves: curves.chain(fits(prediction, &rows)).collect(),
+    }
+}
+
+/// The flash-heating law along the slip rates, for the first and the last of `rows` that have one.
+fn fits(prediction: &Prediction, rows: &[usize]) -> Vec<Curve> {
+    const POINTS: usize = 121;
+    let rates = prediction.query.slip_rates.iter().copied().filter(|rate| *rate > 0.0);
+    let (slowest, fastest) = rates
+        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), rate: f64| (low.min(rate), high.max(rate)));
+    let fitted = rows.iter().filter_map(|&row| Some((row, prediction.flash_heating[row].ok()?)));
+    let mut fitted: Vec<_> = fitted.collect();
+    if fitted.len() > 2 {
+        fitted = vec![fitted[0], fitted[fitted.len() - 1]];
+    }
+    let curve = |(row, fit): (usize, crate::flash_heating::FlashHeating)| {
+        let at = |i: usize| slowest * (fastest / slowest).powf(i as f64 / (POINTS - 1) as f64);
+        let x: Vec<f64> = (0..POINTS).map(at).collect();
+        let y = x.iter().map(|&rate| fit.friction_coefficient(rate)).collect();
+        Curve::new(format!("fit, {}", row_label(prediction, row)), x, y)
+    };
+    fitted.into_iter().map(curve).collect()
+}
+
+fn pressing_axis(prediction: &Prediction) -> Axis {
+    match prediction.query.pressing {
+        Pressing::Pressure(_) => Axis::logarithmic("nominal pressure (Pa)"),
+        Pressing::Separation(_) => Axis::linear("separation before the slide (m)"),
     }
 }
 
@@ -93,10 +167,7 @@ type Shown = (&'static str, fn(&Friction) -> Estimate);
 
 fn over_pressing(prediction: &Prediction, title: &str, label: &str, shown: &[Shown]) -> Panel {
     let values = prediction.query.pressing.values();
-    let x = match prediction.query.pressing {
-        Pressing::Pressure(_) => Axis::logarithmic("nominal pressure (Pa)"),
-        Pressing::Separation(_) => Axis::linear("separation before the slide (m)"),
-    };
+    let x = pressing_axis(prediction);
     let mut curves = Vec::new();
     for (prefix, value) in shown {
         for rate in chosen(prediction.query.slip_rates.len(), MOST_CURVES / shown.len()) {

@@ -2,6 +2,8 @@
 
 use crate::friction::{Friction, Prediction};
 use crate::query::{Hold, Pressing, Query};
+use crate::regime::regime;
+use crate::uncertainty::{OUTPUTS, Propagated};
 use std::path::Path;
 use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use tables::law::Estimate;
@@ -17,7 +19,7 @@ struct Quantity {
 const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
 
 /// Every result with an error. To add an output: a line here.
-const QUANTITIES: [Quantity; 13] = [
+const QUANTITIES: [Quantity; 17] = [
     Quantity {
         name: "mu",
         units: "1",
@@ -47,6 +49,30 @@ const QUANTITIES: [Quantity; 13] = [
         units: "J m-2",
         long_name: "energy that the asperities release from full stick to full slip per nominal area",
         value: |f| f.energy_stick_slip.unwrap_or(UNKNOWN),
+    },
+    Quantity {
+        name: "G_real_area",
+        units: "J m-2",
+        long_name: "energy of slip weakening per real contact area at the end of the slide",
+        value: Friction::energy_of_real_area,
+    },
+    Quantity {
+        name: "G_stick_slip_real_area",
+        units: "J m-2",
+        long_name: "energy that the asperities release from full stick to full slip per real contact area before the slide",
+        value: |f| f.energy_stick_slip_of_real_area().unwrap_or(UNKNOWN),
+    },
+    Quantity {
+        name: "weakening_distance",
+        units: "m",
+        long_name: "slip-weakening distance, that of linear weakening with the same peak, end and energy of the friction stress",
+        value: |f| f.weakening_distance,
+    },
+    Quantity {
+        name: "dmu_dlnV",
+        units: "1",
+        long_name: "derivative of the sliding friction coefficient with respect to the logarithm of the slip rate",
+        value: |f| f.rate_sensitivity,
     },
     Quantity {
         name: "separation",
@@ -166,6 +192,8 @@ pub fn write(path: &Path, prediction: &Prediction, origin: &Origin) -> Result<()
     let mut file = DatasetWriter::create(path, "Friction of a rough surface")?;
     origin.write(&mut file, &prediction.law, &prediction.query)?;
     file.attribute("comment", COMMENT)?;
+    file.attribute("plasticity_index", prediction.plasticity_index)?;
+    file.attribute("regime", regime(prediction.plasticity_index))?;
     if !prediction.warnings.is_empty() {
         file.attribute("warnings", prediction.warnings.join("\n").as_str())?;
     }
@@ -189,6 +217,24 @@ pub fn write(path: &Path, prediction: &Prediction, origin: &Origin) -> Result<()
             (|cell: &&Friction| cell.outside_table) as fn(&&Friction) -> f64,
         ),
         ("inception_slip", "m", "slip at which static friction is reached", |cell| cell.inception_slip),
+        (
+            "elastic_fraction",
+            "1",
+            "share of the asperities in contact pressed less than first yield needs, at the end of the slide",
+            |cell| cell.shares.elastic,
+        ),
+        (
+            "plastic_fraction",
+            "1",
+            "share of the asperities in contact pressed beyond first yield and not melting, at the end of the slide",
+            |cell| cell.shares.plastic,
+        ),
+        (
+            "melting_fraction",
+            "1",
+            "share of the asperities in contact whose hottest point has the melting temperature, at the end of the slide",
+            |cell| cell.shares.melting,
+        ),
     ] {
         let values: Vec<f64> = cells.iter().map(value).collect();
         file.reals(name, &grid, &values, &described(units, long_name))?;
@@ -212,7 +258,76 @@ pub fn write(path: &Path, prediction: &Prediction, origin: &Origin) -> Result<()
         let values: Vec<Estimate> = fits.map(|fit| fit.map_or(UNKNOWN, pick)).collect();
         with_error(&mut file, name, &[row], (units, long_name), &values)?;
     }
+    for (name, long_name, pick) in [
+        (
+            "flash_heating_rms",
+            "root mean square misfit of the flash-heating fit",
+            (|fit| fit.misfit) as fn(crate::flash_heating::FlashHeating) -> f64,
+        ),
+        (
+            "flash_heating_r_squared",
+            "share of the variance of mu over the slip rates that the flash-heating fit explains",
+            |fit| fit.r_squared,
+        ),
+    ] {
+        let fits = prediction.flash_heating.iter();
+        let values: Vec<f64> = fits.map(|fit| fit.map_or(f64::NAN, pick)).collect();
+        file.reals(name, &[row], &values, &described("1", long_name))?;
+    }
+    if !prediction.comparisons.is_empty() {
+        let names: Vec<&str> = prediction.comparisons.iter().map(|c| c.model.as_str()).collect();
+        file.dimension("model", names.len())?;
+        let what = "closed form of the literature for one asperity, the same at any slip rate";
+        file.texts("model", &["model"], &names, &[("long_name", what.into())])?;
+        for (name, long_name, value) in [
+            (
+                "mu_model",
+                "sliding friction coefficient with the asperities of the model",
+                (|f| f.sliding.mu) as fn(&Friction) -> Estimate,
+            ),
+            ("mu_static_model", "static friction coefficient with the asperities of the model", |f| {
+                f.mu_static
+            }),
+            (
+                "real_area_fraction_model",
+                "real over nominal contact area with the asperities of the model",
+                |f| f.sliding.area_fraction,
+            ),
+        ] {
+            let cells = prediction.comparisons.iter().flat_map(|c| &c.friction);
+            let values: Vec<f64> = cells.map(|cell| value(cell).value).collect();
+            file.reals(name, &["model", row], &values, &described("1", long_name))?;
+        }
+    }
+    if let Some(propagated) = &prediction.propagated {
+        write_propagated(&mut file, propagated, &grid)?;
+    }
     file.finish()
+}
+
+/// What the uncertain parameters mean for the results.
+fn write_propagated(
+    file: &mut DatasetWriter,
+    propagated: &Propagated,
+    grid: &[&str; 2],
+) -> Result<(), DatasetError> {
+    let keys: Vec<&str> = propagated.parameters.iter().map(|uncertain| uncertain.parameter.key()).collect();
+    file.dimension("parameter", keys.len())?;
+    let what = "parameter of the surface file with a standard deviation";
+    file.texts("parameter", &["parameter"], &keys, &[("long_name", what.into())])?;
+    let cells = propagated.contributions.len();
+    for (output, line) in OUTPUTS.iter().enumerate() {
+        let stds: Vec<f64> = (0..cells).map(|cell| propagated.std(cell, output)).collect();
+        let name = format!("{}_parameter_std", line.name);
+        let words = format!("standard deviation of {} from the uncertain parameters", line.name);
+        file.reals(&name, grid, &stds, &described(line.units, &words))?;
+        let changes: Vec<f64> =
+            propagated.contributions.iter().flat_map(|cell| cell[output].iter().copied()).collect();
+        let name = format!("{}_parameter_change", line.name);
+        let words = format!("change of {} when the parameter grows by its standard deviation", line.name);
+        file.reals(&name, &[grid[0], grid[1], "parameter"], &changes, &described(line.units, &words))?;
+    }
+    Ok(())
 }
 
 pub(crate) fn described(units: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
@@ -238,69 +353,4 @@ fn with_error(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::friction::{Settings, predict};
-    use crate::surface_file::SurfaceFile;
-    use crate::test_laws::PowerLaw;
-    use tables::dataset::DatasetReader;
-
-    fn prediction(query: &str) -> Prediction {
-        let text = format!(
-            "surface = {{ asperity_density = 1e10, asperity_radius = 1e-4, \
-             heights = {{ distribution = \"exponential\", std = 1e-6 }} }}\n[query]\n{query}"
-        );
-        let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
-        let law =
-            PowerLaw { relative_error: 0.01, history: |rate, _, _| 1.0 / (1.0 + rate), ..PowerLaw::hertz() };
-        predict(&law, &file.surface, &file.query, &Settings::default(), &|_, _| ()).unwrap()
-    }
-
-    /// Writes the prediction, reads it with `read`, and returns the bytes.
-    fn written(name: &str, prediction: &Prediction, read: impl Fn(&DatasetReader)) -> Vec<u8> {
-        let path = std::env::temp_dir().join(format!("roughsurface-{name}-{}.nc", std::process::id()));
-        let origin = Origin { surface: "text", table: "model:test", command: "test" };
-        write(&path, prediction, &origin).unwrap();
-        read(&DatasetReader::open(&path).unwrap());
-        let bytes = std::fs::read(&path).unwrap();
-        std::fs::remove_file(&path).unwrap();
-        bytes
-    }
-
-    #[test]
-    fn what_is_written_is_read() {
-        let prediction = prediction("pressure = [1e5, 1e6]\nslip_rate = [0.1, 1.0, 10.0]");
-        let bytes = written("pressure", &prediction, |file| {
-            assert_eq!(file.coordinate("pressure").unwrap(), [1e5, 1e6]);
-            assert_eq!(file.coordinate("slip").unwrap(), prediction.slip);
-            let mu = file.reals("mu", &[2, 3]).unwrap();
-            let error = file.reals("mu_error", &[2, 3]).unwrap();
-            for (index, cell) in prediction.friction.iter().flatten().enumerate() {
-                assert_eq!(mu[index], cell.sliding.mu.value);
-                assert_eq!(error[index], cell.sliding.mu.error);
-            }
-            let shape = [2, 3, prediction.slip.len()];
-            let history = file.reals("mu_history", &shape).unwrap();
-            assert_eq!(history[0], prediction.friction[0][0].mu_history[0].value);
-            for name in ["mu_static", "Q", "G", "separation", "real_area_fraction"] {
-                let values = file.reals(name, &[2, 3]).unwrap();
-                assert!(values.iter().all(|value| value.is_finite()), "{name}");
-            }
-            assert_eq!(file.reals("V_w", &[2]).unwrap().len(), 2);
-            assert_eq!(file.attribute_text("surface").unwrap(), "text");
-        });
-        // The same again gives the same bytes.
-        assert!(bytes == written("again", &prediction, |_| ()));
-    }
-
-    #[test]
-    fn separations_are_a_coordinate_too_and_missing_fits_are_fill_values() {
-        let prediction = prediction("separation = [0.0, 2e-6]\nslip_rate = [0.1]");
-        written("separation", &prediction, |file| {
-            assert_eq!(file.coordinate("separation").unwrap(), [0.0, 2e-6]);
-            assert_eq!(file.reals("pressure", &[2, 1]).unwrap().len(), 2);
-            let fitted = file.reals("mu_0", &[2]).unwrap();
-            assert!(fitted.iter().all(|value| value.is_nan()));
-        });
-    }
-}
+mod tests;

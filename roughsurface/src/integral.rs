@@ -18,9 +18,9 @@ pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
 const MOST_ROUNDS: usize = 60;
 
 /// Across a panel the logarithm of the density may change by this much before the
-/// panel is halved unseen: ten points still see the exponential, and the error
+/// panel is halved unseen: its points still see the exponential, and the error
 /// control does the rest.
-const DENSITY_RANGE: f64 = 12.0;
+const DENSITY_RANGE: f64 = 25.0;
 
 /// The start of contact of a law without kinks and the growth of the panels
 /// beyond the last kink: each is twice as long in √ω as the one before.
@@ -123,7 +123,7 @@ impl<'a> HeightIntegral<'a> {
                     continue;
                 }
                 for half in self.halves(leaf.kept, leaf.panel)? {
-                    finer.push(self.leaf(leaf.kept, half, separation)?);
+                    finer.push(self.leaf(leaf.kept, half, separation));
                 }
             }
             leaves = finer;
@@ -135,11 +135,10 @@ impl<'a> HeightIntegral<'a> {
     /// smooth and does not hide its weight between the points.
     fn cover(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
         let critical = self.asperity.critical_interference();
-        let mode = self.heights.mode();
-        let peak = self.heights.ln_density(mode.max(separation));
+        let (lowest, highest) = self.heights.support();
+        let peak = self.heights.ln_peak(separation.max(lowest), highest);
         // Loads grow as a power of ω; 16 leaves a factor of 10⁷ for that growth.
         let negligible = peak + self.tolerance.ln() - 16.0;
-        let (lowest, highest) = self.heights.support();
 
         let mut pending: Vec<(bool, usize)> = Vec::new();
         for position in 0.. {
@@ -150,10 +149,10 @@ impl<'a> HeightIntegral<'a> {
             let root = &mut self.roots[position];
             let start = separation + critical * root.from.powi(2);
             let end = separation + critical * root.to.powi(2);
-            if start >= highest || (start > mode && self.heights.ln_density(start) < negligible) {
+            if start >= highest || self.heights.ln_peak(start.max(lowest), highest) < negligible {
                 break;
             }
-            if end <= lowest || (end < mode && self.heights.ln_density(end) < negligible) {
+            if end <= lowest || self.heights.ln_peak(lowest, end) < negligible {
                 continue;
             }
             let panel = match root.panel {
@@ -175,8 +174,18 @@ impl<'a> HeightIntegral<'a> {
             if bottom >= top {
                 continue;
             }
-            let nearest_mode = self.heights.ln_density(mode.clamp(bottom, top));
-            if nearest_mode < negligible {
+            let largest = self.heights.ln_peak(bottom, top);
+            if largest < negligible {
+                continue;
+            }
+            // Between its steps a density may vanish or jump: they come before its range.
+            let root = |height: f64| ((height - separation) / critical).max(0.0).sqrt();
+            let inside = |edge: &f64| *edge > from + 1e-12 * to && *edge < to - 1e-12 * to;
+            if let Some(edge) = self.heights.step_between(bottom, top).map(root).filter(inside) {
+                let first = self.passing.add(&self.asperity, from, edge)?;
+                let second = self.passing.add(&self.asperity, edge, to)?;
+                pending.push((false, second));
+                pending.push((false, first));
                 continue;
             }
             // Densities that vanish at their edge are left to the error control.
@@ -185,25 +194,21 @@ impl<'a> HeightIntegral<'a> {
                 density => density,
             };
             let farthest = seen(bottom).min(seen(top));
-            let range = nearest_mode - farthest.max(negligible);
+            let range = largest - farthest.max(negligible);
             if range > DENSITY_RANGE && to - from > 1e-12 * to {
                 let [first, second] = self.halves(kept, index)?;
                 pending.push((kept, second));
                 pending.push((kept, first));
                 continue;
             }
-            let edge = [lowest, highest]
-                .into_iter()
-                .map(|height| ((height - separation) / critical).max(0.0).sqrt())
-                .find(|&edge| edge > from + 1e-12 * to && edge < to - 1e-12 * to);
-            match edge {
+            match [lowest, highest].map(root).into_iter().find(inside) {
                 Some(edge) => {
                     let first = self.passing.add(&self.asperity, from, edge)?;
                     let second = self.passing.add(&self.asperity, edge, to)?;
                     pending.push((false, second));
                     pending.push((false, first));
                 }
-                None => leaves.push(self.leaf(kept, index, separation)?),
+                None => leaves.push(self.leaf(kept, index, separation)),
             }
         }
         Ok(())
@@ -218,15 +223,9 @@ impl<'a> HeightIntegral<'a> {
         tree.halves(&self.asperity, panel)
     }
 
-    /// Integral over the two halves of a panel; the difference from the whole is
-    /// its error, a generous one.
-    fn leaf(&mut self, kept: bool, panel: usize, separation: f64) -> Result<Leaf, LookupError> {
-        let halves = self.halves(kept, panel)?;
-        let tree = self.tree(kept);
-        let whole = tree.panel(panel).integral(self.heights, separation);
-        let parts = halves.map(|half| tree.panel(half).integral(self.heights, separation));
-        let value: Sums = std::array::from_fn(|k| parts[0][k] + parts[1][k]);
-        Ok(Leaf { kept, panel, value, error: std::array::from_fn(|k| (value[k] - whole[k]).abs()) })
+    fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
+        let (value, error) = self.tree(kept).panel(panel).integral(self.heights, separation);
+        Leaf { kept, panel, value, error }
     }
 
     fn state(&self, separation: f64, leaves: &[Leaf]) -> ContactState {
@@ -286,21 +285,20 @@ impl<'a> HeightIntegral<'a> {
         let critical = self.asperity.critical_interference();
         let weight = 1.0 / heights.len() as f64;
         let mut total = [0.0; QUANTITIES];
-        let mut highest_load = Vec::new();
-        for &height in heights.iter().take_while(|&&height| height > separation) {
-            let interference = (height - separation) / critical;
-            let values = quantities(&self.asperity, interference)?;
+        let touching = heights.iter().take_while(|&&height| height > separation);
+        for &height in touching.clone() {
+            let values = quantities(&self.asperity, (height - separation) / critical)?;
             for (sum, value) in total.iter_mut().zip(values) {
                 *sum += weight * value;
             }
-            highest_load.push((interference, weight * values[LOAD]));
         }
         let tail = self.heights.tail(separation);
         let mut state = self.scaled(tail, &total, &[0.0; QUANTITIES]);
         if state.outside > NEGLIGIBLE_SHARE {
             let mut beyond = 0.0;
-            for (interference, load) in highest_load {
-                beyond += load;
+            for &height in touching {
+                let interference = (height - separation) / critical;
+                beyond += weight * quantities(&self.asperity, interference)?[LOAD];
                 if beyond > NEGLIGIBLE_SHARE * total[LOAD] {
                     state.reach = interference;
                     break;

@@ -38,9 +38,60 @@ pub fn asperity_law(
     }
 }
 
+/// What else the source of a law knows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Background {
+    /// The asperities' material, for comparison with closed forms.
+    pub material: Option<ElasticPlastic>,
+    /// Melting temperature, K: what the softening law of a table's scene calls `melting`.
+    pub melting_temperature: Option<f64>,
+}
+
+/// What a table knows of its material; of a closed form, the `material` of the surface file.
+pub fn background(asked: &str, material: Option<&ElasticPlastic>) -> Background {
+    if asked.starts_with("model:") {
+        return Background { material: material.copied(), melting_temperature: None };
+    }
+    let Ok(table) = Table::read(Path::new(asked)) else {
+        return Background::default();
+    };
+    let metadata = table.metadata();
+    let nu = metadata.poisson_ratio;
+    let of_table = ElasticPlastic {
+        youngs_modulus: metadata.contact_modulus * (1.0 - nu * nu),
+        poisson_ratio: nu,
+        yield_strength: metadata.yield_strength,
+    };
+    Background { material: Some(of_table), melting_temperature: melting_of(&metadata.scene) }
+}
+
+/// What holds for a closed form only under conditions that `material` does not meet.
+pub fn caveat(asked: &str, material: &ElasticPlastic) -> Option<String> {
+    let off = (material.poisson_ratio - 0.3).abs() > 0.02;
+    (asked.ends_with("chang-etsion-bogy") && off).then(|| {
+        format!(
+            "chang-etsion-bogy: its static friction was published for a Poisson ratio of 0.3, not {}",
+            material.poisson_ratio
+        )
+    })
+}
+
+fn melting_of(scene: &str) -> Option<f64> {
+    let scene: toml::Table = scene.parse().ok()?;
+    scene.get("material")?.get("softening")?.get("melting")?.as_float()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_scene_of_a_table_knows_the_melting_temperature() {
+        let scene = "[material]\nsoftening = { law = \"johnson-cook\", melting = 1793.0 }\n";
+        assert_eq!(melting_of(scene), Some(1793.0));
+        assert_eq!(melting_of("[material]\nsoftening = { law = \"none\" }\n"), None);
+        assert_eq!(melting_of(""), None);
+    }
 
     #[test]
     fn closed_forms_need_a_known_name_and_a_material() {

@@ -11,6 +11,7 @@
 //! or rough counter-face.
 
 pub mod asperity_at_slip;
+pub mod comparison;
 pub mod contact_state;
 pub mod flash_heating;
 pub mod friction;
@@ -23,10 +24,18 @@ pub mod monte_carlo;
 pub mod monte_carlo_file;
 mod panels;
 pub mod query;
+pub mod radii;
+pub mod rate_dependence;
+pub mod regime;
+pub mod report;
 pub mod separation;
 pub mod slip_curve;
 pub mod summary;
 pub mod surface_file;
+pub mod surface_integral;
+mod sweep;
+pub mod topography;
+pub mod uncertainty;
 
 #[cfg(test)]
 mod test_laws;

@@ -4,16 +4,16 @@
 //! [`friction`](crate::friction) gives the mean of a surface without end; a specimen
 //! of a few hundred asperities, of which a dozen touch, is one draw.
 
-use crate::asperity_at_slip::AsperityAtSlip;
 use crate::contact_state::ContactState;
 use crate::friction::{PredictionError, Settings};
 use crate::heights::{Heights, Random, Sample};
 use crate::integral::{HeightIntegral, NEGLIGIBLE_SHARE};
 use crate::query::{Hold, Pressing, Query, Surface};
-use crate::separation::separation_for;
+use crate::separation::{Start, separation_for};
+use crate::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
-use tables::law::AsperityLaw;
+use tables::law::{AsperityLaw, LookupError};
 
 /// Finite surfaces asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,8 @@ pub struct Draw {
     pub mu: f64,
     /// Nominal pressure, Pa.
     pub pressure: f64,
+    /// Friction stress on the nominal area, Pa.
+    pub shear: f64,
     /// Distance of the flat from the plane of the heights, m.
     pub separation: f64,
     /// Real over nominal contact area, 1.
@@ -120,16 +122,20 @@ pub fn sample(
     settings: &Settings,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Samples, PredictionError> {
-    query.check_slip_rates(law, surface.asperity_radius)?;
+    query.check_slip_rates(law, &surface.asperity_radius)?;
+    let with_rate = |&rate: &f64| {
+        let before = Asperities::new(law, surface, rate)?;
+        Ok(Laws { slip_rate: rate, after: before.after(sampling.slip), before })
+    };
+    let laws: Vec<Laws> = query.slip_rates.iter().map(with_rate).collect::<Result<_, LookupError>>()?;
     let mut seeds = Random::seed_from_u64(sampling.seed);
     let seeds: Vec<u64> = (0..sampling.realizations).map(|_| seeds.random()).collect();
     let done = std::sync::atomic::AtomicUsize::new(0);
     let surfaces = seeds
         .into_par_iter()
         .map(|seed| {
-            let mut random = Random::seed_from_u64(seed);
-            let heights = (0..sampling.asperities).map(|_| surface.heights.draw(&mut random)).collect();
-            let drawn = draw(law, surface, query, sampling, settings, heights);
+            let drawn = DrawnSurface::new(surface, sampling.asperities, seed)
+                .and_then(|drawn| drawn.answer(&laws, law.interference_limit(), query, settings));
             let count = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             progress(count, sampling.realizations);
             drawn
@@ -147,72 +153,115 @@ pub fn sample(
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), draws, warnings })
 }
 
-/// One surface at every pressure or separation and slip rate, row by row.
-fn draw(
-    law: &dyn AsperityLaw,
-    surface: &Surface,
-    query: &Query,
-    sampling: &Sampling,
-    settings: &Settings,
-    heights: Vec<f64>,
-) -> Result<Vec<Draw>, PredictionError> {
-    let Some(heights) = Sample::new(heights) else {
+/// The asperities at one slip rate.
+struct Laws<'a> {
+    slip_rate: f64,
+    before: Asperities<'a>,
+    after: Asperities<'a>,
+}
+
+/// A finite surface.
+struct DrawnSurface {
+    asperity_density: f64,
+    asperities: usize,
+    all: Sample,
+    /// Heights of the summits of each radius; empty if there is one radius only.
+    of_class: Vec<Sample>,
+}
+
+impl DrawnSurface {
+    fn new(surface: &Surface, asperities: usize, seed: u64) -> Result<Self, PredictionError> {
+        let mut random = Random::seed_from_u64(seed);
+        let heights: Vec<f64> = (0..asperities).map(|_| surface.heights.draw(&mut random)).collect();
+        let mut of_class = Vec::new();
+        let radii = &surface.asperity_radius;
+        if radii.classes().len() > 1 {
+            let mut classes = vec![Vec::new(); radii.classes().len()];
+            for &height in &heights {
+                classes[radii.draw(&mut random)].push(height);
+            }
+            of_class = classes.into_iter().map(Sample::part).collect();
+        }
         // A single asperity, or none, has no distribution to speak of.
-        return Err(PredictionError::NoContact { pressing: "a surface of less than two asperities".into() });
-    };
-    let tolerance = settings.tolerance;
-    let mut draws = Vec::new();
-    for (row, &value) in query.pressing.values().iter().enumerate() {
-        for &slip_rate in &query.slip_rates {
-            let asperity = AsperityAtSlip::new(law, surface.asperity_radius, slip_rate, 0.0)?;
-            let at_slip = |slip: f64| {
-                let asperity = asperity.after(slip);
-                HeightIntegral::new(asperity, &heights, surface.asperity_density, tolerance)
-            };
-            let (mut before, mut after) = (at_slip(0.0), at_slip(sampling.slip));
-            let pressed = match query.pressing {
-                Pressing::Pressure(_) => None,
-                Pressing::Separation(_) => Some((value, before.at(value)?)),
-            };
-            let (separation, state) = match (query.hold, pressed) {
-                (Hold::Separation, Some((separation, _))) => (separation, after.at(separation)?),
-                (Hold::Separation, None) => {
-                    let start = heights.mode();
-                    let carried = separation_for(&mut before, &heights, value, start, tolerance)?;
-                    (carried.separation, after.at(carried.separation)?)
-                }
-                (Hold::Load, pressed) => {
-                    let pressure = pressed.map_or(value, |(_, state)| state.pressure.value);
-                    if pressure > 0.0 {
-                        let start = heights.mode();
-                        let carried = separation_for(&mut after, &heights, pressure, start, tolerance)?;
-                        (carried.separation, carried.state)
-                    } else {
-                        (value, ContactState::default())
+        let nothing =
+            || PredictionError::NoContact { pressing: "a surface of less than two asperities".into() };
+        let all = Sample::new(heights).ok_or_else(nothing)?;
+        Ok(Self { asperity_density: surface.asperity_density, asperities, all, of_class })
+    }
+
+    fn integral<'a>(&'a self, asperities: &Asperities<'a>, tolerance: f64) -> SurfaceIntegral<'a> {
+        let parts =
+            if self.of_class.is_empty() { std::slice::from_ref(&self.all) } else { &self.of_class[..] };
+        let integrals = parts.iter().zip(asperities.classes()).map(|(heights, (_, asperity))| {
+            let count = heights.measured().map_or(0, <[f64]>::len);
+            let share = count as f64 / self.asperities as f64;
+            (share, HeightIntegral::new(asperity.clone(), heights, self.asperity_density, tolerance))
+        });
+        SurfaceIntegral::of_parts(integrals.filter(|(share, _)| *share > 0.0).collect())
+    }
+
+    /// Every pressure or separation and slip rate, row by row.
+    fn answer(
+        &self,
+        laws: &[Laws],
+        limit: f64,
+        query: &Query,
+        settings: &Settings,
+    ) -> Result<Vec<Draw>, PredictionError> {
+        let tolerance = settings.tolerance;
+        let mut draws = Vec::new();
+        let mut start = Start::at(self.all.mode(), &self.all);
+        for (row, &value) in query.pressing.values().iter().enumerate() {
+            for law in laws {
+                let mut before = self.integral(&law.before, tolerance);
+                let mut after = self.integral(&law.after, tolerance);
+                let pressed = match query.pressing {
+                    Pressing::Pressure(_) => None,
+                    Pressing::Separation(_) => Some((value, before.at(value)?)),
+                };
+                let mut find = |integral: &mut SurfaceIntegral, pressure: f64| {
+                    let carried = separation_for(integral, &self.all, pressure, start, tolerance)?;
+                    start = carried.start();
+                    Ok::<_, PredictionError>(carried)
+                };
+                let (separation, state) = match (query.hold, pressed) {
+                    (Hold::Separation, Some((separation, _))) => (separation, after.at(separation)?),
+                    (Hold::Separation, None) => {
+                        let separation = find(&mut before, value)?.separation;
+                        (separation, after.at(separation)?)
                     }
+                    (Hold::Load, pressed) => {
+                        let pressure = pressed.map_or(value, |(_, state)| state.pressure.value);
+                        if pressure > 0.0 {
+                            let carried = find(&mut after, pressure)?;
+                            (carried.separation, carried.state)
+                        } else {
+                            (value, ContactState::default())
+                        }
+                    }
+                };
+                if state.outside > NEGLIGIBLE_SHARE && !settings.extrapolate {
+                    return Err(PredictionError::OutsideTable {
+                        pressing: query.pressing.describe(row),
+                        slip_rate: law.slip_rate,
+                        limit,
+                        reach: state.reach,
+                        share: state.outside,
+                    });
                 }
-            };
-            if state.outside > NEGLIGIBLE_SHARE && !settings.extrapolate {
-                return Err(PredictionError::OutsideTable {
-                    pressing: query.pressing.describe(row),
-                    slip_rate,
-                    limit: law.interference_limit(),
-                    reach: state.reach,
-                    share: state.outside,
+                draws.push(Draw {
+                    mu: state.friction_coefficient().value,
+                    pressure: state.pressure.value,
+                    shear: state.shear.value,
+                    separation,
+                    area_fraction: state.area_fraction.value,
+                    contacts: state.contact_density / self.asperity_density * self.asperities as f64,
+                    outside: state.outside,
                 });
             }
-            let asperities = sampling.asperities as f64;
-            draws.push(Draw {
-                mu: state.friction_coefficient().value,
-                pressure: state.pressure.value,
-                separation,
-                area_fraction: state.area_fraction.value,
-                contacts: state.contact_density / surface.asperity_density * asperities,
-                outside: state.outside,
-            });
         }
+        Ok(draws)
     }
-    Ok(draws)
 }
 
 fn warnings(query: &Query, draws: &[Vec<Vec<Draw>>]) -> Vec<String> {
@@ -242,14 +291,16 @@ fn warnings(query: &Query, draws: &[Vec<Vec<Draw>>]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::heights::Exponential;
+    use crate::heights::{Exponential, Gaussian};
+    use crate::radii::Radii;
     use crate::test_laws::PowerLaw;
+    use tables::closed_forms::{ElasticPlastic, closed_form};
 
     fn samples(asperities: usize, threads: usize) -> Samples {
         let law = PowerLaw::hertz();
         let surface = Surface {
             asperity_density: 1e10,
-            asperity_radius: 1e-4,
+            asperity_radius: 1e-4.into(),
             heights: Box::new(Exponential::new(1e-6)),
         };
         let query =
@@ -273,6 +324,51 @@ mod tests {
         let ratio = scattered.standard_deviation / mu.standard_deviation;
         assert!(ratio > 4.0 && ratio < 10.0, "{ratio}");
         assert!(scattered.lower < exact && exact < scattered.upper);
+    }
+
+    /// Name, value of the integral, and value of a drawn surface.
+    type Expected = (&'static str, f64, fn(&Draw) -> f64);
+
+    #[test]
+    fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
+        // At a held separation pressure, friction stress, area and number are means over the
+        // asperities: their averages over surfaces of any size are those of the integral.
+        let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+        let law = closed_form("jackson-green", &steel).unwrap();
+        for radii in [Radii::from(1e-4), Radii::counted(&[3e-5, 1e-4, 2e-4], &[1.0, 2.0, 1.0]).unwrap()] {
+            let surface = Surface {
+                asperity_density: 1e10,
+                asperity_radius: radii,
+                heights: Box::new(Gaussian::new(0.3e-6)),
+            };
+            let query = Query {
+                pressing: Pressing::Separation(vec![0.0, 0.5e-6]),
+                slip_rates: vec![1.0],
+                hold: Hold::Separation,
+            };
+            let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: 1e-8 };
+            let settings = Settings::default();
+            let samples = sample(law.as_ref(), &surface, &query, &sampling, &settings, &|_, _| ()).unwrap();
+            let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-8);
+            let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-9);
+            for (row, &separation) in query.pressing.values().iter().enumerate() {
+                let state = integral.at(separation).unwrap();
+                let expected: [Expected; 4] = [
+                    ("pressure", state.pressure.value, |draw| draw.pressure),
+                    ("friction stress", state.shear.value, |draw| draw.shear),
+                    ("area", state.area_fraction.value, |draw| draw.area_fraction),
+                    ("contacts", state.contact_density / 1e10 * 500.0, |draw| draw.contacts),
+                ];
+                for (name, exact, of) in expected {
+                    let scatter = samples.scatter(row, 0, of);
+                    // The intervals hold 95 %: of sixteen, none is expected beyond 1.5 times one.
+                    let off = (scatter.mean - exact).abs() / scatter.mean_error;
+                    assert!(off < 1.5, "{name} at {separation:e}: {off} intervals");
+                    // Tight enough to mean something.
+                    assert!(scatter.mean_error < 0.1 * exact, "{name}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -11,9 +11,10 @@ use tables::dataset::{DatasetError, DatasetWriter};
 type Quantity = (&'static str, &'static str, &'static str, fn(&Draw) -> f64);
 
 /// Every quantity that is written. To add one: a line here.
-const QUANTITIES: [Quantity; 6] = [
+const QUANTITIES: [Quantity; 7] = [
     ("mu", "1", "sliding friction coefficient", |d| d.mu),
     ("pressure_sliding", "Pa", "nominal pressure", |d| d.pressure),
+    ("Q", "Pa", "friction stress on the nominal area", |d| d.shear),
     ("separation_sliding", "m", "distance of the flat from the reference plane of the heights", |d| {
         d.separation
     }),

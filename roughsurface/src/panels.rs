@@ -1,4 +1,4 @@
-//! Gauss–Legendre panels in the root of the interference, sampled once and kept.
+//! Gauss–Kronrod panels in the root of the interference, sampled once and kept.
 //!
 //! With ω = u² the 3/2 power of the start of contact becomes a polynomial, and
 //! because the panels stand in interference, not in height, the same samples of
@@ -7,12 +7,10 @@
 
 use crate::asperity_at_slip::AsperityAtSlip;
 use crate::heights::Heights;
-use gauss_quad::GaussLegendre;
-use std::sync::LazyLock;
 use tables::law::LookupError;
 
-/// Points of a panel: exact for polynomials up to degree 19.
-const POINTS: usize = 10;
+/// Points of a panel: exact for polynomials up to degree 31.
+const POINTS: usize = 21;
 /// Quantities summed in one pass.
 pub const QUANTITIES: usize = 10;
 
@@ -34,12 +32,32 @@ pub const ENERGY_ERROR: usize = 9;
 /// Sums over heights, per asperity and metre of height until multiplied out.
 pub type Sums = [f64; QUANTITIES];
 
-static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
-    let rule = GaussLegendre::new(POINTS).expect("ten points are enough for a rule");
-    let mut pairs = rule.into_node_weight_pairs();
-    pairs.sort_by(|one, other| one.0.total_cmp(&other.0));
-    pairs
-});
+/// Abscissa, weight, and weight less that of the ten-point Gauss rule, of the 21-point Kronrod
+/// rule, half of it: Piessens et al., QUADPACK (Springer 1983), routine QK21.
+#[rustfmt::skip]
+const HALF_RULE: [(f64, f64, f64); 11] = [
+    (0.9956571630258081, 0.011694638867371874, 0.011694638867371874),
+    (0.9739065285171717, 0.032558162307964725, -0.03411318200072341),
+    (0.9301574913557082, 0.054755896574351995, 0.054755896574351995),
+    (0.8650633666889845, 0.07503967481091996, -0.07441167433966063),
+    (0.7808177265864169, 0.0931254545836976, 0.0931254545836976),
+    (0.6794095682990244, 0.10938715880229764, -0.1096992037136844),
+    (0.5627571346686047, 0.12349197626206584, 0.12349197626206584),
+    (0.4333953941292472, 0.13470921731147334, -0.134557501998523),
+    (0.2943928627014602, 0.14277593857706009, 0.14277593857706009),
+    (0.14887433898163122, 0.14773910490133849, -0.14778511981341438),
+    (0.0, 0.1494455540029169, 0.1494455540029169),
+];
+
+/// Point `index` of the rule on (−1, 1), ascending.
+const fn rule(index: usize) -> (f64, f64, f64) {
+    if index <= 10 {
+        let (abscissa, weight, excess) = HALF_RULE[index];
+        (-abscissa, weight, excess)
+    } else {
+        HALF_RULE[20 - index]
+    }
+}
 
 /// Quantities of one asperity at `interference` (ω/ω_c), in the order of [`Sums`].
 pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, LookupError> {
@@ -74,6 +92,18 @@ pub struct Panel {
     children: Option<[usize; 2]>,
 }
 
+/// Share of a point's weight by which the ten-point Gauss rule differs from the panel's.
+const EXCESS: [f64; POINTS] = {
+    let mut shares = [0.0; POINTS];
+    let mut point = 0;
+    while point < POINTS {
+        let (_, weight, excess) = rule(point);
+        shares[point] = excess / weight;
+        point += 1;
+    }
+    shares
+};
+
 impl Panel {
     fn new(asperity: &AsperityAtSlip, from: f64, to: f64) -> Result<Self, LookupError> {
         let critical = asperity.critical_interference();
@@ -85,8 +115,9 @@ impl Panel {
             weighted: [[0.0; QUANTITIES]; POINTS],
             children: None,
         };
-        for (point, &(node, weight)) in RULE.iter().enumerate() {
-            let root = from + half * (1.0 + node);
+        for point in 0..POINTS {
+            let (abscissa, weight, _) = rule(point);
+            let root = from + half * (1.0 + abscissa);
             panel.interference[point] = critical * root * root;
             // dω = 2u du
             let metres = critical * 2.0 * root * half * weight;
@@ -95,16 +126,25 @@ impl Panel {
         Ok(panel)
     }
 
-    /// Integral over the panel with summits of density `heights` above a flat at `separation`.
-    pub fn integral(&self, heights: &dyn Heights, separation: f64) -> Sums {
+    /// Integral over the panel with summits of density `heights` above a flat at `separation`,
+    /// and its error: what the ten-point Gauss rule would differ, a generous one.
+    pub fn integral(&self, heights: &dyn Heights, separation: f64) -> (Sums, Sums) {
+        // Whole vectors of eight: what is left over would go through the exponential one by one.
+        let mut density = [separation; POINTS.next_multiple_of(8)];
+        for (height, interference) in density.iter_mut().zip(&self.interference) {
+            *height += interference;
+        }
+        heights.densities(&mut density);
         let mut sums = [0.0; QUANTITIES];
-        for (interference, weighted) in self.interference.iter().zip(&self.weighted) {
-            let density = heights.ln_density(separation + interference).exp();
-            for (sum, value) in sums.iter_mut().zip(weighted) {
-                *sum += density * value;
+        let mut difference = [0.0; QUANTITIES];
+        for point in 0..POINTS {
+            let excess = density[point] * EXCESS[point];
+            for quantity in 0..QUANTITIES {
+                sums[quantity] += density[point] * self.weighted[point][quantity];
+                difference[quantity] += excess * self.weighted[point][quantity];
             }
         }
-        sums
+        (sums, difference.map(f64::abs))
     }
 }
 

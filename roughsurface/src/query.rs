@@ -1,6 +1,7 @@
 //! A rough surface and what is asked of it.
 
 use crate::heights::Heights;
+use crate::radii::Radii;
 use tables::law::{AsperityLaw, LookupError};
 
 /// A rough surface.
@@ -8,8 +9,8 @@ use tables::law::{AsperityLaw, LookupError};
 pub struct Surface {
     /// Summits per nominal area η, 1/m².
     pub asperity_density: f64,
-    /// Radius of the summits R, m.
-    pub asperity_radius: f64,
+    /// Radius of the summits R, m, or its distribution.
+    pub asperity_radius: Radii,
     /// Heights of the summits.
     pub heights: Box<dyn Heights>,
 }
@@ -58,12 +59,14 @@ pub struct Query {
 }
 
 impl Query {
-    /// Refuses slip rates outside the range of the law for asperities of `radius` (m).
-    pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radius: f64) -> Result<(), LookupError> {
-        let (from, to) = law.slip_rate_range(radius);
-        match self.slip_rates.iter().find(|rate| !(from..=to).contains(*rate)) {
-            Some(&slip_rate) => Err(LookupError::SlipRateOutside { slip_rate, from, to }),
-            None => Ok(()),
+    /// Refuses slip rates outside the range of the law for any of the `radii`.
+    pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radii: &Radii) -> Result<(), LookupError> {
+        for class in radii.classes() {
+            let (from, to) = law.slip_rate_range(class.radius);
+            if let Some(&slip_rate) = self.slip_rates.iter().find(|rate| !(from..=to).contains(*rate)) {
+                return Err(LookupError::SlipRateOutside { slip_rate, from, to });
+            }
         }
+        Ok(())
     }
 }

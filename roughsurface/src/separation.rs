@@ -2,7 +2,7 @@
 
 use crate::contact_state::ContactState;
 use crate::heights::Heights;
-use crate::integral::HeightIntegral;
+use crate::surface_integral::ContactIntegral;
 use tables::law::LookupError;
 
 /// Why no separation carries the pressure.
@@ -20,31 +20,62 @@ pub struct Carried {
     /// Distance of the flat from the plane of the heights, m.
     pub separation: f64,
     pub state: ContactState,
-    /// State a little closer to the surface, at `separation − step`.
+    /// State a little closer to the surface or, if the step is negative, farther from it: at
+    /// `separation − step`.
     closer: ContactState,
     step: f64,
+}
+
+/// Where a search for a separation starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// m.
+    pub separation: f64,
+    /// d ln(pressure)/d(separation) there, 1/m: negative.
+    pub slope: f64,
+}
+
+impl Start {
+    /// At `separation` (m) of summits that nothing is known of yet: in the tails of most
+    /// distributions the pressure falls by about e within a standard deviation.
+    pub fn at(separation: f64, heights: &dyn Heights) -> Self {
+        Self { separation, slope: -1.0 / heights.standard_deviation() }
+    }
 }
 
 impl Carried {
     /// The state at `separation` (m), with its sensitivity to separation.
     pub fn at(
-        integral: &mut HeightIntegral,
+        integral: &mut impl ContactIntegral,
         heights: &dyn Heights,
         separation: f64,
     ) -> Result<Self, LookupError> {
+        let state = integral.at(separation)?;
+        Self::of(integral, heights, separation, state)
+    }
+
+    /// As [`at`](Self::at), the state at `separation` (m) being known.
+    fn of(
+        integral: &mut impl ContactIntegral,
+        heights: &dyn Heights,
+        separation: f64,
+        mut state: ContactState,
+    ) -> Result<Self, LookupError> {
+        integral.complete_errors(separation, &mut state)?;
         // Wide against the rounding of the integrals, narrow against their curvature.
         let step = 1e-4 * heights.standard_deviation();
-        Ok(Self {
-            separation,
-            state: integral.at(separation)?,
-            closer: integral.at(separation - step)?,
-            step,
-        })
+        Ok(Self { separation, state, closer: integral.at(separation - step)?, step })
+    }
+
+    /// Where the search for a neighbouring state starts.
+    pub fn start(&self) -> Start {
+        let slope = -self.slope(|state| state.pressure.value) / self.state.pressure.value;
+        Start { separation: self.separation, slope }
     }
 
     /// |d(quantity)/d(separation)|, unit of the quantity per metre.
     pub fn slope(&self, quantity: impl Fn(&ContactState) -> f64) -> f64 {
-        (quantity(&self.closer) - quantity(&self.state)).abs() / self.step
+        (quantity(&self.closer) - quantity(&self.state)).abs() / self.step.abs()
     }
 
     /// Error of the separation (m): of the pressure, through its slope, and of the
@@ -61,13 +92,61 @@ impl Carried {
 /// separation of interest in a few, halving any accuracy in sixty.
 const MOST_STEPS: usize = 200;
 
+/// Steps of the search, in two standard deviations of the heights, that are long against the
+/// rounding of the integrals and short against their curvature.
+const USEFUL: std::ops::Range<f64> = 1e-5..0.02;
+
+/// Steps after which the secant gives way to the bracket.
+const SECANT_STEPS: usize = 8;
+
 /// Finds the separation at which the nominal pressure is `pressure` (Pa) to a
-/// relative `tolerance`, starting from a guess `start` (m).
+/// relative `tolerance`, starting from a guess.
 ///
 /// Pressure falls with separation, in its logarithm almost linearly, so a
-/// bracketed secant in ln(p) takes a few steps.
+/// secant in ln(p) from a neighbouring state takes a step or two. Where it loses its way, at the
+/// ends of the heights, a bracket does not.
 pub fn separation_for(
-    integral: &mut HeightIntegral,
+    integral: &mut impl ContactIntegral,
+    heights: &dyn Heights,
+    pressure: f64,
+    start: Start,
+    tolerance: f64,
+) -> Result<Carried, SeparationError> {
+    let longest = 2.0 * heights.standard_deviation();
+    let mut here = start.separation;
+    let mut slope = start.slope;
+    let mut last: Option<(f64, f64, ContactState)> = None;
+    for _ in 0..SECANT_STEPS {
+        let state = integral.at(here)?;
+        let excess = (state.pressure.value / pressure).ln();
+        if excess.abs() <= tolerance {
+            return match last {
+                // A step of the search is as good for the sensitivity as one made for it.
+                Some((before, _, beside)) if USEFUL.contains(&((here - before).abs() / longest)) => {
+                    let mut carried =
+                        Carried { separation: here, state, closer: beside, step: here - before };
+                    integral.complete_errors(here, &mut carried.state)?;
+                    Ok(carried)
+                }
+                _ => Ok(Carried::of(integral, heights, here, state)?),
+            };
+        }
+        if let Some((before, excess_before, _)) = last {
+            slope = (excess - excess_before) / (here - before);
+        }
+        // Neither where nothing touches nor where the pressure does not fall is there a secant.
+        if !(slope < 0.0 && excess.is_finite() && slope.is_finite()) {
+            break;
+        }
+        last = Some((here, excess, state));
+        here -= (excess / slope).clamp(-longest, longest);
+    }
+    bracketed(integral, heights, pressure, start.separation, tolerance)
+}
+
+/// As [`separation_for`], by a bracketed secant from a guess `start` (m).
+fn bracketed(
+    integral: &mut impl ContactIntegral,
     heights: &dyn Heights,
     pressure: f64,
     start: f64,
@@ -150,6 +229,7 @@ mod tests {
     use super::*;
     use crate::asperity_at_slip::AsperityAtSlip;
     use crate::heights::{Exponential, Gaussian, Sample, Uniform};
+    use crate::integral::HeightIntegral;
     use crate::test_laws::PowerLaw;
 
     #[test]
@@ -162,10 +242,11 @@ mod tests {
         for heights in heights {
             let heights = heights.as_ref();
             let mut integral = HeightIntegral::new(asperity.clone(), heights, 1e10, 1e-12);
+            let origin = Start::at(0.0, heights);
             for place in [-3.0, -0.5, 0.1, 1.0, 1.6] {
                 let wanted = place * std;
                 let pressure = integral.at(wanted).unwrap().pressure.value;
-                let found = separation_for(&mut integral, heights, pressure, 0.0, 1e-12).unwrap();
+                let found = separation_for(&mut integral, heights, pressure, origin, 1e-12).unwrap();
                 // d(ln p)/dd is of order 1/std, so 1e-12 in ln p is 1e-12 std in d;
                 // hundredfold for the flat ends.
                 assert!(
@@ -183,7 +264,7 @@ mod tests {
         let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
         let heights = Sample::new(vec![0.0, 1e-6, 2.5e-6]).unwrap();
         let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1e10, 1e-10);
-        let found = separation_for(&mut integral, &heights, 1e-3, 0.0, 1e-10).unwrap();
+        let found = separation_for(&mut integral, &heights, 1e-3, Start::at(0.0, &heights), 1e-10).unwrap();
         assert!(found.separation < 2.5e-6 && found.separation > 2.4e-6);
         // The interference is 1e-14 m of a height of 2.5e-6 m: eight digits are left.
         assert!((found.state.pressure.value - 1e-3).abs() < 1e-10);

@@ -153,6 +153,32 @@ pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
     Estimate { value, error: changed + relative * value + (value - coarse).abs() }
 }
 
+/// Slip-weakening distance D_w = 2 ∫ (τ − τ_end) ds/(τ_peak − τ_end), m: over it a stress τ (Pa)
+/// that weakens linearly from the same peak to the same end releases the same energy (Ida 1972,
+/// doi 10.1029/JB077i020p03796). NaN where friction does not weaken.
+pub fn weakening_distance(slip: &[f64], shear: &[Estimate]) -> Estimate {
+    let unknown = Estimate { value: f64::NAN, error: f64::NAN };
+    let Some(end) = shear.last() else {
+        return unknown;
+    };
+    let highest = |one: &Estimate, other: &Estimate| one.value.total_cmp(&other.value);
+    let Some(peak) = shear.iter().copied().max_by(highest) else {
+        return unknown;
+    };
+    let drop = peak.value - end.value;
+    // A drop within the tolerance of the integrals is none.
+    if drop <= 1e-5 * peak.value.abs() {
+        return unknown;
+    }
+    let energy = weakening_energy(slip, shear);
+    let value = 2.0 * energy.value / drop;
+    // The relative error that peak and end have in common is in the energy as well and cancels.
+    let of_drop = (peak.error - end.error).abs() / drop;
+    let common = peak.error / peak.value;
+    let of_energy = (energy.error / energy.value - common).max(0.0);
+    Estimate { value, error: value * (of_energy + of_drop) }
+}
+
 /// Trapezoidal integral from the peak of τ to the end.
 fn released(slip: &[f64], shear: &[Estimate], height: impl Fn(&Estimate) -> f64) -> f64 {
     let mut peak = 0;
@@ -215,6 +241,7 @@ mod tests {
         let (slip, mu) = curve(|_| 0.5);
         assert_eq!(inception(&slip, &mu).slip, 0.0);
         assert_eq!(weakening_energy(&slip, &mu).value, 0.0);
+        assert!(weakening_distance(&slip, &mu).value.is_nan());
         let (slip, mu) = curve(|s| s);
         let found = inception(&slip, &mu);
         assert!(!found.reached && found.mu.value == 4.0);
@@ -227,5 +254,9 @@ mod tests {
         // ∫_0^4 (τ − τ_end) ds with e^{−40} left; trapezoids on 12 % steps are 1e-3 off.
         assert!((energy.value / 2e5 - 1.0).abs() < 5e-3, "{}", energy.value);
         assert!((energy.value - 2e5).abs() <= energy.error);
+        // D_w = 2 L for a drop that is exponential over L.
+        let distance = weakening_distance(&slip, &shear);
+        assert!((distance.value / 0.2 - 1.0).abs() < 5e-3, "{}", distance.value);
+        assert!((distance.value - 0.2).abs() <= distance.error);
     }
 }

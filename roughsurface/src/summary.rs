@@ -2,6 +2,8 @@
 
 use crate::friction::{Friction, Prediction};
 use crate::query::Pressing;
+use crate::regime::regime;
+use crate::uncertainty::{OUTPUTS, Propagated};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tables::law::Estimate;
@@ -71,15 +73,44 @@ pub fn text(prediction: &Prediction) -> String {
             rows.push(row);
         }
     }
-    let mut text = aligned(&rows);
+    let mut text = format!(
+        "Plasticity index {:.3}: {}\n\n",
+        prediction.plasticity_index,
+        regime(prediction.plasticity_index)
+    );
+    text.push_str(&aligned(&rows));
+    if let Some(propagated) = &prediction.propagated {
+        text.push_str(&parameters(prediction, propagated));
+    }
+    if !prediction.comparisons.is_empty() {
+        text.push_str("\nWith asperities after models of the literature:\n");
+        let head = [row_head, "model", "mu_static", "mu", "area fraction"].map(String::from);
+        let mut rows = vec![head.to_vec()];
+        for (row, value) in pressing.iter().enumerate() {
+            for comparison in &prediction.comparisons {
+                let cell = &comparison.friction[row];
+                rows.push(vec![
+                    format!("{value:.3e}"),
+                    comparison.model.clone(),
+                    format!("{:.4}", cell.mu_static.value),
+                    format!("{:.4}", cell.sliding.mu.value),
+                    format!("{:.3e}", cell.sliding.area_fraction.value),
+                ]);
+            }
+        }
+        text.push_str(&aligned(&rows));
+    }
     if prediction.query.slip_rates.len() > 1 {
         text.push('\n');
         text.push_str("Flash heating, mu = mu_w + (mu_0 - mu_w)/[1 + (V/V_w)^8]^(1/8):\n");
-        let mut rows = vec![[row_head, "mu_0", "mu_w", "V_w [m/s]"].map(String::from).to_vec()];
+        let mut rows = vec![[row_head, "mu_0", "mu_w", "V_w [m/s]", "R2"].map(String::from).to_vec()];
         for (value, fit) in pressing.iter().zip(&prediction.flash_heating) {
             let mut row = vec![format!("{value:.3e}")];
             match fit {
-                Ok(fit) => row.extend([fit.mu_0, fit.mu_w, fit.v_w].map(with_error)),
+                Ok(fit) => {
+                    row.extend([fit.mu_0, fit.mu_w, fit.v_w].map(with_error));
+                    row.push(format!("{:.4}", fit.r_squared));
+                }
                 Err(reason) => row.push(format!("not fitted: {reason}")),
             }
             rows.push(row);
@@ -87,6 +118,26 @@ pub fn text(prediction: &Prediction) -> String {
         text.push_str(&aligned(&rows));
     }
     text
+}
+
+/// Standard deviations from uncertain parameters, and the parameter that matters most.
+fn parameters(prediction: &Prediction, propagated: &Propagated) -> String {
+    let mut rows = vec![vec![row_head(&prediction.query.pressing).to_string(), "slip rate [m/s]".into()]];
+    rows[0].extend(OUTPUTS.iter().map(|output| output.name.to_string()));
+    rows[0].push("mu most by".into());
+    let mut cell = 0;
+    for value in prediction.query.pressing.values() {
+        for rate in &prediction.query.slip_rates {
+            let mut row = vec![format!("{value:.3e}"), format!("{rate}")];
+            row.extend((0..OUTPUTS.len()).map(|output| format!("{:.1e}", propagated.std(cell, output))));
+            let changes = propagated.contributions[cell][0].iter().zip(&propagated.parameters);
+            let most = changes.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
+            row.push(most.map_or("-", |(_, uncertain)| uncertain.parameter.key()).to_string());
+            rows.push(row);
+            cell += 1;
+        }
+    }
+    format!("\nStandard deviations from uncertain parameters:\n{}", aligned(&rows))
 }
 
 /// Columns as wide as their widest cell, numbers to the right.
@@ -132,6 +183,11 @@ pub fn json(prediction: &Prediction) -> Value {
                 "Q": cell.sliding.shear,
                 "G": cell.energy,
                 "G_stick_slip": cell.energy_stick_slip,
+                "G_real_area": cell.energy_of_real_area(),
+                "G_stick_slip_real_area": cell.energy_stick_slip_of_real_area(),
+                "weakening_distance": cell.weakening_distance,
+                "dmu_dlnV": cell.rate_sensitivity,
+                "contacts": cell.shares,
                 "pressure_sliding": cell.sliding.pressure,
                 "separation": cell.pressed.separation,
                 "separation_sliding": cell.sliding.separation,
@@ -145,14 +201,48 @@ pub fn json(prediction: &Prediction) -> Value {
         .iter()
         .zip(&prediction.flash_heating)
         .map(|(value, fit)| match fit {
-            Ok(fit) => json!({row: value, "mu_0": fit.mu_0, "mu_w": fit.mu_w, "V_w": fit.v_w}),
+            Ok(fit) => json!({
+                row: value,
+                "mu_0": fit.mu_0,
+                "mu_w": fit.mu_w,
+                "V_w": fit.v_w,
+                "rms": fit.misfit,
+                "r_squared": fit.r_squared,
+            }),
             Err(reason) => json!({row: value, "not_fitted": reason.to_string()}),
+        })
+        .collect();
+    if let Some(propagated) = &prediction.propagated {
+        for (index, cell) in cells.iter_mut().enumerate() {
+            let stds = OUTPUTS
+                .iter()
+                .enumerate()
+                .map(|(output, line)| (line.name.to_string(), Value::from(propagated.std(index, output))));
+            cell["parameter_std"] = Value::Object(stds.collect());
+        }
+    }
+    let comparisons: Vec<Value> = prediction
+        .comparisons
+        .iter()
+        .flat_map(|comparison| {
+            pressing.iter().zip(&comparison.friction).map(move |(value, cell)| {
+                json!({
+                    "model": comparison.model,
+                    row: value,
+                    "mu_static": cell.mu_static,
+                    "mu": cell.sliding.mu,
+                    "real_area_fraction": cell.sliding.area_fraction,
+                })
+            })
         })
         .collect();
     json!({
         "law": prediction.law,
         "hold": prediction.query.hold,
+        "plasticity_index": prediction.plasticity_index,
+        "regime": regime(prediction.plasticity_index),
         "friction": cells,
+        "comparisons": comparisons,
         "flash_heating": fits,
         "warnings": prediction.warnings,
     })

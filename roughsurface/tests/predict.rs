@@ -171,7 +171,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
     let output = folder.run("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let summary = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert_eq!(summary.lines().count(), 1 + 15 + 1 + 2 + 3, "{summary}");
+    assert_eq!(summary.lines().count(), 2 + 1 + 15 + 1 + 2 + 3, "{summary}");
     assert!(std::fs::metadata(folder.path("f.svg")).unwrap().len() > 10_000);
 
     let surface = SurfaceFile::read(&folder.path("surface.toml")).unwrap();
@@ -268,6 +268,8 @@ fn bad_input_ends_with_status_two_and_one_line() {
         ("predict surface.toml --table none.nc -o f.nc", "cannot read none.nc"),
         ("predict surface.toml --table model:hertz -o no/f.nc", "its folder does not exist"),
         ("predict surface.toml --table model:hertz -o f.nc --plot f.pdf", "must be one of svg, png"),
+        ("predict surface.toml --table model:hertz -o f.nc --compare herz", "--compare herz: must be among"),
+        ("predict surface.toml --table model:hertz -o f.nc --report no/f.html", "its folder does not exist"),
     ] {
         let output = folder.run(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments}");
@@ -277,4 +279,47 @@ fn bad_input_ends_with_status_two_and_one_line() {
     let usage = folder.run("predict surface.toml");
     assert_eq!(usage.status.code(), Some(2));
     assert!(!Path::new(&folder.path("f.nc")).exists());
+}
+
+#[test]
+fn everything_asked_for_is_in_the_files() {
+    let folder = Folder::new("everything");
+    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    let text = format!("{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n");
+    std::fs::write(folder.path("surface.toml"), text).unwrap();
+    let output = folder.run(
+        "predict surface.toml --table table.nc -o f.nc --compare kogut-etsion,jackson-green --report f.html --json",
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    let read = |name: &str, shape: &[usize]| file.reals(name, shape).unwrap();
+    // The table is made of Jackson–Green spheres, whose static friction it keeps.
+    let models = read("mu_static_model", &[2, 3]);
+    let here = read("mu_static", &[3, 5]);
+    for row in 0..3 {
+        assert!((models[3 + row] / here[5 * row] - 1.0).abs() < 0.05, "{row}");
+    }
+    let change = read("mu_parameter_change", &[3, 5, 2]);
+    let std = read("mu_parameter_std", &[3, 5]);
+    for (cell, std) in std.iter().enumerate() {
+        let sum = change[2 * cell].hypot(change[2 * cell + 1]);
+        assert!((sum - std).abs() < 1e-12 && *std > 0.0);
+    }
+    // Numbers of JSON come back with the rounding of their last digit.
+    let in_summary = summary["friction"][4]["parameter_std"]["mu"].as_f64().unwrap();
+    assert!((in_summary / std[4] - 1.0).abs() < 1e-15);
+    let shares: Vec<Vec<f64>> =
+        ["elastic_fraction", "plastic_fraction", "melting_fraction"].map(|name| read(name, &[3, 5])).into();
+    assert!((0..15).all(|cell| (shares.iter().map(|share| share[cell]).sum::<f64>() - 1.0).abs() < 1e-12));
+    // These asperities weaken with the logarithm of the slip rate where they do at all.
+    assert!(read("dmu_dlnV", &[3, 5]).iter().all(|slope| *slope < 0.0));
+    let psi = file.attribute_real("plasticity_index").unwrap();
+    let critical = hertz::critical_interference(STEEL.contact_modulus(), 0.3, 400e6, 1e-4);
+    assert!((psi - (0.05e-6 / critical).sqrt()).abs() < 1e-6 * psi);
+    let page = std::fs::read_to_string(folder.path("f.html")).unwrap();
+    for wanted in ["Models of the literature", "Standard deviations from uncertain parameters", "heights_std"]
+    {
+        assert!(page.contains(wanted), "{wanted}");
+    }
 }

@@ -272,6 +272,24 @@ impl DatasetReader {
         self.reals(name, &[length])
     }
 
+    /// Lengths of the dimensions of a variable.
+    pub fn shape(&self, name: &str) -> Result<Vec<usize>, DatasetError> {
+        Ok(self.variable(name)?.dimensions().iter().map(|dimension| dimension.len()).collect())
+    }
+
+    /// Attribute of a variable that is a text, if there is one.
+    pub fn variable_text(&self, name: &str, attribute: &str) -> Option<String> {
+        match self.file.variable(name)?.attribute_value(attribute)?.ok()? {
+            AttributeValue::Str(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// Attribute of a variable that is a number, if there is one.
+    pub fn variable_real(&self, name: &str, attribute: &str) -> Option<f64> {
+        f64::try_from(self.file.variable(name)?.attribute_value(attribute)?.ok()?).ok()
+    }
+
     /// Numbers of the expected shape, row-major; NaN for the fill value.
     pub fn reals(&self, name: &str, shape: &[usize]) -> Result<Vec<f64>, DatasetError> {
         let variable = self.shaped(name, shape)?;

@@ -1,10 +1,11 @@
 use super::*;
 use crate::heights::{Exponential, Gaussian, Heights};
+use crate::query::{Hold, Pressing};
 use crate::test_laws::PowerLaw;
 use tables::closed_forms::{ElasticPlastic, closed_form, hertz};
 
 fn surface(heights: Box<dyn Heights>) -> Surface {
-    Surface { asperity_density: 1e10, asperity_radius: 1e-4, heights }
+    Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
 }
 
 fn ask(

@@ -6,14 +6,17 @@
 
 mod exponential;
 mod gaussian;
+mod histogram;
 mod lognormal;
 mod sample;
 mod truncated_gaussian;
 mod uniform;
+mod vector_exp;
 mod weibull;
 
 pub use exponential::Exponential;
 pub use gaussian::Gaussian;
+pub use histogram::Histogram;
 pub use lognormal::LogNormal;
 pub use sample::Sample;
 pub use truncated_gaussian::TruncatedGaussian;
@@ -30,7 +33,8 @@ pub type Random = rand::rngs::Xoshiro256PlusPlus;
 /// Distribution of the heights z of the summits, in metres above the plane from
 /// which separations are measured.
 ///
-/// Densities have one maximum: quadrature looks for their weight there.
+/// Densities have one maximum, or say otherwise in [`ln_peak`](Heights::ln_peak) and
+/// [`step_between`](Heights::step_between): quadrature looks for their weight there.
 pub trait Heights: Debug + Send + Sync {
     /// Natural logarithm of the density φ(z), φ in 1/m; −∞ where there are no summits.
     fn ln_density(&self, height: f64) -> f64;
@@ -38,6 +42,22 @@ pub trait Heights: Debug + Send + Sync {
     fn tail(&self, height: f64) -> f64;
     /// Height at which the density is largest, m.
     fn mode(&self) -> f64;
+    /// Largest value of [`ln_density`](Heights::ln_density) between two heights (m).
+    fn ln_peak(&self, from: f64, to: f64) -> f64 {
+        self.ln_density(self.mode().min(to).max(from))
+    }
+    /// A height (m) strictly between the two at which the density jumps, the ends of its
+    /// support aside; where there are several, one in their middle.
+    fn step_between(&self, _from: f64, _to: f64) -> Option<f64> {
+        None
+    }
+    /// Heights (m) to densities (1/m), in place: the inner loop of the integrals.
+    fn densities(&self, heights: &mut [f64]) {
+        for height in heights.iter_mut() {
+            *height = self.ln_density(*height);
+        }
+        vector_exp::exp(heights);
+    }
     /// Lowest and highest summit, m.
     fn support(&self) -> (f64, f64) {
         (f64::NEG_INFINITY, f64::INFINITY)
@@ -66,7 +86,7 @@ pub struct HeightsKeys {
     pub lower: Option<f64>,
     /// Highest height, m.
     pub upper: Option<f64>,
-    /// File of measured heights.
+    /// File of measured heights, or of the bins of a histogram.
     pub file: Option<PathBuf>,
 }
 
@@ -151,6 +171,14 @@ pub const DISTRIBUTIONS: &[Entry] = &[
         build: |keys, folder| {
             let file = folder.join(keys.file.clone().unwrap_or_default());
             Ok(Box::new(Sample::read(&file)?))
+        },
+    },
+    Entry {
+        name: "histogram",
+        keys: &["file"],
+        build: |keys, folder| {
+            let file = folder.join(keys.file.clone().unwrap_or_default());
+            Ok(Box::new(Histogram::read(&file)?))
         },
     },
 ];

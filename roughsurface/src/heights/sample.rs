@@ -20,6 +20,12 @@ impl Sample {
         (variance > 0.0 && variance.is_finite()).then_some(Self { heights, std: variance.sqrt() })
     }
 
+    /// Any finite heights (m), be they one or none: a part of a set, never searched by itself.
+    pub(crate) fn part(mut heights: Vec<f64>) -> Self {
+        heights.sort_by(|one, other| other.total_cmp(one));
+        Self { heights, std: f64::NAN }
+    }
+
     /// Reads heights in metres, separated by white space or commas; `#` starts a comment.
     pub fn read(file: &Path) -> Result<Self, HeightsError> {
         let error = |allowed: String| HeightsError {

@@ -12,24 +12,44 @@ fn all() -> Vec<(&'static str, Box<dyn Heights>)> {
         ("truncated-gaussian", Box::new(TruncatedGaussian::new(2e-6, -5e-6, 1e-6).unwrap())),
         ("weibull", Box::new(Weibull::new(2e-6, 2.5))),
         ("lognormal", Box::new(LogNormal::new(2e-6, 0.5))),
+        ("histogram", Box::new(two_humps())),
     ]
 }
 
-/// Moments of the density by brute force: many panels over ±30 standard deviations.
+/// Unequal bins, a gap between two humps and empty ends; the places that the battery looks at
+/// are no edges.
+fn two_humps() -> Histogram {
+    let std = 1.0 / TWO_HUMPS_STD * 2e-6;
+    let edges = [-4.0, -2.5, -1.9, -0.6, 0.0, 0.5, 1.0, 2.5, 3.0].map(|edge| edge * std);
+    Histogram::new(edges.to_vec(), &[0.0, 2.0, 5.0, 1.0, 0.0, 3.0, 4.0, 0.0]).unwrap()
+}
+
+/// Standard deviation of those bins in the unit of their edges: (2, 5, 1, 3, 4)/15 about
+/// −2.2, −1.25, −0.3, 0.75, 1.75 with widths 0.6, 1.3, 0.6, 0.5, 1.5, by hand.
+const TWO_HUMPS_STD: f64 = 1.481_755_715_359_316_6;
+
+/// Moments of the density by brute force: many panels over ±30 standard deviations, cut where the
+/// density jumps.
 fn moments(heights: &dyn Heights) -> (f64, f64, f64) {
     let rule = GaussLegendre::new(20).unwrap();
     let std = heights.standard_deviation();
     let (low, high) = heights.support();
     let (low, high) = (low.max(-30.0 * std), high.min(60.0 * std));
-    let panels = 2000;
-    let width = (high - low) / panels as f64;
+    let mut panels: Vec<(f64, f64)> = Vec::new();
+    let mut pending = vec![(low, high)];
+    while let Some((from, to)) = pending.pop() {
+        match heights.step_between(from, to) {
+            Some(step) => pending.extend([(from, step), (step, to)]),
+            None => {
+                let width = (to - from) / 2000.0;
+                let start = |panel: i32| from + f64::from(panel) * width;
+                panels.extend((0..2000).map(|panel| (start(panel), start(panel + 1))));
+            }
+        }
+    }
     let integral = |power: i32| -> f64 {
-        (0..panels)
-            .map(|panel| {
-                let from = low + panel as f64 * width;
-                rule.integrate(from, from + width, |z| (z / std).powi(power) * heights.ln_density(z).exp())
-            })
-            .sum()
+        let density = |z: f64| (z / std).powi(power) * heights.ln_density(z).exp();
+        panels.iter().map(|&(from, to)| rule.integrate(from, to, density)).sum()
     };
     (integral(0), integral(1), integral(2))
 }
@@ -95,6 +115,29 @@ fn a_measured_set_counts_its_summits() {
 }
 
 #[test]
+fn histograms_are_read_with_the_upper_edge_last() {
+    let file = std::env::temp_dir().join(format!("roughsurface-histogram-{}.txt", std::process::id()));
+    let read = |text: &str| {
+        std::fs::write(&file, text).unwrap();
+        Histogram::read(&file)
+    };
+    let heights = read("# edge, count\n-1e-6, 3\n0, 1\n\n1e-6\n").unwrap();
+    assert_eq!(heights.support(), (-1e-6, 1e-6));
+    assert_eq!((heights.tail(0.0), heights.tail(0.5e-6)), (0.25, 0.125));
+    for (text, what) in [
+        ("0 1\n1e-6\n2e-6 3\n", "line 3: \"2e-6 3\" is not the lower edge"),
+        ("0 many\n1\n", "line 1: \"0 many\""),
+        ("0 1\n1 2\n", "must hold ascending edges"),
+        ("0 1\n1 -2\n2\n", "must hold ascending edges"),
+        ("0 0\n1\n", "must hold ascending edges"),
+    ] {
+        let message = read(text).unwrap_err().to_string();
+        assert!(message.contains(what), "{message}");
+    }
+    std::fs::remove_file(&file).unwrap();
+}
+
+#[test]
 fn errors_name_key_value_and_what_is_allowed() {
     let keys = |distribution: &str, std: Option<f64>, shape: Option<f64>| HeightsKeys {
         distribution: distribution.into(),
@@ -106,7 +149,7 @@ fn errors_name_key_value_and_what_is_allowed() {
     assert_eq!(
         message(keys("gausian", Some(1e-6), None)),
         "distribution = \"gausian\": must be one of gaussian, exponential, uniform, \
-         truncated-gaussian, weibull, lognormal, sample (did you mean \"gaussian\"?)"
+         truncated-gaussian, weibull, lognormal, sample, histogram (did you mean \"gaussian\"?)"
     );
     assert_eq!(message(keys("gaussian", None, None)), "std: is missing; the gaussian distribution takes std");
     assert_eq!(

@@ -292,3 +292,22 @@ fn a_large_measured_set_approaches_its_parent() {
     assert_close(summed.pressure.value, exact.pressure.value, 1e-3, "load");
     assert_close(summed.contact_density, exact.contact_density, 1e-3, "number");
 }
+
+#[test]
+fn bins_are_integrated_one_by_one() {
+    use crate::heights::Histogram;
+    // Hertzian load of heights spread evenly from a to b over a flat at d < a is
+    // [(b−d)^{5/2} − (a−d)^{5/2}]/(5/2)/(b−a); a gap in between, and two bins of 1:3.
+    let edges = [0.0, 1.0, 2.0, 2.5].map(|edge| edge * STD);
+    let heights = Histogram::new(edges.to_vec(), &[1.0, 0.0, 3.0]).unwrap();
+    let spread = |from: f64, to: f64, d: f64| {
+        let power = |z: f64| (z - d).max(0.0).powf(2.5);
+        (power(to) - power(from)) / 2.5 / (to - from)
+    };
+    for d in [-7.3, -0.2, 0.0, 0.4, 1.3, 2.1, 2.499] {
+        let exact = 0.25 * spread(0.0, 1.0, d) + 0.75 * spread(2.0, 2.5, d);
+        for critical in [0.1 * STD, 3.0 * STD] {
+            assert_close(moment(&heights, 1.5, d, critical), exact, 1e-12, &format!("at {d}"));
+        }
+    }
+}

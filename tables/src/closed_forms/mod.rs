@@ -5,6 +5,7 @@
 //! tests, the comparison models of `roughsurface`, and what a table continues into where it ends.
 
 pub mod brizmer;
+pub mod chang_etsion_bogy;
 pub mod hertz;
 pub mod jackson_green;
 pub mod kogut_etsion;

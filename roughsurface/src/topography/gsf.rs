@@ -1,0 +1,51 @@
+//! Gwyddion Simple Field: a text header, zeros up to a multiple of four bytes, and
+//! single-precision numbers row by row (Gwyddion user guide, Gwyddion Simple Field).
+
+use super::{Topography, length};
+
+pub(super) const MAGIC: &[u8] = b"Gwyddion Simple Field 1.0\n";
+
+pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
+    let end = bytes.iter().position(|byte| *byte == 0).ok_or("the header of the GSF file has no end")?;
+    let header = std::str::from_utf8(&bytes[..end]).map_err(|_| "the header of the GSF file is no UTF-8")?;
+    let field = |key: &str| {
+        header.lines().skip(1).find_map(|line| {
+            let (name, value) = line.split_once('=')?;
+            (name.trim() == key).then(|| value.trim())
+        })
+    };
+    let points = |key: &str| -> Result<usize, String> {
+        let text = field(key).ok_or_else(|| format!("{key}: is missing from the GSF header"))?;
+        let rule = || format!("{key} = {text}: must be a positive number of points");
+        text.parse().ok().filter(|points| *points > 0).ok_or_else(rule)
+    };
+    let (columns, rows) = (points("XRes")?, points("YRes")?);
+    let unit = |key: &str| -> Result<f64, String> {
+        let symbol = field(key).unwrap_or("");
+        let rule = || format!("{key} = \"{symbol}\": must be a unit of length such as m or um");
+        length::unit(symbol).ok_or_else(rule)
+    };
+    let (lateral, vertical) = (unit("XYUnits")?, unit("ZUnits")?);
+    let extent = |key: &str| -> Result<f64, String> {
+        let text = field(key).ok_or_else(|| format!("{key}: is missing from the GSF header"))?;
+        text.parse::<f64>().map_err(|_| format!("{key} = {text}: must be a length"))
+    };
+    let (width, height) = (extent("XReal")? * lateral, extent("YReal")? * lateral);
+    // One to four zeros: the data start at a multiple of four.
+    let start = end + 4 - end % 4;
+    let count = rows.checked_mul(columns).ok_or("XRes x YRes is too large")?;
+    let data = bytes.get(start..).unwrap_or_default();
+    if data.len() / 4 < count {
+        return Err(format!("holds {} of {columns} x {rows} heights", data.len() / 4));
+    }
+    let number = |bytes: &[u8]| f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+    Ok(Topography {
+        rows,
+        row_step: height / rows as f64,
+        columns,
+        column_step: width / columns as f64,
+        heights: data.chunks_exact(4).take(count).map(|bytes| vertical * number(bytes)).collect(),
+        periodic: false,
+        remarks: Vec::new(),
+    })
+}

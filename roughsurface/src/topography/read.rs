@@ -1,0 +1,116 @@
+//! Reads a topography of any known format, told apart by content.
+
+use super::{Topography, TopographyError, gsf, netcdf, text, x3p};
+use std::path::Path;
+
+/// What a file may leave unsaid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Metres per unit of a text file; 1 unless given.
+    pub unit: Option<f64>,
+    /// Distance between the points of a matrix or a single column of heights, m.
+    pub pixel: Option<f64>,
+}
+
+/// Fewest points in each direction from which curvatures can be had.
+const FEWEST_POINTS: usize = 8;
+
+/// Largest share of undefined points that are filled in rather than refused.
+const MOST_UNDEFINED: f64 = 0.1;
+
+/// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, or text:
+/// a matrix of heights, columns x y z, x z, or z.
+pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyError> {
+    let error = |what: String| TopographyError::new(file, what);
+    let bytes = std::fs::read(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;
+    let is_text = !(bytes.starts_with(b"PK\x03\x04")
+        || bytes.starts_with(gsf::MAGIC)
+        || bytes.starts_with(b"CDF")
+        || bytes.starts_with(b"\x89HDF"));
+    if !is_text && (reading.unit.is_some() || reading.pixel.is_some()) {
+        return Err(error("states its own lengths; --unit and --pixel are for text".into()));
+    }
+    let mut topography = if is_text {
+        text::parse(&String::from_utf8_lossy(&bytes), reading)
+    } else if bytes.starts_with(b"PK\x03\x04") {
+        x3p::parse(&bytes)
+    } else if bytes.starts_with(gsf::MAGIC) {
+        gsf::parse(&bytes)
+    } else {
+        netcdf::read(file)
+    }
+    .map_err(error)?;
+    check(&mut topography).map_err(error)?;
+    Ok(topography)
+}
+
+fn check(topography: &mut Topography) -> Result<(), String> {
+    let Topography { rows, columns, row_step, column_step, .. } = *topography;
+    if columns < FEWEST_POINTS || (rows != 1 && rows < FEWEST_POINTS) {
+        return Err(format!(
+            "holds {rows} x {columns} points; at least {FEWEST_POINTS} in each direction are needed"
+        ));
+    }
+    for (name, step) in [("row", row_step), ("column", column_step)] {
+        if !(step > 0.0 && step.is_finite()) {
+            return Err(format!("distance between {name}s = {step:e} m: must be positive"));
+        }
+    }
+    for height in &mut topography.heights {
+        if !height.is_finite() {
+            *height = f64::NAN;
+        }
+    }
+    let undefined = topography.undefined();
+    if undefined > MOST_UNDEFINED {
+        return Err(format!(
+            "{:.1} % of the points have no height; at most {:.0} % can be filled in",
+            100.0 * undefined,
+            100.0 * MOST_UNDEFINED
+        ));
+    }
+    if undefined > 0.0 {
+        fill(topography);
+        topography.remarks.push(format!(
+            "{:.2} % of the points have no height and were filled in from their neighbours",
+            100.0 * undefined
+        ));
+    }
+    let defined = || topography.heights.iter().copied();
+    let (low, high) = (defined().fold(f64::INFINITY, f64::min), defined().fold(f64::NEG_INFINITY, f64::max));
+    if low == high {
+        return Err(format!("all heights are {low:e} m"));
+    }
+    Ok(())
+}
+
+/// Gives undefined points the mean of their defined neighbours, from the rims of holes inwards.
+fn fill(topography: &mut Topography) {
+    let (rows, columns) = (topography.rows, topography.columns);
+    let heights = &mut topography.heights;
+    loop {
+        let mut filled = Vec::new();
+        for place in (0..heights.len()).filter(|place| heights[*place].is_nan()) {
+            let (row, column) = (place / columns, place % columns);
+            let (mut sum, mut count) = (0.0, 0);
+            for r in row.saturating_sub(1)..=(row + 1).min(rows - 1) {
+                for c in column.saturating_sub(1)..=(column + 1).min(columns - 1) {
+                    let height = heights[r * columns + c];
+                    if !height.is_nan() {
+                        sum += height;
+                        count += 1;
+                    }
+                }
+            }
+            if count > 0 {
+                filled.push((place, sum / f64::from(count)));
+            }
+        }
+        if filled.is_empty() {
+            return;
+        }
+        for (place, height) in filled {
+            heights[place] = height;
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! A characterisation for people, for programs, and as a surface file.
+
+use super::characterize::Characterization;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use tables::figure::{Axis, Curve, Figure, Panel};
+
+/// Which summits a surface file is written with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum WhichSummits {
+    /// Those that the moments stand for, heights Gaussian.
+    #[default]
+    Moments,
+    /// Those found one by one, their heights in a file beside.
+    Found,
+}
+
+/// As lines of text.
+pub fn text(found: &Characterization) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: String| {
+        let _ = writeln!(text, "{name:<44} {value}");
+    };
+    let (rows, columns) = found.points;
+    let profile = rows == 1;
+    let points = if profile { format!("{columns}") } else { format!("{rows} x {columns}") };
+    line("points", points);
+    line("distance of points", format!("{:.4e} m", found.pixel));
+    line("short-wavelength cut-off (Gaussian, 50 %)", format!("{:.4e} m", found.cutoff));
+    line(
+        "reliability limit",
+        format!("{:.4e} m ({:?})", found.reliability_limit, found.limited_by).to_lowercase(),
+    );
+    line("rms height, unfiltered", format!("{:.4e} m", found.rms_height));
+    line("rms slope", format!("{:.4e}", found.rms_slope));
+    line("rms curvature", format!("{:.4e} 1/m", found.rms_curvature));
+    line("m0", format!("{:.4e} m2", found.moments.m0));
+    line("m2", format!("{:.4e}", found.moments.m2));
+    line("m4", format!("{:.4e} 1/m2", found.moments.m4));
+    line("bandwidth alpha", format!("{:.3}", found.summits.alpha));
+    let product = found.summits.density * found.summits.radius * found.summits.std;
+    line("eta R sigma_s", format!("{product:.4}"));
+    let what = if profile { "peaks found" } else { "summits found" };
+    let _ = writeln!(text, "\n{:<44} {:>14}   {:>14}", "summits", "from moments", what);
+    let per = if profile { "density eta, 1/m2 (found: 1/m)" } else { "density eta, 1/m2" };
+    let (theory, search) = (&found.summits, &found.found);
+    for (name, moments, search) in [
+        (per, Some(theory.density), search.density),
+        ("radius R, m", Some(theory.radius), search.radius),
+        ("standard deviation of heights sigma_s, m", Some(theory.std), search.std),
+        ("mean summit plane above mean plane, m", Some(theory.mean_summit), search.mean),
+        ("skewness of heights", None, search.skewness),
+        ("kurtosis of heights", None, search.kurtosis),
+    ] {
+        let moments = moments.map_or("-".to_string(), |value| format!("{value:.4e}"));
+        let search = if name.starts_with("skew") || name.starts_with("kurt") {
+            format!("{search:.3}")
+        } else {
+            format!("{search:.4e}")
+        };
+        let _ = writeln!(text, "{name:<44} {moments:>14}   {search:>14}");
+    }
+    text
+}
+
+/// As JSON.
+pub fn json(found: &Characterization) -> Value {
+    json!(found)
+}
+
+/// A surface file with the summits, ready for `roughsurface predict`; `heights` is the name of the
+/// file of the heights of the summits found, where those are asked for.
+pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str>) -> String {
+    let (density, radius, distribution, mean) = match heights {
+        Some(file) => (
+            found.found.density,
+            found.found.radius,
+            format!("{{ distribution = \"sample\", file = {} }}", json!(file)),
+            found.found.mean,
+        ),
+        None => (
+            found.summits.density,
+            found.summits.radius,
+            format!("{{ distribution = \"gaussian\", std = {:.6e} }}", found.summits.std),
+            found.summits.mean_summit,
+        ),
+    };
+    let plane = if heights.is_some() { "mean plane of the surface" } else { "mean plane of the summits" };
+    // What ends a line would end the comment.
+    let source: String = source.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    format!(
+        "# Summits of {source}, written by roughsurface {}\n\
+         # Cut-off {:.4e} m, reliability limit {:.4e} m; m0 = {:.4e} m2, m2 = {:.4e}, m4 = {:.4e} 1/m2,\n\
+         # bandwidth {:.3}. Mean summit plane {mean:.4e} m above the mean plane of the surface.\n\
+         # Separations are counted from the {plane}.\n\
+         \n\
+         [surface]\n\
+         asperity_density = {density:.6e}   # summits per nominal area, 1/m2\n\
+         asperity_radius = {radius:.6e}     # m\n\
+         heights = {distribution}\n\
+         \n\
+         [query]\n\
+         pressure = [1e5, 1e6, 1e7]         # nominal, Pa\n\
+         slip_rate = [0.1, 1.0, 10.0]       # m/s\n\
+         hold = \"load\"\n\
+         \n\
+         # For --table model:NAME give the material of the summits:\n\
+         # [material]\n\
+         # youngs_modulus = 205e9           # Pa\n\
+         # poisson_ratio = 0.29\n\
+         # yield_strength = 792e6           # Pa\n",
+        env!("CARGO_PKG_VERSION"),
+        found.cutoff,
+        found.reliability_limit,
+        found.moments.m0,
+        found.moments.m2,
+        found.moments.m4,
+        found.summits.alpha,
+    )
+}
+
+/// The heights of the summits found, one a line.
+pub fn heights_file(found: &Characterization) -> String {
+    let mut text = String::from("# Heights of summits above the mean plane of the surface, m\n");
+    for height in &found.found.heights {
+        let _ = writeln!(text, "{height:.6e}");
+    }
+    text
+}
+
+/// Spectrum, and the distribution of the summit heights beside the Gaussian one of the moments.
+pub fn figure(found: &Characterization) -> Figure {
+    let (q, power): (Vec<f64>, Vec<f64>) = found.spectrum.iter().copied().unzip();
+    let wavelength: Vec<f64> = q.iter().map(|q| 2.0 * std::f64::consts::PI / q).collect();
+    let filtered = (q.iter().zip(&power))
+        .map(|(q, power)| power * super::filter::transmission(*q, found.cutoff).powi(2))
+        .collect();
+    let (z, measured, gaussian) = distributions(found);
+    Figure {
+        title: String::new(),
+        panels: vec![
+            Panel {
+                title: "Spectrum".into(),
+                x: Axis::logarithmic("wavelength (m)"),
+                y: Axis::logarithmic("mean power of a wave (m²)"),
+                curves: vec![
+                    Curve::new("measured", wavelength.clone(), power),
+                    Curve::new("after the cut-off", wavelength, filtered),
+                ],
+            },
+            Panel {
+                title: "Summit heights".into(),
+                x: Axis::linear("height above the mean plane (µm)"),
+                y: Axis::linear("share of summits below"),
+                curves: vec![
+                    Curve::new("found", z.clone(), measured),
+                    Curve::new("from moments", z, gaussian),
+                ],
+            },
+        ],
+    }
+}
+
+/// Heights (µm), share of the summits found below them, and that of the moments.
+fn distributions(found: &Characterization) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    const POINTS: usize = 101;
+    let heights = &found.found.heights;
+    let theory = &found.summits;
+    let (Some(highest), Some(lowest)) = (heights.first(), heights.last()) else {
+        return Default::default();
+    };
+    let at = |i: usize| lowest + (highest - lowest) * i as f64 / (POINTS - 1) as f64;
+    let z: Vec<f64> = (0..POINTS).map(at).collect();
+    let below = |z: &f64| 1.0 - heights.partition_point(|height| height > z) as f64 / heights.len() as f64;
+    let gaussian = |z: &f64| 0.5 * libm::erfc(-(z - theory.mean_summit) / (theory.std * 2f64.sqrt()));
+    (z.iter().map(|z| 1e6 * z).collect(), z.iter().map(below).collect(), z.iter().map(gaussian).collect())
+}

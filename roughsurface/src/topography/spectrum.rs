@@ -1,0 +1,239 @@
+//! Spectral moments, and where a measured spectrum ends.
+
+use super::Topography;
+use super::fft::Waves;
+use super::filter::transmission;
+use std::f64::consts::PI;
+
+/// Mean squares of the height, slope and curvature of a profile along any direction of an
+/// isotropic surface (Nayak 1971, doi 10.1115/1.3451608).
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Moments {
+    /// m².
+    pub m0: f64,
+    /// 1.
+    pub m2: f64,
+    /// 1/m².
+    pub m4: f64,
+    /// Mean square slopes across and along the rows, 1; of a profile, m2 twice.
+    pub m2_directions: (f64, f64),
+}
+
+/// Whether the edges of a topography that does not continue are faded out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Window {
+    /// Hann's, scaled to keep the mean square; none for periodic maps.
+    #[default]
+    Hann,
+    None,
+}
+
+impl Window {
+    fn weight(self, topography: &Topography) -> impl Fn(usize, usize) -> f64 + use<> {
+        let faded = self == Self::Hann && !topography.periodic;
+        let (rows, columns) = (topography.rows, topography.columns);
+        // ⟨sin⁴⟩ = 3/8.
+        let hann = move |index: usize, count: usize| match faded && count > 1 {
+            true => (8.0f64 / 3.0).sqrt() * (PI * (index as f64 + 0.5) / count as f64).sin().powi(2),
+            false => 1.0,
+        };
+        move |row, column| hann(row, rows) * hann(column, columns)
+    }
+}
+
+/// The spectrum of a topography without trend.
+pub struct Spectrum {
+    waves: Waves,
+    profile: bool,
+    /// Mean square height, m².
+    mean_square: f64,
+    pixel: f64,
+    longest: f64,
+}
+
+impl Spectrum {
+    pub fn of(topography: &Topography, window: Window) -> Self {
+        let weight = window.weight(topography);
+        let count = topography.heights.len() as f64;
+        let (across, along) = topography.size();
+        Self {
+            waves: Waves::of(topography, weight),
+            profile: topography.is_profile(),
+            mean_square: topography.heights.iter().map(|height| height * height).sum::<f64>() / count,
+            pixel: topography.pixel(),
+            longest: if topography.is_profile() { along } else { across.min(along) },
+        }
+    }
+
+    /// Moments of what the filter of that `cutoff` (m) lets pass.
+    ///
+    /// Of a map m2 = ⟨|∇z|²⟩/2 and m4 = 3⟨(∇²z)²⟩/8, the means over all directions. m0 is that of
+    /// the heights themselves less what the filter takes away: a window weakens the longest waves,
+    /// which carry most of it.
+    pub fn moments(&self, cutoff: f64) -> Moments {
+        let (mut removed, mut across, mut along, mut m4) = (0.0, 0.0, 0.0, 0.0);
+        for (y, x, power) in self.waves.powers() {
+            let square = y * y + x * x;
+            let passed = transmission(square.sqrt(), cutoff).powi(2);
+            removed += (1.0 - passed) * power;
+            across += passed * power * y * y;
+            along += passed * power * x * x;
+            m4 += passed * power * square * square;
+        }
+        let m0 = self.mean_square - removed;
+        if self.profile {
+            return Moments { m0, m2: along, m4, m2_directions: (along, along) };
+        }
+        Moments { m0, m2: 0.5 * (across + along), m4: 0.375 * m4, m2_directions: (across, along) }
+    }
+
+    /// (wavenumber q in rad/m, mean power of a wave in m²) in bins of equal width in ln q, up to the
+    /// Nyquist wavenumber.
+    pub fn radial(&self) -> Vec<(f64, f64)> {
+        let (lowest, highest) = (2.0 * PI / self.longest, PI / self.pixel);
+        let bins = (BINS_PER_OCTAVE * (highest / lowest).log2()).ceil().max(1.0) as usize;
+        let mut sums = vec![(0.0, 0.0, 0.0); bins];
+        for (y, x, power) in self.waves.powers() {
+            let q = y.hypot(x);
+            let place = (BINS_PER_OCTAVE * (q / lowest).log2()).floor();
+            if place >= 0.0 && q <= highest {
+                let bin = &mut sums[(place as usize).min(bins - 1)];
+                *bin = (bin.0 + 1.0, bin.1 + q.ln(), bin.2 + power);
+            }
+        }
+        let filled = sums.into_iter().filter(|(count, ..)| *count > 0.0);
+        filled.map(|(count, ln_q, power)| ((ln_q / count).exp(), power / count)).collect()
+    }
+
+    /// Shortest wavelength (m) that the measurement can be trusted at, and why.
+    pub fn reliability_limit(&self) -> (f64, Limit) {
+        let sampling = PIXELS_PER_WAVE * self.pixel;
+        let radial = self.radial();
+        let highest = PI / self.pixel;
+        let end: Vec<(f64, f64)> = radial.iter().copied().filter(|(q, _)| *q > 0.5 * highest).collect();
+        let Some(slope) = slope(&end) else {
+            return (sampling, Limit::Sampling);
+        };
+        let flat = if self.profile { FLAT_PROFILE } else { FLAT_MAP };
+        if slope < flat {
+            return (sampling, Limit::Sampling);
+        }
+        let floor = end.iter().map(|(_, power)| power).sum::<f64>() / end.len() as f64;
+        let buried = radial.iter().find(|(_, power)| *power < ABOVE_NOISE * floor);
+        let noise = buried.map_or(sampling, |(q, _)| 2.0 * PI / q);
+        if noise > sampling { (noise, Limit::Noise) } else { (sampling, Limit::Sampling) }
+    }
+}
+
+/// Why a measurement is not trusted at shorter wavelengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Limit {
+    /// Fewer than four points a wave.
+    Sampling,
+    /// The spectrum is that of noise: flat.
+    Noise,
+}
+
+/// Points that a wave must have for its curvature to be seen.
+pub const PIXELS_PER_WAVE: f64 = 4.0;
+
+const BINS_PER_OCTAVE: f64 = 4.0;
+
+/// Slopes of ln(power) against ln(q) over the last octave, above which it is noise: self-affine
+/// maps fall with q^{−2−2H}, profiles with q^{−1−2H}, H the Hurst exponent between 0 and 1.
+const FLAT_MAP: f64 = -1.0;
+const FLAT_PROFILE: f64 = -0.5;
+
+/// A spectrum counts where it stands this much above the noise.
+const ABOVE_NOISE: f64 = 4.0;
+
+/// Slope of the straight line through ln(power) against ln(q).
+fn slope(points: &[(f64, f64)]) -> Option<f64> {
+    let logs: Vec<(f64, f64)> =
+        points.iter().filter(|(_, power)| *power > 0.0).map(|(q, power)| (q.ln(), power.ln())).collect();
+    let count = logs.len() as f64;
+    let (x, y) = logs.iter().fold((0.0, 0.0), |(x, y), point| (x + point.0 / count, y + point.1 / count));
+    let square: f64 = logs.iter().map(|point| (point.0 - x).powi(2)).sum();
+    let cross: f64 = logs.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
+    (square > 0.0).then(|| cross / square)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::synthetic::{SelfAffine, cosine};
+    use super::*;
+
+    #[test]
+    fn moments_of_a_wave() {
+        // z = a cos(q·r): m0 = a²/2, ⟨|∇z|²⟩ = a²q²/2, ⟨(∇²z)²⟩ = a²q⁴/2, times the filter's share.
+        let (map, q, a) = cosine(64, 80, (3, 5));
+        let spectrum = Spectrum::of(&map, Window::Hann);
+        let cutoff = 1e-6;
+        let passed = transmission(q, cutoff).powi(2);
+        let found = spectrum.moments(cutoff);
+        for (value, exact) in [
+            (found.m0, 0.5 * a * a * passed),
+            (found.m2, 0.25 * a * a * q * q * passed),
+            (found.m4, 0.375 * 0.5 * a * a * q.powi(4) * passed),
+        ] {
+            assert!((value / exact - 1.0).abs() < 1e-10, "{value:e} {exact:e}");
+        }
+    }
+
+    #[test]
+    fn moments_of_a_self_affine_surface_are_integrals_over_its_spectrum() {
+        let surface = SelfAffine { points: 512, ..SelfAffine::default() };
+        let map = surface.map(1);
+        let spectrum = Spectrum::of(&map, Window::Hann);
+        for cutoff in [surface.shortest(), 3.0 * surface.shortest()] {
+            let found = spectrum.moments(cutoff);
+            for (n, value) in [(0, found.m0), (2, found.m2), (4, found.m4)] {
+                let exact = surface.moment(n, cutoff);
+                // The sum over waves of a finite map against the integral: the waves at the ends of
+                // the spectrum are few at the long one.
+                let allowed = if n == 0 { 0.03 } else { 0.004 };
+                assert!((value / exact - 1.0).abs() < allowed, "m{n}: {value:e} {exact:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_window_makes_up_for_edges() {
+        // Quarters of periodic maps do not continue at their edges; on average slopes and
+        // curvatures are those of the whole.
+        let surface = SelfAffine { points: 1024, ..SelfAffine::default() };
+        let cutoff = 2.0 * surface.shortest();
+        let mean = |surface: SelfAffine, window: Window| {
+            let of = |seed: u64| Spectrum::of(&surface.quarter(seed), window).moments(cutoff);
+            let all: Vec<Moments> = (1..=4).map(of).collect();
+            (all.iter().map(|m| m.m2).sum::<f64>() / 4.0, all.iter().map(|m| m.m4).sum::<f64>() / 4.0)
+        };
+        let (m2, m4) = (surface.moment(2, cutoff), surface.moment(4, cutoff));
+        let found = mean(surface, Window::Hann);
+        assert!((found.0 / m2 - 1.0).abs() < 0.05, "{} {m2}", found.0);
+        assert!((found.1 / m4 - 1.0).abs() < 0.05, "{} {m4}", found.1);
+        // Without roll-off the long waves jump most at the edges, and a jump has curvature.
+        let rolling = SelfAffine { roll_off_pixels: 1024.0, ..surface };
+        let m4 = rolling.moment(4, cutoff);
+        let (faded, edges) = (mean(rolling, Window::Hann), mean(rolling, Window::None));
+        assert!((faded.1 / m4 - 1.0).abs() < 0.05, "{} {m4}", faded.1);
+        assert!(edges.1 > 1.5 * m4, "the jumps at the edges count: {} {m4}", edges.1);
+    }
+
+    #[test]
+    fn noise_is_seen_and_sampling_is_the_limit_without() {
+        let surface = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() };
+        let map = surface.map(5);
+        let (limit, why) = Spectrum::of(&map, Window::Hann).reliability_limit();
+        assert_eq!((limit, why), (4.0 * map.pixel(), Limit::Sampling));
+        // White noise that meets the spectrum at a wavelength of 16 pixels.
+        let power = surface.power(2.0 * PI / (16.0 * map.pixel()));
+        let noisy = surface.with_noise(5, power);
+        let (limit, why) = Spectrum::of(&noisy, Window::Hann).reliability_limit();
+        assert_eq!(why, Limit::Noise);
+        // Twice the noise is where they meet, four times a little before.
+        let pixels = limit / map.pixel();
+        assert!(pixels > 14.0 && pixels < 32.0, "{pixels}");
+    }
+}

@@ -1,0 +1,134 @@
+//! Surfaces with known spectra, for tests.
+
+use super::Topography;
+use super::filter::transmission;
+use gauss_quad::GaussLegendre;
+use rand::{RngExt, SeedableRng};
+use rustfft::FftPlanner;
+use rustfft::num_complex::Complex;
+use std::f64::consts::PI;
+
+const PIXEL: f64 = 0.1e-6;
+
+fn square(points: usize, heights: Vec<f64>) -> Topography {
+    Topography {
+        rows: points,
+        row_step: PIXEL,
+        columns: points,
+        column_step: PIXEL,
+        heights,
+        periodic: true,
+        remarks: Vec::new(),
+    }
+}
+
+/// a cos(q·r) with whole numbers of waves across and along, |q| and a.
+pub fn cosine(rows: usize, columns: usize, waves: (usize, usize)) -> (Topography, f64, f64) {
+    let (column_step, amplitude) = (0.2e-6, 3e-8);
+    let phase = |place: usize| {
+        let (r, c) = ((place / columns) as f64 / rows as f64, (place % columns) as f64 / columns as f64);
+        2.0 * PI * (waves.0 as f64 * r + waves.1 as f64 * c)
+    };
+    let heights = (0..rows * columns).map(|place| amplitude * phase(place).cos()).collect();
+    let map = Topography { rows, columns, column_step, heights, ..square(rows, Vec::new()) };
+    let (across, along) = map.size();
+    let q = 2.0 * PI * (waves.0 as f64 / across).hypot(waves.1 as f64 / along);
+    (map, q, amplitude)
+}
+
+/// a cos(qx) cos(qy) with that many waves each way, q and a.
+pub fn egg_box(points: usize, waves: usize) -> (Topography, f64, f64) {
+    let (q, amplitude) = (2.0 * PI * waves as f64 / (points as f64 * PIXEL), 1e-8);
+    let wave = |index: usize| (q * PIXEL * index as f64).cos();
+    let heights = (0..points * points).map(|p| amplitude * wave(p / points) * wave(p % points)).collect();
+    (square(points, heights), q, amplitude)
+}
+
+/// Power of a wave: constant up to a roll-off, q^{−2−2H} to the shortest wavelength, then nothing.
+#[derive(Clone, Copy)]
+pub struct SelfAffine {
+    pub points: usize,
+    pub hurst: f64,
+    /// Wavelength of the roll-off, in pixels.
+    pub roll_off_pixels: f64,
+    /// Shortest wavelength, in pixels.
+    pub shortest_pixels: f64,
+}
+
+impl Default for SelfAffine {
+    fn default() -> Self {
+        Self { points: 256, hurst: 0.8, roll_off_pixels: 64.0, shortest_pixels: 8.0 }
+    }
+}
+
+impl SelfAffine {
+    pub fn shortest(&self) -> f64 {
+        self.shortest_pixels * PIXEL
+    }
+
+    /// Power of a wave, m².
+    pub fn power(&self, q: f64) -> f64 {
+        let roll_off = 2.0 * PI / (self.roll_off_pixels * PIXEL);
+        if q > 2.0 * PI / self.shortest() {
+            return 0.0;
+        }
+        1e-20 * (q.max(roll_off) / roll_off).powf(-2.0 - 2.0 * self.hurst)
+    }
+
+    /// m_n after the filter: A/(2π)² ∫ power·transmission²·qⁿ·(1, 1/2, 3/8) 2πq dq.
+    pub fn moment(&self, n: i32, cutoff: f64) -> f64 {
+        let rule = GaussLegendre::new(40).unwrap();
+        let area = (self.points as f64 * PIXEL).powi(2);
+        let of = |q: f64| self.power(q) * transmission(q, cutoff).powi(2) * q.powi(n + 1);
+        let roll_off = 2.0 * PI / (self.roll_off_pixels * PIXEL);
+        let highest = 2.0 * PI / self.shortest() * (1.0 - 1e-12);
+        let middle = (roll_off * highest).sqrt();
+        let integral = rule.integrate(0.0, roll_off, of)
+            + rule.integrate(roll_off, middle, of)
+            + rule.integrate(middle, highest, of);
+        let share = [1.0, 0.0, 0.5, 0.0, 0.375][n as usize];
+        share * area / (2.0 * PI) * integral
+    }
+
+    /// A map with exactly that power in every wave, phases those of white noise.
+    pub fn map(&self, seed: u64) -> Topography {
+        self.with_noise(seed, 0.0)
+    }
+
+    /// The same with white noise of that power a wave (m²) added.
+    pub fn with_noise(&self, seed: u64, noise: f64) -> Topography {
+        let n = self.points;
+        let mut random = crate::heights::Random::seed_from_u64(seed);
+        let mut waves: Vec<Complex<f64>> =
+            (0..n * n).map(|_| Complex::new(random.random::<f64>() - 0.5, 0.0)).collect();
+        both_ways(&mut waves, n, false);
+        let signed = |index: usize| if 2 * index > n { index as f64 - n as f64 } else { index as f64 };
+        for (place, wave) in waves.iter_mut().enumerate() {
+            let q = 2.0 * PI / (n as f64 * PIXEL) * signed(place / n).hypot(signed(place % n));
+            let power = if place == 0 { 0.0 } else { self.power(q) + noise };
+            *wave *= (n * n) as f64 * power.sqrt() / wave.norm();
+        }
+        both_ways(&mut waves, n, true);
+        square(n, waves.into_iter().map(|wave| wave.re / (n * n) as f64).collect())
+    }
+
+    /// A quarter of the map, which does not continue at its edges.
+    pub fn quarter(&self, seed: u64) -> Topography {
+        let (whole, half) = (self.map(seed), self.points / 2);
+        let heights = (0..half * half).map(|p| whole.heights[p / half * self.points + p % half]).collect();
+        Topography { periodic: false, ..square(half, heights) }
+    }
+}
+
+fn both_ways(waves: &mut [Complex<f64>], n: usize, inverse: bool) {
+    let mut planner = FftPlanner::new();
+    let plan = if inverse { planner.plan_fft_inverse(n) } else { planner.plan_fft_forward(n) };
+    for _ in 0..2 {
+        plan.process(waves);
+        for row in 0..n {
+            for column in 0..row {
+                waves.swap(row * n + column, column * n + row);
+            }
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! Text: a matrix of heights, columns x y z on a grid, a profile x z, or a column of heights.
+//!
+//! Comments start with `#`, `%` or `;`; numbers are separated by white space, commas or
+//! semicolons. The header that Gwyddion writes before a matrix (`# Width: 5.0 µm`) is understood.
+
+use super::read::Reading;
+use super::{Topography, length};
+
+/// Steps of a grid may differ by this much of one from an even grid.
+const EVEN: f64 = 0.02;
+
+pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String> {
+    let mut header = Header::default();
+    let mut lines: Vec<Vec<f64>> = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let comment = line.find(['#', '%']).unwrap_or(line.len());
+        let (content, comment) = line.split_at(comment);
+        header.take(comment.trim_start_matches(['#', '%', ' ']));
+        let words = content.split([' ', '\t', ',', ';', '\r']).filter(|word| !word.is_empty());
+        let number = |word: &str| match word.parse::<f64>() {
+            Ok(number) => Ok(number),
+            // Tools write what is not known in words.
+            Err(_) if matches!(word, "---" | "nan" | "NaN" | "NAN" | "bad" | "BAD" | "*****") => Ok(f64::NAN),
+            Err(_) => Err(format!("line {}: \"{word}\" is not a number", index + 1)),
+        };
+        let numbers: Vec<f64> = words.map(number).collect::<Result<_, _>>()?;
+        if let Some(first) = lines.first().filter(|first| !numbers.is_empty() && first.len() != numbers.len())
+        {
+            return Err(format!(
+                "line {}: {} numbers, {} in the lines before",
+                index + 1,
+                numbers.len(),
+                first.len()
+            ));
+        }
+        if !numbers.is_empty() {
+            lines.push(numbers);
+        }
+    }
+    let mut remarks = Vec::new();
+    let unit = reading.unit.or(header.unit).unwrap_or_else(|| {
+        remarks.push(
+            "the text states no unit; lengths are taken to be in metres (--unit changes that)".to_string(),
+        );
+        1.0
+    });
+    let columns = lines.first().map_or(0, Vec::len);
+    let column = |index: usize| -> Vec<f64> { lines.iter().map(|line| unit * line[index]).collect() };
+    let pixel = || {
+        reading.pixel.ok_or_else(|| {
+            "the text does not say how far its points are apart; --pixel LENGTH does".to_string()
+        })
+    };
+    match columns {
+        0 => Err("holds no numbers".into()),
+        1 => {
+            let step = pixel()?;
+            let heights = column(0);
+            Ok(Topography {
+                rows: 1,
+                row_step: step,
+                columns: heights.len(),
+                column_step: step,
+                heights,
+                periodic: false,
+                remarks,
+            })
+        }
+        2 => profile(&column(0), &column(1), remarks),
+        3 => grid(&column(0), &column(1), &column(2), remarks),
+        _ => {
+            let rows = lines.len();
+            let (row_step, column_step) = match (reading.pixel, header.width, header.height) {
+                (None, Some(width), Some(height)) => (height / rows as f64, width / columns as f64),
+                _ => (pixel()?, pixel()?),
+            };
+            let heights = lines.iter().flatten().map(|height| unit * height).collect();
+            Ok(Topography { rows, row_step, columns, column_step, heights, periodic: false, remarks })
+        }
+    }
+}
+
+/// What the header of a matrix says, in metres.
+#[derive(Default)]
+struct Header {
+    width: Option<f64>,
+    height: Option<f64>,
+    unit: Option<f64>,
+}
+
+impl Header {
+    fn take(&mut self, comment: &str) {
+        let Some((key, value)) = comment.split_once(':') else {
+            return;
+        };
+        let value = value.trim();
+        match key.trim() {
+            "Width" => self.width = length::parse(value).ok(),
+            "Height" => self.height = length::parse(value).ok(),
+            "Value units" => self.unit = length::unit(value),
+            _ => {}
+        }
+    }
+}
+
+/// A profile through the points (x, z), m, resampled if they are not evenly spaced.
+pub(super) fn profile(x: &[f64], z: &[f64], mut remarks: Vec<String>) -> Result<Topography, String> {
+    let last = x.len().saturating_sub(1);
+    if last == 0 {
+        return Err("holds one point".into());
+    }
+    if let Some(place) = (0..last).find(|&i| x[i + 1].partial_cmp(&x[i]) != Some(std::cmp::Ordering::Greater))
+    {
+        return Err(format!(
+            "positions must grow along the profile; point {} does not lie after the one before",
+            place + 2
+        ));
+    }
+    let step = (x[last] - x[0]) / last as f64;
+    let even = (0..=last).all(|i| (x[i] - x[0] - step * i as f64).abs() <= EVEN * step);
+    let heights = if even {
+        z.to_vec()
+    } else {
+        remarks.push("the profile is not evenly spaced and was resampled by straight lines".into());
+        let mut segment = 0;
+        (0..=last)
+            .map(|i| {
+                let at = x[0] + step * i as f64;
+                while segment + 2 <= last && x[segment + 1] < at {
+                    segment += 1;
+                }
+                let share = ((at - x[segment]) / (x[segment + 1] - x[segment])).clamp(0.0, 1.0);
+                z[segment] + share * (z[segment + 1] - z[segment])
+            })
+            .collect()
+    };
+    Ok(Topography {
+        rows: 1,
+        row_step: step,
+        columns: x.len(),
+        column_step: step,
+        heights,
+        periodic: false,
+        remarks,
+    })
+}
+
+/// A map of points (x, y, z), m, in any order, which must be those of a regular grid; points that
+/// are left out are undefined.
+fn grid(x: &[f64], y: &[f64], z: &[f64], remarks: Vec<String>) -> Result<Topography, String> {
+    let (x_from, x_step, columns) = axis("x", x)?;
+    let (y_from, y_step, rows) = axis("y", y)?;
+    let mut heights = vec![f64::NAN; rows * columns];
+    for ((x, y), z) in x.iter().zip(y).zip(z) {
+        let place = |value: f64, from: f64, step: f64| ((value - from) / step).round() as usize;
+        heights[place(*y, y_from, y_step) * columns + place(*x, x_from, x_step)] = *z;
+    }
+    Ok(Topography { rows, row_step: y_step, columns, column_step: x_step, heights, periodic: false, remarks })
+}
+
+/// Start, step and number of the even positions that `values` take.
+fn axis(name: &str, values: &[f64]) -> Result<(f64, f64, usize), String> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let (from, to) = (sorted[0], sorted[sorted.len() - 1]);
+    if !(from.is_finite() && to.is_finite()) {
+        return Err(format!("a position {name} is no number"));
+    }
+    // Positions written with few digits repeat up to rounding.
+    let rounding = 1e-6 * (to - from);
+    sorted.dedup_by(|next, kept| *next - *kept <= rounding);
+    let count = sorted.len();
+    if count < 2 {
+        return Err(format!("all points have the same {name}"));
+    }
+    let step = (to - from) / (count - 1) as f64;
+    if count * count > 4 * values.len() * values.len()
+        || (0..count).any(|i| (sorted[i] - from - step * i as f64).abs() > EVEN * step)
+    {
+        return Err(format!("three columns must be x y z on a regular grid; {name} is not evenly spaced"));
+    }
+    Ok((from, step, count))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Topography, String> {
+        parse(text, &Reading::default())
+    }
+
+    #[test]
+    fn columns_of_positions_and_heights_in_any_order() {
+        let map = read("0 0 1\n2 0 3\n1 0 2\n0 1 4\n2 1 6 # last\n1 1 5\n").unwrap();
+        assert_eq!((map.rows, map.columns, map.column_step), (2, 3, 1.0));
+        assert_eq!(map.heights, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        let hole = read("0 0 1\n2 0 3\n1 0 2\n0 1 4\n2 1 6\n").unwrap();
+        assert!(hole.heights[4].is_nan());
+        assert!(read("0 0 1\n1 0 2\n3 0 3\n0 1 4\n1 1 5\n3 1 6\n").unwrap_err().contains("x is not evenly"));
+    }
+
+    #[test]
+    fn matrices_need_a_pixel_or_a_header() {
+        let text = "1 2 3 4\n5 6 7 nan\n";
+        assert!(read(text).unwrap_err().contains("--pixel"));
+        let reading = Reading { unit: Some(1e-6), pixel: Some(2e-6) };
+        let map = parse(text, &reading).unwrap();
+        assert_eq!((map.rows, map.columns, map.row_step), (2, 4, 2e-6));
+        assert!((map.heights[5] - 6e-6).abs() < 1e-20 && map.heights[7].is_nan());
+        let gwyddion = "# Channel: Topo\n# Width: 8.0 µm\n# Height: 3.0 µm\n# Value units: nm\n";
+        let map = read(&format!("{gwyddion}{text}")).unwrap();
+        assert!((map.column_step - 2e-6).abs() < 1e-18 && (map.row_step - 1.5e-6).abs() < 1e-18);
+        assert!((map.heights[0] - 1e-9).abs() < 1e-22 && map.remarks.is_empty());
+    }
+
+    #[test]
+    fn uneven_profiles_are_resampled() {
+        let profile = read("0 0\n1 10\n3 30\n4 40\n").unwrap();
+        assert_eq!(profile.column_step, 4.0 / 3.0);
+        for (i, height) in profile.heights.iter().enumerate() {
+            assert!((height - 10.0 * i as f64 * 4.0 / 3.0).abs() < 1e-12);
+        }
+        assert!(profile.remarks.iter().any(|remark| remark.contains("resampled")));
+        assert!(read("0 0\n0 1\n1 1\n").unwrap_err().contains("point 2"));
+    }
+
+    #[test]
+    fn what_is_no_topography_says_where() {
+        assert_eq!(read("1 2 3 4\n1 2 three 4\n").unwrap_err(), "line 2: \"three\" is not a number");
+        assert_eq!(read("1 2 3 4\n1 2 3\n").unwrap_err(), "line 2: 3 numbers, 4 in the lines before");
+        assert_eq!(read("# nothing\n").unwrap_err(), "holds no numbers");
+    }
+}

@@ -1,0 +1,180 @@
+//! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
+//! from there to a prediction.
+
+use roughsurface::surface_file::SurfaceFile;
+use roughsurface::topography::Topography;
+use roughsurface::topography::characterize::{Detrend, Options, characterize};
+use roughsurface::topography::read::{Reading, read};
+use roughsurface::topography::spectrum::Window;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
+}
+
+fn topography(name: &str) -> Topography {
+    let in_micrometres = name.ends_with(".txt");
+    let matrix = name == "map-um.txt";
+    let reading = Reading { unit: in_micrometres.then_some(1e-6), pixel: matrix.then_some(0.2e-6) };
+    read(&data(name), &reading).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn reference() -> serde_json::Value {
+    serde_json::from_str(&std::fs::read_to_string(data("reference.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn moments_are_those_of_surface_topography() {
+    let reference = reference();
+    let cutoff = reference["cutoff"].as_f64();
+    for name in ["periodic.nc", "map.nc", "map.x3p", "map-int16.x3p", "profile.nc"] {
+        // Its detrending takes the plane off; its moments take the map as periodic.
+        let periodic = name == "periodic.nc";
+        let detrend = if periodic { Detrend::Mean } else { Detrend::Plane };
+        let options = Options { cutoff, detrend, window: Window::None };
+        let found = characterize(topography(name), &options).unwrap();
+        let values = &reference[name];
+        for (quantity, value) in [
+            ("rms_height", found.rms_height),
+            ("m0", found.moments.m0),
+            ("m2", found.moments.m2),
+            ("m4", found.moments.m4),
+        ] {
+            let expected = values[quantity].as_f64().unwrap();
+            assert!((value / expected - 1.0).abs() < 1e-6, "{name} {quantity}: {value:e} {expected:e}");
+        }
+    }
+}
+
+#[test]
+fn every_format_holds_the_same_map() {
+    let map = topography("map.nc");
+    assert_eq!((map.rows, map.columns, map.periodic), (64, 64, false));
+    // SurfaceTopography writes the extent in single precision.
+    assert!((map.row_step / 0.2e-6 - 1.0).abs() < 1e-7);
+    // NetCDF goes along x first, the others along y.
+    let turned: Vec<f64> = (0..64 * 64).map(|p| map.heights[p % 64 * 64 + p / 64]).collect();
+    // Doubles; sixteen bits over a range of 1 µm; single precision at 3 µm; eight printed digits.
+    for (name, allowed) in [
+        ("map.x3p", 1e-20),
+        ("map-int16.x3p", 1e-11),
+        ("map.gsf", 2e-13),
+        ("map-um.txt", 1e-12),
+        ("map-xyz-um.txt", 1e-12),
+    ] {
+        let other = topography(name);
+        assert_eq!((other.rows, other.columns), (64, 64), "{name}");
+        for step in [other.row_step, other.column_step] {
+            assert!((step / 0.2e-6 - 1.0).abs() < 1e-6, "{name}: {step:e}");
+        }
+        for (one, expected) in other.heights.iter().zip(&turned) {
+            assert!((one - expected).abs() <= allowed, "{name}: {one:e} {expected:e}");
+        }
+    }
+    let (binary, text) = (topography("profile.nc"), topography("profile-um.txt"));
+    assert!((text.column_step / binary.column_step - 1.0).abs() < 1e-6);
+    for (one, other) in text.heights.iter().zip(&binary.heights) {
+        assert!((one - other).abs() < 1e-12);
+    }
+    assert!(topography("periodic.nc").periodic);
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_roughsurface"))
+        .args(arguments)
+        .current_dir(folder)
+        .env("HDF5_USE_FILE_LOCKING", "FALSE")
+        .output()
+        .unwrap()
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+#[test]
+fn a_topography_becomes_a_surface_file_that_predicts() {
+    let folder = folder("characterize");
+    let map = data("map.x3p");
+    let map = map.to_str().unwrap();
+    for summits in ["moments", "found"] {
+        let output = run(
+            &folder,
+            &[
+                "characterize",
+                map,
+                "--cutoff",
+                "1.6um",
+                "--summits",
+                summits,
+                "-o",
+                "s.toml",
+                "--json",
+                "--plot",
+                "s.svg",
+            ],
+        );
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{message}");
+        let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let key = if summits == "moments" { "summits" } else { "found" };
+        let expected = |name: &str| result[key][name].as_f64().unwrap();
+        let surface = SurfaceFile::read(&folder.join("s.toml")).unwrap().surface;
+        assert!((surface.asperity_density / expected("density") - 1.0).abs() < 1e-6);
+        assert!((surface.asperity_radius.mean() / expected("radius") - 1.0).abs() < 1e-6);
+        assert!((surface.heights.standard_deviation() / expected("std") - 1.0).abs() < 1e-5);
+        let figure = std::fs::read_to_string(folder.join("s.svg")).unwrap();
+        assert!(figure.contains("wavelength (m)") && figure.contains("from moments"));
+    }
+    let mut text = std::fs::read_to_string(folder.join("s.toml")).unwrap();
+    text.push_str("[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\n");
+    std::fs::write(folder.join("s.toml"), text).unwrap();
+    let output = run(&folder, &["predict", "s.toml", "--table", "model:jackson-green", "-o", "f.nc", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
+    let folder = folder("bad-topography");
+    let whole = std::fs::read(data("map.x3p")).unwrap();
+    std::fs::write(folder.join("cut.x3p"), &whole[..whole.len() / 2]).unwrap();
+    let whole = std::fs::read(data("map.gsf")).unwrap();
+    std::fs::write(folder.join("cut.gsf"), &whole[..whole.len() / 2]).unwrap();
+    let whole = std::fs::read(data("map.nc")).unwrap();
+    std::fs::write(folder.join("cut.nc"), &whole[..200]).unwrap();
+    std::fs::write(folder.join("text.txt"), "1 2 3 4\n5 6 seven 8\n").unwrap();
+    std::fs::write(folder.join("flat.txt"), "1 1 1 1 1 1 1 1\n".repeat(8)).unwrap();
+    std::fs::write(folder.join("small.txt"), "1 2 3 4\n5 6 7 8\n").unwrap();
+    let map = data("map.nc").to_str().unwrap().to_string();
+    let profile = data("profile.nc").to_str().unwrap().to_string();
+    for (arguments, expected) in [
+        (vec!["none.x3p"], "none.x3p: cannot be read"),
+        (vec!["cut.x3p"], "cut.x3p: is no X3P file"),
+        (vec!["cut.gsf"], "cut.gsf: holds"),
+        (vec!["cut.nc"], "cut.nc: "),
+        (vec!["text.txt"], "text.txt: line 2: \"seven\" is not a number"),
+        (vec!["flat.txt", "--pixel", "1um"], "flat.txt: all heights are"),
+        (vec!["small.txt", "--pixel", "1um"], "small.txt: holds 2 x 4 points; at least 8"),
+        (vec!["small.txt"], "--pixel LENGTH does"),
+        (vec![&map, "--unit", "um"], "states its own lengths"),
+        (vec![&map, "--cutoff", "0.1um"], "cutoff = 1e-7 m: must lie between"),
+        (vec![&profile, "--cutoff", "1um", "--summits", "found"], "needs a map"),
+        (vec![&map, "-o", "no/s.toml"], "its folder does not exist"),
+    ] {
+        let mut all = vec!["characterize"];
+        all.extend(&arguments);
+        if !arguments.contains(&"-o") {
+            all.extend(["-o", "s.toml"]);
+        }
+        let output = run(&folder, &all);
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {text}");
+        assert!(text.contains(expected) && text.lines().count() == 1, "{arguments:?}: {text}");
+        assert!(!folder.join("s.toml").exists(), "{arguments:?}");
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
