@@ -19,5 +19,6 @@ pub mod law;
 mod netcdf_file;
 mod overview;
 pub mod quantity;
+pub mod schema;
 pub mod steffen;
 pub mod table;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::dataset::{AttributeValue, DatasetError, DatasetReader, DatasetWriter};
 use crate::quantity::{Descriptor, QUANTITIES, Quantity};
+use crate::schema;
 use crate::table::{Axes, Cell, Metadata, Status, Table};
 
 const GRID: [&str; 2] = ["interference", "slip_rate"];
@@ -33,12 +34,22 @@ const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.
 type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
 
-const TEXT_ATTRIBUTES: [TextAttribute; 5] = [
+const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
     ("title", |m| &mut m.title),
     ("history", |m| &mut m.history),
     ("source", |m| &mut m.source),
+    ("fingerprint", |m| &mut m.fingerprint),
+    ("shard", |m| &mut m.shard),
     ("comment", |m| &mut m.comment),
     ("scene", |m| &mut m.scene),
+];
+
+/// A number of the metadata that need not be there.
+type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Option<f64>);
+
+const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
+    ("strength_factor", |m| &mut m.strength_factor),
+    ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
 ];
 
 impl Table {
@@ -56,9 +67,12 @@ impl Table {
         for (name, value, _) in REAL_ATTRIBUTES {
             file.attribute(name, value(&metadata))?;
         }
-        if let Some(strength_factor) = metadata.strength_factor {
-            file.attribute("strength_factor", strength_factor)?;
+        for (name, value) in OPTIONAL_ATTRIBUTES {
+            if let Some(value) = *value(&mut metadata) {
+                file.attribute(name, value)?;
+            }
         }
+        schema::stamp(&mut file, self)?;
         self.write_coordinates(&mut file)?;
         for descriptor in &QUANTITIES {
             self.write_quantity(&mut file, descriptor)?;
@@ -70,6 +84,7 @@ impl Table {
     /// Reads a table.
     pub fn read(path: &Path) -> Result<Table, DatasetError> {
         let file = DatasetReader::open(path)?;
+        schema::check_version(&file)?;
         let axes = Axes {
             interference: file.coordinate("interference")?,
             slip_rate: file.coordinate("slip_rate")?,
@@ -82,9 +97,12 @@ impl Table {
         for (name, place) in TEXT_ATTRIBUTES {
             *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
         }
-        metadata.strength_factor = file.optional_real("strength_factor")?;
+        for (name, place) in OPTIONAL_ATTRIBUTES {
+            *place(&mut metadata) = file.optional_real(name)?;
+        }
         let mut table = Table::new(axes, metadata).map_err(|error| file.content(error.to_string()))?;
         table.read_cells(&file)?;
+        schema::check_content(&file, &table)?;
         Ok(table)
     }
 
@@ -186,7 +204,11 @@ impl Table {
             &STATUS_MEANINGS,
             &[long_name("state of the run"), ("standard_name", "status_flag".into())],
         )?;
-        file.texts("failure_reason", &GRID, &reasons, &[long_name("why the run failed")])
+        file.texts("failure_reason", &GRID, &reasons, &[long_name("why the run failed")])?;
+        let warnings: Vec<String> =
+            self.each_cell().map(|cell| cell.map_or(String::new(), |cell| cell.warnings.join("\n"))).collect();
+        let warnings: Vec<&str> = warnings.iter().map(String::as_str).collect();
+        file.texts("warnings", &GRID, &warnings, &[long_name("what to know before trusting the numbers")])
     }
 
     fn read_cells(&mut self, file: &DatasetReader) -> Result<(), DatasetError> {
@@ -218,6 +240,7 @@ impl Table {
                 0 => {
                     cell.levelled = levelled[position] != 0;
                     cell.wall_time = wall_time[position];
+                    cell.warnings = file.text("warnings", &[i, j])?.lines().map(str::to_string).collect();
                     self.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;
                 }
                 1 => {}
@@ -278,6 +301,8 @@ mod tests {
             title: "Friction of one asperity".to_string(),
             history: "2026-01-01 asperity tabulate".to_string(),
             source: "asperity 0.1.0".to_string(),
+            fingerprint: "0123456789abcdef".to_string(),
+            shard: "2/3".to_string(),
             scene: "[asperity]\nradius = 1e-3\n".to_string(),
             asperity_radius: 1e-3,
             strength_factor: Some(0.9),
@@ -294,6 +319,9 @@ mod tests {
             }
             cell.levelled = i == 1;
             cell.wall_time = 12.5;
+            if i == 0 {
+                cell.warnings = vec!["coarse".to_string(), "far".to_string()];
+            }
             table.set_cell(i, j, cell).unwrap();
         }
         table.mark_failed(1, 0, "Newton did not converge at s = 1e-7 m");
@@ -346,9 +374,55 @@ mod tests {
         other.coordinate("step", &[0.0, 1.0], &[]).unwrap();
         other.finish().unwrap();
         let foreign = message(&path);
-        assert!(foreign.contains("variable \"interference\" is missing"));
+        assert!(foreign.contains("is not a table: global attribute \"schema\" is missing"));
         assert!(!foreign.contains('\n'));
         std::fs::remove_file(&path).unwrap();
+    }
+
+    /// The table as written, then changed through the library as any other program could.
+    fn tampered(name: &str, change: impl FnOnce(&mut netcdf::FileMut) -> netcdf::Result<()>) -> String {
+        let path = place(name);
+        table().write(&path).unwrap();
+        change(&mut netcdf::append(&path).unwrap()).unwrap();
+        let message = match Table::read(&path) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        };
+        std::fs::remove_file(&path).unwrap();
+        assert!(!message.contains('\n'));
+        message
+    }
+
+    #[test]
+    fn other_schemas_and_versions_are_refused_by_name() {
+        let attribute = |name: &'static str, value: &'static str| {
+            tampered(name, |file| file.add_attribute(name, value).map(|_| ()))
+        };
+        assert!(attribute("schema", "friction").contains("of the kind \"friction\", not a table"));
+        let version = tampered("version", |file| file.add_attribute("schema_version", 7).map(|_| ()));
+        assert!(version.contains("schema version 7, this program reads version 1"), "{version}");
+        assert_eq!(attribute("history", "more of it"), "");
+    }
+
+    #[test]
+    fn changed_content_is_noticed() {
+        let changed = |name: &str, value: f64| {
+            tampered(name, |file| file.variable_mut(name).unwrap().put_value(value, [0, 1]))
+        };
+        for name in ["mu", "G_error", "wall_time"] {
+            let message = changed(name, 0.123);
+            assert!(message.contains("does not agree with its checksum"), "{name}: {message}");
+        }
+        let history = tampered("history", |file| {
+            file.variable_mut("Q_history").unwrap().put_value(9.0, [0, 0, 2])
+        });
+        assert!(history.contains("checksum"));
+        let reason = tampered("reason", |file| {
+            file.variable_mut("failure_reason").unwrap().put_string("none", [1, 0])
+        });
+        assert!(reason.contains("checksum"));
+        let scene = tampered("scene", |file| file.add_attribute("scene", "radius = 2").map(|_| ()));
+        assert!(scene.contains("checksum"));
     }
 
     #[test]
