@@ -11,7 +11,9 @@
 //! [`figure`] are the netCDF files and the figures of the whole project.
 
 mod assembly;
+mod bridging;
 pub mod closed_forms;
+pub mod cross_validation;
 pub mod dataset;
 pub mod figure;
 mod interpolation;
@@ -19,6 +21,7 @@ pub mod law;
 mod netcdf_file;
 mod overview;
 pub mod quantity;
+pub mod refinement;
 pub mod schema;
 pub mod steffen;
 pub mod table;

@@ -205,8 +205,10 @@ impl Table {
             &[long_name("state of the run"), ("standard_name", "status_flag".into())],
         )?;
         file.texts("failure_reason", &GRID, &reasons, &[long_name("why the run failed")])?;
-        let warnings: Vec<String> =
-            self.each_cell().map(|cell| cell.map_or(String::new(), |cell| cell.warnings.join("\n"))).collect();
+        let warnings: Vec<String> = self
+            .each_cell()
+            .map(|cell| cell.map_or(String::new(), |cell| cell.warnings.join("\n")))
+            .collect();
         let warnings: Vec<&str> = warnings.iter().map(String::as_str).collect();
         file.texts("warnings", &GRID, &warnings, &[long_name("what to know before trusting the numbers")])
     }
@@ -413,7 +415,7 @@ mod tests {
             let message = changed(name, 0.123);
             assert!(message.contains("does not agree with its checksum"), "{name}: {message}");
         }
-        let history = tampered("history", |file| {
+        let history = tampered("history-of-Q", |file| {
             file.variable_mut("Q_history").unwrap().put_value(9.0, [0, 0, 2])
         });
         assert!(history.contains("checksum"));
