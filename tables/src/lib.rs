@@ -13,7 +13,9 @@
 mod assembly;
 mod bridging;
 pub mod closed_forms;
+pub mod comparison;
 pub mod cross_validation;
+mod csv_file;
 pub mod dataset;
 pub mod figure;
 mod interpolation;
@@ -23,5 +25,6 @@ mod overview;
 pub mod quantity;
 pub mod refinement;
 pub mod schema;
+pub mod statistics;
 pub mod steffen;
 pub mod table;

@@ -5,6 +5,7 @@ mod merge;
 mod outputs;
 mod progress;
 mod run;
+mod table;
 mod tabulate;
 
 use std::path::PathBuf;
@@ -69,6 +70,13 @@ several of them have must agree. Nothing is written otherwise.
 Example:
   asperity merge shard-*.nc -o table.nc --plot table.png";
 
+const TABLE_EXAMPLE: &str = "\
+Examples:
+  asperity table info table.nc
+  asperity table diff table.nc other.nc --tolerance 0.01
+  asperity table plot table.nc -o table.png
+  asperity table export table.nc -o table.csv";
+
 /// Friction of one spherical elastic-plastic asperity on a rigid flat.
 ///
 /// Presses the asperity, slides it with frictional and plastic heating, and reports static and
@@ -110,6 +118,9 @@ enum Command {
     /// Put the shards of a table together
     #[command(after_help = MERGE_EXAMPLE)]
     Merge(MergeArguments),
+    /// Describe, compare, plot or export tables
+    #[command(subcommand, after_help = TABLE_EXAMPLE)]
+    Table(table::TableCommand),
     /// List the material presets, or print the constants of one with their sources
     Materials {
         /// Name of a preset
@@ -200,6 +211,7 @@ pub fn main() -> ExitCode {
         Command::Run(arguments) => run::run(arguments, display),
         Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
         Command::Merge(arguments) => merge::merge(arguments, display),
+        Command::Table(command) => table::table(command, display),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
     let (status, reason) = match std::panic::catch_unwind(work) {
