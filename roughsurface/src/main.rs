@@ -5,7 +5,7 @@ use clap::{Args, Parser, Subcommand};
 use roughsurface::friction::{PredictionError, Settings, end_of_slide, predict};
 use roughsurface::friction_figure::figure;
 use roughsurface::friction_file::{self, Origin};
-use roughsurface::law_source::asperity_law;
+use roughsurface::law_source::{asperity_law, asperity_law_without_gaps};
 use roughsurface::monte_carlo::{Sampling, sample};
 use roughsurface::monte_carlo_file;
 use roughsurface::separation::SeparationError;
@@ -15,6 +15,7 @@ use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tables::figure::Figure;
+use tables::law::{AsperityLaw, LookupError};
 
 const AFTER_HELP: &str = "\
 A surface file, surface.toml:
@@ -85,6 +86,9 @@ struct Predict {
     /// Continue the table beyond its last interference, and say so
     #[arg(long)]
     extrapolate: bool,
+    /// Interpolate around cells of the table that failed or were not run, and say so
+    #[arg(long)]
+    allow_missing: bool,
     #[command(flatten)]
     run: RunOptions,
 }
@@ -114,6 +118,9 @@ struct SampleOptions {
     /// Continue the table beyond its last interference, and say so
     #[arg(long)]
     extrapolate: bool,
+    /// Interpolate around cells of the table that failed or were not run, and say so
+    #[arg(long)]
+    allow_missing: bool,
     #[command(flatten)]
     run: RunOptions,
 }
@@ -172,7 +179,7 @@ fn main() -> ExitCode {
 
 fn run_predict(options: &Predict) -> Result<(), Failure> {
     let file = SurfaceFile::read(&options.surface).map_err(input)?;
-    let law = asperity_law(&options.table, file.material.as_ref()).map_err(input)?;
+    let (law, gaps) = law(&options.table, &file, options.allow_missing)?;
     // Known before the work, not after it.
     for path in std::iter::once(&options.output).chain(&options.plot) {
         check_folder(path)?;
@@ -195,7 +202,7 @@ fn run_predict(options: &Predict) -> Result<(), Failure> {
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "slips");
     let started = std::time::Instant::now();
-    let prediction = pool
+    let mut prediction = pool
         .install(|| {
             predict(law.as_ref(), &file.surface, &file.query, &settings, &|done, total| {
                 progress.show(done, total)
@@ -203,6 +210,7 @@ fn run_predict(options: &Predict) -> Result<(), Failure> {
         })
         .map_err(failure)?;
     progress.clear();
+    prediction.warnings.extend(gaps);
     if options.run.verbose {
         eprintln!(
             "{} slips from {:.3e} to {:.3e} m in {:.2} s",
@@ -224,12 +232,12 @@ fn run_predict(options: &Predict) -> Result<(), Failure> {
 
 fn run_sample(options: &SampleOptions) -> Result<(), Failure> {
     let file = SurfaceFile::read(&options.surface).map_err(input)?;
-    let law = asperity_law(&options.table, file.material.as_ref()).map_err(input)?;
+    let (law, gaps) = law(&options.table, &file, options.allow_missing)?;
     check_folder(&options.output)?;
     let settings = Settings { extrapolate: options.extrapolate, ..Settings::default() };
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "surfaces");
-    let samples = pool
+    let mut samples = pool
         .install(|| {
             let slip = match options.slip {
                 Some(slip) => slip,
@@ -247,6 +255,7 @@ fn run_sample(options: &SampleOptions) -> Result<(), Failure> {
         })
         .map_err(failure)?;
     progress.clear();
+    samples.warnings.extend(gaps);
     let origin = Origin { surface: &file.text, table: &options.table, command: &command_line() };
     monte_carlo_file::write(&options.output, &samples, &origin)
         .map_err(|error| Failure::Run(error.into()))?;
@@ -257,6 +266,19 @@ fn run_sample(options: &SampleOptions) -> Result<(), Failure> {
         || monte_carlo_file::json(&samples),
     );
     Ok(())
+}
+
+/// The law that `--table` names, and a warning if points without results were filled in.
+fn law(
+    table: &str,
+    file: &SurfaceFile,
+    allow_missing: bool,
+) -> Result<(Box<dyn AsperityLaw>, Option<String>), Failure> {
+    let material = file.material.as_ref();
+    match allow_missing {
+        true => asperity_law_without_gaps(table, material).map_err(input),
+        false => Ok((asperity_law(table, material).map_err(input)?, None)),
+    }
 }
 
 /// Warnings to stderr, the summary to stdout.
@@ -283,6 +305,10 @@ fn report(
 fn failure(error: PredictionError) -> Failure {
     let hint = match &error {
         PredictionError::OutsideTable { .. } => Some("--extrapolate continues the table"),
+        PredictionError::Lookup(LookupError::Missing { .. })
+        | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => {
+            Some("--allow-missing interpolates around it")
+        }
         PredictionError::Separation(SeparationError::NotFound { .. }) => {
             return Failure::Run(error.into());
         }

@@ -6,6 +6,12 @@ use crate::table::{Status, Table};
 /// Coordinates closer than this, relatively, are the same.
 const SAME: f64 = 1e-9;
 
+/// What is smaller than this share of the largest value of a quantity is rounding.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// The indices of a point in both tables.
+type Pair = ((usize, usize), (usize, usize));
+
 /// How two tables differ; "here" is the first of them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
@@ -28,7 +34,7 @@ pub struct Difference {
     /// Points compared, and those that differ by more than both errors together.
     pub compared: usize,
     pub beyond_errors: usize,
-    /// Largest difference relative to the larger value, and where it is.
+    /// Largest difference relative to the larger value (a rounding error is nothing), and where it is.
     pub largest: f64,
     pub at: String,
     /// The two values there.
@@ -39,7 +45,7 @@ impl Table {
     /// Compares scalars where both tables have results at the same coordinates.
     pub fn compare(&self, other: &Table) -> Comparison {
         let mut comparison = Comparison { metadata: self.metadata_differences(other), ..Default::default() };
-        let mut pairs = Vec::new();
+        let mut pairs: Vec<Pair> = Vec::new();
         for (i, j) in self.grid() {
             let (interference, slip_rate) = self.coordinates(i, j);
             let there =
@@ -62,13 +68,10 @@ impl Table {
         comparison
     }
 
-    fn difference(
-        &self,
-        other: &Table,
-        pairs: &[((usize, usize), (usize, usize))],
-        quantity: Quantity,
-    ) -> Option<Difference> {
+    fn difference(&self, other: &Table, pairs: &[Pair], quantity: Quantity) -> Option<Difference> {
         let (mut compared, mut beyond_errors) = (0, 0);
+        let values = self.grid().filter_map(|(i, j)| Some(self.cell(i, j)?[quantity].value.abs()));
+        let negligible = NEGLIGIBLE * values.fold(0.0, f64::max);
         let mut worst: Option<Difference> = None;
         for &((i, j), (k, l)) in pairs {
             let (Some(here), Some(there)) = (self.cell(i, j), other.cell(k, l)) else { continue };
@@ -79,7 +82,7 @@ impl Table {
             let distance = (here.value - there.value).abs();
             compared += 1;
             beyond_errors += usize::from(distance > here.error + there.error);
-            let size = here.value.abs().max(there.value.abs());
+            let size = here.value.abs().max(there.value.abs()).max(negligible);
             let largest = if distance == 0.0 { 0.0 } else { distance / size };
             if worst.as_ref().is_none_or(|worst| largest > worst.largest) {
                 let values = (here.value, there.value);

@@ -28,3 +28,5 @@ pub mod schema;
 pub mod statistics;
 pub mod steffen;
 pub mod table;
+
+pub use interpolation::Extrapolated;

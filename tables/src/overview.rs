@@ -10,18 +10,22 @@ const MOST_CURVES: usize = 6;
 const INTERFERENCE_LABEL: &str = "interference ω₀/ω_c";
 const RATE_LABEL: &str = "slip rate V (m/s)";
 
-/// What a panel shows: title, axis, value and error of a cell.
-type Shown = (&'static str, &'static str, fn(&Cell) -> (f64, f64));
+/// What a panel shows: title, axis, value and error of a cell, whether on a logarithmic scale.
+type Shown = (&'static str, &'static str, fn(&Cell) -> (f64, f64), bool);
 
 const SHOWN: [Shown; 3] = [
-    ("Sliding friction", "friction coefficient Q/P", friction_coefficient),
-    ("Friction stress", "friction stress Q/A (MPa)", friction_stress),
-    ("Heating", "highest temperature (K)", temperature),
+    ("Sliding friction", "friction coefficient Q/P", friction_coefficient, false),
+    ("Friction stress", "friction stress Q/A (MPa)", friction_stress, false),
+    ("Heating", "highest temperature (K)", temperature, false),
 ];
 
 /// What a sheet of maps shows.
-const MAPPED: [Shown; 4] =
-    [SHOWN[0], SHOWN[1], ("Energy of stick to slip", "energy release G (J/m²)", energy_release), SHOWN[2]];
+const MAPPED: [Shown; 4] = [
+    SHOWN[0],
+    SHOWN[1],
+    ("Energy of stick to slip", "energy release G (J/m²)", energy_release, true),
+    SHOWN[2],
+];
 
 /// Points of a map between two of the table.
 const MAP_POINTS: usize = 6;
@@ -46,7 +50,7 @@ impl Table {
         Sheet { title: self.metadata().title.clone(), drawings }
     }
 
-    fn map(&self, (title, label, value): &Shown) -> Map {
+    fn map(&self, (title, label, value, log): &Shown) -> Map {
         let axes = self.axes();
         let rates: Vec<f64> = axes.slip_rate.iter().copied().filter(|rate| *rate > 0.0).collect();
         let (x_values, y_values) = (between(&rates), between(&axes.interference));
@@ -57,12 +61,12 @@ impl Table {
                     cell[quantity] = known;
                 }
             }
-            value(&cell).0
+            if *log { value(&cell).0.log10() } else { value(&cell).0 }
         };
         let row = |omega: &f64| x_values.iter().map(|rate| at(*omega, *rate)).collect();
         Map {
             title: title.to_string(),
-            label: label.to_string(),
+            label: if *log { format!("log₁₀ of {label}") } else { label.to_string() },
             x: Axis::logarithmic(RATE_LABEL),
             y: Axis::logarithmic(INTERFERENCE_LABEL),
             values: y_values.iter().map(row).collect(),
@@ -87,7 +91,7 @@ impl Table {
         Figure { title: self.metadata().title.clone(), panels }
     }
 
-    fn over_slip_rate(&self, (title, label, value): &Shown) -> Panel {
+    fn over_slip_rate(&self, (title, label, value, log): &Shown) -> Panel {
         let axes = self.axes();
         let curve = |i: usize| {
             let at = |j: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
@@ -99,12 +103,12 @@ impl Table {
         Panel {
             title: title.to_string(),
             x: Axis::logarithmic(RATE_LABEL),
-            y: Axis::linear(*label),
+            y: Axis { label: label.to_string(), log: *log },
             curves: selection(axes.interference.len()).map(curve).collect(),
         }
     }
 
-    fn over_interference(&self, (title, label, value): &Shown) -> Panel {
+    fn over_interference(&self, (title, label, value, log): &Shown) -> Panel {
         let axes = self.axes();
         let curve = |j: usize| {
             let at = |i: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
@@ -116,7 +120,7 @@ impl Table {
         Panel {
             title: title.to_string(),
             x: Axis::logarithmic(INTERFERENCE_LABEL),
-            y: Axis::linear(*label),
+            y: Axis { label: label.to_string(), log: *log },
             curves: selection(axes.slip_rate.len()).map(curve).collect(),
         }
     }

@@ -14,9 +14,12 @@
 //!   interference and slip rate only if the errors of the points do not include it already (see
 //!   [`Table::with_interpolation_errors`]).
 
+mod beyond;
 mod elastic;
 mod nodes;
 mod scalar;
+
+pub use beyond::Extrapolated;
 
 use std::sync::{Arc, OnceLock};
 
