@@ -307,7 +307,7 @@ fn failure(error: PredictionError) -> Failure {
         PredictionError::OutsideTable { .. } => Some("--extrapolate continues the table"),
         PredictionError::Lookup(LookupError::Missing { .. })
         | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => {
-            Some("--allow-missing interpolates around it")
+            Some("--allow-missing interpolates where results lie on both sides")
         }
         PredictionError::Separation(SeparationError::NotFound { .. }) => {
             return Failure::Run(error.into());

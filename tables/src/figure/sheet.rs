@@ -27,7 +27,7 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Draws the sheet into a file.
+    /// Draws the sheet into a file, which appears whole or not at all.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
         let failed = |reason: String| FigureError::Write { path: path.display().to_string(), reason };
         let bytes = match extension(path)? {
@@ -37,7 +37,13 @@ impl Sheet {
                 backend.render_scene(&self.drawn(Medium::Raster).render()).map_err(failed)?
             }
         };
-        std::fs::write(path, bytes).map_err(|error| failed(error.to_string()))
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let temporary = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
+        let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, path));
+        written.map_err(|error| {
+            let _ = std::fs::remove_file(&temporary);
+            failed(error.to_string())
+        })
     }
 
     /// The sheet as SVG.
