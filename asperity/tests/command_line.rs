@@ -52,9 +52,18 @@ fn bad_input_is_refused_before_any_work() {
     refused(&["run", "request.toml", "-o", "run.nc"], &["asperity tabulate"]);
     refused(&["tabulate", "scene.toml", "-o", "table.nc"], &["table is missing"]);
     refused(
-        &["tabulate", "request.toml", "-o", "table.nc", "--set", "table.tolerance=0.01"],
-        &["table.tolerance", "not supported yet"],
+        &["tabulate", "request.toml", "-o", "table.nc", "--set", "table.tolerance=2"],
+        &["table.tolerance = 2", "at most 0.5"],
     );
+    refused(
+        &["tabulate", "request.toml", "-o", "table.nc", "--set", "table.max_cells=100"],
+        &["table.max_cells = 100", "unless tolerance"],
+    );
+    refused(
+        &["tabulate", "request.toml", "-o", "t.nc", "--set", "table.tolerance=0.1", "--shard", "1/2"],
+        &["--shard 1/2", "table.tolerance"],
+    );
+    refused(&["merge", "scene.toml", "none.nc", "-o", "table.nc"], &["scene.toml"]);
     refused(&["materials", "steel4340"], &["steel4340", "steel-4340"]);
 }
 

@@ -6,6 +6,8 @@
 //! | friction of a Gaussian surface, from Rust | `cargo run --release -p examples --example rough_surface [table.nc]` |
 //! | the same as the first, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
 //! | a brake disc, bearing steel, a granite fault | `roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc` |
+//! | a table in shards, with Snakemake or Slurm | `examples/snakemake/two-jobs.sh`, `slurm-array.sh` there |
+//! | μ(V) from a table, in Python | `examples/friction_against_rate.py table.nc figure.png` |
 //! | material and roughness to friction, the main job | `examples/friction-of-steel.sh` |
 
 use std::path::PathBuf;

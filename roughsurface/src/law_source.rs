@@ -81,9 +81,54 @@ fn melting_of(scene: &str) -> Option<f64> {
     scene.get("material")?.get("softening")?.get("melting")?.as_float()
 }
 
+/// The law called `asked`, with missing points of a table interpolated around where that is
+/// possible; and a warning if there are any.
+pub fn asperity_law_without_gaps(
+    asked: &str,
+    material: Option<&ElasticPlastic>,
+) -> Result<(Box<dyn AsperityLaw>, Option<String>), LawSourceError> {
+    if asked.starts_with("model:") {
+        return Ok((asperity_law(asked, material)?, None));
+    }
+    let (table, filled) = Table::read(Path::new(asked)).map_err(LawSourceError::Table)?.bridged();
+    let labels: Vec<String> = filled.iter().map(|(i, j)| table.label(*i, *j)).collect();
+    let warning = (!labels.is_empty())
+        .then(|| format!("cells without results, interpolated around: {}", labels.join("; ")));
+    Ok((Box::new(table), warning))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tables::quantity::Quantity;
+
+    #[test]
+    fn gaps_of_a_table_are_filled_only_if_asked() {
+        let axes = tables::table::Axes {
+            interference: vec![1.0, 3.0, 9.0],
+            slip_rate: vec![1.0],
+            slip: vec![0.0, 1.0],
+        };
+        let metadata = tables::table::Metadata { asperity_radius: 1e-3, ..Default::default() };
+        let mut table = Table::new(axes, metadata).unwrap();
+        for i in [0, 2] {
+            let mut cell = tables::table::Cell::new().with(Quantity::ContactRadius, 1e-5, 0.0);
+            for quantity in [Quantity::Load, Quantity::Friction, Quantity::Area] {
+                cell = cell.with(quantity, 2.0, 0.1).with_history(quantity, vec![2.0, 2.0]);
+            }
+            table.set_cell(i, 0, cell).unwrap();
+        }
+        table.mark_failed(1, 0, "no convergence");
+        let path = std::env::temp_dir().join(format!("roughsurface-gaps-{}.nc", std::process::id()));
+        table.write(&path).unwrap();
+        let asked = path.to_str().unwrap();
+        let refusal = asperity_law(asked, None).unwrap().response(1e-3, 4.0, 1.0, 1e-5).unwrap_err();
+        assert!(refusal.to_string().contains("no convergence"));
+        let (law, warning) = asperity_law_without_gaps(asked, None).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        assert!((law.response(1e-3, 4.0, 1.0, 1e-5).unwrap().load.value - 2.0).abs() < 1e-12);
+        assert_eq!(warning.unwrap(), "cells without results, interpolated around: 3 omega_c at 1 m/s");
+    }
 
     #[test]
     fn the_scene_of_a_table_knows_the_melting_temperature() {

@@ -1,6 +1,6 @@
 //! Tables made in pieces: what is missing, shards, added points.
 
-use crate::table::{Axes, Status, Table, TableError};
+use crate::table::{Axes, Metadata, Status, Table, TableError};
 
 impl Table {
     /// Grid points that have not been run, in the order of the grid.
@@ -9,16 +9,17 @@ impl Table {
     }
 
     /// Takes over from `other` what is done there and not here, or failed there and not run
-    /// here; axes, radius and scene must be the same.
+    /// here. Request, axes and program must be the same, and so must be what both have done,
+    /// but for the wall times.
     pub fn merge(&mut self, other: &Table) -> Result<(), TableError> {
-        if self.axes() != other.axes() {
-            return Err(TableError::Different("their axes"));
-        }
-        if self.metadata().asperity_radius != other.metadata().asperity_radius {
-            return Err(TableError::Different("asperity_radius"));
-        }
-        if self.metadata().scene != other.metadata().scene {
-            return Err(TableError::Different("scene"));
+        self.check_same_origin(other)?;
+        for (i, j) in self.grid() {
+            if let (Some(cell), Some(there)) = (self.cell(i, j), other.cell(i, j))
+                && !cell.agrees_with(there)
+            {
+                let (interference, slip_rate) = self.coordinates(i, j);
+                return Err(TableError::Disagree { interference, slip_rate });
+            }
         }
         for (i, j) in self.grid() {
             let better = match (self.status(i, j), other.status(i, j)) {
@@ -31,14 +32,80 @@ impl Table {
                 self.set_status(i, j, other.status(i, j).clone());
             }
         }
+        let comment = self.warnings().join("\n");
+        self.set_metadata(Metadata { comment, ..self.metadata().clone() });
         Ok(())
+    }
+
+    fn check_same_origin(&self, other: &Table) -> Result<(), TableError> {
+        let (here, there) = (self.metadata(), other.metadata());
+        let texts = [
+            ("their program", &here.source, &there.source),
+            ("the fingerprint of their program", &here.fingerprint, &there.fingerprint),
+            ("their request", &here.scene, &there.scene),
+        ];
+        for (what, here, there) in texts {
+            if here != there {
+                let (here, there) = first_difference(here, there);
+                return Err(TableError::Different { what, here, there });
+            }
+        }
+        let axes = |table: &Table| format!("{:?}", table.axes());
+        let radius = |table: &Table| table.metadata().asperity_radius.to_string();
+        for (what, of) in [("asperity_radius", &radius as &dyn Fn(&Table) -> String), ("their axes", &axes)] {
+            let (here, there) = (of(self), of(other));
+            if here != there {
+                return Err(TableError::Different { what, here, there });
+            }
+        }
+        Ok(())
+    }
+
+    /// Every warning of a cell once, with the cells that it concerns unless these are all.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut found: Vec<(&str, Vec<(usize, usize)>)> = Vec::new();
+        let mut done = 0;
+        for (i, j) in self.grid() {
+            let Some(cell) = self.cell(i, j) else { continue };
+            done += 1;
+            for warning in &cell.warnings {
+                match found.iter_mut().find(|(text, _)| text == warning) {
+                    Some((_, cells)) => cells.push((i, j)),
+                    None => found.push((warning, vec![(i, j)])),
+                }
+            }
+        }
+        let labelled = |(text, cells): (&str, Vec<(usize, usize)>)| {
+            if cells.len() == done {
+                return text.to_string();
+            }
+            let cells: Vec<String> = cells.into_iter().map(|(i, j)| self.label(i, j)).collect();
+            format!("{text} [{}]", cells.join("; "))
+        };
+        found.into_iter().map(labelled).collect()
+    }
+
+    /// A point of the grid by its coordinates, to six digits.
+    pub fn label(&self, i: usize, j: usize) -> String {
+        let (interference, slip_rate) = self.coordinates(i, j);
+        format!("{} omega_c at {} m/s", six_digits(interference), six_digits(slip_rate))
+    }
+
+    /// (ω₀/ω_c, V in m/s) of a point of the grid.
+    pub fn coordinates(&self, i: usize, j: usize) -> (f64, f64) {
+        (self.axes().interference[i], self.axes().slip_rate[j])
     }
 
     /// The same results on other interferences and slip rates: grid points at equal coordinates
     /// keep their state, new ones are not run. The slip axis must stay.
     pub fn regridded(&self, axes: Axes) -> Result<Table, TableError> {
         if axes.slip != self.axes().slip {
-            return Err(TableError::Different("their slip axis"));
+            let slips = |axes: &Axes| format!("{:?}", axes.slip);
+            return Err(TableError::Different {
+                what: "their slip axis",
+                here: slips(self.axes()),
+                there: slips(&axes),
+            });
         }
         let mut table = Table::new(axes, self.metadata().clone())?;
         let find = |axis: &[f64], value: f64| axis.iter().position(|known| *known == value);
@@ -62,11 +129,34 @@ impl Table {
     }
 }
 
+/// The first lines in which two texts differ.
+fn first_difference(here: &str, there: &str) -> (String, String) {
+    let mut lines = (here.lines(), there.lines());
+    loop {
+        match (lines.0.next(), lines.1.next()) {
+            (Some(here), Some(there)) if here == there => {}
+            (here, there) => {
+                let quoted = |line: Option<&str>| line.map_or("nothing".into(), |line| format!("\"{line}\""));
+                return (quoted(here), quoted(there));
+            }
+        }
+    }
+}
+
+/// Without trailing zeros, with a power of ten where it would need many.
+pub(crate) fn six_digits(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    match value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
+        true => format!("{rounded}"),
+        false => format!("{rounded:e}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::quantity::Quantity;
-    use crate::table::{Cell, Metadata};
+    use crate::table::Cell;
 
     fn axes() -> Axes {
         Axes { interference: vec![1.0, 2.0], slip_rate: vec![0.0, 0.5, 1.0], slip: vec![0.0, 2.0] }
@@ -87,6 +177,59 @@ mod tests {
         second.set_cell(1, 1, cell(0.2)).unwrap();
         first.merge(&second).unwrap();
         assert_eq!(first, whole);
+    }
+
+    #[test]
+    fn what_does_not_belong_together_is_not_merged() {
+        let table = |metadata| Table::new(axes(), metadata).unwrap();
+        let refused = |metadata: Metadata| {
+            let mut here = table(Metadata { scene: "a = 1\nb = 2\n".into(), ..Metadata::default() });
+            here.merge(&table(metadata)).unwrap_err().to_string()
+        };
+        let other = refused(Metadata { scene: "a = 1\nb = 3\n".into(), ..Metadata::default() });
+        assert_eq!(other, "the tables differ in their request: \"b = 2\" and \"b = 3\"");
+        let other = refused(Metadata { fingerprint: "ab".into(), ..Metadata::default() });
+        assert!(other.contains("the fingerprint of their program: nothing and \"ab\""), "{other}");
+        let mut finer = axes();
+        finer.interference[0] = 1.5;
+        let finer = Table::new(finer, Metadata::default()).unwrap();
+        let error = table(Metadata::default()).merge(&finer).unwrap_err().to_string();
+        assert!(error.contains("their axes"), "{error}");
+    }
+
+    #[test]
+    fn overlaps_must_agree_but_for_the_wall_time() {
+        let mut first = Table::new(axes(), Metadata::default()).unwrap();
+        let mut second = first.clone();
+        let timed = |wall_time: f64| {
+            let mut cell = cell(0.3);
+            cell.wall_time = wall_time;
+            cell
+        };
+        first.set_cell(0, 1, timed(1.0)).unwrap();
+        second.set_cell(0, 1, timed(2.0)).unwrap();
+        first.merge(&second).unwrap();
+        assert_eq!(first.cell(0, 1).unwrap().wall_time, 1.0);
+        second.set_cell(0, 1, cell(0.300001)).unwrap();
+        let (before, error) = (first.clone(), first.merge(&second).unwrap_err());
+        assert_eq!(first, before);
+        assert_eq!(
+            error.to_string(),
+            "the tables have different results at interference 1 and slip rate 0.5 m/s"
+        );
+    }
+
+    #[test]
+    fn a_warning_of_some_cells_names_them() {
+        let mut table = Table::new(axes(), Metadata::default()).unwrap();
+        let warned = |warnings: &[&str]| {
+            let mut cell = cell(0.3);
+            cell.warnings = warnings.iter().map(|text| text.to_string()).collect();
+            cell
+        };
+        table.set_cell(0, 1, warned(&["everywhere"])).unwrap();
+        table.set_cell(1, 0, warned(&["here", "everywhere"])).unwrap();
+        assert_eq!(table.warnings(), ["everywhere", "here [2 omega_c at 0 m/s]"]);
     }
 
     #[test]

@@ -11,7 +11,11 @@
 //! [`figure`] are the netCDF files and the figures of the whole project.
 
 mod assembly;
+mod bridging;
 pub mod closed_forms;
+pub mod comparison;
+pub mod cross_validation;
+mod csv_file;
 pub mod dataset;
 pub mod figure;
 pub mod fracture;
@@ -20,5 +24,10 @@ pub mod law;
 mod netcdf_file;
 mod overview;
 pub mod quantity;
+pub mod refinement;
+pub mod schema;
+pub mod statistics;
 pub mod steffen;
 pub mod table;
+
+pub use interpolation::Extrapolated;

@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::dataset::{AttributeValue, DatasetError, DatasetReader, DatasetWriter};
 use crate::fracture::FractureEnergy;
 use crate::quantity::{Descriptor, QUANTITIES, Quantity};
+use crate::schema;
 use crate::table::{Axes, Cell, Metadata, Status, Table};
 
 const GRID: [&str; 2] = ["interference", "slip_rate"];
@@ -37,12 +38,22 @@ const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.
 type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
 
-const TEXT_ATTRIBUTES: [TextAttribute; 5] = [
+const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
     ("title", |m| &mut m.title),
     ("history", |m| &mut m.history),
     ("source", |m| &mut m.source),
+    ("fingerprint", |m| &mut m.fingerprint),
+    ("shard", |m| &mut m.shard),
     ("comment", |m| &mut m.comment),
     ("scene", |m| &mut m.scene),
+];
+
+/// A number of the metadata that need not be there.
+type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Option<f64>);
+
+const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
+    ("strength_factor", |m| &mut m.strength_factor),
+    ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
 ];
 
 impl Table {
@@ -60,9 +71,12 @@ impl Table {
         for (name, value, _) in REAL_ATTRIBUTES {
             file.attribute(name, value(&metadata))?;
         }
-        if let Some(strength_factor) = metadata.strength_factor {
-            file.attribute("strength_factor", strength_factor)?;
+        for (name, value) in OPTIONAL_ATTRIBUTES {
+            if let Some(value) = *value(&mut metadata) {
+                file.attribute(name, value)?;
+            }
         }
+        schema::stamp(&mut file, self)?;
         self.write_coordinates(&mut file)?;
         for descriptor in &QUANTITIES {
             self.write_quantity(&mut file, descriptor)?;
@@ -77,6 +91,7 @@ impl Table {
     /// Reads a table.
     pub fn read(path: &Path) -> Result<Table, DatasetError> {
         let file = DatasetReader::open(path)?;
+        schema::check_version(&file)?;
         let axes = Axes {
             interference: file.coordinate("interference")?,
             slip_rate: file.coordinate("slip_rate")?,
@@ -89,7 +104,9 @@ impl Table {
         for (name, place) in TEXT_ATTRIBUTES {
             *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
         }
-        metadata.strength_factor = file.optional_real("strength_factor")?;
+        for (name, place) in OPTIONAL_ATTRIBUTES {
+            *place(&mut metadata) = file.optional_real(name)?;
+        }
         metadata.fracture_energy = match file.optional_real(FRACTURE_ENERGY)? {
             None => None,
             Some(coefficient) => {
@@ -99,6 +116,7 @@ impl Table {
         };
         let mut table = Table::new(axes, metadata).map_err(|error| file.content(error.to_string()))?;
         table.read_cells(&file)?;
+        schema::check_content(&file, &table)?;
         Ok(table)
     }
 
@@ -221,7 +239,13 @@ impl Table {
             &STATUS_MEANINGS,
             &[long_name("state of the run"), ("standard_name", "status_flag".into())],
         )?;
-        file.texts("failure_reason", &GRID, &reasons, &[long_name("why the run failed")])
+        file.texts("failure_reason", &GRID, &reasons, &[long_name("why the run failed")])?;
+        let warnings: Vec<String> = self
+            .each_cell()
+            .map(|cell| cell.map_or(String::new(), |cell| cell.warnings.join("\n")))
+            .collect();
+        let warnings: Vec<&str> = warnings.iter().map(String::as_str).collect();
+        file.texts("warnings", &GRID, &warnings, &[long_name("what to know before trusting the numbers")])
     }
 
     fn read_cells(&mut self, file: &DatasetReader) -> Result<(), DatasetError> {
@@ -253,6 +277,7 @@ impl Table {
                 0 => {
                     cell.levelled = levelled[position] != 0;
                     cell.wall_time = wall_time[position];
+                    cell.warnings = file.text("warnings", &[i, j])?.lines().map(str::to_string).collect();
                     self.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;
                 }
                 1 => {}
@@ -303,117 +328,4 @@ fn describe(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn table() -> Table {
-        let axes =
-            Axes { interference: vec![0.5, 5.0], slip_rate: vec![0.0, 0.1, 1.0], slip: vec![0.0, 0.5, 2.0] };
-        let metadata = Metadata {
-            title: "Friction of one asperity".to_string(),
-            history: "2026-01-01 asperity tabulate".to_string(),
-            source: "asperity 0.1.0".to_string(),
-            scene: "[asperity]\nradius = 1e-3\n".to_string(),
-            asperity_radius: 1e-3,
-            strength_factor: Some(0.9),
-            ..Metadata::default()
-        };
-        let mut table = Table::new(axes, metadata).unwrap();
-        for (i, j) in [(0, 0), (0, 1), (1, 2)] {
-            let mut cell = Cell::new();
-            for (n, quantity) in Quantity::ALL.into_iter().enumerate() {
-                cell = cell.with(quantity, (1 + n + i + 2 * j) as f64 / 3.0, 0.01);
-            }
-            for quantity in [Quantity::Mu, Quantity::Friction] {
-                cell = cell.with_history(quantity, vec![0.0, 1.0 / 3.0, 0.1]);
-            }
-            cell.levelled = i == 1;
-            cell.wall_time = 12.5;
-            table.set_cell(i, j, cell).unwrap();
-        }
-        table.mark_failed(1, 0, "Newton did not converge at s = 1e-7 m");
-        table
-    }
-
-    fn place(name: &str) -> std::path::PathBuf {
-        std::env::temp_dir().join(format!("tables-{}-{name}.nc", std::process::id()))
-    }
-
-    #[test]
-    fn what_is_written_is_read_back() {
-        let path = place("round-trip");
-        table().write(&path).unwrap();
-        let read = Table::read(&path).unwrap();
-        std::fs::remove_file(&path).unwrap();
-        assert_eq!(read, table());
-    }
-
-    #[test]
-    fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
-        let path = place("fracture");
-        for radius_exponent in [0, 1] {
-            let mut with = table();
-            let law = FractureEnergy { coefficient: 0.25, radius_exponent };
-            with.set_metadata(Metadata { fracture_energy: Some(law), ..with.metadata().clone() });
-            with.write(&path).unwrap();
-            assert_eq!(Table::read(&path).unwrap(), with);
-            let file = DatasetReader::open(&path).unwrap();
-            let values = file.reals("G_ratio", &[2, 3]).unwrap();
-            let cell = with.cell(1, 2).unwrap();
-            let (energy, radius) = (cell[Quantity::EnergyRelease].value, cell[Quantity::ContactRadius].value);
-            let exact = energy / (0.25 * radius.powi(radius_exponent));
-            assert!((values[5] / exact - 1.0).abs() < 1e-14 && values[3].is_nan());
-            assert!(file.reals("G_ratio_error", &[2, 3]).unwrap()[5] > 0.0);
-            std::fs::remove_file(&path).unwrap();
-        }
-    }
-
-    #[test]
-    fn equal_content_gives_equal_bytes() {
-        let (first, second) = (place("bytes-1"), place("bytes-2"));
-        table().write(&first).unwrap();
-        table().write(&second).unwrap();
-        let bytes = std::fs::read(&first).unwrap();
-        assert_eq!(bytes, std::fs::read(&second).unwrap());
-        // Overwriting leaves neither an old nor a temporary file.
-        table().write(&first).unwrap();
-        assert_eq!(bytes, std::fs::read(&first).unwrap());
-        let leftover = format!(".{}", first.file_name().unwrap().to_string_lossy());
-        for entry in std::fs::read_dir(std::env::temp_dir()).unwrap() {
-            let name = entry.unwrap().file_name().to_string_lossy().to_string();
-            assert!(!name.starts_with(&leftover), "{name}");
-        }
-        std::fs::remove_file(&first).unwrap();
-        std::fs::remove_file(&second).unwrap();
-    }
-
-    #[test]
-    fn foreign_files_are_named() {
-        let message = |path: &Path| Table::read(path).unwrap_err().to_string();
-        let missing = message(Path::new("nowhere/table.nc"));
-        assert!(missing.starts_with("cannot read nowhere/table.nc: No such file"));
-
-        let path = place("foreign");
-        std::fs::write(&path, "not netCDF").unwrap();
-        assert!(message(&path).starts_with(&format!("cannot read {}", path.display())));
-
-        let mut other = DatasetWriter::create(&path, "a run").unwrap();
-        other.coordinate("step", &[0.0, 1.0], &[]).unwrap();
-        other.finish().unwrap();
-        let foreign = message(&path);
-        assert!(foreign.contains("variable \"interference\" is missing"));
-        assert!(!foreign.contains('\n'));
-        std::fs::remove_file(&path).unwrap();
-    }
-
-    #[test]
-    fn short_records_are_refused() {
-        let path = place("short");
-        let mut file = DatasetWriter::create(&path, "short").unwrap();
-        file.dimension("step", 3).unwrap();
-        let error = file.reals("slip", &["step"], &[0.0, 1.0], &[]).unwrap_err();
-        assert!(error.to_string().contains("2 values instead of 3"));
-        drop(file);
-        assert!(!path.exists());
-    }
-}
+mod tests;

@@ -1,6 +1,6 @@
 //! A table at a glance.
 
-use crate::figure::{Axis, Curve, Figure, Panel};
+use crate::figure::{Axis, Curve, Drawing, Figure, Map, Panel, Sheet};
 use crate::quantity::Quantity;
 use crate::table::{Cell, Table};
 
@@ -10,16 +10,71 @@ const MOST_CURVES: usize = 6;
 const INTERFERENCE_LABEL: &str = "interference ω₀/ω_c";
 const RATE_LABEL: &str = "slip rate V (m/s)";
 
-/// What a panel shows: title, axis, value and error of a cell.
-type Shown = (&'static str, &'static str, fn(&Cell) -> (f64, f64));
+/// What a panel shows: title, axis, value and error of a cell, whether on a logarithmic scale.
+type Shown = (&'static str, &'static str, fn(&Cell) -> (f64, f64), bool);
 
 const SHOWN: [Shown; 3] = [
-    ("Sliding friction", "friction coefficient Q/P", friction_coefficient),
-    ("Friction stress", "friction stress Q/A (MPa)", friction_stress),
-    ("Heating", "highest temperature (K)", temperature),
+    ("Sliding friction", "friction coefficient Q/P", friction_coefficient, false),
+    ("Friction stress", "friction stress Q/A (MPa)", friction_stress, false),
+    ("Heating", "highest temperature (K)", temperature, false),
 ];
 
+/// What a sheet of maps shows.
+const MAPPED: [Shown; 4] = [
+    SHOWN[0],
+    SHOWN[1],
+    ("Energy of stick to slip", "energy release G (J/m²)", energy_release, true),
+    SHOWN[2],
+];
+
+/// Points of a map between two of the table.
+const MAP_POINTS: usize = 6;
+
 impl Table {
+    /// Friction, friction stress, energy release and temperature: a map over slip rate and
+    /// interference beside curves against slip rate (or interference, where there are less than
+    /// two positive slip rates, and no maps then).
+    pub fn maps(&self) -> Sheet {
+        let positive = self.axes().slip_rate.iter().filter(|rate| **rate > 0.0).count();
+        let (table, _) = self.bridged();
+        let mut drawings = Vec::new();
+        for shown in &MAPPED {
+            if positive >= 2 && self.axes().interference.len() >= 2 {
+                drawings.push(Drawing::Map(table.map(shown)));
+            }
+            drawings.push(Drawing::Curves(match positive >= 2 {
+                true => self.over_slip_rate(shown),
+                false => self.over_interference(shown),
+            }));
+        }
+        Sheet { title: self.metadata().title.clone(), drawings }
+    }
+
+    fn map(&self, (title, label, value, log): &Shown) -> Map {
+        let axes = self.axes();
+        let rates: Vec<f64> = axes.slip_rate.iter().copied().filter(|rate| *rate > 0.0).collect();
+        let (x_values, y_values) = (between(&rates), between(&axes.interference));
+        let at = |omega: f64, rate: f64| {
+            let mut cell = Cell::new();
+            for quantity in Quantity::ALL {
+                if let Ok(known) = self.estimate(quantity, self.metadata().asperity_radius, omega, rate) {
+                    cell[quantity] = known;
+                }
+            }
+            if *log { value(&cell).0.log10() } else { value(&cell).0 }
+        };
+        let row = |omega: &f64| x_values.iter().map(|rate| at(*omega, *rate)).collect();
+        Map {
+            title: title.to_string(),
+            label: if *log { format!("log₁₀ of {label}") } else { label.to_string() },
+            x: Axis::logarithmic(RATE_LABEL),
+            y: Axis::logarithmic(INTERFERENCE_LABEL),
+            values: y_values.iter().map(row).collect(),
+            x_values,
+            y_values,
+        }
+    }
+
     /// Sliding friction, friction stress and temperature against slip rate for a selection of
     /// interferences (against interference where there are less than two positive slip rates),
     /// and friction along the slide.
@@ -36,7 +91,7 @@ impl Table {
         Figure { title: self.metadata().title.clone(), panels }
     }
 
-    fn over_slip_rate(&self, (title, label, value): &Shown) -> Panel {
+    fn over_slip_rate(&self, (title, label, value, log): &Shown) -> Panel {
         let axes = self.axes();
         let curve = |i: usize| {
             let at = |j: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
@@ -48,12 +103,12 @@ impl Table {
         Panel {
             title: title.to_string(),
             x: Axis::logarithmic(RATE_LABEL),
-            y: Axis::linear(*label),
+            y: Axis { label: label.to_string(), log: *log },
             curves: selection(axes.interference.len()).map(curve).collect(),
         }
     }
 
-    fn over_interference(&self, (title, label, value): &Shown) -> Panel {
+    fn over_interference(&self, (title, label, value, log): &Shown) -> Panel {
         let axes = self.axes();
         let curve = |j: usize| {
             let at = |i: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
@@ -65,7 +120,7 @@ impl Table {
         Panel {
             title: title.to_string(),
             x: Axis::logarithmic(INTERFERENCE_LABEL),
-            y: Axis::linear(*label),
+            y: Axis { label: label.to_string(), log: *log },
             curves: selection(axes.slip_rate.len()).map(curve).collect(),
         }
     }
@@ -86,6 +141,15 @@ impl Table {
             curves: selection(axes.slip_rate.len()).map(curve).collect(),
         }
     }
+}
+
+/// Positive points with [`MAP_POINTS`] − 1 between each two, evenly in the logarithm.
+fn between(points: &[f64]) -> Vec<f64> {
+    let step = |pair: &[f64], n: usize| pair[0] * (pair[1] / pair[0]).powf(n as f64 / MAP_POINTS as f64);
+    let mut all: Vec<f64> =
+        points.windows(2).flat_map(|pair| (0..MAP_POINTS).map(move |n| step(pair, n))).collect();
+    all.extend(points.last());
+    all
 }
 
 /// At most [`MOST_CURVES`] of so many, first and last among them.
@@ -125,6 +189,11 @@ fn friction_stress(cell: &Cell) -> (f64, f64) {
     let stress = 1e-6 * force.value / area.value;
     let relative = (force.error / force.value).abs() + (area.error / area.value).abs();
     (stress, stress * relative)
+}
+
+fn energy_release(cell: &Cell) -> (f64, f64) {
+    let estimate = cell[Quantity::EnergyRelease];
+    (estimate.value, estimate.error)
 }
 
 fn temperature(cell: &Cell) -> (f64, f64) {

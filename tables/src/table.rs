@@ -25,6 +25,10 @@ pub struct Metadata {
     pub history: String,
     /// Program and version.
     pub source: String,
+    /// Of the physics of the program: equal ones give equal numbers. May be empty.
+    pub fingerprint: String,
+    /// `K/N` where the table is one of N parts of the request; empty for a whole one.
+    pub shard: String,
     /// What a reader must know before trusting the numbers; may be empty.
     pub comment: String,
     /// The request as TOML.
@@ -49,6 +53,9 @@ pub struct Metadata {
     pub gap_conductance: f64,
     /// Of the material in shear, where it is known.
     pub fracture_energy: Option<FractureEnergy>,
+    /// Relative error of interpolation that points were added for. Where there is one, the errors
+    /// of the cells include that of interpolating around them.
+    pub interpolation_tolerance: Option<f64>,
 }
 
 /// Results at one interference and slip rate. Values not known are NaN.
@@ -60,6 +67,8 @@ pub struct Cell {
     pub levelled: bool,
     /// What the run took, s.
     pub wall_time: f64,
+    /// What a reader must know before trusting the numbers of this cell.
+    pub warnings: Vec<String>,
 }
 
 const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
@@ -71,6 +80,7 @@ impl Default for Cell {
             histories: Default::default(),
             levelled: false,
             wall_time: f64::NAN,
+            warnings: Vec::new(),
         }
     }
 }
@@ -119,14 +129,24 @@ impl IndexMut<Quantity> for Cell {
     }
 }
 
+fn same(a: f64, b: f64) -> bool {
+    a == b || (a.is_nan() && b.is_nan())
+}
+
 /// Unknown values (NaN) of two cells are equal to each other.
 impl PartialEq for Cell {
     fn eq(&self, other: &Self) -> bool {
-        let same = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
+        self.agrees_with(other) && same(self.wall_time, other.wall_time)
+    }
+}
+
+impl Cell {
+    /// Whether all is equal but the wall time.
+    pub fn agrees_with(&self, other: &Cell) -> bool {
         let same_values =
             |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(*a, *b));
         self.levelled == other.levelled
-            && same(self.wall_time, other.wall_time)
+            && self.warnings == other.warnings
             && (self.values.iter().zip(&other.values))
                 .all(|(a, b)| same(a.value, b.value) && same(a.error, b.error))
             && (self.histories.iter().zip(&other.histories)).all(|(a, b)| same_values(a, b))
@@ -152,8 +172,10 @@ pub enum TableError {
     AxisEmpty(&'static str),
     #[error("history of {quantity} has {found} values, the slip axis {expected}")]
     HistoryLength { quantity: &'static str, expected: usize, found: usize },
-    #[error("the tables differ in {0}")]
-    Different(&'static str),
+    #[error("the tables differ in {what}: {here} and {there}")]
+    Different { what: &'static str, here: String, there: String },
+    #[error("the tables have different results at interference {interference} and slip rate {slip_rate} m/s")]
+    Disagree { interference: f64, slip_rate: f64 },
 }
 
 /// Results of one asperity over interference and slip rate.
@@ -236,6 +258,7 @@ impl Table {
         self.set_status(i, j, Status::Failed(reason.into()));
     }
 
+    /// Enters what became of a point.
     pub(crate) fn set_status(&mut self, i: usize, j: usize, status: Status) {
         let position = self.position(i, j);
         self.cells[position] = status;

@@ -1,14 +1,17 @@
 //! The command line: arguments, exit status, and one module per subcommand.
 
 mod materials;
+mod merge;
 mod outputs;
 mod progress;
 mod run;
+mod table;
 mod tabulate;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use asperity::tabulate::Shard;
 use clap::{Args, Parser, Subcommand};
 
 const EXAMPLES: &str = "\
@@ -17,6 +20,9 @@ Examples:
   asperity run scene.toml -o run.nc --set loading.slip_rate=10 --plot run.svg
   asperity tabulate request.toml -o table.nc --jobs 4
   asperity tabulate request.toml -o table.nc --resume
+  asperity tabulate request.toml -o shard-2.nc --shard 2/3
+  asperity merge shard-*.nc -o table.nc
+  asperity table info table.nc
   asperity materials steel-4340
 
 Exit status: 0 done, 1 a run failed (what could be saved is saved), 2 bad input or usage.";
@@ -58,7 +64,30 @@ loading.slip_rate:
 Finished cells are kept in OUTPUT.part until the table is written; an interrupted
 tabulation continues from there:
   asperity tabulate request.toml -o table.nc --jobs 4
-  asperity tabulate request.toml -o table.nc --jobs 4 --resume";
+  asperity tabulate request.toml -o table.nc --jobs 4 --resume
+
+With table.tolerance, interferences and slip rates are added to those given until mu, mu_static,
+Q and G interpolate with that relative error; table.max_cells (default 400) ends it earlier:
+  asperity tabulate request.toml -o table.nc --set table.tolerance=0.02
+
+In parts, on machines that need not know of each other:
+  asperity tabulate request.toml -o shard-1.nc --shard 1/2
+  asperity tabulate request.toml -o shard-2.nc --shard 2/2
+  asperity merge shard-1.nc shard-2.nc -o table.nc";
+
+const MERGE_EXAMPLE: &str = "\
+The shards must be of the same request and made by the same build of the program; cells that
+several of them have must agree. Nothing is written otherwise.
+
+Example:
+  asperity merge shard-*.nc -o table.nc --plot table.png";
+
+const TABLE_EXAMPLE: &str = "\
+Examples:
+  asperity table info table.nc
+  asperity table diff table.nc other.nc --tolerance 0.01
+  asperity table plot table.nc -o table.png
+  asperity table export table.nc -o table.csv";
 
 /// Friction of one spherical elastic-plastic asperity on a rigid flat.
 ///
@@ -98,6 +127,12 @@ enum Command {
     /// Run a grid of interferences and slip rates
     #[command(after_help = REQUEST_EXAMPLE)]
     Tabulate(TabulateArguments),
+    /// Put the shards of a table together
+    #[command(after_help = MERGE_EXAMPLE)]
+    Merge(MergeArguments),
+    /// Describe, compare, plot or export tables
+    #[command(subcommand, after_help = TABLE_EXAMPLE)]
+    Table(table::TableCommand),
     /// List the material presets, or print the constants of one with their sources
     Materials {
         /// Name of a preset
@@ -138,6 +173,25 @@ struct TabulateArguments {
     /// Continue an interrupted tabulation
     #[arg(long)]
     resume: bool,
+    /// Run the part K of N only, for `asperity merge`
+    #[arg(long, value_name = "K/N")]
+    shard: Option<Shard>,
+    /// Plot the table
+    #[arg(long, value_name = "FILE.svg|png")]
+    plot: Option<PathBuf>,
+}
+
+#[derive(Args)]
+struct MergeArguments {
+    /// Tables to put together
+    #[arg(value_name = "SHARD.nc", required = true)]
+    shards: Vec<PathBuf>,
+    /// File to write the table to
+    #[arg(short, long, value_name = "table.nc")]
+    output: PathBuf,
+    /// Merge also if cells are missing; they stay "not run"
+    #[arg(long)]
+    partial: bool,
     /// Plot the table
     #[arg(long, value_name = "FILE.svg|png")]
     plot: Option<PathBuf>,
@@ -168,6 +222,8 @@ pub fn main() -> ExitCode {
     let work = || match &arguments.command {
         Command::Run(arguments) => run::run(arguments, display),
         Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
+        Command::Merge(arguments) => merge::merge(arguments, display),
+        Command::Table(command) => table::table(command, display),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
     let (status, reason) = match std::panic::catch_unwind(work) {

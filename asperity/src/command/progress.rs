@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use asperity::simulate::Watch;
-use asperity::tabulate::{CellResult, Index, TableWatch};
+use asperity::tabulate::{CellResult, Index, Standing, TableWatch};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Display;
@@ -82,6 +82,16 @@ impl Progress {
     }
 }
 
+/// Two units at most: what is estimated is not known to the second.
+fn duration(seconds: f64) -> String {
+    let minutes = (seconds / 60.0).round() as u64;
+    match (seconds, minutes) {
+        (..100.0, _) => format!("{seconds:.0} s"),
+        (_, ..100) => format!("{minutes} min"),
+        (_, minutes) => format!("{} h {} min", minutes / 60, minutes % 60),
+    }
+}
+
 impl Watch for Progress {
     fn progress(&self, stage: &'static str, done: f64, detail: &str) {
         self.show(stage, done, detail);
@@ -93,12 +103,24 @@ impl Watch for Progress {
 }
 
 impl TableWatch for Progress {
-    fn finished(&self, _: Index, _: &CellResult, done: usize, total: usize) {
-        let detail = format!("{done} of {total} cells");
+    fn finished(&self, _: Index, _: &CellResult, standing: &Standing) {
+        let Standing { done, total, remaining } = *standing;
+        let detail = format!("{done} of {total} cells, {} left", duration(remaining));
         self.show("cells", done as f64 / total as f64, &detail);
     }
 
     fn cancelled(&self) -> bool {
         INTERRUPTED.load(Ordering::Relaxed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn durations_are_short() {
+        let shown = [0.4, 99.0, 130.0, 5900.0, 6100.0, 90_000.0].map(duration);
+        assert_eq!(shown, ["0 s", "99 s", "2 min", "98 min", "1 h 42 min", "25 h 0 min"]);
     }
 }

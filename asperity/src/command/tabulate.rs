@@ -22,6 +22,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
         jobs: arguments.jobs.map_or_else(processors, usize::from),
         journal: &journal,
         resume: arguments.resume,
+        shard: arguments.shard,
     };
     watch_for_interrupt();
     let progress = Progress::new(display);
@@ -35,7 +36,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
         return Err(Failure::Run(format!(
             "stopped on request with {} of {} cells done; continue with --resume",
             tabulation.cells.iter().flatten().flatten().count(),
-            tabulation.cells.iter().flatten().count(),
+            wanted(&tabulation),
         )));
     }
     let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
@@ -49,10 +50,15 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
         0 => Ok(()),
         failed => Err(Failure::Run(format!(
             "{failed} of {} cells failed; the others are in {}",
-            tabulation.cells.iter().flatten().count(),
+            wanted(&tabulation),
             arguments.output.display()
         ))),
     }
+}
+
+/// Number of cells that were to be run.
+fn wanted(tabulation: &Tabulation) -> usize {
+    tabulation.wanted.iter().flatten().filter(|wanted| **wanted).count()
 }
 
 fn journal_beside(output: &Path) -> PathBuf {
@@ -96,8 +102,8 @@ fn summary(tabulation: &Tabulation) -> String {
     for (i, row) in tabulation.cells.iter().enumerate() {
         for (j, cell) in row.iter().enumerate() {
             let mut line = vec![
-                format!("{} omega_c", numbers::plain(tabulation.request.interferences[i])),
-                format!("{} m/s", numbers::plain(tabulation.request.slip_rates[j])),
+                format!("{} omega_c", numbers::plain(tabulation.interferences[i])),
+                format!("{} m/s", numbers::plain(tabulation.slip_rates[j])),
             ];
             match cell {
                 Some(Ok(finished)) => line.extend(
@@ -145,8 +151,8 @@ fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
                 }
             };
             cells.push(json!({
-                "interference": tabulation.request.interferences[i],
-                "slip_rate": tabulation.request.slip_rates[j],
+                "interference": tabulation.interferences[i],
+                "slip_rate": tabulation.slip_rates[j],
                 "status": status,
                 "reason": reason,
                 "summary": summary,

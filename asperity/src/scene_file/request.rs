@@ -1,9 +1,10 @@
 //! Section `[table]` of a request: lists or ranges of interference and slip rate.
 
+use tables::refinement::Goal;
 use toml::Value;
 
 use super::error::SceneFileError;
-use super::reader::{NOT_NEGATIVE, POSITIVE, Rule, Section};
+use super::reader::{ACCURACY, NOT_NEGATIVE, POSITIVE, Rule, Section};
 use crate::scene::Scene;
 
 /// A grid of scenes that differ in interference and slip rate.
@@ -15,6 +16,8 @@ pub struct Request {
     pub interferences: Vec<f64>,
     /// V, m/s, rising.
     pub slip_rates: Vec<f64>,
+    /// Interpolation to be reached by adding points to these, if any.
+    pub goal: Option<Goal>,
 }
 
 impl Request {
@@ -30,22 +33,31 @@ impl Request {
 /// A range has at most this many points.
 const MOST_POINTS: usize = 1000;
 
-/// Section `[table]`: interferences and slip rates.
-pub(super) fn table(root: &mut Section<'_>) -> Result<(Vec<f64>, Vec<f64>), SceneFileError> {
-    let mut section = root.take_section("table", &["interference", "slip_rate", "tolerance"])?;
-    if let Some(value) = section.take("tolerance") {
-        let key = section.full("tolerance");
-        return Err(SceneFileError::Unsupported {
-            place: section.origin().place(&key),
-            key,
-            value: value.to_string(),
-            instead: "leave it out and give the points of the table".into(),
-        });
+/// A grid that is to be refined may have so many cells unless `max_cells` says otherwise.
+const MOST_CELLS: usize = 400;
+
+/// What section `[table]` says: interferences, slip rates, and the goal of refining them.
+pub(super) type Grid = (Vec<f64>, Vec<f64>, Option<Goal>);
+
+/// Section `[table]`.
+pub(super) fn table(root: &mut Section<'_>) -> Result<Grid, SceneFileError> {
+    let mut section = root.take_section("table", &["interference", "slip_rate", "tolerance", "max_cells"])?;
+    let interferences = points(&mut section, "interference", "omega_0/omega_c", POSITIVE)?;
+    let slip_rates = points(&mut section, "slip_rate", "m/s", NOT_NEGATIVE)?;
+    let cells = interferences.len() * slip_rates.len();
+    let refined = section.has("tolerance");
+    if !refined && let Some(value) = section.take("max_cells") {
+        return Err(section.invalid("max_cells", value, "left out unless tolerance is given"));
     }
-    Ok((
-        points(&mut section, "interference", "omega_0/omega_c", POSITIVE)?,
-        points(&mut section, "slip_rate", "m/s", NOT_NEGATIVE)?,
-    ))
+    let goal = match refined {
+        false => None,
+        true => Some(Goal {
+            tolerance: section.number("tolerance", "1", ACCURACY, None)?,
+            most_cells: (section.count("max_cells", (cells, MOST_POINTS * MOST_POINTS, 1))?)
+                .unwrap_or(MOST_CELLS.max(cells)),
+        }),
+    };
+    Ok((interferences, slip_rates, goal))
 }
 
 /// A number, a rising list or a range.

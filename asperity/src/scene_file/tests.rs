@@ -1,5 +1,7 @@
 //! What is accepted, what is refused and with which words.
 
+use tables::refinement::Goal;
+
 use super::*;
 use crate::scene::{FrictionLaw, Hardening, Kinematics, Softening, Switch, TemperatureTable};
 
@@ -177,6 +179,12 @@ fn ranges_are_spaced_as_asked() {
     let linear = "table.slip_rate={from=0, to=2, points=3, spacing=\"linear\"}";
     let request = parse_request(REQUEST, "request.toml", &set(&[linear])).unwrap();
     assert_eq!(request.slip_rates, [0.0, 1.0, 2.0]);
+    let refined = set(&["table.tolerance=0.02", "table.max_cells=60"]);
+    let request = parse_request(REQUEST, "request.toml", &refined).unwrap();
+    assert_eq!(request.goal, Some(Goal { tolerance: 0.02, most_cells: 60 }));
+    assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
+    let few = set(&["table.tolerance=0.02", "table.max_cells=11"]);
+    assert!(parse_request(REQUEST, "", &few).unwrap_err().to_string().contains("from 12 to"));
     let request = parse_request(REQUEST, "request.toml", &set(&["table.slip_rate=1"])).unwrap();
     assert_eq!(request.slip_rates, [1.0]);
 }
@@ -190,7 +198,8 @@ fn bad_requests_are_refused() {
         ("table.interference=[0, 1]", "positive"),
         ("table.slip_rate=[-1]", "zero or a positive"),
         ("table.slip_rate=[nan]", "zero or a positive"),
-        ("table.tolerance=0.01", "not supported yet"),
+        ("table.tolerance=0", "at most 0.5"),
+        ("table.max_cells=100", "left out unless tolerance is given"),
         ("table.interference={from=0, to=1, points=3}", "positive"),
         ("table.interference={from=2, to=1, points=3}", "above from"),
         ("table.interference={from=1, to=2, points=1}", "from 2 to"),

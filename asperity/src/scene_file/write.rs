@@ -28,6 +28,9 @@ pub fn write_request(request: &Request) -> String {
         list(&request.interferences),
         list(&request.slip_rates)
     );
+    if let Some(goal) = request.goal {
+        let _ = write!(text, "tolerance = {}\nmax_cells = {}\n", number(goal.tolerance), goal.most_cells);
+    }
     text
 }
 

@@ -13,10 +13,20 @@ use tables::quantity::Quantity;
 use tables::table::Cell;
 
 use super::cell::Finished;
-use crate::provenance::SOURCE;
+use super::shard::Shard;
+use crate::provenance::{FINGERPRINT, SOURCE};
 
 /// Cell of the grid: index of the interference and of the slip rate.
 pub type Index = (usize, usize);
+
+/// A cell by its coordinates, which stay as they are when a grid gets more points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// ω₀/ω_c.
+    pub interference: f64,
+    /// V, m/s.
+    pub slip_rate: f64,
+}
 
 /// What became of a cell: its result, or why there is none.
 pub type CellResult = Result<Finished, String>;
@@ -51,13 +61,18 @@ pub enum JournalError {
 #[derive(Serialize, Deserialize, PartialEq)]
 struct Header {
     source: String,
+    /// Of the program: one of the same version may do other physics.
+    #[serde(default)]
+    fingerprint: String,
+    #[serde(default)]
+    shard: Option<String>,
     request: String,
 }
 
 #[derive(Serialize, Deserialize)]
 struct Record {
-    interference: usize,
-    slip_rate: usize,
+    interference: f64,
+    slip_rate: f64,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     failure: Option<String>,
     #[serde(default)]
@@ -78,16 +93,22 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Open the journal at `path` for `request`: a new one, or with `resume` the one that is
-    /// there, with the cells that it holds.
+    /// Open the journal at `path` for a `shard` of `request`: a new one, or with `resume` the one
+    /// that is there, with the cells that it holds.
     pub fn open(
         path: &Path,
         request: &str,
+        shard: Option<Shard>,
         resume: bool,
-    ) -> Result<(Self, Vec<(Index, CellResult)>), JournalError> {
+    ) -> Result<(Self, Vec<(Point, CellResult)>), JournalError> {
         let shown = || path.display().to_string();
         let io = |source| JournalError::Io { path: shown(), source };
-        let header = Header { source: SOURCE.into(), request: request.into() };
+        let header = Header {
+            source: SOURCE.into(),
+            fingerprint: FINGERPRINT.into(),
+            shard: shard.map(|shard| shard.to_string()),
+            request: request.into(),
+        };
         let text = match std::fs::read(path) {
             Ok(_) if !resume => return Err(JournalError::Exists { path: shown() }),
             Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
@@ -122,8 +143,8 @@ impl Journal {
     }
 
     /// Write a finished cell through to the disk.
-    pub fn record(&mut self, index: Index, result: &CellResult) -> Result<(), JournalError> {
-        self.append(&Record::new(index, result))
+    pub fn record(&mut self, point: Point, result: &CellResult) -> Result<(), JournalError> {
+        self.append(&Record::new(point, result))
     }
 
     /// Remove the journal once its table is written.
@@ -154,6 +175,17 @@ fn differences(found: &Header, asked: &Header) -> String {
     if found.source != asked.source {
         return format!("it was written by {}, this is {}", found.source, asked.source);
     }
+    if found.fingerprint != asked.fingerprint {
+        return format!(
+            "it was written by another build of {} (fingerprint {}), this one ({}) may give other numbers",
+            asked.source, found.fingerprint, asked.fingerprint
+        );
+    }
+    if found.shard != asked.shard {
+        let name =
+            |shard: &Option<String>| shard.clone().map_or("the whole table".into(), |k| format!("shard {k}"));
+        return format!("it is of {}, not of {}", name(&found.shard), name(&asked.shard));
+    }
     let mut lines = found.request.lines().zip(asked.request.lines());
     match lines.find(|(found, asked)| found != asked) {
         Some((found, asked)) => format!("it has \"{found}\", the request \"{asked}\""),
@@ -162,7 +194,7 @@ fn differences(found: &Header, asked: &Header) -> String {
 }
 
 impl Record {
-    fn new((interference, slip_rate): Index, result: &CellResult) -> Self {
+    fn new(Point { interference, slip_rate }: Point, result: &CellResult) -> Self {
         let empty = Self {
             interference,
             slip_rate,
@@ -184,10 +216,10 @@ impl Record {
         }
     }
 
-    fn into_cell(self) -> Option<(Index, CellResult)> {
-        let index = (self.interference, self.slip_rate);
+    fn into_cell(self) -> Option<(Point, CellResult)> {
+        let point = Point { interference: self.interference, slip_rate: self.slip_rate };
         if let Some(reason) = self.failure {
-            return Some((index, Err(reason)));
+            return Some((point, Err(reason)));
         }
         let numbers = from_hexadecimal(&self.numbers)?;
         let (wall_time, numbers) = numbers.split_first()?;
@@ -207,7 +239,7 @@ impl Record {
             cell = cell.with_history(quantity, history.to_vec());
         }
         let finished = Finished { cell, notes: self.notes, warnings: self.warnings };
-        Some((index, Ok(finished)))
+        Some((point, Ok(finished)))
     }
 }
 
@@ -235,6 +267,10 @@ mod tests {
     use crate::fake::{self, Fake};
     use crate::tabulate::cell::slip_grid;
 
+    fn at(interference: f64, slip_rate: f64) -> Point {
+        Point { interference, slip_rate }
+    }
+
     fn finished() -> Finished {
         let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
         outcome.summary.mu.error = f64::NAN;
@@ -246,62 +282,93 @@ mod tests {
     fn cells_come_back_bit_for_bit() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("table.nc.part");
-        let (mut journal, found) = Journal::open(&path, "a = 1\n", false).unwrap();
+        let (mut journal, found) = Journal::open(&path, "a = 1\n", None, false).unwrap();
         assert!(found.is_empty());
-        journal.record((1, 2), &Ok(finished())).unwrap();
-        journal.record((0, 0), &Err("did not\nconverge".into())).unwrap();
-        let (_, found) = Journal::open(&path, "a = 1\n", true).unwrap();
+        journal.record(at(0.1 + 0.2, 2e-7), &Ok(finished())).unwrap();
+        journal.record(at(100.0, 0.0), &Err("did not\nconverge".into())).unwrap();
+        let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
         assert_eq!(found.len(), 2);
-        assert_eq!(found[0].0, (1, 2));
+        assert_eq!(found[0].0, at(0.1 + 0.2, 2e-7));
         let cell = found[0].1.as_ref().unwrap();
         assert_eq!(cell, &finished());
         assert_eq!(numbers(&cell.cell), numbers(&finished().cell));
-        assert_eq!(found[1], ((0, 0), Err("did not\nconverge".into())));
+        assert_eq!(found[1], (at(100.0, 0.0), Err("did not\nconverge".into())));
     }
 
     #[test]
     fn a_cut_or_damaged_line_loses_only_its_cell() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("table.nc.part");
-        let (mut journal, _) = Journal::open(&path, "a = 1\n", false).unwrap();
+        let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
         for k in 0..3 {
-            journal.record((k, 0), &Err(format!("reason {k}"))).unwrap();
+            journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
         }
         let whole = std::fs::read_to_string(&path).unwrap();
         std::fs::write(&path, &whole[..whole.len() - 5]).unwrap();
-        let (mut journal, found) = Journal::open(&path, "a = 1\n", true).unwrap();
+        let (mut journal, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
         assert_eq!(found.len(), 2);
-        journal.record((2, 0), &Err("again".into())).unwrap();
-        let (_, found) = Journal::open(&path, "a = 1\n", true).unwrap();
-        assert_eq!(found[2], ((2, 0), Err("again".into())));
+        journal.record(at(2.0, 0.0), &Err("again".into())).unwrap();
+        let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+        assert_eq!(found[2], (at(2.0, 0.0), Err("again".into())));
 
         std::fs::write(&path, whole.replace("reason 1", "reason 7")).unwrap();
-        let (_, found) = Journal::open(&path, "a = 1\n", true).unwrap();
-        let indices: Vec<Index> = found.iter().map(|(index, _)| *index).collect();
-        assert_eq!(indices, [(0, 0), (2, 0)]);
+        let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+        let points: Vec<Point> = found.iter().map(|(point, _)| *point).collect();
+        assert_eq!(points, [at(0.0, 0.0), at(2.0, 0.0)]);
     }
 
     #[test]
     fn other_requests_and_unasked_continuations_are_refused() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("table.nc.part");
-        Journal::open(&path, "a = 1\nb = 2\n", false).unwrap();
+        Journal::open(&path, "a = 1\nb = 2\n", None, false).unwrap();
         let refused = |request: &str, resume: bool| {
-            let error = Journal::open(&path, request, resume).err().unwrap();
+            let error = Journal::open(&path, request, None, resume).err().unwrap();
             error.to_string()
         };
         assert!(refused("a = 1\nb = 2\n", false).contains("--resume"));
         assert!(refused("a = 1\nb = 3\n", true).contains("\"b = 2\""));
+        let shard = "2/3".parse().ok();
+        let error = Journal::open(&path, "a = 1\nb = 2\n", shard, true).err().unwrap().to_string();
+        assert!(error.contains("it is of the whole table, not of shard 2/3"), "{error}");
+    }
+
+    #[test]
+    fn a_journal_of_another_build_is_refused() {
+        let directory = tempfile::tempdir().unwrap();
+        let path = directory.path().join("table.nc.part");
+        let refused = |header: &Header| {
+            let json = serde_json::to_string(header).unwrap();
+            std::fs::write(&path, format!("{:08x} {json}\n", crc32fast::hash(json.as_bytes()))).unwrap();
+            match Journal::open(&path, "a = 1\n", None, true) {
+                Ok(_) => String::new(),
+                Err(error) => error.to_string(),
+            }
+        };
+        let mut header = Header {
+            source: SOURCE.into(),
+            fingerprint: FINGERPRINT.into(),
+            shard: None,
+            request: "a = 1\n".into(),
+        };
+        assert_eq!(refused(&header), "");
+        header.fingerprint = "0123456789abcdef".into();
+        let message = refused(&header);
+        assert!(message.contains("another build") && message.contains(FINGERPRINT), "{message}");
+        header.fingerprint = String::new();
+        assert!(refused(&header).contains("another build"));
+        header.source = "asperity 0.0.9".into();
+        assert!(refused(&header).contains("asperity 0.0.9"));
     }
 
     #[test]
     fn resuming_without_a_journal_starts_one() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("table.nc.part");
-        assert!(Journal::open(&path, "a = 1\n", true).unwrap().1.is_empty());
+        assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
         // The header itself was cut off.
         std::fs::write(&path, "0123").unwrap();
-        assert!(Journal::open(&path, "a = 1\n", true).unwrap().1.is_empty());
-        assert!(Journal::open(&path, "a = 1\n", true).unwrap().1.is_empty());
+        assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
+        assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
     }
 }

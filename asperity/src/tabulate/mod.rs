@@ -5,28 +5,45 @@
 //! cell's result does not depend on the other cells, nor on the number of threads.
 
 mod cell;
+mod cost;
+mod grid;
 mod journal;
+mod known;
+mod shard;
 mod table;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use rayon::prelude::*;
+use tables::refinement::{Goal, refine};
+use tables::table::{Axes, Table, TableError};
 
 pub use cell::{Finished, slip_grid};
-pub use journal::{CellResult, Index, Journal, JournalError};
+pub use journal::{CellResult, Index, Journal, JournalError, Point};
+pub use shard::Shard;
 
 use crate::outcome::Outcome;
 use crate::scene::Scene;
 use crate::scene_file::{Request, write_request};
 use crate::simulate::{self, Pressed, SimulationError, Watch};
+use cost::CostModel;
+use grid::Work;
+use known::Known;
+
+/// How far a tabulation is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// Cells with a result.
+    pub done: usize,
+    /// Cells to be run, as far as is known.
+    pub total: usize,
+    /// Time until these are done, s, from the run times of finished cells.
+    pub remaining: f64,
+}
 
 /// Follows a tabulation and can stop it.
 pub trait TableWatch: Sync {
-    /// A cell is finished; `done` of `total` are.
-    fn finished(&self, _index: Index, _result: &CellResult, _done: usize, _total: usize) {}
+    /// A cell is finished.
+    fn finished(&self, _index: Index, _result: &CellResult, _standing: &Standing) {}
     /// True once the tabulation shall stop.
     fn cancelled(&self) -> bool {
         false
@@ -43,6 +60,8 @@ pub struct Options<'a> {
     pub journal: &'a Path,
     /// Continue the journal that is there.
     pub resume: bool,
+    /// Only a part of the cells.
+    pub shard: Option<Shard>,
 }
 
 /// Why a tabulation could not run at all; a cell that fails is not such a reason.
@@ -51,6 +70,14 @@ pub enum TabulateError {
     /// The journal cannot be used.
     #[error(transparent)]
     Journal(#[from] JournalError),
+    /// The grid is none.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// Where points go follows from results of the whole grid.
+    #[error(
+        "--shard {0}: table.tolerance adds points where the whole table needs them; leave one of the two out"
+    )]
+    Shard(Shard),
     /// The threads could not be started.
     #[error("cannot start {jobs} threads: {reason}")]
     Threads {
@@ -66,18 +93,26 @@ pub enum TabulateError {
 pub struct Tabulation {
     /// What was asked.
     pub request: Request,
+    /// The part of it that was to be run.
+    pub shard: Option<Shard>,
+    /// ω₀/ω_c, rising: those asked for and those added.
+    pub interferences: Vec<f64>,
+    /// V, m/s, rising: those asked for and those added.
+    pub slip_rates: Vec<f64>,
     /// Slips s/a₀ of the histories.
     pub slips: Vec<f64>,
     /// Over interference and slip rate; `None` where the cell was not run.
     pub cells: Vec<Vec<Option<CellResult>>>,
+    /// Cells that were to be run.
+    pub wanted: Vec<Vec<bool>>,
     /// Cells taken from the journal.
     pub resumed: usize,
 }
 
 impl Tabulation {
-    /// Whether every cell was run, with or without success.
+    /// Whether every cell that was to be run was, with or without success.
     pub fn finished(&self) -> bool {
-        self.cells.iter().flatten().all(Option::is_some)
+        self.each().all(|((i, j), cell)| cell.is_some() || !self.wanted[i][j])
     }
 
     /// Cells that failed, with the reason.
@@ -136,7 +171,8 @@ impl Simulator for FiniteElements {
     }
 }
 
-/// Run every cell of `request` that the journal does not hold yet.
+/// Run every cell of `request` that the journal does not hold yet, and where the request has a
+/// tolerance, those that have to be added for it.
 ///
 /// The journal remains; remove it once the table is written.
 pub fn tabulate(
@@ -153,141 +189,90 @@ pub(crate) fn tabulate_with<S: Simulator>(
     options: &Options<'_>,
     watch: &dyn TableWatch,
 ) -> Result<(Tabulation, Journal), TabulateError> {
-    let (journal, found) = Journal::open(options.journal, &write_request(request), options.resume)?;
-    let columns = request.slip_rates.len();
-    let mut cells = vec![vec![None; columns]; request.interferences.len()];
-    for ((i, j), result) in found {
-        if let Some(cell) = cells.get_mut(i).and_then(|row: &mut Vec<_>| row.get_mut(j)) {
-            *cell = Some(result);
-        }
+    if let (Some(shard), Some(_)) = (options.shard, request.goal) {
+        return Err(TabulateError::Shard(shard));
     }
-    let resumed = cells.iter().flatten().filter(|cell| cell.is_some()).count();
-    let grid = Grid {
-        simulator,
-        request,
-        slips: slip_grid(request.template.loading.slip_distance),
-        ledger: Mutex::new(Ledger { cells, journal, done: resumed, error: None }),
-        stopped: AtomicBool::new(false),
-        watch,
-    };
+    let (mut journal, found) =
+        Journal::open(options.journal, &write_request(request), options.shard, options.resume)?;
+    let mut known = Known::default();
+    found.iter().for_each(|(point, result)| known.insert(*point, result.clone()));
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.jobs)
         // As a thread waits for a slide it may start another on top of it.
         .stack_size(32 << 20)
         .build()
         .map_err(|error| TabulateError::Threads { jobs: options.jobs, reason: error.to_string() })?;
-    pool.in_place_scope_fifo(|scope| {
-        // The largest take longest: started last, they would run alone at the end. Idle
-        // threads help with the slides of a press before they start another press, which
-        // keeps few pressed states in memory.
-        for i in (0..request.interferences.len()).rev() {
-            let grid = &grid;
-            scope.spawn_fifo(move |_| grid.run_row(i));
-        }
-    });
-    let ledger = grid.ledger.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
-    if let Some(error) = ledger.error {
-        return Err(error.into());
-    }
-    let tabulation = Tabulation { request: request.clone(), slips: grid.slips, cells: ledger.cells, resumed };
-    Ok((tabulation, ledger.journal))
-}
-
-struct Ledger {
-    cells: Vec<Vec<Option<CellResult>>>,
-    journal: Journal,
-    done: usize,
-    error: Option<JournalError>,
-}
-
-struct Grid<'a, S> {
-    simulator: &'a S,
-    request: &'a Request,
-    slips: Vec<f64>,
-    ledger: Mutex<Ledger>,
-    /// The journal failed: results would be lost.
-    stopped: AtomicBool,
-    watch: &'a dyn TableWatch,
-}
-
-impl<S: Simulator> Watch for Grid<'_, S> {
-    fn cancelled(&self) -> bool {
-        self.stopped.load(Ordering::Relaxed) || self.watch.cancelled()
-    }
-}
-
-impl<S: Simulator> Grid<'_, S> {
-    /// Press once, then slide at every slip rate that is not done.
-    fn run_row(&self, i: usize) {
-        let pending: Vec<usize> = {
-            let ledger = self.lock();
-            let row = ledger.cells[i].iter().enumerate();
-            row.filter(|(_, cell)| cell.is_none()).map(|(j, _)| j).collect()
+    let slips = slip_grid(request.template.loading.slip_distance);
+    let mut last = Tabulation {
+        request: request.clone(),
+        shard: options.shard,
+        interferences: request.interferences.clone(),
+        slip_rates: request.slip_rates.clone(),
+        slips: slips.clone(),
+        cells: Vec::new(),
+        wanted: Vec::new(),
+        resumed: found.len(),
+    };
+    let start = last.filled()?;
+    let evaluate = |table: Table| -> Result<Table, Stop> {
+        let Axes { interference, slip_rate, .. } = table.axes();
+        last.interferences.clone_from(interference);
+        last.slip_rates.clone_from(slip_rate);
+        let costs = last.expected_costs();
+        let wanted = options.shard.map_or(vec![true; costs.len()], |shard| shard.members(&costs));
+        last.wanted = wanted.chunks(slip_rate.len()).map(<[bool]>::to_vec).collect();
+        let work = Work {
+            request,
+            interferences: interference,
+            slip_rates: slip_rate,
+            slips: &slips,
+            wanted: &wanted,
+            jobs: options.jobs,
         };
-        if pending.is_empty() || self.cancelled() {
-            return;
+        grid::run(simulator, &work, (&mut known, &mut journal), &pool, watch)?;
+        let cell = |at: Index| known.get(grid::point(interference, slip_rate, at)).cloned();
+        let row = |i: usize| (0..slip_rate.len()).map(|j| cell((i, j))).collect();
+        last.cells = (0..interference.len()).map(row).collect();
+        match last.finished() {
+            true => Ok(last.filled()?),
+            false => Err(Stop::Asked),
         }
-        let scene = self.request.scene(i, 0);
-        match self.guard(|| self.simulator.press(&scene, self)) {
-            Ok(pressed) => pending.par_iter().with_max_len(1).for_each(|&j| self.run_cell(&pressed, (i, j))),
-            Err(Some(reason)) => {
-                for j in pending {
-                    self.finish((i, j), Err(reason.clone()));
-                }
-            }
-            Err(None) => {}
-        }
+    };
+    // Without a tolerance there is one round.
+    let goal = request.goal.unwrap_or(Goal { tolerance: f64::INFINITY, most_cells: 0 });
+    match refine(start, &goal, evaluate) {
+        Ok(_) | Err(Stop::Asked) => Ok((last, journal)),
+        Err(Stop::Journal(error)) => Err(error.into()),
+        Err(Stop::Table(error)) => Err(error.into()),
     }
+}
 
-    fn run_cell(&self, pressed: &S::Pressed, (i, j): Index) {
-        if self.cancelled() {
-            return;
-        }
-        let slip_rate = self.request.slip_rates[j];
-        let temperature = self.request.template.loading.temperature;
-        match self.guard(|| self.simulator.slide(pressed, slip_rate, self)) {
-            Ok(outcome) => {
-                let finished = Finished::new(&outcome, &self.slips, temperature);
-                self.finish((i, j), Ok(finished));
-            }
-            Err(Some(reason)) => self.finish((i, j), Err(reason)),
-            Err(None) => {}
-        }
+/// Why rounds of runs ended before their goal.
+enum Stop {
+    Asked,
+    Journal(JournalError),
+    Table(TableError),
+}
+
+impl From<JournalError> for Stop {
+    fn from(error: JournalError) -> Self {
+        Self::Journal(error)
     }
+}
 
-    /// Result of `work`, or why it failed; `None` if it was stopped on request.
-    fn guard<T>(&self, work: impl FnOnce() -> Result<T, SimulationError>) -> Result<T, Option<String>> {
-        // One cell that breaks must not take hours of others with it.
-        match catch_unwind(AssertUnwindSafe(work)) {
-            Ok(Ok(value)) => Ok(value),
-            Ok(Err(SimulationError::Cancelled { .. })) => Err(None),
-            Ok(Err(error)) => Err(Some(error.to_string())),
-            Err(panic) => {
-                let text = panic
-                    .downcast_ref::<&str>()
-                    .map(|text| (*text).to_owned())
-                    .or_else(|| panic.downcast_ref::<String>().cloned());
-                let text = text.unwrap_or_else(|| "unknown".into());
-                Err(Some(format!("internal error: {text}")))
-            }
-        }
+impl From<TableError> for Stop {
+    fn from(error: TableError) -> Self {
+        Self::Table(error)
     }
+}
 
-    fn finish(&self, (i, j): Index, result: CellResult) {
-        let mut ledger = self.lock();
-        if let Err(error) = ledger.journal.record((i, j), &result) {
-            self.stopped.store(true, Ordering::Relaxed);
-            ledger.error.get_or_insert(error);
-            return;
-        }
-        ledger.done += 1;
-        let total = self.request.interferences.len() * self.request.slip_rates.len();
-        self.watch.finished((i, j), &result, ledger.done, total);
-        ledger.cells[i][j] = Some(result);
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, Ledger> {
-        self.ledger.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+impl Tabulation {
+    /// Of each cell, row-major, before anything is run: only ratios mean something.
+    fn expected_costs(&self) -> Vec<f64> {
+        let largest = self.interferences[self.interferences.len() - 1];
+        let model = CostModel::new(largest, self.slip_rates.len());
+        let cases = grid::cases(&self.request, &self.interferences, &self.slip_rates);
+        cases.into_iter().map(|case| model.seconds(case)).collect()
     }
 }
 

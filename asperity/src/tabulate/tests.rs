@@ -1,7 +1,7 @@
 //! Tabulations with a simulation that takes no time.
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use tables::quantity::Quantity;
 
@@ -34,7 +34,7 @@ impl Bench {
         resume: bool,
         watch: &dyn TableWatch,
     ) -> Result<(Tabulation, Journal), TabulateError> {
-        let options = Options { jobs, journal: &self.journal, resume };
+        let options = Options { jobs, journal: &self.journal, resume, shard: None };
         tabulate_with(fake, &request(), &options, watch)
     }
 }
@@ -43,7 +43,7 @@ impl Bench {
 struct StopAfter(usize, AtomicUsize);
 
 impl TableWatch for StopAfter {
-    fn finished(&self, _: Index, _: &CellResult, _: usize, _: usize) {
+    fn finished(&self, _: Index, _: &CellResult, _: &Standing) {
         self.1.fetch_add(1, Ordering::Relaxed);
     }
     fn cancelled(&self) -> bool {
@@ -144,4 +144,148 @@ fn files_differ_between_runs_in_nothing_but_wall_time() {
         std::fs::read(path).unwrap()
     });
     assert_eq!(one, other);
+}
+
+/// A table of one shard of five interferences, or of all of them.
+fn shard_of(text: &str, shard: Option<&str>) -> (Tabulation, tables::table::Table) {
+    let request = parse_request(text, "request.toml", &[]).unwrap();
+    let bench = Bench::new();
+    let shard = shard.map(|shard| shard.parse().unwrap());
+    let options = Options { jobs: 2, journal: &bench.journal, resume: false, shard };
+    let fake = Fake { slide_fails: Some(10.0), ..Fake::default() };
+    let (tabulation, _) = tabulate_with(&fake, &request, &options, &Unwatched).unwrap();
+    assert!(tabulation.finished());
+    let table = tabulation.table("history".into()).unwrap();
+    (tabulation, table)
+}
+
+const FIVE_ROWS: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+                         [table]\ninterference = [1, 3, 10, 30, 100]\nslip_rate = [0, 1, 10]\n";
+
+#[test]
+fn shards_merge_to_the_undivided_table_bit_for_bit() {
+    let (_, whole) = shard_of(FIVE_ROWS, None);
+    for count in [2, 3, 15, 20] {
+        let mut merged: Option<tables::table::Table> = None;
+        let mut cells = 0;
+        for k in 1..=count {
+            let (tabulation, table) = shard_of(FIVE_ROWS, Some(&format!("{k}/{count}")));
+            assert_eq!(table.metadata().shard, format!("{k}/{count}"));
+            cells += tabulation.cells.iter().flatten().flatten().count();
+            match &mut merged {
+                None => merged = Some(table),
+                Some(merged) => merged.merge(&table).unwrap(),
+            }
+        }
+        // No cell is run twice.
+        assert_eq!(cells, 15, "{count}");
+        let mut merged = merged.unwrap();
+        merged.set_metadata(tables::table::Metadata { shard: String::new(), ..merged.metadata().clone() });
+        assert_eq!(merged, whole, "{count}");
+        assert_eq!(merged.checksum(), whole.checksum(), "{count}");
+    }
+}
+
+#[test]
+fn an_interrupted_shard_continues() {
+    let request = parse_request(FIVE_ROWS, "request.toml", &[]).unwrap();
+    let bench = Bench::new();
+    let run = |shard: &str, resume: bool, watch: &dyn TableWatch| {
+        let options = Options { jobs: 1, journal: &bench.journal, resume, shard: shard.parse().ok() };
+        tabulate_with(&Fake::default(), &request, &options, watch).map(|(tabulation, _)| tabulation)
+    };
+    let stopped = run("2/2", false, &StopAfter(3, AtomicUsize::new(0))).unwrap();
+    assert!(!stopped.finished());
+    let error = run("1/2", true, &Unwatched).unwrap_err().to_string();
+    assert!(error.contains("it is of shard 2/2, not of shard 1/2"), "{error}");
+    let continued = run("2/2", true, &Unwatched).unwrap();
+    assert!(continued.finished());
+    assert_eq!(continued.resumed, 3);
+    let done = continued.done().count();
+    assert!((7..=8).contains(&done), "{done}");
+}
+
+const REFINED: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+                       [table]\ninterference = [1, 100]\nslip_rate = [0.1, 100]\ntolerance = 0.02\n";
+
+fn refined(jobs: usize, watch: &dyn TableWatch, bench: &Bench, resume: bool) -> (Tabulation, Fake) {
+    let request = parse_request(REFINED, "request.toml", &[]).unwrap();
+    let options = Options { jobs, journal: &bench.journal, resume, shard: None };
+    let fake = Fake::default();
+    let (tabulation, _) = tabulate_with(&fake, &request, &options, watch).unwrap();
+    (tabulation, fake)
+}
+
+#[test]
+fn points_are_added_for_a_tolerance_whatever_the_number_of_threads() {
+    let (one, fake) = refined(1, &Unwatched, &Bench::new(), false);
+    // Power laws of the interference need no more points, the slip rate does.
+    assert!(one.slip_rates.len() > 5, "{:?}", one.slip_rates);
+    assert!(one.interferences.len() <= 3, "{:?}", one.interferences);
+    assert_eq!(fake.slides.load(Ordering::Relaxed), one.interferences.len() * one.slip_rates.len());
+    assert_eq!(one.cells, refined(5, &Unwatched, &Bench::new(), false).0.cells);
+    let table = one.table(String::new()).unwrap();
+    assert_eq!(table.metadata().interpolation_tolerance, Some(0.02));
+    for rate in [0.13, 0.7, 2.5, 9.0, 40.0, 88.0] {
+        let estimate = table.estimate(Quantity::Mu, 1e-3, 33.0, rate).unwrap();
+        let mut scene = one.request.template.clone();
+        scene.loading.interference = 33.0;
+        scene.loading.slip_rate = rate;
+        let truth = Fake::outcome(&scene).summary.mu.value;
+        assert!((estimate.value / truth - 1.0).abs() < 0.02, "{rate}");
+        // 1 % of its own, and what interpolation adds.
+        assert!(estimate.error > 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");
+    }
+    // The request is kept as it was asked.
+    let kept = parse_request(&table.metadata().scene, "attribute", &[]).unwrap();
+    assert_eq!(kept, one.request);
+    assert_eq!(kept.interferences, [1.0, 100.0]);
+}
+
+#[test]
+fn refinement_that_was_interrupted_ends_the_same() {
+    let whole = refined(1, &Unwatched, &Bench::new(), false).0;
+    let bench = Bench::new();
+    let stop = StopAfter(11, AtomicUsize::new(0));
+    let stopped = refined(1, &stop, &bench, false).0;
+    assert!(!stopped.finished());
+    let continued = refined(2, &Unwatched, &bench, true).0;
+    assert_eq!(continued.resumed, 11);
+    assert_eq!(continued.cells, whole.cells);
+    assert_eq!(continued.slip_rates, whole.slip_rates);
+}
+
+#[test]
+fn refinement_says_if_it_falls_short_and_cannot_be_divided() {
+    let text = format!("{REFINED}max_cells = 12\n");
+    let (tabulation, table) = shard_of(&text, None);
+    assert!(tabulation.cells.iter().flatten().count() <= 12);
+    let warning = "interpolation of mu is good to";
+    assert!(tabulation.warnings().iter().any(|text| text.starts_with(warning)));
+    assert!(table.metadata().comment.contains(warning));
+
+    let request = parse_request(REFINED, "request.toml", &[]).unwrap();
+    let bench = Bench::new();
+    let shard = "1/2".parse().ok();
+    let options = Options { jobs: 1, journal: &bench.journal, resume: false, shard };
+    let error = tabulate_with(&Fake::default(), &request, &options, &Unwatched).err().unwrap();
+    assert!(error.to_string().starts_with("--shard 1/2: table.tolerance"), "{error}");
+    assert!(!bench.journal.exists());
+}
+
+#[test]
+fn time_remaining_is_told() {
+    struct Told(std::sync::Mutex<Vec<Standing>>);
+    impl TableWatch for Told {
+        fn finished(&self, _: Index, _: &CellResult, standing: &Standing) {
+            self.0.lock().unwrap().push(*standing);
+        }
+    }
+    let told = Told(Vec::new().into());
+    Bench::new().run(&Fake::default(), 1, false, &told).unwrap();
+    let told = told.0.into_inner().unwrap();
+    assert_eq!(told.iter().map(|standing| standing.done).collect::<Vec<_>>(), (1..=9).collect::<Vec<_>>());
+    assert!(told.iter().all(|standing| standing.total == 9));
+    assert!(told[..8].iter().all(|standing| standing.remaining > 0.0));
+    assert_eq!(told[8].remaining, 0.0);
 }

@@ -3,9 +3,12 @@
 use anyhow::{Context, anyhow};
 use clap::Args;
 use roughsurface::friction::PredictionError;
+use roughsurface::law_source::{asperity_law, asperity_law_without_gaps};
 use roughsurface::separation::SeparationError;
+use roughsurface::surface_file::SurfaceFile;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
+use tables::law::{AsperityLaw, LookupError};
 
 #[derive(Args)]
 pub struct RunOptions {
@@ -42,6 +45,10 @@ pub fn input(error: impl Into<anyhow::Error>) -> Failure {
 pub fn failure(error: PredictionError) -> Failure {
     let hint = match &error {
         PredictionError::OutsideTable { .. } => Some("--extrapolate continues the table"),
+        PredictionError::Lookup(LookupError::Missing { .. })
+        | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => {
+            Some("--allow-missing interpolates where results lie on both sides")
+        }
         PredictionError::Separation(SeparationError::NotFound { .. }) => {
             return Failure::Run(error.into());
         }
@@ -50,6 +57,19 @@ pub fn failure(error: PredictionError) -> Failure {
     match hint {
         Some(hint) => Failure::Input(anyhow!("{error} ({hint})")),
         None => input(error),
+    }
+}
+
+/// The law of one asperity, and a warning if gaps of a table were bridged.
+pub fn law(
+    table: &str,
+    file: &SurfaceFile,
+    allow_missing: bool,
+) -> Result<(Box<dyn AsperityLaw>, Option<String>), Failure> {
+    let material = file.material.as_ref();
+    match allow_missing {
+        true => asperity_law_without_gaps(table, material).map_err(input),
+        false => Ok((asperity_law(table, material).map_err(input)?, None)),
     }
 }
 

@@ -7,7 +7,7 @@ use roughsurface::comparison::compare;
 use roughsurface::friction::{Settings, predict};
 use roughsurface::friction_figure::figure;
 use roughsurface::friction_file::{self, Origin};
-use roughsurface::law_source::{asperity_law, background, caveat};
+use roughsurface::law_source::{background, caveat};
 use roughsurface::report;
 use roughsurface::summary;
 use roughsurface::surface_file::SurfaceFile;
@@ -53,6 +53,9 @@ pub struct Predict {
     /// Continue the table beyond its last interference, and say so
     #[arg(long)]
     extrapolate: bool,
+    /// Interpolate around cells of the table that failed or were not run, and say so
+    #[arg(long)]
+    allow_missing: bool,
     /// Relative error of integrals and pressures, 1e-6 unless given
     #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
@@ -81,7 +84,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 /// Reads, predicts, writes.
 pub fn run(options: &Predict) -> Result<(), Failure> {
     let file = SurfaceFile::read(&options.surface).map_err(input)?;
-    let law = asperity_law(&options.table, file.material.as_ref()).map_err(input)?;
+    let (law, gaps) = law(&options.table, &file, options.allow_missing)?;
     let background = background(&options.table, file.material.as_ref());
     let models = models(&options.compare)?;
     // Known before the work, not after it.
@@ -118,6 +121,7 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
             })
         })
         .map_err(failure)?;
+    prediction.warnings.extend(gaps);
     if !file.uncertain.is_empty() {
         let shown = |done, total| progress.show(done, total);
         let propagated = pool.install(|| propagate(&file, &options.table, &settings, &shown));

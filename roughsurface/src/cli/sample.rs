@@ -4,7 +4,6 @@ use super::common::*;
 use clap::Args;
 use roughsurface::friction::{Settings, end_of_slide};
 use roughsurface::friction_file::Origin;
-use roughsurface::law_source::asperity_law;
 use roughsurface::monte_carlo::{Sampling, sample};
 use roughsurface::monte_carlo_file;
 use roughsurface::surface_file::SurfaceFile;
@@ -40,6 +39,9 @@ pub struct Sample {
     /// Continue the table beyond its last interference, and say so
     #[arg(long)]
     extrapolate: bool,
+    /// Interpolate around cells of the table that failed or were not run, and say so
+    #[arg(long)]
+    allow_missing: bool,
     #[command(flatten)]
     run: RunOptions,
 }
@@ -54,12 +56,12 @@ fn slip_length(text: &str) -> Result<f64, String> {
 /// Draws, slides, writes.
 pub fn run(options: &Sample) -> Result<(), Failure> {
     let file = SurfaceFile::read(&options.surface).map_err(input)?;
-    let law = asperity_law(&options.table, file.material.as_ref()).map_err(input)?;
+    let (law, gaps) = law(&options.table, &file, options.allow_missing)?;
     check_folder(&options.output)?;
     let settings = Settings { extrapolate: options.extrapolate, ..Settings::default() };
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "surfaces");
-    let samples = pool
+    let mut samples = pool
         .install(|| {
             let slip = match options.slip {
                 Some(slip) => slip,
@@ -77,6 +79,7 @@ pub fn run(options: &Sample) -> Result<(), Failure> {
         })
         .map_err(failure)?;
     progress.clear();
+    samples.warnings.extend(gaps);
     let origin = Origin { surface: &file.text, table: &options.table, command: &command_line() };
     monte_carlo_file::write(&options.output, &samples, &origin)
         .map_err(|error| Failure::Run(error.into()))?;

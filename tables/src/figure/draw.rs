@@ -68,33 +68,12 @@ impl Panel {
                 shown.extend(points);
             }
         }
-        let mut layout = Layout::auto_from_plots(&plots)
-            .with_title(self.title.as_str())
-            .with_x_label(self.x.label.as_str())
-            .with_y_label(self.y.label.as_str())
-            .with_title_size(15)
-            .with_label_size(14)
-            .with_tick_size(12)
-            .with_body_size(12)
-            .with_box_axes()
-            // Clear of tick labels with a decimal point.
-            .with_y_label_offset(-8.0, 0.0)
+        let layout = styled(Layout::auto_from_plots(&plots), &self.title, &self.x, &self.y)
             .with_legend_position(LegendPosition::OutsideRightTop)
             .with_legend_box(false);
-        // Left to itself the library ends logarithmic axes at the decades around the data.
-        if self.x.log {
-            let (from, to) = logarithmic_range(shown.iter().map(|(x, _, _)| *x));
-            layout = (layout.with_log_x().with_x_tick_format(power_of_ten()))
-                .with_x_axis_min(from)
-                .with_x_axis_max(to);
-        }
-        if self.y.log {
-            let (from, to) = logarithmic_range(shown.iter().map(|(_, y, _)| *y));
-            layout = (layout.with_log_y().with_y_tick_format(power_of_ten()))
-                .with_y_axis_min(from)
-                .with_y_axis_max(to);
-        }
-        (plots, layout)
+        let x_range = logarithmic_range(shown.iter().map(|(x, _, _)| *x));
+        let y_range = logarithmic_range(shown.iter().map(|(_, y, _)| *y));
+        (plots, axes(layout, (&self.x, x_range), (&self.y, y_range)))
     }
 
     /// (x, y, error) of the points that can be drawn.
@@ -109,6 +88,37 @@ impl Panel {
             .map(|(n, (x, y))| (*x, *y, error(n)))
             .collect()
     }
+}
+
+/// Title, labels and sizes that all panels share.
+pub(super) fn styled(layout: Layout, title: &str, x: &Axis, y: &Axis) -> Layout {
+    layout
+        .with_title(title)
+        .with_x_label(x.label.as_str())
+        .with_y_label(y.label.as_str())
+        .with_title_size(15)
+        .with_label_size(14)
+        .with_tick_size(12)
+        .with_body_size(12)
+        .with_box_axes()
+        // Clear of tick labels with a decimal point.
+        .with_y_label_offset(-8.0, 0.0)
+}
+
+/// Logarithmic axes, with the range that they shall have: left to itself the library ends them at
+/// the decades around the data.
+pub(super) fn axes(mut layout: Layout, x: (&Axis, (f64, f64)), y: (&Axis, (f64, f64))) -> Layout {
+    if let (Axis { log: true, .. }, (from, to)) = x {
+        layout = (layout.with_log_x().with_x_tick_format(power_of_ten()))
+            .with_x_axis_min(from)
+            .with_x_axis_max(to);
+    }
+    if let (Axis { log: true, .. }, (from, to)) = y {
+        layout = (layout.with_log_y().with_y_tick_format(power_of_ten()))
+            .with_y_axis_min(from)
+            .with_y_axis_max(to);
+    }
+    layout
 }
 
 /// The range of positive values and a little more, so that markers are not cut.

@@ -5,14 +5,13 @@
 //! the same figure gives the same bytes.
 
 mod draw;
+mod map;
+mod sheet;
 
 use std::path::Path;
 
-use kuva::backend::png::PngBackend;
-use kuva::backend::svg::SvgBackend;
-use kuva::render::figure::Figure as Sheet;
-
-use draw::Medium;
+pub use map::Map;
+pub use sheet::{Drawing, Sheet};
 
 /// A sheet of panels, two in a row.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,9 +57,6 @@ pub enum FigureError {
     Write { path: String, reason: String },
 }
 
-/// Width and height of a panel, in points.
-const PANEL_SIZE: (f64, f64) = (560.0, 380.0);
-
 /// Pixels per point of a PNG.
 const PIXELS: f32 = 2.0;
 
@@ -94,66 +90,18 @@ impl Figure {
 
     /// Draws the figure into a file.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
-        let failed = |reason: String| FigureError::Write { path: path.display().to_string(), reason };
-        let bytes = match extension(path)? {
-            Extension::Svg => self.svg().into_bytes(),
-            Extension::Png => {
-                let backend = PngBackend::new().with_scale(PIXELS);
-                backend.render_scene(&self.sheet(Medium::Raster).render()).map_err(failed)?
-            }
-        };
-        std::fs::write(path, bytes).map_err(|error| failed(error.to_string()))
+        self.sheet().save(path)
     }
 
     /// The figure as SVG.
     pub fn svg(&self) -> String {
-        renumbered(&SvgBackend::new().render_scene(&self.sheet(Medium::Vector).render()))
+        self.sheet().svg()
     }
 
-    fn sheet(&self, medium: Medium) -> Sheet {
-        let columns = self.panels.len().clamp(1, 2);
-        let rows = self.panels.len().div_ceil(columns).max(1);
-        let (plots, layouts): (Vec<_>, Vec<_>) = (self.panels.iter()).map(|panel| panel.draw(medium)).unzip();
-        // The last row may have one panel only; it then takes the whole width.
-        let mut cells: Vec<Vec<usize>> = (0..self.panels.len()).map(|cell| vec![cell]).collect();
-        if self.panels.len() < rows * columns {
-            if let Some(last) = cells.last_mut() {
-                last.push(self.panels.len());
-            } else {
-                cells.push(vec![0]);
-            }
-        }
-        let mut sheet = Sheet::new(rows, columns)
-            .with_structure(cells)
-            .with_plots(plots)
-            .with_layouts(layouts)
-            .with_cell_size(PANEL_SIZE.0, PANEL_SIZE.1)
-            .with_padding(18.0)
-            .with_spacing(22.0);
-        if !self.title.is_empty() {
-            sheet = sheet.with_title(self.title.as_str());
-        }
-        sheet
+    fn sheet(&self) -> Sheet {
+        let panels = self.panels.iter().cloned().map(Drawing::Curves).collect();
+        Sheet { title: self.title.clone(), drawings: panels }
     }
-}
-
-/// The library numbers clipping paths through the life of the program; here they are numbered
-/// through the figure, so that equal figures are equal files.
-fn renumbered(svg: &str) -> String {
-    const PREFIX: &str = "kuva-clip-";
-    let mut known: Vec<&str> = Vec::new();
-    let mut pieces = svg.split(PREFIX);
-    let mut result = pieces.next().unwrap_or_default().to_string();
-    for piece in pieces {
-        let digits = piece.find(|c: char| !c.is_ascii_digit()).unwrap_or(piece.len());
-        let (id, rest) = piece.split_at(digits);
-        let number = known.iter().position(|k| *k == id).unwrap_or_else(|| {
-            known.push(id);
-            known.len() - 1
-        });
-        result.push_str(&format!("{PREFIX}{number}{rest}"));
-    }
-    result
 }
 
 enum Extension {

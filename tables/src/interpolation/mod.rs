@@ -10,11 +10,16 @@
 //! - **Slip**: monotone cubic in s/a₀ between the points of the histories, held after the last.
 //! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)².
 //! - **Errors**: those of the points, interpolated linearly, plus an estimate of the
-//!   interpolation error: how well each point is predicted by the others (see [`nodes`]).
+//!   interpolation error: how well each point is predicted by the others (see [`nodes`]). Along
+//!   interference and slip rate only if the errors of the points do not include it already (see
+//!   [`Table::with_interpolation_errors`]).
 
+mod beyond;
 mod elastic;
 mod nodes;
 mod scalar;
+
+pub use beyond::Extrapolated;
 
 use std::sync::{Arc, OnceLock};
 
@@ -111,6 +116,16 @@ impl Interpolant {
             *result = nodes::blend_one([h_before, h_after], h, t, outer, [inner[0][field], inner[1][field]]);
         }
         Ok(result)
+    }
+
+    /// ln ω of each row.
+    pub(crate) fn log_interference(&self) -> &[f64] {
+        &self.log_interference
+    }
+
+    /// ξ of each slip rate.
+    pub(crate) fn rate_coordinate(&self) -> &[f64] {
+        &self.rate_coordinate
     }
 
     /// State of a row at a slip rate and slip.

@@ -58,10 +58,16 @@ impl Nodes {
             slip,
         };
         let slips = nodes.slip.clone();
+        let along_slip = nodes.misfits(&slips, |(i, j, k), n| (i, j, k + n), |(_, _, k)| k);
+        if table.metadata().interpolation_tolerance.is_some() {
+            // The errors of the points include that of interpolating between them.
+            nodes.misfit = [Vec::new(), Vec::new(), along_slip];
+            return nodes;
+        }
         nodes.misfit = [
             nodes.misfits(log_interference, |(i, j, k), n| (i + n, j, k), |(i, _, _)| i),
             nodes.misfits(rate_coordinate, |(i, j, k), n| (i, j + n, k), |(_, j, _)| j),
-            nodes.misfits(&slips, |(i, j, k), n| (i, j, k + n), |(_, _, k)| k),
+            along_slip,
         ];
         nodes
     }
@@ -108,7 +114,7 @@ impl Nodes {
         ];
         for (misfit, (at, position, stride)) in self.misfit.iter().zip(along) {
             let bump = 4.0 * at.t * (1.0 - at.t) * REFINEMENT;
-            if bump <= 0.0 {
+            if bump <= 0.0 || misfit.is_empty() {
                 continue;
             }
             let (one, other) = (&misfit[position], &misfit[position + stride]);

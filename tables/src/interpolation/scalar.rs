@@ -11,7 +11,8 @@ use crate::table::Table;
 impl Table {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
     /// sliding at `slip_rate` (m/s); interpolated as the response is, with the error of the
-    /// points (interpolated linearly) and half the difference to linear interpolation.
+    /// points (interpolated linearly) and, unless that includes it, half the difference to linear
+    /// interpolation.
     pub fn estimate(
         &self,
         quantity: Quantity,
@@ -78,7 +79,9 @@ impl Table {
                 }
             }
         }
-        Ok((value, error + 0.5 * (value - linear).abs()))
+        let included = self.metadata().interpolation_tolerance.is_some();
+        let interpolation = if included { 0.0 } else { 0.5 * (value - linear).abs() };
+        Ok((value, error + interpolation))
     }
 }
 

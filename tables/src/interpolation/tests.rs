@@ -302,3 +302,98 @@ fn time_per_call() {
     let each = start.elapsed().as_secs_f64() / calls as f64;
     println!("{:.0} ns per call at a fixed slip rate ({sum:e})", 1e9 * each);
 }
+
+/// d ln μ / d ln V at 7 ω_c by differences over a ten-thousandth.
+fn friction_slope(table: &Table, rate: f64) -> f64 {
+    let mu = |rate: f64| {
+        let state = table.response(RADIUS, 7.0, rate, 1e-5).unwrap();
+        (state.friction.value / state.load.value).ln()
+    };
+    let step: f64 = 5e-5;
+    (mu(rate * step.exp()) - mu(rate * (-step).exp())) / (2.0 * step)
+}
+
+#[test]
+fn slope_of_friction_against_slip_rate_is_continuous_across_the_points() {
+    let table = table();
+    let mut largest: f64 = 0.0;
+    for rate in &table.axes().slip_rate[1..5] {
+        let (before, after) = (friction_slope(&table, rate * 0.999), friction_slope(&table, rate * 1.001));
+        largest = largest.max((before - after).abs());
+    }
+    // The curvature of ln μ over 0.2 % of V; a kink would show as a jump of the slope, which is
+    // about −0.3 here.
+    assert!(largest < 2e-3, "{largest}");
+    let slopes = log_spaced(0.1, 9.9, 200).into_iter().map(|rate| friction_slope(&table, rate));
+    assert!(slopes.clone().fold(0.0, f64::min) < -0.3 && slopes.fold(-1.0, f64::max) < 0.0);
+}
+
+#[test]
+fn monotone_points_give_a_monotone_friction() {
+    let table = table();
+    for omega in [0.2, 0.7, 7.0, 60.0] {
+        let mut last = f64::INFINITY;
+        for rate in log_spaced(1e-3, 10.0, 300) {
+            let state = table.response(RADIUS, omega, rate, 1e-4).unwrap();
+            let mu = state.friction.value / state.load.value;
+            assert!(mu < last, "{omega} {rate}");
+            last = mu;
+        }
+    }
+}
+
+#[test]
+fn the_isothermal_limit_is_that_of_the_table() {
+    let table = table();
+    for omega in [0.01, 0.5, 7.0, 99.0] {
+        let limit = table.response(RADIUS, omega, 0.0, 1e-4).unwrap().friction.value;
+        let near = table.response(RADIUS, omega, 1e-9, 1e-4).unwrap().friction.value;
+        assert!(relative(near, limit) < 1e-8, "{omega}");
+    }
+}
+
+#[test]
+fn errors_of_the_points_are_carried_along() {
+    // 2 % in Q at the points, none in P: between and below the points it is no less.
+    let table = table();
+    for omega in [0.05, 0.3, 3.3, 42.0] {
+        for rate in [0.0, 0.05, 0.4, 10.0] {
+            let state = table.response(RADIUS, omega, rate, 1e-4).unwrap();
+            let share = state.friction.error / state.friction.value;
+            assert!((0.0199..0.3).contains(&share), "{omega} {rate}: {share}");
+        }
+    }
+}
+
+#[test]
+fn beyond_the_table_only_when_asked_and_flagged() {
+    let power = |omega: f64, rate: f64| 2.0 * omega.powf(1.3) * rate.powf(-0.2);
+    let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![0.1, 1.0], slip: vec![0.0, 1.0] };
+    let metadata = table().metadata().clone();
+    let mut table = Table::new(axes, metadata).unwrap();
+    for (i, j) in table.grid() {
+        let (omega, rate) = table.coordinates(i, j);
+        let cell = Cell::new()
+            .with(Quantity::ContactRadius, 1e-5, 0.0)
+            .with(Quantity::Load, power(omega, rate), 0.0)
+            .with_history(Quantity::Load, vec![1.0, 1.0])
+            .with_history(Quantity::Friction, vec![1.0, 1.0])
+            .with_history(Quantity::Area, vec![1.0, 1.0]);
+        table.set_cell(i, j, cell).unwrap();
+    }
+    let ask = |omega, rate| table.extrapolate(Quantity::Load, RADIUS, omega, rate).unwrap();
+    assert!(table.estimate(Quantity::Load, RADIUS, 20.0, 1.0).is_err());
+    let inside = ask(3.0, 0.3);
+    assert!(!inside.outside && inside.estimate == table.estimate(Quantity::Load, RADIUS, 3.0, 0.3).unwrap());
+    for (omega, rate) in [(20.0, 0.5), (5.0, 3.0), (30.0, 7.0)] {
+        let there = ask(omega, rate);
+        assert!(there.outside);
+        assert!(relative(there.estimate.value, power(omega, rate)) < 1e-9, "{omega} {rate}");
+        let held = power(omega.min(10.0), rate.min(1.0));
+        assert!(there.estimate.error >= 0.999 * (power(omega, rate) - held).abs());
+    }
+    // Towards rest it is held, and covers the power law.
+    let slow = ask(5.0, 0.01);
+    assert!(slow.outside && relative(slow.estimate.value, power(5.0, 0.1)) < 1e-9);
+    assert!(slow.estimate.error >= 0.999 * (power(5.0, 0.01) - power(5.0, 0.1)));
+}

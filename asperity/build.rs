@@ -1,0 +1,52 @@
+//! Makes the fingerprint of the sources that results depend on: two builds of one version that do
+//! different work, as during development, can be told apart by it.
+
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+/// What shows results but does not make them; relative to `src`.
+const NOT_HASHED: [&str; 3] = ["command", "main.rs", "figures.rs"];
+
+/// Of the crate `tables`, what runs use. It lies beside this crate in the repository; as a
+/// published crate it has the same version number as this one.
+const OF_TABLES: [&str; 2] = ["../tables/src/steffen.rs", "../tables/src/closed_forms"];
+
+fn main() {
+    let root = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
+    let mut files = Vec::new();
+    collect(&root.join("src"), &mut files);
+    let shown = |file: &PathBuf| !NOT_HASHED.iter().any(|name| file.starts_with(root.join("src").join(name)));
+    files.retain(shown);
+    for path in OF_TABLES.map(|path| root.join(path)) {
+        if path.exists() {
+            collect(&path, &mut files);
+            println!("cargo::rerun-if-changed={}", path.display());
+        }
+    }
+    // The order of a directory is not that of its names.
+    files.sort();
+    let mut hash = Sha256::new();
+    for file in files {
+        let content = std::fs::read(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        let name = file.strip_prefix(&root).unwrap_or(&file).to_string_lossy().into_owned();
+        hash.update(name);
+        hash.update((content.len() as u64).to_le_bytes());
+        hash.update(content);
+    }
+    let digits: String = hash.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect();
+    println!("cargo::rustc-env=ASPERITY_FINGERPRINT={digits}");
+    println!("cargo::rerun-if-changed=src");
+}
+
+/// All files below `path`, or `path` itself.
+fn collect(path: &Path, files: &mut Vec<PathBuf>) {
+    if path.is_file() {
+        files.push(path.to_owned());
+        return;
+    }
+    let entries = std::fs::read_dir(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    for entry in entries.flatten() {
+        collect(&entry.path(), files);
+    }
+}

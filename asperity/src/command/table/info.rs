@@ -1,0 +1,157 @@
+//! `asperity table info`.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use asperity::numbers::plain;
+use serde_json::{Value, json};
+use tables::schema::SCHEMA_VERSION;
+use tables::statistics::{Counts, ErrorStatistics};
+use tables::table::{Status, Table};
+
+use crate::command::{Display, print};
+
+/// Print what a table holds.
+pub fn info(table: &Table, path: &Path, display: &Display) {
+    if display.json {
+        print(&format!("{:#}\n", as_json(table, path)));
+    } else if !display.quiet {
+        print(&text(table, path, display.verbose));
+    }
+}
+
+fn text(table: &Table, path: &Path, verbose: bool) -> String {
+    let (axes, metadata) = (table.axes(), table.metadata());
+    let counts = table.counts();
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    let mut line = |name: &str, value: String| {
+        let _ = writeln!(text, "{name:13} {value}");
+    };
+    line("table", path.display().to_string());
+    line("title", metadata.title.clone());
+    line("interference", range(&axes.interference, "omega_c"));
+    line("slip rate", range(&axes.slip_rate, "m/s"));
+    line("slip", range(&axes.slip, "contact radii"));
+    line("radius", format!("{} m", plain(metadata.asperity_radius)));
+    let Counts { done, not_run, failed } = counts;
+    line("cells", format!("{done} done, {not_run} not run, {failed} failed"));
+    if !metadata.shard.is_empty() {
+        line("shard", metadata.shard.clone());
+    }
+    let cost = table.cost();
+    line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
+    line("made by", format!("{}, fingerprint {}", metadata.source, or_none(&metadata.fingerprint)));
+    line("schema", format!("version {SCHEMA_VERSION}, content agrees with its {}", table.checksum()));
+    for entry in metadata.history.lines() {
+        line("history", entry.to_string());
+    }
+    for warning in metadata.comment.lines() {
+        line("warning", warning.to_string());
+    }
+    for (label, reason) in failures(table) {
+        line("failed", format!("{label}: {reason}"));
+    }
+    let _ = write!(text, "\n{}", errors(table));
+    if verbose {
+        let _ = write!(text, "\nrequest:\n{}", metadata.scene);
+    }
+    text
+}
+
+fn or_none(text: &str) -> &str {
+    if text.is_empty() { "none" } else { text }
+}
+
+fn range(axis: &[f64], unit: &str) -> String {
+    let (first, last) = (axis[0], axis[axis.len() - 1]);
+    format!("{} values from {} to {} {unit}", axis.len(), plain(first), plain(last))
+}
+
+/// One line per quantity: range, and errors in percent.
+fn errors(table: &Table) -> String {
+    let interpolated = match table.metadata().interpolation_tolerance {
+        Some(_) => "(part of the errors)",
+        None => "(comes on top)",
+    };
+    let mut text = format!(
+        "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {:24}   interpolation {interpolated}\n",
+        "quantity", "unit", "from", "to", "median", "largest", "error, largest at"
+    );
+    for statistics in table.error_statistics() {
+        let ErrorStatistics { quantity, range, median, largest, largest_at, interpolation } = statistics;
+        let descriptor = quantity.descriptor();
+        let at = table.label(largest_at.0, largest_at.1);
+        let _ = writeln!(
+            text,
+            "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {at:24}   {}",
+            descriptor.name,
+            descriptor.units,
+            plain(range.0),
+            plain(range.1),
+            percent(median),
+            percent(largest),
+            percent(interpolation),
+        );
+    }
+    text
+}
+
+fn percent(share: f64) -> String {
+    match share {
+        share if share.is_nan() => "unknown".into(),
+        share if share.is_infinite() => "unknown".into(),
+        share => format!("{:.2} %", 100.0 * share),
+    }
+}
+
+fn failures(table: &Table) -> Vec<(String, String)> {
+    let (rows, columns) = table.shape();
+    let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+    let failed = cells.filter_map(|(i, j)| match table.status(i, j) {
+        Status::Failed(reason) => Some((table.label(i, j), reason.clone())),
+        _ => None,
+    });
+    failed.collect()
+}
+
+fn as_json(table: &Table, path: &Path) -> Value {
+    let (axes, metadata) = (table.axes(), table.metadata());
+    let counts = table.counts();
+    let quantity = |statistics: ErrorStatistics| {
+        let descriptor = statistics.quantity.descriptor();
+        let entry = json!({
+            "unit": descriptor.units,
+            "from": statistics.range.0,
+            "to": statistics.range.1,
+            "relative_error_median": statistics.median,
+            "relative_error_largest": statistics.largest,
+            "interpolation_error_largest": statistics.interpolation,
+        });
+        (descriptor.name.to_owned(), entry)
+    };
+    let quantities: serde_json::Map<String, Value> =
+        table.error_statistics().into_iter().map(quantity).collect();
+    let failures: Vec<Value> =
+        (failures(table).into_iter()).map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
+    json!({
+        "table": path.display().to_string(),
+        "title": metadata.title,
+        "schema_version": SCHEMA_VERSION,
+        "checksum": table.checksum(),
+        "source": metadata.source,
+        "fingerprint": metadata.fingerprint,
+        "shard": metadata.shard,
+        "history": metadata.history.lines().collect::<Vec<_>>(),
+        "warnings": metadata.comment.lines().collect::<Vec<_>>(),
+        "asperity_radius": metadata.asperity_radius,
+        "interference": axes.interference,
+        "slip_rate": axes.slip_rate,
+        "slip_distance": axes.slip.last(),
+        "interpolation_tolerance": metadata.interpolation_tolerance,
+        "cells": { "done": counts.done, "not_run": counts.not_run, "failed": counts.failed },
+        "failures": failures,
+        "wall_time": table.cost(),
+        "quantities": quantities,
+    })
+}

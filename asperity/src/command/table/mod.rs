@@ -1,0 +1,104 @@
+//! `asperity table`: what is in a table, how two differ, figures, other formats.
+
+mod diff;
+mod info;
+
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use tables::table::Table;
+
+use super::{Display, Failure, outputs};
+
+#[derive(Subcommand)]
+pub enum TableCommand {
+    /// Range, errors, provenance and cost of a table
+    Info {
+        /// Table to describe; its checksum is verified
+        #[arg(value_name = "TABLE.nc")]
+        table: PathBuf,
+    },
+    /// Differences between two tables, where they have points in common
+    Diff(DiffArguments),
+    /// Maps and curves of mu, Q/A, G and the highest temperature
+    Plot {
+        /// Table to plot
+        #[arg(value_name = "TABLE.nc")]
+        table: PathBuf,
+        /// File to write
+        #[arg(short, long, value_name = "FILE.svg|png")]
+        output: PathBuf,
+    },
+    /// The table as comma-separated values, a line for each cell
+    Export {
+        /// Table to export
+        #[arg(value_name = "TABLE.nc")]
+        table: PathBuf,
+        /// File to write
+        #[arg(short, long, value_name = "FILE.csv")]
+        output: PathBuf,
+        /// The histories along the slide instead, a line for each cell and slip
+        #[arg(long)]
+        histories: bool,
+    },
+}
+
+#[derive(Args)]
+pub struct DiffArguments {
+    /// First table
+    #[arg(value_name = "A.nc")]
+    here: PathBuf,
+    /// Second table
+    #[arg(value_name = "B.nc")]
+    there: PathBuf,
+    /// Largest relative difference allowed; if one is larger, or a cell is done in one of the tables
+    /// only, exit with status 1
+    #[arg(long, value_name = "X", value_parser = tolerance)]
+    tolerance: Option<f64>,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value >= 0.0 => Ok(value),
+        _ => Err("must be zero or a positive number".into()),
+    }
+}
+
+/// Do what the subcommand says.
+pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
+    match command {
+        TableCommand::Info { table } => {
+            info::info(&read(table)?, table, display);
+            Ok(())
+        }
+        TableCommand::Diff(arguments) => diff::diff(arguments, display),
+        TableCommand::Plot { table, output } => {
+            outputs::check_plot(Some(output), table)?;
+            read(table)?.maps().save(output).map_err(Failure::run)
+        }
+        TableCommand::Export { table, output, histories } => {
+            outputs::check_output(output, table)?;
+            export(&read(table)?, output, *histories)
+        }
+    }
+}
+
+fn read(path: &Path) -> Result<Table, Failure> {
+    Table::read(path).map_err(Failure::input)
+}
+
+/// Under a temporary name first: nobody shall find half a file.
+fn export(table: &Table, output: &Path, histories: bool) -> Result<(), Failure> {
+    let name = output.file_name().unwrap_or_default().to_string_lossy();
+    let temporary = output.with_file_name(format!(".{name}.{}.partial", std::process::id()));
+    let written = File::create(&temporary).map(BufWriter::new).and_then(|file| match histories {
+        true => table.write_histories_csv(file),
+        false => table.write_csv(file),
+    });
+    written.and_then(|()| std::fs::rename(&temporary, output)).map_err(|error| {
+        let _ = std::fs::remove_file(&temporary);
+        Failure::Run(format!("{}: cannot be written: {error}", output.display()))
+    })
+}

@@ -1,0 +1,271 @@
+//! Runs the cells of a grid: one press serves all slip rates of an interference, the largest
+//! interferences first.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard};
+use std::time::Instant as Clock;
+
+use rayon::prelude::*;
+use tables::closed_forms::hertz;
+
+use super::cell::Finished;
+use super::cost::{Case, CostModel, Forecast};
+use super::journal::{CellResult, Index, Journal, JournalError, Point};
+use super::known::Known;
+use super::{Simulator, Standing, TableWatch};
+use crate::resolution::{choose_heat, softening_number};
+use crate::scene_file::Request;
+use crate::simulate::{SimulationError, Watch};
+
+/// With so many interferences or more, one cell of the smallest is run first: what run times do
+/// with interference is then known from the start, for the price of a short run.
+const ROWS_WORTH_A_PROBE: usize = 4;
+
+/// The cells to be run, and what runs them.
+pub struct Grid<'a, S> {
+    simulator: &'a S,
+    request: &'a Request,
+    interferences: &'a [f64],
+    slip_rates: &'a [f64],
+    slips: &'a [f64],
+    /// Row-major, as everything that is kept for each cell.
+    wanted: &'a [bool],
+    watch: &'a dyn TableWatch,
+    clock: Clock,
+    ledger: Mutex<Ledger<'a>>,
+    /// The journal failed: results would be lost.
+    stopped: AtomicBool,
+}
+
+struct Ledger<'a> {
+    known: &'a mut Known,
+    journal: &'a mut Journal,
+    forecast: Forecast,
+    done: usize,
+    /// Being run by the probe.
+    taken: Option<Index>,
+    error: Option<JournalError>,
+}
+
+impl<S: Simulator> Watch for Grid<'_, S> {
+    fn cancelled(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed) || self.watch.cancelled()
+    }
+}
+
+/// What is asked of [`run`].
+pub struct Work<'a> {
+    pub request: &'a Request,
+    pub interferences: &'a [f64],
+    pub slip_rates: &'a [f64],
+    pub slips: &'a [f64],
+    pub wanted: &'a [bool],
+    pub jobs: usize,
+}
+
+/// Runs every wanted cell that is not known yet.
+pub fn run<S: Simulator>(
+    simulator: &S,
+    work: &Work<'_>,
+    (known, journal): (&mut Known, &mut Journal),
+    pool: &rayon::ThreadPool,
+    watch: &dyn TableWatch,
+) -> Result<(), JournalError> {
+    let cases = cases(work.request, work.interferences, work.slip_rates);
+    let largest = work.interferences[work.interferences.len() - 1];
+    let mut model = CostModel::new(largest, work.slip_rates.len());
+    let mut grid = Grid {
+        simulator,
+        request: work.request,
+        interferences: work.interferences,
+        slip_rates: work.slip_rates,
+        slips: work.slips,
+        wanted: work.wanted,
+        watch,
+        clock: Clock::now(),
+        ledger: Mutex::new(Ledger {
+            known,
+            journal,
+            forecast: Forecast::new(model.clone(), Vec::new(), 1),
+            done: 0,
+            taken: None,
+            error: None,
+        }),
+        stopped: AtomicBool::new(false),
+    };
+    let mut finished = Vec::new();
+    let ledger = grid.ledger.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
+    for (k, case) in cases.iter().enumerate() {
+        let at = (k / work.slip_rates.len(), k % work.slip_rates.len());
+        match ledger.known.get(point(work.interferences, work.slip_rates, at)) {
+            Some(result) => {
+                if let Ok(result) = result {
+                    model.learn(*case, result.cell.wall_time);
+                }
+                finished.push(k);
+                ledger.done += usize::from(work.wanted[k]);
+            }
+            None if !work.wanted[k] => finished.push(k),
+            None => {}
+        }
+    }
+    ledger.forecast = Forecast::new(model, cases, work.jobs);
+    finished.into_iter().for_each(|k| ledger.forecast.finished(k, 0.0));
+    let grid = &grid;
+    pool.in_place_scope_fifo(|scope| {
+        if work.interferences.len() >= ROWS_WORTH_A_PROBE {
+            scope.spawn_fifo(move |_| grid.probe());
+        }
+        // The largest take longest: started last, they would run alone at the end. Idle
+        // threads help with the slides of a press before they start another press, which
+        // keeps few pressed states in memory.
+        for i in (0..work.interferences.len()).rev() {
+            scope.spawn_fifo(move |_| grid.run_row(i));
+        }
+    });
+    grid.lock().error.take().map_or(Ok(()), Err)
+}
+
+/// The cells of a grid as far as their run times are concerned.
+pub fn cases(request: &Request, interferences: &[f64], slip_rates: &[f64]) -> Vec<Case> {
+    let scene = &request.template;
+    let material = &scene.material;
+    let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
+    let critical =
+        hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, scene.radius);
+    let case = move |interference: f64, column: usize| {
+        let radius = hertz::contact_radius(scene.radius, interference * critical);
+        let number = softening_number(scene, slip_rates[column], radius);
+        let heated = choose_heat(scene, slip_rates[column], number, &mut Vec::new());
+        Case { interference, column, heated }
+    };
+    (interferences.iter()).flat_map(|omega| (0..slip_rates.len()).map(move |j| case(*omega, j))).collect()
+}
+
+/// Interference and slip rate of a cell.
+pub fn point(interferences: &[f64], slip_rates: &[f64], (i, j): Index) -> Point {
+    Point { interference: interferences[i], slip_rate: slip_rates[j] }
+}
+
+impl<'a, S: Simulator> Grid<'a, S> {
+    /// Press once, then slide at every slip rate that is wanted and not done.
+    fn run_row(&self, i: usize) {
+        let pending = self.pending(i);
+        if pending.is_empty() || self.cancelled() {
+            return;
+        }
+        match self.press(i) {
+            Ok(pressed) => pending.par_iter().with_max_len(1).for_each(|&j| self.run_cell(&pressed, (i, j))),
+            Err(Some(reason)) => {
+                for j in pending {
+                    self.finish((i, j), Err(reason.clone()));
+                }
+            }
+            Err(None) => {}
+        }
+    }
+
+    /// One cell of the smallest interference at a slip rate in the middle.
+    fn probe(&self) {
+        let pending = self.pending(0);
+        if pending.is_empty() || self.cancelled() {
+            return;
+        }
+        let at = (0, pending[pending.len() / 2]);
+        self.lock().taken = Some(at);
+        match self.press(0) {
+            Ok(pressed) => self.run_cell(&pressed, at),
+            Err(Some(reason)) => self.finish(at, Err(reason)),
+            Err(None) => {}
+        }
+    }
+
+    fn pending(&self, i: usize) -> Vec<usize> {
+        let ledger = self.lock();
+        let pending = |j: &usize| {
+            self.wanted[self.position((i, *j))]
+                && ledger.taken != Some((i, *j))
+                && ledger.known.get(self.point((i, *j))).is_none()
+        };
+        (0..self.slip_rates.len()).filter(pending).collect()
+    }
+
+    fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {
+        let mut scene = self.request.template.clone();
+        scene.loading.interference = self.interferences[i];
+        scene.loading.slip_rate = self.slip_rates[0];
+        guard(|| self.simulator.press(&scene, self))
+    }
+
+    fn run_cell(&self, pressed: &S::Pressed, (i, j): Index) {
+        if self.cancelled() {
+            return;
+        }
+        let temperature = self.request.template.loading.temperature;
+        let position = self.position((i, j));
+        self.lock().forecast.started(position, self.now());
+        match guard(|| self.simulator.slide(pressed, self.slip_rates[j], self)) {
+            Ok(outcome) => {
+                let finished = Finished::new(&outcome, self.slips, temperature);
+                self.finish((i, j), Ok(finished));
+            }
+            Err(Some(reason)) => self.finish((i, j), Err(reason)),
+            Err(None) => {}
+        }
+    }
+
+    fn finish(&self, index: Index, result: CellResult) {
+        let position = self.position(index);
+        let mut ledger = self.lock();
+        if let Err(error) = ledger.journal.record(self.point(index), &result) {
+            self.stopped.store(true, Ordering::Relaxed);
+            ledger.error.get_or_insert(error);
+            return;
+        }
+        ledger.done += 1;
+        let now = self.now();
+        ledger.forecast.finished(position, now);
+        let standing = Standing {
+            done: ledger.done,
+            total: self.wanted.iter().filter(|wanted| **wanted).count(),
+            remaining: ledger.forecast.remaining(now),
+        };
+        self.watch.finished(index, &result, &standing);
+        ledger.known.insert(self.point(index), result);
+    }
+
+    fn point(&self, index: Index) -> Point {
+        point(self.interferences, self.slip_rates, index)
+    }
+
+    fn position(&self, (i, j): Index) -> usize {
+        i * self.slip_rates.len() + j
+    }
+
+    fn now(&self) -> f64 {
+        self.clock.elapsed().as_secs_f64()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Ledger<'a>> {
+        self.ledger.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+}
+
+/// Result of `work`, or why it failed; `None` if it was stopped on request.
+fn guard<T>(work: impl FnOnce() -> Result<T, SimulationError>) -> Result<T, Option<String>> {
+    // One cell that breaks must not take hours of others with it.
+    match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(Ok(value)) => Ok(value),
+        Ok(Err(SimulationError::Cancelled { .. })) => Err(None),
+        Ok(Err(error)) => Err(Some(error.to_string())),
+        Err(panic) => {
+            let text = panic
+                .downcast_ref::<&str>()
+                .map(|text| (*text).to_owned())
+                .or_else(|| panic.downcast_ref::<String>().cloned());
+            let text = text.unwrap_or_else(|| "unknown".into());
+            Err(Some(format!("internal error: {text}")))
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Shards, their merging and the table subcommands, from outside: a coarse asperity at 2 × 2
+//! points.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::{Mutex, MutexGuard, OnceLock};
+
+use tables::table::{Metadata, Table};
+
+const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                       [loading]\nslip_distance = 0.05\n\
+                       [table]\ninterference = [1, 10]\nslip_rate = [0, 1]\n\
+                       [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+
+fn asperity(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_asperity")).args(arguments).current_dir(directory).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// One test at a time: a program started by one would inherit the files that another has open in
+/// the HDF5 library, and with them their locks.
+fn alone() -> MutexGuard<'static, ()> {
+    static ALONE: Mutex<()> = Mutex::new(());
+    ALONE.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+}
+
+/// A folder with the undivided table and both shards of it.
+fn made() -> PathBuf {
+    static MADE: OnceLock<tempfile::TempDir> = OnceLock::new();
+    let folder = MADE.get_or_init(|| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
+        for arguments in [
+            &["-o", "whole.nc", "--jobs", "2"][..],
+            &["-o", "1.nc", "--shard", "1/2"],
+            &["-o", "2.nc", "--shard", "2/2", "--resume"],
+        ] {
+            let output = asperity(folder.path(), &[&["tabulate", "request.toml"], arguments].concat());
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        }
+        folder
+    });
+    folder.path().to_path_buf()
+}
+
+/// Exit status 2, one line with all of `parts`, and no file `output`.
+fn refused(arguments: &[&str], parts: &[&str], output: &str) {
+    let folder = made();
+    let result = asperity(&folder, arguments);
+    let message = text(&result.stderr);
+    assert_eq!(result.status.code(), Some(2), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    for part in parts {
+        assert!(message.contains(part), "{message} lacks {part}");
+    }
+    assert!(!folder.join(output).exists());
+}
+
+#[test]
+fn merged_shards_are_the_undivided_table_bit_for_bit() {
+    let _alone = alone();
+    let folder = made();
+    let output = asperity(&folder, &["merge", "2.nc", "1.nc", "-o", "merged.nc"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let numbers = |name: &str| {
+        let mut table = Table::read(&folder.join(name)).unwrap();
+        let (rows, columns) = table.shape();
+        for at in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+            let mut cell = table.cell(at.0, at.1).unwrap().clone();
+            cell.wall_time = 0.0;
+            table.set_cell(at.0, at.1, cell).unwrap();
+        }
+        table.set_metadata(Metadata { history: String::new(), ..table.metadata().clone() });
+        table
+    };
+    let (whole, merged) = (numbers("whole.nc"), numbers("merged.nc"));
+    assert_eq!(merged, whole);
+    // The checksum is over the bits of every number.
+    assert_eq!(merged.checksum(), whole.checksum());
+    let same = asperity(&folder, &["table", "diff", "merged.nc", "whole.nc", "--tolerance", "0"]);
+    assert_eq!(same.status.code(), Some(0));
+    assert!(text(&same.stdout).contains("no differences in any quantity"));
+}
+
+#[test]
+fn shards_that_do_not_belong_together_are_refused() {
+    let _alone = alone();
+    let folder = made();
+    refused(&["merge", "1.nc", "-o", "m1.nc"], &["2 of 4 cells", "--partial"], "m1.nc");
+    let output = asperity(&folder, &["merge", "1.nc", "-o", "partial.nc", "--partial"]);
+    assert_eq!(output.status.code(), Some(0));
+    let partial = Table::read(&folder.join("partial.nc")).unwrap();
+    assert_eq!(partial.missing().len(), 2);
+    assert_eq!(partial.metadata().shard, "1/2");
+
+    let shard = Table::read(&folder.join("2.nc")).unwrap();
+    let scene = shard.metadata().scene.replace("slip_distance = 0.05", "slip_distance = 0.06");
+    let mut other = shard.clone();
+    other.set_metadata(Metadata { scene, ..shard.metadata().clone() });
+    other.write(&folder.join("request.nc")).unwrap();
+    let parts = ["1.nc and request.nc", "their request", "slip_distance = 0.05", "slip_distance = 0.06"];
+    refused(&["merge", "1.nc", "request.nc", "-o", "m2.nc"], &parts, "m2.nc");
+
+    let mut other = shard.clone();
+    other.set_metadata(Metadata { fingerprint: "0123".into(), ..shard.metadata().clone() });
+    other.write(&folder.join("build.nc")).unwrap();
+    refused(&["merge", "1.nc", "build.nc", "-o", "m3.nc"], &["fingerprint", "0123"], "m3.nc");
+
+    let mut other = Table::read(&folder.join("whole.nc")).unwrap();
+    let (i, j) = (0..4).map(|k| (k / 2, k % 2)).find(|at| shard.cell(at.0, at.1).is_some()).unwrap();
+    let mut cell = other.cell(i, j).unwrap().clone();
+    cell.levelled = !cell.levelled;
+    other.set_cell(i, j, cell).unwrap();
+    other.write(&folder.join("overlap.nc")).unwrap();
+    refused(&["merge", "2.nc", "overlap.nc", "-o", "m4.nc"], &["different results at"], "m4.nc");
+}
+
+#[test]
+fn damaged_tables_are_refused_everywhere() {
+    let _alone = alone();
+    let folder = made();
+    let path = folder.join("damaged.nc");
+    std::fs::copy(folder.join("whole.nc"), &path).unwrap();
+    netcdf::append(&path).unwrap().variable_mut("mu").unwrap().put_value(0.5, [0, 0]).unwrap();
+    let part = ["damaged.nc", "checksum"];
+    refused(&["table", "info", "damaged.nc"], &part, "none");
+    refused(&["table", "plot", "damaged.nc", "-o", "d.png"], &part, "d.png");
+    refused(&["table", "export", "damaged.nc", "-o", "d.csv"], &part, "d.csv");
+    refused(&["table", "diff", "whole.nc", "damaged.nc"], &part, "none");
+    refused(&["merge", "damaged.nc", "-o", "m5.nc"], &part, "m5.nc");
+    refused(&["table", "plot", "whole.nc", "-o", "plot.pdf"], &["plot.pdf", "svg, png"], "plot.pdf");
+    refused(&["table", "info", "request.toml"], &["cannot read request.toml"], "none");
+}
+
+#[test]
+fn a_table_is_described_plotted_and_exported() {
+    let _alone = alone();
+    let folder = made();
+    let info = text(&asperity(&folder, &["table", "info", "whole.nc"]).stdout);
+    for part in [
+        "2 values from 1 to 10 omega_c",
+        "4 done, 0 not run, 0 failed",
+        "asperity 0.1.0, fingerprint",
+        "asperity tabulate request.toml -o whole.nc",
+        "mu_static",
+        "median",
+    ] {
+        assert!(info.contains(part), "{info} lacks {part}");
+    }
+    let json = text(&asperity(&folder, &["table", "info", "1.nc", "--json"]).stdout);
+    let value: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(value["cells"]["not_run"], 2);
+    assert_eq!(value["shard"], "1/2");
+    assert!(value["quantities"]["mu"]["relative_error_median"].as_f64().unwrap() > 0.0);
+
+    let plot = asperity(&folder, &["table", "plot", "whole.nc", "-o", "plot.svg"]);
+    assert_eq!(plot.status.code(), Some(0));
+    let svg = std::fs::read_to_string(folder.join("plot.svg")).unwrap();
+    for label in ["friction coefficient", "friction stress", "energy release", "highest temperature"] {
+        assert!(svg.contains(label), "{label}");
+    }
+    for (histories, lines) in [(None, 5), (Some("--histories"), 1 + 4 * 49)] {
+        let arguments = ["table", "export", "whole.nc", "-o", "table.csv"].into_iter().chain(histories);
+        let export = asperity(&folder, &arguments.collect::<Vec<_>>());
+        assert_eq!(export.status.code(), Some(0));
+        let csv = std::fs::read_to_string(folder.join("table.csv")).unwrap();
+        assert_eq!(csv.lines().count(), lines);
+    }
+    let diff = asperity(&folder, &["table", "diff", "whole.nc", "1.nc", "--tolerance", "0"]);
+    assert_eq!(diff.status.code(), Some(1));
+    assert!(text(&diff.stderr).contains("is done in one, not run in the other"));
+}

@@ -1,0 +1,165 @@
+//! Bridging points without results.
+
+use crate::law::Estimate;
+use crate::quantity::Quantity;
+use crate::table::{Cell, Status, Table};
+
+/// A point that was filled in from its neighbours: indices of interference and slip rate.
+pub type Bridged = (usize, usize);
+
+impl Table {
+    /// The table with points that failed or were not run filled in where results lie on both sides
+    /// of them, along the interference or along the slip rate; and which they are.
+    ///
+    /// Values are interpolated linearly in the logarithms (of quantities that are positive) between
+    /// the nearest results, over the nearer of both pairs where there are two. The error is that of
+    /// the results at both ends and half their difference. Each such cell carries a warning. What
+    /// lies at the edge stays as it is: nothing is extrapolated.
+    pub fn bridged(&self) -> (Table, Vec<Bridged>) {
+        let mut table = self.clone();
+        let mut filled = Vec::new();
+        for (i, j) in self.grid() {
+            let reason = match self.status(i, j) {
+                Status::Done(_) => continue,
+                Status::NotRun => "not run".to_string(),
+                Status::Failed(reason) => format!("the run failed: {reason}"),
+            };
+            let Some(mut cell) = self.across(i, j) else { continue };
+            cell.warnings = vec![format!("interpolated from neighbouring points ({reason})")];
+            table.set_cell(i, j, cell).expect("as long as its neighbours");
+            filled.push((i, j));
+        }
+        if !filled.is_empty() {
+            let mut metadata = table.metadata().clone();
+            metadata.comment = table.warnings().join("\n");
+            table.set_metadata(metadata);
+        }
+        (table, filled)
+    }
+
+    /// A cell between its nearest neighbours with results.
+    fn across(&self, i: usize, j: usize) -> Option<Cell> {
+        let (rows, columns) = self.shape();
+        let interpolant = self.interpolant();
+        let pair = |axis: &[f64], at: usize, length: usize, present: &dyn Fn(usize) -> bool| {
+            let before = (0..at).rev().find(|k| present(*k))?;
+            let after = (at + 1..length).find(|k| present(*k))?;
+            let gap = axis[after] - axis[before];
+            Some((gap, (axis[at] - axis[before]) / gap, before, after))
+        };
+        let row = pair(interpolant.log_interference(), i, rows, &|k| self.cell(k, j).is_some());
+        let column = pair(interpolant.rate_coordinate(), j, columns, &|k| self.cell(i, k).is_some());
+        let along_row = match (row, column) {
+            (Some((one, ..)), Some((other, ..))) => one <= other,
+            (Some(_), None) => true,
+            (None, Some(_)) => false,
+            (None, None) => return None,
+        };
+        let (_, t, before, after) = if along_row { row? } else { column? };
+        let ends = match along_row {
+            true => [self.cell(before, j)?, self.cell(after, j)?],
+            false => [self.cell(i, before)?, self.cell(i, after)?],
+        };
+        Some(blended(ends, t, self.metadata().temperature))
+    }
+}
+
+/// Between two cells, at the fraction `t` from the first to the second; `base` is the temperature
+/// from which temperature rises are counted.
+fn blended(ends: [&Cell; 2], t: f64, base: f64) -> Cell {
+    let mut cell = Cell::new();
+    for quantity in Quantity::ALL {
+        let base = if quantity.is_temperature() { base } else { 0.0 };
+        let [Estimate { value: a, error: e }, Estimate { value: b, error: f }] =
+            ends.map(|cell| cell[quantity]);
+        let value = base + between(a - base, b - base, t);
+        cell = cell.with(quantity, value, (1.0 - t) * e + t * f + 0.5 * (a - b).abs());
+    }
+    for quantity in Quantity::HISTORIES {
+        let base = if quantity.is_temperature() { base } else { 0.0 };
+        let pairs = ends[0].history(quantity).iter().zip(ends[1].history(quantity));
+        let history = pairs.map(|(a, b)| base + between(a - base, b - base, t)).collect();
+        cell = cell.with_history(quantity, history);
+    }
+    cell.levelled = ends.iter().all(|cell| cell.levelled);
+    cell.wall_time = 0.0;
+    cell
+}
+
+fn between(a: f64, b: f64, t: f64) -> f64 {
+    match a > 0.0 && b > 0.0 {
+        true => ((1.0 - t) * a.ln() + t * b.ln()).exp(),
+        false => (1.0 - t) * a + t * b,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::{Axes, Metadata};
+
+    /// Power laws over 4 interferences and 4 slip rates.
+    fn table() -> Table {
+        let axes = Axes {
+            interference: vec![1.0, 2.0, 4.0, 8.0],
+            slip_rate: vec![0.1, 1.0, 10.0, 100.0],
+            slip: vec![0.0, 1.0],
+        };
+        let metadata = Metadata { temperature: 300.0, asperity_radius: 1e-3, ..Metadata::default() };
+        let mut table = Table::new(axes, metadata).unwrap();
+        for (i, j) in table.grid() {
+            let (omega, rate) = table.coordinates(i, j);
+            let mut cell = Cell::new().with(Quantity::TemperatureMax, 300.0 + 50.0 * rate.powf(0.5), 1.0);
+            let load = omega.powf(1.5) * rate.powf(-0.1);
+            cell = cell
+                .with(Quantity::Load, load, 0.02 * load)
+                .with(Quantity::Friction, 0.3 * load, 0.0)
+                .with(Quantity::Area, omega, 0.0)
+                .with(Quantity::ContactRadius, 1e-5 * omega.sqrt(), 0.0)
+                .with_history(Quantity::Load, vec![load, load])
+                .with_history(Quantity::Friction, vec![0.0, 0.3 * load])
+                .with_history(Quantity::Area, vec![omega, omega]);
+            table.set_cell(i, j, cell).unwrap();
+        }
+        table
+    }
+
+    #[test]
+    fn gaps_inside_are_bridged_with_a_larger_error_and_a_warning() {
+        let whole = table();
+        let mut table = whole.clone();
+        table.mark_failed(1, 2, "no convergence");
+        assert!(table.estimate(Quantity::Load, 1e-3, 2.0, 10.0).is_err());
+        let (bridged, filled) = table.bridged();
+        assert_eq!(filled, [(1, 2)]);
+        let (cell, truth) = (bridged.cell(1, 2).unwrap(), whole.cell(1, 2).unwrap());
+        for quantity in [Quantity::Load, Quantity::Friction, Quantity::TemperatureMax] {
+            let (found, actual) = (cell[quantity], truth[quantity]);
+            assert!((found.value / actual.value - 1.0).abs() < 1e-12, "{quantity:?}");
+            assert!(found.error >= actual.error, "{quantity:?}");
+        }
+        assert!(cell[Quantity::Load].error > 0.3 * cell[Quantity::Load].value);
+        assert_eq!(cell.history(Quantity::Friction)[0], 0.0);
+        let warning = "interpolated from neighbouring points (the run failed: no convergence)";
+        assert_eq!(cell.warnings, [warning]);
+        assert!(bridged.metadata().comment.contains(warning));
+        assert!(bridged.estimate(Quantity::Load, 1e-3, 2.0, 10.0).is_ok());
+    }
+
+    #[test]
+    fn edges_are_bridged_along_the_edge_and_corners_not_at_all() {
+        let mut table = table();
+        table.mark_failed(0, 1, "a");
+        table.mark_failed(3, 3, "b");
+        let (bridged, filled) = table.bridged();
+        assert_eq!(filled, [(0, 1)]);
+        assert_eq!(bridged.status(3, 3), table.status(3, 3));
+        assert_eq!(bridged.missing(), []);
+    }
+
+    #[test]
+    fn whole_tables_stay_as_they_are() {
+        let table = table();
+        assert_eq!(table.bridged(), (table.clone(), vec![]));
+    }
+}

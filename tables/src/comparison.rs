@@ -1,0 +1,175 @@
+//! Two tables side by side.
+
+use crate::quantity::Quantity;
+use crate::table::{Status, Table};
+
+/// Coordinates closer than this, relatively, are the same.
+const SAME: f64 = 1e-9;
+
+/// What is smaller than this share of the largest value of a quantity is rounding.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// The indices of a point in both tables.
+type Pair = ((usize, usize), (usize, usize));
+
+/// How two tables differ; "here" is the first of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Comparison {
+    /// What differs between the tables as a whole: (name, here, there).
+    pub metadata: Vec<(&'static str, String, String)>,
+    /// Grid points that both have.
+    pub common: usize,
+    pub only_here: usize,
+    pub only_there: usize,
+    /// Common points that are done in one table and not in the other: (point, here, there).
+    pub states: Vec<(String, String, String)>,
+    /// Quantities with differences, in their order.
+    pub quantities: Vec<Difference>,
+}
+
+/// How a quantity differs over the points that are done in both tables.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    pub quantity: Quantity,
+    /// Points compared, and those that differ by more than both errors together.
+    pub compared: usize,
+    pub beyond_errors: usize,
+    /// Largest difference relative to the larger value (a rounding error is nothing), and where it is.
+    pub largest: f64,
+    pub at: String,
+    /// The two values there.
+    pub values: (f64, f64),
+}
+
+impl Table {
+    /// Compares scalars where both tables have results at the same coordinates.
+    pub fn compare(&self, other: &Table) -> Comparison {
+        let mut comparison = Comparison { metadata: self.metadata_differences(other), ..Default::default() };
+        let mut pairs: Vec<Pair> = Vec::new();
+        for (i, j) in self.grid() {
+            let (interference, slip_rate) = self.coordinates(i, j);
+            let there =
+                find(&other.axes().interference, interference).zip(find(&other.axes().slip_rate, slip_rate));
+            match there {
+                Some(there) => pairs.push(((i, j), there)),
+                None => comparison.only_here += 1,
+            }
+        }
+        comparison.common = pairs.len();
+        comparison.only_there = other.grid().count() - pairs.len();
+        for &((i, j), (k, l)) in &pairs {
+            let (here, there) = (self.status(i, j), other.status(k, l));
+            if in_words(here) != in_words(there) {
+                comparison.states.push((self.label(i, j), in_words(here), in_words(there)));
+            }
+        }
+        let differences = Quantity::ALL.into_iter().filter_map(|q| self.difference(other, &pairs, q));
+        comparison.quantities = differences.filter(|difference| difference.largest > 0.0).collect();
+        comparison
+    }
+
+    fn difference(&self, other: &Table, pairs: &[Pair], quantity: Quantity) -> Option<Difference> {
+        let (mut compared, mut beyond_errors) = (0, 0);
+        let values = self.grid().filter_map(|(i, j)| Some(self.cell(i, j)?[quantity].value.abs()));
+        let negligible = NEGLIGIBLE * values.fold(0.0, f64::max);
+        let mut worst: Option<Difference> = None;
+        for &((i, j), (k, l)) in pairs {
+            let (Some(here), Some(there)) = (self.cell(i, j), other.cell(k, l)) else { continue };
+            let (here, there) = (here[quantity], there[quantity]);
+            if here.value.is_nan() || there.value.is_nan() {
+                continue;
+            }
+            let distance = (here.value - there.value).abs();
+            compared += 1;
+            beyond_errors += usize::from(distance > here.error + there.error);
+            let size = here.value.abs().max(there.value.abs()).max(negligible);
+            let largest = if distance == 0.0 { 0.0 } else { distance / size };
+            if worst.as_ref().is_none_or(|worst| largest > worst.largest) {
+                let values = (here.value, there.value);
+                let at = self.label(i, j);
+                worst = Some(Difference { quantity, compared: 0, beyond_errors: 0, largest, at, values });
+            }
+        }
+        worst.map(|worst| Difference { compared, beyond_errors, ..worst })
+    }
+
+    fn metadata_differences(&self, other: &Table) -> Vec<(&'static str, String, String)> {
+        let (here, there) = (self.metadata(), other.metadata());
+        let mut differences = Vec::new();
+        let texts = [
+            ("source", &here.source, &there.source),
+            ("fingerprint", &here.fingerprint, &there.fingerprint),
+            ("shard", &here.shard, &there.shard),
+        ];
+        for (name, here, there) in texts {
+            if here != there {
+                differences.push((name, here.clone(), there.clone()));
+            }
+        }
+        let mut other_lines = there.scene.lines();
+        for line in here.scene.lines() {
+            let there = other_lines.next().unwrap_or_default();
+            if line != there {
+                differences.push(("request", line.to_string(), there.to_string()));
+            }
+        }
+        differences.extend(other_lines.map(|line| ("request", String::new(), line.to_string())));
+        differences
+    }
+}
+
+fn find(axis: &[f64], value: f64) -> Option<usize> {
+    axis.iter().position(|known| (known - value).abs() <= SAME * value)
+}
+
+fn in_words(status: &Status) -> String {
+    match status {
+        Status::Done(_) => "done".to_string(),
+        Status::NotRun => "not run".to_string(),
+        Status::Failed(reason) => format!("failed: {reason}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::{Axes, Cell, Metadata};
+
+    fn table(slip_rate: Vec<f64>, scene: &str) -> Table {
+        let axes = Axes { interference: vec![1.0, 10.0], slip_rate, slip: vec![0.0, 1.0] };
+        let metadata = Metadata { scene: scene.into(), ..Metadata::default() };
+        let mut table = Table::new(axes, metadata).unwrap();
+        for (i, j) in table.grid() {
+            let (omega, rate) = table.coordinates(i, j);
+            let cell = Cell::new().with(Quantity::Mu, 0.3 / omega, 0.01).with(Quantity::Load, rate, 0.0);
+            table.set_cell(i, j, cell).unwrap();
+        }
+        table
+    }
+
+    #[test]
+    fn equal_tables_have_no_differences() {
+        let comparison = table(vec![1.0, 2.0], "a").compare(&table(vec![1.0, 2.0], "a"));
+        assert_eq!(comparison, Comparison { common: 4, ..Comparison::default() });
+    }
+
+    #[test]
+    fn differences_are_named_with_their_place() {
+        let here = table(vec![1.0, 2.0], "a = 1\nb = 2");
+        let mut there = table(vec![1.0, 2.0 * (1.0 + 1e-12), 3.0], "a = 1\nb = 3");
+        there.mark_failed(0, 0, "no memory");
+        let mut cell = there.cell(1, 1).unwrap().clone();
+        cell = cell.with(Quantity::Mu, 0.06, 0.01);
+        there.set_cell(1, 1, cell).unwrap();
+        let comparison = here.compare(&there);
+        assert_eq!((comparison.common, comparison.only_here, comparison.only_there), (4, 0, 2));
+        assert_eq!(comparison.metadata, [("request", "b = 2".to_string(), "b = 3".to_string())]);
+        assert_eq!(comparison.states.len(), 1);
+        assert_eq!(comparison.states[0].2, "failed: no memory");
+        let mu = &comparison.quantities[0];
+        assert_eq!((mu.quantity, mu.compared, mu.beyond_errors), (Quantity::Mu, 3, 1));
+        assert!((mu.largest - 0.5).abs() < 1e-12);
+        assert_eq!(mu.at, "10 omega_c at 2 m/s");
+        assert_eq!(mu.values, (0.03, 0.06));
+    }
+}

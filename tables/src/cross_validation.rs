@@ -1,0 +1,155 @@
+//! How well a table interpolates, found by leaving out what was computed.
+//!
+//! Each inner interference (slip rate) is taken out of the table with all its results, and these
+//! are predicted from what is left, in the way in which a reader of the table would. The misfit
+//! is the error of interpolation over the gap that was made; that over one of its two parts is
+//! taken to be smaller in proportion, as it is at a kink. Where the data are smooth the
+//! interpolation is of third order, and this an upper estimate.
+
+use crate::quantity::Quantity;
+use crate::table::{Axes, Table};
+
+/// Relative errors of interpolation between neighbouring points of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrossValidation {
+    /// Along interference and along slip rate.
+    along: [Misfits; 2],
+    shape: (usize, usize),
+}
+
+/// Misfits of the points along one axis.
+#[derive(Clone, Debug, PartialEq)]
+struct Misfits {
+    /// Coordinate in which is interpolated.
+    coordinate: Vec<f64>,
+    /// Relative misfit of each point (row-major) in each quantity; none at the ends of the axis and
+    /// where there is nothing to compare.
+    points: Vec<[Option<f64>; Quantity::ALL.len()]>,
+}
+
+/// One of the two axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    Interference,
+    SlipRate,
+}
+
+/// The largest interpolation error of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// Relative.
+    pub error: f64,
+    /// Point next to which it is: indices of interference and slip rate.
+    pub at: (usize, usize),
+}
+
+impl Table {
+    /// Leaves out every inner interference and slip rate in turn.
+    pub fn cross_validation(&self) -> CrossValidation {
+        let (rows, columns) = self.shape();
+        let empty = || vec![[None; Quantity::ALL.len()]; rows * columns];
+        let interpolant = self.interpolant();
+        let mut along = [interpolant.log_interference(), interpolant.rate_coordinate()]
+            .map(|coordinate| Misfits { coordinate: coordinate.to_vec(), points: empty() });
+        for i in 1..rows.saturating_sub(1) {
+            let rest = self.without(Along::Interference, i);
+            for j in 0..columns {
+                along[0].points[i * columns + j] = self.misfit(&rest, i, j);
+            }
+        }
+        for j in 1..columns.saturating_sub(1) {
+            let rest = self.without(Along::SlipRate, j);
+            for i in 0..rows {
+                along[1].points[i * columns + j] = self.misfit(&rest, i, j);
+            }
+        }
+        CrossValidation { along, shape: (rows, columns) }
+    }
+
+    /// The table less one row or column.
+    fn without(&self, along: Along, index: usize) -> Table {
+        let mut axes: Axes = self.axes().clone();
+        match along {
+            Along::Interference => axes.interference.remove(index),
+            Along::SlipRate => axes.slip_rate.remove(index),
+        };
+        self.regridded(axes).expect("axes of a table less a point are axes")
+    }
+
+    fn misfit(&self, rest: &Table, i: usize, j: usize) -> [Option<f64>; Quantity::ALL.len()] {
+        let (interference, slip_rate) = self.coordinates(i, j);
+        let radius = self.metadata().asperity_radius;
+        Quantity::ALL.map(|quantity| {
+            let actual = self.cell(i, j)?[quantity].value;
+            let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
+            let predicted = rest.estimate(quantity, radius, interference, slip_rate).ok()?.value;
+            // Of a temperature the rise: only that changes.
+            let scale = (actual - base).abs().max((predicted - base).abs());
+            let misfit = (predicted - actual).abs();
+            match misfit {
+                0.0 => Some(0.0),
+                misfit => (misfit / scale).is_finite().then_some(misfit / scale),
+            }
+        })
+    }
+}
+
+impl CrossValidation {
+    /// Relative error between the points `index` and `index + 1` of an axis, at the point `across`
+    /// of the other. Zero on an axis of one point, infinite on one of two: there is nothing to
+    /// learn from.
+    pub fn interval(&self, along: Along, index: usize, across: usize, quantity: Quantity) -> f64 {
+        let misfits = &self.along[along as usize];
+        let x = &misfits.coordinate;
+        if x.len() <= 2 {
+            return if x.len() < 2 { 0.0 } else { f64::INFINITY };
+        }
+        let width = x[index + 1] - x[index];
+        let mut error: f64 = 0.0;
+        for point in [index, index + 1] {
+            if let Some(misfit) = self.misfit(along, point, across, quantity) {
+                error = error.max(misfit * width / (x[point + 1] - x[point - 1]));
+            }
+        }
+        error
+    }
+
+    /// Relative misfit of a point of an axis; none where nothing was left out or nothing is known.
+    pub fn misfit(&self, along: Along, point: usize, across: usize, quantity: Quantity) -> Option<f64> {
+        let position = match along {
+            Along::Interference => point * self.shape.1 + across,
+            Along::SlipRate => across * self.shape.1 + point,
+        };
+        self.along[along as usize].points[position][quantity as usize]
+    }
+
+    /// Coordinate in which is interpolated: ln ω, and one that is ln V but for the slowest.
+    pub fn coordinate(&self, along: Along) -> &[f64] {
+        &self.along[along as usize].coordinate
+    }
+
+    /// Relative error of interpolating in the surroundings of a point: the larger of both sides
+    /// along each axis, added.
+    pub fn around(&self, i: usize, j: usize, quantity: Quantity) -> f64 {
+        let side = |along: Along, point: usize, across: usize| {
+            let last = self.coordinate(along).len() - 1;
+            let before = point.checked_sub(1).map_or(0.0, |k| self.interval(along, k, across, quantity));
+            let after = if point < last { self.interval(along, point, across, quantity) } else { 0.0 };
+            before.max(after)
+        };
+        side(Along::Interference, i, j) + side(Along::SlipRate, j, i)
+    }
+
+    /// The largest error of a quantity in the table.
+    pub fn worst(&self, quantity: Quantity) -> Worst {
+        let (rows, columns) = self.shape;
+        let mut worst = Worst { error: 0.0, at: (0, 0) };
+        for at in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+            let error = self.around(at.0, at.1, quantity);
+            if error > worst.error {
+                worst = Worst { error, at };
+            }
+        }
+        worst
+    }
+}

@@ -1,0 +1,111 @@
+//! Tables as comma-separated values, for programs that do not read netCDF.
+
+use std::io::Write;
+
+use crate::quantity::{QUANTITIES, Quantity};
+use crate::table::{Cell, Status, Table};
+
+impl Table {
+    /// A line for each grid point: coordinates, state, every scalar with its error. Names carry
+    /// units, as in `Q [N]`; what is not known is empty.
+    pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
+        let mut file = csv::Writer::from_writer(to);
+        let mut header: Vec<String> =
+            ["interference [1]", "slip_rate [m s-1]", "status"].map(String::from).to_vec();
+        for descriptor in &QUANTITIES {
+            header.push(format!("{} [{}]", descriptor.name, descriptor.units));
+            header.push(format!("{}_error [{}]", descriptor.name, descriptor.units));
+        }
+        header.extend(["levelled", "wall_time [s]", "failure_reason", "warnings"].map(String::from));
+        file.write_record(&header)?;
+        for (i, j) in self.grid() {
+            let (interference, slip_rate) = self.coordinates(i, j);
+            let (state, reason) = match self.status(i, j) {
+                Status::Done(_) => ("done", ""),
+                Status::NotRun => ("not run", ""),
+                Status::Failed(reason) => ("failed", reason.as_str()),
+            };
+            let mut line = vec![number(interference), number(slip_rate), state.to_string()];
+            let cell = self.cell(i, j);
+            for quantity in Quantity::ALL {
+                line.push(cell.map_or(String::new(), |cell| number(cell[quantity].value)));
+                line.push(cell.map_or(String::new(), |cell| number(cell[quantity].error)));
+            }
+            line.push(cell.map_or(String::new(), |cell| cell.levelled.to_string()));
+            line.push(cell.map_or(String::new(), |cell| number(cell.wall_time)));
+            line.push(reason.to_string());
+            line.push(cell.map_or(String::new(), |cell| cell.warnings.join("; ")));
+            file.write_record(&line)?;
+        }
+        file.flush()
+    }
+
+    /// A line for each grid point with results and each slip, in a₀: the histories.
+    pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
+        let mut file = csv::Writer::from_writer(to);
+        let mut header: Vec<String> =
+            ["interference [1]", "slip_rate [m s-1]", "slip [1]"].map(String::from).to_vec();
+        for quantity in Quantity::HISTORIES {
+            let descriptor = quantity.descriptor();
+            header.push(format!("{} [{}]", descriptor.name, descriptor.units));
+        }
+        file.write_record(&header)?;
+        for (i, j) in self.grid() {
+            let Some(cell) = self.cell(i, j) else { continue };
+            let (interference, slip_rate) = self.coordinates(i, j);
+            for (k, slip) in self.axes().slip.iter().enumerate() {
+                let at = |quantity: Quantity| number(Cell::history(cell, quantity)[k]);
+                let coordinates = [interference, slip_rate, *slip].map(number);
+                file.write_record(coordinates.into_iter().chain(Quantity::HISTORIES.map(at)))?;
+            }
+        }
+        file.flush()
+    }
+}
+
+/// Shortest text that reads back as the same number.
+fn number(value: f64) -> String {
+    match value.abs() {
+        _ if value.is_nan() => String::new(),
+        0.0 | 1e-3..1e6 => format!("{value}"),
+        _ => format!("{value:e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::{Axes, Metadata};
+
+    #[test]
+    fn lines_have_names_units_and_exact_numbers() {
+        let axes = Axes { interference: vec![0.5], slip_rate: vec![0.0, 1.0], slip: vec![0.0, 2.0] };
+        let mut table = Table::new(axes, Metadata::default()).unwrap();
+        let mut cell = Cell::new()
+            .with(Quantity::Friction, 0.1 + 0.2, f64::NAN)
+            .with(Quantity::ContactRadius, 1.25e-7, 1e-9)
+            .with_history(Quantity::Mu, vec![0.0, 0.25]);
+        cell.warnings = vec!["coarse, very".into()];
+        table.set_cell(0, 0, cell).unwrap();
+        table.mark_failed(0, 1, "no \"memory\"");
+        let mut bytes = Vec::new();
+        table.write_csv(&mut bytes).unwrap();
+        let text = String::from_utf8(bytes).unwrap();
+        let mut lines = text.lines();
+        let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let first: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let of = |name: &str| first[header.iter().position(|known| *known == name).unwrap()];
+        assert_eq!(of("interference [1]"), "0.5");
+        assert_eq!(of("Q [N]").parse::<f64>().unwrap().to_bits(), (0.1_f64 + 0.2).to_bits());
+        assert_eq!(of("Q_error [N]"), "");
+        assert_eq!(of("contact_radius [m]"), "1.25e-7");
+        assert!(text.contains("\"coarse, very\""));
+        assert!(lines.next().unwrap().contains("failed") && text.contains("\"no \"\"memory\"\"\""));
+
+        let mut bytes = Vec::new();
+        table.write_histories_csv(&mut bytes).unwrap();
+        let text = String::from_utf8(bytes).unwrap();
+        assert_eq!(text.lines().count(), 3);
+        assert_eq!(text.lines().last().unwrap(), "0.5,0,2,0.25,,,,");
+    }
+}

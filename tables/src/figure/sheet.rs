@@ -1,0 +1,103 @@
+//! A sheet of panels of any kind, two in a row, as a file.
+
+use std::path::Path;
+
+use kuva::backend::png::PngBackend;
+use kuva::backend::svg::SvgBackend;
+use kuva::render::figure::Figure as Drawn;
+
+use super::draw::Medium;
+use super::{Extension, FigureError, Map, PIXELS, Panel, extension};
+
+/// Width and height of a panel, in points.
+const PANEL_SIZE: (f64, f64) = (560.0, 380.0);
+
+/// What a panel of a sheet shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drawing {
+    Curves(Panel),
+    Map(Map),
+}
+
+/// Panels of curves and maps, two in a row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sheet {
+    pub title: String,
+    pub drawings: Vec<Drawing>,
+}
+
+impl Sheet {
+    /// Draws the sheet into a file, which appears whole or not at all.
+    pub fn save(&self, path: &Path) -> Result<(), FigureError> {
+        let failed = |reason: String| FigureError::Write { path: path.display().to_string(), reason };
+        let bytes = match extension(path)? {
+            Extension::Svg => self.svg().into_bytes(),
+            Extension::Png => {
+                let backend = PngBackend::new().with_scale(PIXELS);
+                backend.render_scene(&self.drawn(Medium::Raster).render()).map_err(failed)?
+            }
+        };
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let temporary = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
+        let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, path));
+        written.map_err(|error| {
+            let _ = std::fs::remove_file(&temporary);
+            failed(error.to_string())
+        })
+    }
+
+    /// The sheet as SVG.
+    pub fn svg(&self) -> String {
+        renumbered(&SvgBackend::new().render_scene(&self.drawn(Medium::Vector).render()))
+    }
+
+    fn drawn(&self, medium: Medium) -> Drawn {
+        let number = self.drawings.len();
+        let columns = number.clamp(1, 2);
+        let rows = number.div_ceil(columns).max(1);
+        let draw = |drawing: &Drawing| match drawing {
+            Drawing::Curves(panel) => panel.draw(medium),
+            Drawing::Map(map) => map.draw(),
+        };
+        let (plots, layouts): (Vec<_>, Vec<_>) = self.drawings.iter().map(draw).unzip();
+        // The last row may have one panel only; it then takes the whole width.
+        let mut cells: Vec<Vec<usize>> = (0..number).map(|cell| vec![cell]).collect();
+        if number < rows * columns {
+            if let Some(last) = cells.last_mut() {
+                last.push(number);
+            } else {
+                cells.push(vec![0]);
+            }
+        }
+        let mut sheet = Drawn::new(rows, columns)
+            .with_structure(cells)
+            .with_plots(plots)
+            .with_layouts(layouts)
+            .with_cell_size(PANEL_SIZE.0, PANEL_SIZE.1)
+            .with_padding(18.0)
+            .with_spacing(22.0);
+        if !self.title.is_empty() {
+            sheet = sheet.with_title(self.title.as_str());
+        }
+        sheet
+    }
+}
+
+/// The library numbers clipping paths through the life of the program; here they are numbered
+/// through the figure, so that equal figures are equal files.
+fn renumbered(svg: &str) -> String {
+    const PREFIX: &str = "kuva-clip-";
+    let mut known: Vec<&str> = Vec::new();
+    let mut pieces = svg.split(PREFIX);
+    let mut result = pieces.next().unwrap_or_default().to_string();
+    for piece in pieces {
+        let digits = piece.find(|c: char| !c.is_ascii_digit()).unwrap_or(piece.len());
+        let (id, rest) = piece.split_at(digits);
+        let number = known.iter().position(|k| *k == id).unwrap_or_else(|| {
+            known.push(id);
+            known.len() - 1
+        });
+        result.push_str(&format!("{PREFIX}{number}{rest}"));
+    }
+    result
+}

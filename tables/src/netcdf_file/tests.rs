@@ -1,0 +1,163 @@
+//! Writing and reading back, and what is refused.
+
+use super::*;
+
+fn table() -> Table {
+    let axes =
+        Axes { interference: vec![0.5, 5.0], slip_rate: vec![0.0, 0.1, 1.0], slip: vec![0.0, 0.5, 2.0] };
+    let metadata = Metadata {
+        title: "Friction of one asperity".to_string(),
+        history: "2026-01-01 asperity tabulate".to_string(),
+        source: "asperity 0.1.0".to_string(),
+        fingerprint: "0123456789abcdef".to_string(),
+        shard: "2/3".to_string(),
+        scene: "[asperity]\nradius = 1e-3\n".to_string(),
+        asperity_radius: 1e-3,
+        strength_factor: Some(0.9),
+        ..Metadata::default()
+    };
+    let mut table = Table::new(axes, metadata).unwrap();
+    for (i, j) in [(0, 0), (0, 1), (1, 2)] {
+        let mut cell = Cell::new();
+        for (n, quantity) in Quantity::ALL.into_iter().enumerate() {
+            cell = cell.with(quantity, (1 + n + i + 2 * j) as f64 / 3.0, 0.01);
+        }
+        for quantity in [Quantity::Mu, Quantity::Friction] {
+            cell = cell.with_history(quantity, vec![0.0, 1.0 / 3.0, 0.1]);
+        }
+        cell.levelled = i == 1;
+        cell.wall_time = 12.5;
+        if i == 0 {
+            cell.warnings = vec!["coarse".to_string(), "far".to_string()];
+        }
+        table.set_cell(i, j, cell).unwrap();
+    }
+    table.mark_failed(1, 0, "Newton did not converge at s = 1e-7 m");
+    table
+}
+
+fn place(name: &str) -> std::path::PathBuf {
+    std::env::temp_dir().join(format!("tables-{}-{name}.nc", std::process::id()))
+}
+
+#[test]
+fn what_is_written_is_read_back() {
+    let path = place("round-trip");
+    table().write(&path).unwrap();
+    let read = Table::read(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!(read, table());
+}
+
+#[test]
+fn equal_content_gives_equal_bytes() {
+    let (first, second) = (place("bytes-1"), place("bytes-2"));
+    table().write(&first).unwrap();
+    table().write(&second).unwrap();
+    let bytes = std::fs::read(&first).unwrap();
+    assert_eq!(bytes, std::fs::read(&second).unwrap());
+    // Overwriting leaves neither an old nor a temporary file.
+    table().write(&first).unwrap();
+    assert_eq!(bytes, std::fs::read(&first).unwrap());
+    let leftover = format!(".{}", first.file_name().unwrap().to_string_lossy());
+    for entry in std::fs::read_dir(std::env::temp_dir()).unwrap() {
+        let name = entry.unwrap().file_name().to_string_lossy().to_string();
+        assert!(!name.starts_with(&leftover), "{name}");
+    }
+    std::fs::remove_file(&first).unwrap();
+    std::fs::remove_file(&second).unwrap();
+}
+
+#[test]
+fn foreign_files_are_named() {
+    let message = |path: &Path| Table::read(path).unwrap_err().to_string();
+    let missing = message(Path::new("nowhere/table.nc"));
+    assert!(missing.starts_with("cannot read nowhere/table.nc: No such file"));
+
+    let path = place("foreign");
+    std::fs::write(&path, "not netCDF").unwrap();
+    assert!(message(&path).starts_with(&format!("cannot read {}", path.display())));
+
+    let mut other = DatasetWriter::create(&path, "a run").unwrap();
+    other.coordinate("step", &[0.0, 1.0], &[]).unwrap();
+    other.finish().unwrap();
+    let foreign = message(&path);
+    assert!(foreign.contains("is not a table: global attribute \"schema\" is missing"));
+    assert!(!foreign.contains('\n'));
+    std::fs::remove_file(&path).unwrap();
+}
+
+/// The table as written, then changed through the library as any other program could.
+fn tampered(name: &str, change: impl FnOnce(&mut netcdf::FileMut) -> netcdf::Result<()>) -> String {
+    let path = place(name);
+    table().write(&path).unwrap();
+    change(&mut netcdf::append(&path).unwrap()).unwrap();
+    let message = match Table::read(&path) {
+        Ok(_) => String::new(),
+        Err(error) => error.to_string(),
+    };
+    std::fs::remove_file(&path).unwrap();
+    assert!(!message.contains('\n'));
+    message
+}
+
+#[test]
+fn other_schemas_and_versions_are_refused_by_name() {
+    let attribute = |name: &'static str, value: &'static str| {
+        tampered(name, |file| file.add_attribute(name, value).map(|_| ()))
+    };
+    assert!(attribute("schema", "friction").contains("of the kind \"friction\", not a table"));
+    let version = tampered("version", |file| file.add_attribute("schema_version", 7).map(|_| ()));
+    assert!(version.contains("schema version 7, this program reads version 1"), "{version}");
+    assert_eq!(attribute("history", "more of it"), "");
+}
+
+#[test]
+fn changed_content_is_noticed() {
+    let changed = |name: &str, value: f64| {
+        tampered(name, |file| file.variable_mut(name).unwrap().put_value(value, [0, 1]))
+    };
+    for name in ["mu", "G_error", "wall_time"] {
+        let message = changed(name, 0.123);
+        assert!(message.contains("does not agree with its checksum"), "{name}: {message}");
+    }
+    let history =
+        tampered("history-of-Q", |file| file.variable_mut("Q_history").unwrap().put_value(9.0, [0, 0, 2]));
+    assert!(history.contains("checksum"));
+    let reason =
+        tampered("reason", |file| file.variable_mut("failure_reason").unwrap().put_string("none", [1, 0]));
+    assert!(reason.contains("checksum"));
+    let scene = tampered("scene", |file| file.add_attribute("scene", "radius = 2").map(|_| ()));
+    assert!(scene.contains("checksum"));
+}
+
+#[test]
+fn short_records_are_refused() {
+    let path = place("short");
+    let mut file = DatasetWriter::create(&path, "short").unwrap();
+    file.dimension("step", 3).unwrap();
+    let error = file.reals("slip", &["step"], &[0.0, 1.0], &[]).unwrap_err();
+    assert!(error.to_string().contains("2 values instead of 3"));
+    drop(file);
+    assert!(!path.exists());
+}
+
+#[test]
+fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
+    let path = place("fracture");
+    for radius_exponent in [0, 1] {
+        let mut with = table();
+        let law = FractureEnergy { coefficient: 0.25, radius_exponent };
+        with.set_metadata(Metadata { fracture_energy: Some(law), ..with.metadata().clone() });
+        with.write(&path).unwrap();
+        assert_eq!(Table::read(&path).unwrap(), with);
+        let file = DatasetReader::open(&path).unwrap();
+        let values = file.reals("G_ratio", &[2, 3]).unwrap();
+        let cell = with.cell(1, 2).unwrap();
+        let (energy, radius) = (cell[Quantity::EnergyRelease].value, cell[Quantity::ContactRadius].value);
+        let exact = energy / (0.25 * radius.powi(radius_exponent));
+        assert!((values[5] / exact - 1.0).abs() < 1e-14 && values[3].is_nan());
+        assert!(file.reals("G_ratio_error", &[2, 3]).unwrap()[5] > 0.0);
+        std::fs::remove_file(&path).unwrap();
+    }
+}

@@ -1,0 +1,183 @@
+//! More points where a table interpolates badly.
+//!
+//! The judge is cross-validation against computed results (see [`crate::cross_validation`]): a
+//! point is added in the middle of an interval, computed, and from then on is one of those that
+//! are left out and predicted. The grid stays a product of its axes: a new interference is a row
+//! of runs, a new slip rate a column.
+
+use crate::cross_validation::{Along, CrossValidation};
+use crate::law::Estimate;
+use crate::quantity::Quantity;
+use crate::table::{Axes, Metadata, Table};
+
+/// What must interpolate well: the friction of an asperity, from which all else follows.
+pub const JUDGED: [Quantity; 4] =
+    [Quantity::Mu, Quantity::MuStatic, Quantity::Friction, Quantity::EnergyRelease];
+
+/// When to stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Goal {
+    /// Largest relative error of interpolation.
+    pub tolerance: f64,
+    /// Points that the grid may have.
+    pub most_cells: usize,
+}
+
+/// Points closer than this factor apart are not refined for a misfit that their own errors explain.
+const CLOSE: f64 = 1.5;
+/// Intervals below this factor are left as they are.
+const NARROWEST: f64 = 1.02;
+
+/// Fills what is not run of a table by `evaluate`, adds points, and so on until every quantity of
+/// [`JUDGED`] interpolates within the tolerance, or the grid is full.
+pub fn refine<E>(
+    mut table: Table,
+    goal: &Goal,
+    mut evaluate: impl FnMut(Table) -> Result<Table, E>,
+) -> Result<Table, E> {
+    loop {
+        table = evaluate(table)?;
+        match goal.next_axes(&table) {
+            Some(axes) => table = table.regridded(axes).expect("inserted between points, same slips"),
+            None => return Ok(table),
+        }
+    }
+}
+
+/// An interval that asks for a point, and its error.
+type Wanted = (f64, Along, usize);
+
+impl Goal {
+    /// Axes with more points, or none if the goal is reached or cannot be.
+    pub fn next_axes(&self, table: &Table) -> Option<Axes> {
+        let mut wanted = self.wanted(table, &table.cross_validation());
+        // The worst first: what does not fit any more is left out.
+        wanted.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let axes = table.axes();
+        let mut more = axes.clone();
+        for (_, along, index) in wanted {
+            let (axis, longer, other) = match along {
+                Along::Interference => (&axes.interference, &mut more.interference, more.slip_rate.len()),
+                Along::SlipRate => (&axes.slip_rate, &mut more.slip_rate, more.interference.len()),
+            };
+            if (longer.len() + 1) * other <= self.most_cells {
+                longer.push(middle(axis[index], axis[index + 1]));
+            }
+        }
+        more.interference.sort_by(f64::total_cmp);
+        more.slip_rate.sort_by(f64::total_cmp);
+        (more != *axes).then_some(more)
+    }
+
+    /// The intervals that a mesh of the grid with too large an error votes for: of its two, the
+    /// one with the larger share of it.
+    fn wanted(&self, table: &Table, validation: &CrossValidation) -> Vec<Wanted> {
+        let (rows, columns) = table.shape();
+        let mut wanted: Vec<Wanted> = Vec::new();
+        let mut vote = |error: f64, along: Along, index: usize| match wanted
+            .iter_mut()
+            .find(|(_, axis, at)| (*axis, *at) == (along, index))
+        {
+            Some(known) => known.0 = known.0.max(error),
+            None => wanted.push((error, along, index)),
+        };
+        // An axis of one point has no intervals, but the other one has them all the same.
+        for i in 0..rows.max(2) - 1 {
+            for j in 0..columns.max(2) - 1 {
+                for quantity in JUDGED {
+                    let share = |along: Along, index: usize, across: usize, breadth: usize| {
+                        let pair = across..(across + 2).min(breadth);
+                        let error = |at| self.relevant(table, validation, along, index, at, quantity);
+                        pair.map(error).fold(0.0, f64::max)
+                    };
+                    let of_row = if rows > 1 { share(Along::Interference, i, j, columns) } else { 0.0 };
+                    let of_column = if columns > 1 { share(Along::SlipRate, j, i, rows) } else { 0.0 };
+                    let error = of_row + of_column;
+                    if error <= self.tolerance {
+                        continue;
+                    }
+                    if of_row >= of_column {
+                        vote(error, Along::Interference, i);
+                    }
+                    if of_column >= of_row {
+                        vote(error, Along::SlipRate, j);
+                    }
+                }
+            }
+        }
+        wanted
+    }
+
+    /// Error of an interval as far as a point in it can help.
+    fn relevant(
+        &self,
+        table: &Table,
+        validation: &CrossValidation,
+        along: Along,
+        index: usize,
+        across: usize,
+        quantity: Quantity,
+    ) -> f64 {
+        let error = validation.interval(along, index, across, quantity);
+        let x = validation.coordinate(along);
+        let width = x[index + 1] - x[index];
+        if width < NARROWEST.ln() {
+            return 0.0;
+        }
+        if width < CLOSE.ln() && error <= own_error(table, along, index, across, quantity) {
+            return 0.0;
+        }
+        error
+    }
+}
+
+/// The larger relative error of the results at both ends of an interval.
+fn own_error(table: &Table, along: Along, index: usize, across: usize, quantity: Quantity) -> f64 {
+    let of = |point: usize| {
+        let (i, j) = match along {
+            Along::Interference => (point, across),
+            Along::SlipRate => (across, point),
+        };
+        let Some(cell) = table.cell(i, j) else { return 0.0 };
+        let Estimate { value, error } = cell[quantity];
+        let relative = (error / value).abs();
+        if relative.is_finite() { relative } else { 0.0 }
+    };
+    of(index).max(of(index + 1))
+}
+
+/// The geometric mean (half of the upper end where the lower is 0), to three digits where these
+/// suffice.
+fn middle(lower: f64, upper: f64) -> f64 {
+    let exact = if lower > 0.0 { (lower * upper).sqrt() } else { 0.5 * upper };
+    let rounded: f64 = format!("{exact:.2e}").parse().unwrap_or(exact);
+    let inside = |at: f64| lower * 1.005 < at && at < upper / 1.005;
+    if inside(rounded) { rounded } else { exact }
+}
+
+impl Table {
+    /// The table with the error of interpolating around each point added to its errors, and a note
+    /// of it, so that it is not added again on reading.
+    pub fn with_interpolation_errors(mut self, tolerance: f64) -> Table {
+        let validation = self.cross_validation();
+        let base = self.metadata().temperature;
+        for (i, j) in self.grid() {
+            let Some(mut cell) = self.cell(i, j).cloned() else { continue };
+            for quantity in Quantity::ALL {
+                let relative = validation.around(i, j, quantity);
+                let shift = if quantity.is_temperature() { base } else { 0.0 };
+                let added = relative * (cell[quantity].value - shift).abs();
+                if added > 0.0 {
+                    cell[quantity].error += added;
+                }
+            }
+            self.set_cell(i, j, cell).expect("its histories were as long as the slip axis before");
+        }
+        let metadata = Metadata { interpolation_tolerance: Some(tolerance), ..self.metadata().clone() };
+        self.set_metadata(metadata);
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests;

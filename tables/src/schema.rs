@@ -1,0 +1,145 @@
+//! What makes a file a table of this schema, and whether its content is as it was written.
+//!
+//! The checksum is the SHA-256 of all that a reader relies on: coordinates, numbers with their
+//! errors, histories, states, warnings, and the constants and the request that they hold for.
+//! Title, history and comment are left out, so that tools which add to them do no harm.
+
+use sha2::{Digest, Sha256};
+
+use crate::dataset::{DatasetError, DatasetReader, DatasetWriter};
+use crate::quantity::Quantity;
+use crate::table::{Cell, Metadata, Status, Table};
+
+/// Kind of file, in the attribute `schema`.
+pub const SCHEMA: &str = "asperity-table";
+
+/// To be raised with every change that would make an older program misread a table.
+pub const SCHEMA_VERSION: i32 = 1;
+
+const CHECKSUM: &str = "checksum";
+const ALGORITHM: &str = "sha256:";
+
+/// Names kind, version and checksum in a file that is being written.
+pub(crate) fn stamp(file: &mut DatasetWriter, table: &Table) -> Result<(), DatasetError> {
+    file.attribute("schema", SCHEMA)?;
+    file.attribute("schema_version", SCHEMA_VERSION)?;
+    file.attribute(CHECKSUM, table.checksum())
+}
+
+/// Refuses files that are no tables, or tables of another version.
+pub(crate) fn check_version(file: &DatasetReader) -> Result<(), DatasetError> {
+    let again = "make it anew with `asperity tabulate`";
+    match file.optional_text("schema")?.as_deref() {
+        Some(SCHEMA) => {}
+        Some(other) => {
+            let what = format!("is of the kind \"{other}\", not a table (\"{SCHEMA}\")");
+            return Err(file.content(what));
+        }
+        None => {
+            let what = format!(
+                "is not a table: global attribute \"schema\" is missing (if it is a table of before \
+                 schema version 1, {again})"
+            );
+            return Err(file.content(what));
+        }
+    }
+    let version = file.attribute_real("schema_version")?;
+    if version != f64::from(SCHEMA_VERSION) {
+        let what = format!(
+            "is a table of schema version {version}, this program reads version {SCHEMA_VERSION}; {again}"
+        );
+        return Err(file.content(what));
+    }
+    Ok(())
+}
+
+/// Compares a table that was read with the checksum in its file.
+pub(crate) fn check_content(file: &DatasetReader, table: &Table) -> Result<(), DatasetError> {
+    let (stored, found) = (file.attribute_text(CHECKSUM)?, table.checksum());
+    if stored == found {
+        return Ok(());
+    }
+    let what = format!(
+        "content does not agree with its checksum: damaged, or changed since it was written \
+         (stored {stored}, found {found})"
+    );
+    Err(file.content(what))
+}
+
+impl Table {
+    /// Of all that a reader relies on, as in the attribute `checksum`.
+    pub fn checksum(&self) -> String {
+        let mut content = Content(Sha256::new());
+        content.metadata(self.metadata());
+        let axes = self.axes();
+        for axis in [&axes.interference, &axes.slip_rate, &axes.slip] {
+            content.reals(axis);
+        }
+        for (i, j) in self.grid() {
+            match self.status(i, j) {
+                Status::Done(cell) => content.cell(cell),
+                Status::NotRun => content.text("not run"),
+                Status::Failed(reason) => {
+                    content.text("failed");
+                    content.text(reason);
+                }
+            }
+        }
+        let digits: String = content.0.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        format!("{ALGORITHM}{digits}")
+    }
+}
+
+/// Lengths go before texts and lists, so that nothing can move from one to the next unseen.
+struct Content(Sha256);
+
+impl Content {
+    fn real(&mut self, value: f64) {
+        // One pattern for all NaN: a file keeps only that there was one.
+        let value = if value.is_nan() { f64::NAN } else { value };
+        self.0.update(value.to_bits().to_le_bytes());
+    }
+
+    fn reals(&mut self, values: &[f64]) {
+        self.0.update((values.len() as u64).to_le_bytes());
+        values.iter().for_each(|value| self.real(*value));
+    }
+
+    fn text(&mut self, text: &str) {
+        self.0.update((text.len() as u64).to_le_bytes());
+        self.0.update(text);
+    }
+
+    fn metadata(&mut self, metadata: &Metadata) {
+        for text in [&metadata.source, &metadata.fingerprint, &metadata.shard, &metadata.scene] {
+            self.text(text);
+        }
+        let optional = |value: Option<f64>| value.unwrap_or(f64::NAN);
+        self.reals(&[
+            metadata.asperity_radius,
+            metadata.critical_interference,
+            metadata.contact_modulus,
+            metadata.poisson_ratio,
+            metadata.yield_strength,
+            optional(metadata.strength_factor),
+            metadata.temperature,
+            metadata.heat_partition,
+            metadata.gap_conductance,
+            optional(metadata.interpolation_tolerance),
+        ]);
+    }
+
+    fn cell(&mut self, cell: &Cell) {
+        self.text("done");
+        for quantity in Quantity::ALL {
+            self.real(cell[quantity].value);
+            self.real(cell[quantity].error);
+        }
+        for quantity in Quantity::HISTORIES {
+            self.reals(cell.history(quantity));
+        }
+        self.real(f64::from(u8::from(cell.levelled)));
+        self.real(cell.wall_time);
+        self.text(&cell.warnings.join("\n"));
+    }
+}

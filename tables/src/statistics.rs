@@ -1,0 +1,103 @@
+//! What a table is worth, in a few numbers.
+
+use crate::quantity::Quantity;
+use crate::table::{Status, Table};
+
+/// Relative errors of a quantity over the cells with results.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorStatistics {
+    pub quantity: Quantity,
+    /// Smallest and largest value, in the unit of the quantity.
+    pub range: (f64, f64),
+    pub median: f64,
+    pub largest: f64,
+    /// Where the largest is: indices of interference and slip rate.
+    pub largest_at: (usize, usize),
+    /// Largest error of interpolation, by cross-validation; infinite where an axis has two points.
+    pub interpolation: f64,
+}
+
+/// Numbers of cells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    pub done: usize,
+    pub not_run: usize,
+    pub failed: usize,
+}
+
+impl Table {
+    /// Errors of each quantity that has any values, relative to the value (of temperatures: to the
+    /// rise above the initial one).
+    pub fn error_statistics(&self) -> Vec<ErrorStatistics> {
+        let validation = self.cross_validation();
+        let of = |quantity: Quantity| {
+            let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
+            let known = self.grid().filter_map(|at| Some((at, self.cell(at.0, at.1)?[quantity])));
+            let (mut errors, mut range) = (Vec::new(), (f64::INFINITY, f64::NEG_INFINITY));
+            for (at, estimate) in known.filter(|(_, estimate)| estimate.value.is_finite()) {
+                range = (range.0.min(estimate.value), range.1.max(estimate.value));
+                let size = (estimate.value - base).abs();
+                // Nothing is off nothing: the temperature of a cell without heat.
+                errors.push((if size == 0.0 { 0.0 } else { estimate.error / size }, at));
+            }
+            errors.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (largest, largest_at) = *errors.last()?;
+            Some(ErrorStatistics {
+                quantity,
+                range,
+                median: errors[errors.len() / 2].0,
+                largest,
+                largest_at,
+                interpolation: validation.worst(quantity).error,
+            })
+        };
+        Quantity::ALL.into_iter().filter_map(of).collect()
+    }
+
+    /// Cells by their state.
+    pub fn counts(&self) -> Counts {
+        let mut counts = Counts::default();
+        for (i, j) in self.grid() {
+            match self.status(i, j) {
+                Status::Done(_) => counts.done += 1,
+                Status::NotRun => counts.not_run += 1,
+                Status::Failed(_) => counts.failed += 1,
+            }
+        }
+        counts
+    }
+
+    /// Run times of all cells together, s.
+    pub fn cost(&self) -> f64 {
+        let times = self.grid().filter_map(|(i, j)| Some(self.cell(i, j)?.wall_time));
+        times.filter(|time| time.is_finite()).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::{Axes, Cell, Metadata};
+
+    #[test]
+    fn median_largest_and_where() {
+        let axes =
+            Axes { interference: vec![1.0], slip_rate: vec![1.0, 2.0, 3.0, 4.0], slip: vec![0.0, 1.0] };
+        let metadata = Metadata { temperature: 300.0, ..Metadata::default() };
+        let mut table = Table::new(axes, metadata).unwrap();
+        for (j, error) in [0.01, 0.05, 0.02].into_iter().enumerate() {
+            let mut cell =
+                Cell::new().with(Quantity::Mu, 0.5, error).with(Quantity::TemperatureMax, 310.0, 1.0);
+            cell.wall_time = 2.0;
+            table.set_cell(0, j, cell).unwrap();
+        }
+        table.mark_failed(0, 3, "no memory");
+        let statistics = table.error_statistics();
+        assert_eq!(statistics.len(), 2);
+        let mu = statistics[0];
+        assert_eq!((mu.median, mu.largest, mu.largest_at, mu.range), (0.04, 0.1, (0, 1), (0.5, 0.5)));
+        assert_eq!(statistics[1].largest, 0.1);
+        assert_eq!(table.counts(), Counts { done: 3, not_run: 0, failed: 1 });
+        assert_eq!(table.cost(), 6.0);
+    }
+}
