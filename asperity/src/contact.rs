@@ -9,6 +9,7 @@
 //! Fields over the contact are ring by ring, columns of θ within: `[ring*columns + j]`; vectors
 //! have (r, θ) components. Areas and forces are those of the half body.
 
+use crate::contact_edge;
 use crate::element::RevolvedMesh;
 use crate::mesh::sphere_height;
 
@@ -255,6 +256,23 @@ impl Contact {
             .sum()
     }
 
+    /// Derivative of [`Contact::load`] of the half body with the interference: Σ area·spring.
+    pub fn height_stiffness(&self) -> f64 {
+        self.stiffness.iter().map(|stiffness| stiffness[2][2]).sum()
+    }
+
+    /// Adds to a force what `height` more of interference changes in it.
+    pub fn add_height_product(&self, height: f64, force: &mut [f64]) {
+        for (i, stiffness) in self.stiffness.iter().enumerate() {
+            force[self.place(i, 2)] += stiffness[2][2] * height;
+        }
+    }
+
+    /// Change of the load of the half body with a displacement.
+    pub fn load_product(&self, u: &[f64]) -> f64 {
+        (0..self.len()).map(|i| self.stiffness[i][2][2] * u[self.place(i, 2)]).sum()
+    }
+
     /// Adds the product of the contact stiffness with a displacement to a force.
     pub fn add_tangent_product(&self, u: &[f64], force: &mut [f64]) {
         for i in 0..self.len() {
@@ -269,16 +287,8 @@ impl Contact {
         }
     }
 
-    /// Finds the edge of the contact along each angle and from it the covered share of the cell
-    /// of the last ring in contact.
-    ///
-    /// Rings touch one after the other, so the discrete contact grows in jumps; the edge of the
-    /// continuous one lies between half a ring spacing inside the last ring, when that has just
-    /// touched, and a little more than half a spacing beyond it, when the next is about to. Where
-    /// it lies shows in two ratios: the pressure of the last ring over that of the one inside, ρ,
-    /// and the gap of the next ring over the rise from there to the one beyond, γ. One tells how
-    /// far the edge has come, both together how steep it is, between the square-root edge of
-    /// elastic contact and the blunt one of plastic contact.
+    /// Finds the edge of the contact along each angle (see [`contact_edge`]) and from it the covered
+    /// share of the cell of the last ring in contact, which reaches half a spacing to both sides.
     pub fn update_cover(&mut self) {
         let rings = self.radii.len();
         self.cover.fill(1.0);
@@ -300,7 +310,7 @@ impl Contact {
             let closing = if beyond > gap { (gap / (beyond - gap) * widths).clamp(0.0, 1.0) } else { 1.0 };
             let inner = self.trial.pressure[at(last - 1)];
             let load = if inner > 0.0 { (self.trial.pressure[at(last)] / inner).min(1.0) } else { 1.0 };
-            self.cover[at(last)] = edge_cover(load, closing);
+            self.cover[at(last)] = (0.5 + contact_edge::place(load, closing)).max(0.0);
         }
     }
 
@@ -383,17 +393,6 @@ impl Contact {
     pub fn point_slip(&self, point: usize) -> f64 {
         self.trial.slip[point] - self.committed.slip[point]
     }
-}
-
-/// Share of the last ring's cell that is covered, from the ratios ρ of pressures and γ of gaps.
-///
-/// Fitted to the edges on meshes with rings eight times closer: presses from 0.2 to 100 ω_c with
-/// and without hardening, 6 to 12 elements per contact radius with the edge anywhere between two
-/// rings, and slides at 1 to 60 ω_c. It agrees with the presses to 0.06 spacings rms, with the edges
-/// of slides at single angles to 0.05 to 0.08 (0.13 at 1 ω_c).
-fn edge_cover(load: f64, closing: f64) -> f64 {
-    let (r, g) = (load, closing);
-    (-0.5461 + 3.5915 * r + 0.6831 * g - 1.7742 * r * r - 2.1058 * r * g + 0.053 * g * g).clamp(0.0, 1.3)
 }
 
 /// Work at the interface, half body.

@@ -26,6 +26,7 @@
 mod body;
 mod conduction;
 mod contact;
+mod contact_edge;
 mod curve;
 mod elastic;
 mod element;

@@ -26,6 +26,8 @@ pub enum StepFailure {
     NotFinite,
     #[error("the contact stiffness is not positive definite")]
     ContactStiffness,
+    #[error("nothing is in contact to hold the load")]
+    NoContact,
 }
 
 /// Counts of work done.
@@ -33,6 +35,22 @@ pub enum StepFailure {
 pub struct Effort {
     pub newton: usize,
     pub krylov: usize,
+}
+
+/// What of the flat's position is held in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hold {
+    Interference,
+    /// Normal force of the whole asperity; the interference follows.
+    Load(f64),
+}
+
+/// The interference as an unknown beside the displacements, in the preconditioner.
+struct Border {
+    /// Displacement per interference where all forces but the flat's are held.
+    column: Vec<f64>,
+    /// Load of the half body per interference then.
+    complement: f64,
 }
 
 /// Dense stiffness of all contact unknowns and harmonics, index (ring, component, harmonic).
@@ -46,6 +64,7 @@ pub struct Mechanics {
     pub contact: Contact,
     factors: Arc<HarmonicFactors>,
     dense: ContactStiffness,
+    border: Option<Border>,
     pub displacement: Vec<f64>,
     /// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
     pub tolerance: f64,
@@ -78,6 +97,7 @@ impl Mechanics {
             internal: vec![0.0; displacement.len()],
             modal: vec![0.0; factors.modal_length()],
             dense: ContactStiffness { elastic, factor: None },
+            border: None,
             body,
             contact,
             factors,
@@ -87,7 +107,11 @@ impl Mechanics {
         }
     }
 
-    /// Solves one step: on success body, contact and displacement hold the trial state.
+    /// Solves one step: on success body, contact and displacement hold the trial state, and the
+    /// position of the flat is returned.
+    ///
+    /// Where the load is held, the interference is one more unknown: the last entry of all vectors,
+    /// with the load that is missing as its residual. Both belong to the minimum of one energy.
     ///
     /// `surroundings` gives temperature and shear limits; it is asked anew in each iteration, with
     /// the trial state of the one before, and answers nothing when they shall stay as they are.
@@ -96,27 +120,36 @@ impl Mechanics {
     pub fn solve(
         &mut self,
         flat: Flat,
+        hold: Hold,
         start: Vec<f64>,
         mut surroundings: impl FnMut(&mut Body, &mut Contact, usize) -> Option<Surroundings>,
-    ) -> Result<(), StepFailure> {
+    ) -> Result<Flat, StepFailure> {
         let mut u = start;
+        if let Hold::Load(_) = hold {
+            u.push(flat.interference);
+        }
         let n = u.len();
+        let size = self.internal.len();
         let mut residual = vec![0.0; n];
         let mut direction = vec![0.0; n];
         let mut trial = vec![0.0; n];
         let mut around =
             surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
-        self.body.internal_force(&u, around.rise.as_deref(), &mut self.internal);
+        self.body.internal_force(&u[..size], around.rise.as_deref(), &mut self.internal);
         let mut last = f64::INFINITY;
         let mut flutter = Flutter::new(self.contact.len());
         for iteration in 0..NEWTON_LIMIT {
+            let flat = Flat { interference: u.get(size).copied().unwrap_or(flat.interference), ..flat };
             self.contact.evaluate(|p| u[p], flat, &around.limit);
             if flutter.damp(&self.contact, &mut around.limit) {
                 self.contact.evaluate(|p| u[p], flat, &around.limit);
             }
-            residual.copy_from_slice(&self.internal);
-            self.contact.subtract_force(&mut residual);
-            self.factorise_contact()?;
+            residual[..size].copy_from_slice(&self.internal);
+            self.contact.subtract_force(&mut residual[..size]);
+            if let Hold::Load(load) = hold {
+                residual[size] = 0.5 * (self.contact.load(&self.contact.trial) - load);
+            }
+            self.factorise_contact(hold)?;
             self.precondition(&residual, &mut direction);
             let norm = dot(&residual, &direction).max(0.0).sqrt();
             let reference = (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
@@ -125,22 +158,23 @@ impl Mechanics {
             }
             let scale = reference.max(f64::MIN_POSITIVE);
             if norm <= self.tolerance * scale && around.settled {
+                u.truncate(size);
                 self.displacement = u;
-                return Ok(());
+                return Ok(flat);
             }
             last = norm / scale;
             self.effort.newton += 1;
             // Forcing term: no more accuracy than the next Newton step can use.
             let forcing = (0.1 * self.tolerance * scale / norm).clamp(1e-3, 0.05);
             self.conjugate_gradients(&residual, &mut direction, forcing);
-            self.line_search(&mut u, &mut trial, &direction, &residual, flat, &around);
+            self.line_search(&mut u, &mut trial, &direction, &residual, (flat, hold), &around);
             let near = norm <= REFRESH * scale;
             if let Some(next) =
                 near.then(|| surroundings(&mut self.body, &mut self.contact, iteration + 1)).flatten()
             {
                 around = next;
                 if around.rise.is_some() {
-                    self.body.internal_force(&u, around.rise.as_deref(), &mut self.internal);
+                    self.body.internal_force(&u[..size], around.rise.as_deref(), &mut self.internal);
                 }
             }
         }
@@ -159,26 +193,33 @@ impl Mechanics {
         trial: &mut Vec<f64>,
         direction: &[f64],
         residual: &[f64],
-        flat: Flat,
+        (flat, hold): (Flat, Hold),
         around: &Surroundings,
     ) {
         const ENOUGH: f64 = 0.7;
         const TRIES: usize = 8;
         let initial = dot(residual, direction);
+        let size = self.internal.len();
+        let sink = direction.get(size).copied().unwrap_or(0.0);
         let contact_slope = |contact: &mut Contact, step: f64| {
+            let flat = Flat { interference: flat.interference + step * sink, ..flat };
             contact.evaluate(|p| u[p] + step * direction[p], flat, &around.limit);
-            -contact.work_on(direction)
+            let work = match hold {
+                Hold::Interference => 0.0,
+                Hold::Load(load) => 0.5 * (contact.load(&contact.trial) - load) * sink,
+            };
+            work - contact.work_on(direction)
         };
         // Steps that fall short and that go too far, each with the slope of the body alone.
-        let mut low = (0.0, dot(&self.internal, direction));
+        let mut low = (0.0, dot(&self.internal, &direction[..size]));
         let mut high: Option<(f64, f64)> = None;
         let mut step = 1.0;
         for attempt in 1..=TRIES {
             for ((t, &x), &d) in trial.iter_mut().zip(u.iter()).zip(direction) {
                 *t = x + step * d;
             }
-            self.body.internal_force(trial, around.rise.as_deref(), &mut self.internal);
-            let of_body = dot(&self.internal, direction);
+            self.body.internal_force(&trial[..size], around.rise.as_deref(), &mut self.internal);
+            let of_body = dot(&self.internal, &direction[..size]);
             let slope = of_body + contact_slope(&mut self.contact, step);
             if slope.abs() <= ENOUGH * initial.abs() || attempt == TRIES {
                 break;
@@ -226,8 +267,7 @@ impl Mechanics {
         let target = rho * tolerance * tolerance;
         for _ in 0..KRYLOV_LIMIT {
             self.effort.krylov += 1;
-            self.body.tangent_product(&p, &mut product);
-            self.contact.add_tangent_product(&p, &mut product);
+            self.tangent_product(&p, &mut product);
             let curvature = dot(&p, &product);
             if curvature <= 0.0 {
                 break;
@@ -250,8 +290,33 @@ impl Mechanics {
         }
     }
 
+    /// Product of the tangent of body and contact, and of the interference where that is unknown.
+    fn tangent_product(&mut self, u: &[f64], force: &mut [f64]) {
+        let size = self.internal.len();
+        let (field, of_field) = (&u[..size], &mut force[..size]);
+        self.body.tangent_product(field, of_field);
+        self.contact.add_tangent_product(field, of_field);
+        if let Some(&height) = u.get(size) {
+            self.contact.add_height_product(height, of_field);
+            force[size] = self.contact.height_stiffness() * height + self.contact.load_product(field);
+        }
+    }
+
     /// Elastic stiffness with the contact stiffness, inverted exactly.
     fn precondition(&mut self, residual: &[f64], solution: &mut [f64]) {
+        let size = self.internal.len();
+        self.precondition_field(&residual[..size], &mut solution[..size]);
+        if let Some(border) = &self.border {
+            // Block elimination of the interference.
+            let height = (residual[size] - self.contact.load_product(&solution[..size])) / border.complement;
+            solution[size] = height;
+            for (x, column) in solution[..size].iter_mut().zip(&border.column) {
+                *x -= height * column;
+            }
+        }
+    }
+
+    fn precondition_field(&mut self, residual: &[f64], solution: &mut [f64]) {
         self.factors.to_modal(residual, &mut self.modal);
         self.factors.forward(&mut self.modal);
         let contact = &mut self.modal[self.factors.contact_offset()..];
@@ -264,10 +329,23 @@ impl Mechanics {
     }
 
     /// Adds the present contact stiffness to the elastic one and factorises.
-    fn factorise_contact(&mut self) -> Result<(), StepFailure> {
+    fn factorise_contact(&mut self, hold: Hold) -> Result<(), StepFailure> {
         let mut matrix = self.dense.elastic.clone();
         add_contact_stiffness(&self.factors, &self.contact, &mut matrix);
         self.dense.factor = Some(matrix.llt(Side::Lower).map_err(|_| StepFailure::ContactStiffness)?);
+        self.border = None;
+        if let Hold::Load(_) = hold {
+            let size = self.internal.len();
+            let (mut unit, mut column) = (vec![0.0; size], vec![0.0; size]);
+            self.contact.add_height_product(1.0, &mut unit);
+            self.precondition_field(&unit, &mut column);
+            let complement = self.contact.height_stiffness() - self.contact.load_product(&column);
+            // Without any contact the load cannot be held.
+            if complement <= 0.0 {
+                return Err(StepFailure::NoContact);
+            }
+            self.border = Some(Border { column, complement });
+        }
         Ok(())
     }
 

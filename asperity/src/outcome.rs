@@ -19,6 +19,8 @@ pub struct PressStep {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlideStep {
     pub slip: f64,
+    /// ω/ω_c; changes where the load is held.
+    pub interference: f64,
     pub time: f64,
     /// Q, N.
     pub friction: f64,

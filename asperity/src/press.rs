@@ -4,7 +4,7 @@
 use crate::body::Body;
 use crate::contact::{Contact, Flat};
 use crate::harmonic::FactorError;
-use crate::mechanics::{Mechanics, StepFailure, Surroundings};
+use crate::mechanics::{Hold, Mechanics, StepFailure, Surroundings};
 use crate::mesh::MeshSize;
 use crate::problem::{Discretisation, Problem};
 use crate::resolution::NEWTON_TOLERANCE;
@@ -54,11 +54,11 @@ pub fn press_on(
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
         let flat = Flat { interference, displacement: 0.0 };
-        let outcome = mechanics.solve(flat, start, |_, contact, _| {
+        let outcome = mechanics.solve(flat, Hold::Interference, start, |_, contact, _| {
             Some(Surroundings { limit: vec![limit; contact.len()], rise: None, settled: true })
         });
         match outcome {
-            Ok(()) => {
+            Ok(_) => {
                 mechanics.contact.update_cover();
                 mechanics.body.commit();
                 mechanics.contact.commit();

@@ -15,7 +15,7 @@ use crate::element::RevolvedMesh;
 use crate::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
 use crate::material::Solid;
 use crate::mesh::{MeridianMesh, MeshSize};
-use crate::scene::{FrictionLaw, InterfaceStrength, Material, Scene, TemperatureTable};
+use crate::scene::{Control, FrictionLaw, InterfaceStrength, Material, Scene, TemperatureTable};
 use crate::sectors::Sectors;
 
 /// 1/√3, von Mises' ratio of shear to tensile strength.
@@ -31,6 +31,8 @@ pub struct Problem {
     /// ω₀/R.
     pub interference: f64,
     pub law: FrictionLaw,
+    /// What is held while it slides.
+    pub control: Control,
     pub strength: InterfaceStrength,
     pub strength_factor: f64,
     /// ρc·(1 K)/σ_Y at T₀; also k·(1 K), as κ = 1.
@@ -87,6 +89,7 @@ impl Problem {
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),
+            control: scene.loading.control,
             strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,
             heat_capacity: capacity / material.yield_strength,

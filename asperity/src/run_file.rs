@@ -40,8 +40,9 @@ const fn column<T>(
 }
 
 #[rustfmt::skip]
-const SLIDE: [Column<SlideStep>; 19] = [
+const SLIDE: [Column<SlideStep>; 20] = [
     column("slip", "m", "displacement of the flat less that of the surface", |s| s.slip),
+    column("interference", "1", "interference over that of first yield", |s| s.interference),
     column("time", "s", "time since the start of the slide", |s| s.time),
     column("Q", "N", "friction force", |s| s.friction),
     column("P", "N", "normal force", |s| s.load),

@@ -14,13 +14,13 @@ use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
 use crate::mechanics::{Effort, Mechanics};
-use crate::mesh::{EDGE_SIZE, MeshSize};
+use crate::mesh::MeshSize;
 use crate::outcome::{Account, Outcome};
 use crate::press::{self, Increment, PressFailure};
 use crate::problem::{Discretisation, Problem};
 use crate::resolution::{Resolution, choose_heat, softening_number};
 use crate::scalars::Scalars;
-use crate::scene::{Control, Kinematics, Scene, Switch};
+use crate::scene::{Kinematics, Scene, Switch};
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
 use crate::summary;
@@ -83,9 +83,6 @@ pub struct Pressed {
 /// Press the asperity to the interference of the scene, in full stick and without heat.
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Clock::now();
-    if scene.loading.control == Control::Load {
-        return Err(SimulationError::Unsupported("loading.control = \"load\"; use \"interference\"".into()));
-    }
     if scene.model.kinematics == Kinematics::Finite {
         return Err(SimulationError::Unsupported(
             "model.kinematics = \"finite\"; use \"small\" or \"auto\"".into(),
@@ -134,43 +131,39 @@ impl Pressed {
     }
 }
 
-/// Presses on meshes laid out for the contact radius, until the edge lies where the mesh expects it.
+/// Presses on a mesh laid out for the contact radius, and again on one laid out for the radius that
+/// was reached, so that the edge lies close to where the mesh expects it. Always twice: results
+/// change smoothly with the scene.
 fn press_mesh(
     problem: &Problem,
     resolution: &Resolution,
-    mut radius: f64,
+    expected_radius: f64,
     watch: &dyn Watch,
 ) -> Result<PressedMesh, SimulationError> {
-    /// Offset of the edge from its place between two rings, in ring spacings, that is good enough.
-    const CLOSE_ENOUGH: f64 = 0.25;
-    const LAYOUTS: usize = 2;
-    let elements_per_radius = resolution.elements_per_radius;
-    for layout in 1.. {
+    let Resolution { elements_per_radius, press_increments, .. } = *resolution;
+    let on = |contact_radius: f64| {
         if watch.cancelled() {
             return Err(SimulationError::Cancelled { partial: None });
         }
-        let size = MeshSize { contact_radius: radius, elements_per_radius };
+        let size = MeshSize { contact_radius, elements_per_radius };
         let (mechanics, increments) =
-            press::press_on(problem, size, resolution.press_increments).map_err(press_error)?;
-        let reached = mechanics.contact.radius(&mechanics.contact.committed);
-        let spacing = EDGE_SIZE / elements_per_radius as f64;
-        if (reached / radius - 1.0).abs() <= CLOSE_ENOUGH * spacing || layout == LAYOUTS {
-            let effort = mechanics.effort;
-            let (body, contact, displacement) = mechanics.into_parts();
-            return Ok(PressedMesh {
-                elements_per_radius,
-                press_increments: resolution.press_increments,
-                size,
-                body,
-                contact,
-                displacement,
-                increments,
-                effort,
-            });
-        }
-        radius = reached;
-    }
-    unreachable!("the last layout is always taken")
+            press::press_on(problem, size, press_increments).map_err(press_error)?;
+        Ok((size, mechanics, increments))
+    };
+    let (_, first, _) = on(expected_radius)?;
+    let (size, mechanics, increments) = on(first.contact.radius(&first.contact.committed))?;
+    let effort = mechanics.effort;
+    let (body, contact, displacement) = mechanics.into_parts();
+    Ok(PressedMesh {
+        elements_per_radius,
+        press_increments,
+        size,
+        body,
+        contact,
+        displacement,
+        increments,
+        effort,
+    })
 }
 
 fn press_error(failure: PressFailure) -> SimulationError {

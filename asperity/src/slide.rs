@@ -3,10 +3,10 @@
 use crate::body::{Body, BodyState};
 use crate::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::contact::{Contact, Flat, Status};
-use crate::mechanics::{Mechanics, StepFailure, Surroundings};
+use crate::mechanics::{Hold, Mechanics, StepFailure, Surroundings};
 use crate::press::extrapolate;
 use crate::problem::{Problem, SHEAR_RATIO};
-use crate::scene::{FrictionLaw, InterfaceStrength};
+use crate::scene::{Control, FrictionLaw, InterfaceStrength};
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
 const LIMIT_TOLERANCE: f64 = 3e-5;
@@ -33,6 +33,8 @@ pub enum SlideFailure {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Instant {
     pub slip: f64,
+    /// Over R.
+    pub interference: f64,
     pub time: f64,
     pub friction: f64,
     pub load: f64,
@@ -80,6 +82,9 @@ pub struct Slide<'a> {
     /// VR/κ.
     speed: f64,
     interference: f64,
+    hold: Hold,
+    /// Whether the contact has once slipped everywhere.
+    all_slipped: bool,
     sources: HeatSources,
     pub history: Vec<Instant>,
     pub fields: Vec<Fields>,
@@ -184,6 +189,8 @@ impl<'a> Slide<'a> {
     ) -> Self {
         let mut slide = Self {
             interference: problem.interference,
+            hold: Hold::Interference,
+            all_slipped: false,
             problem,
             mechanics,
             conduction,
@@ -196,6 +203,9 @@ impl<'a> Slide<'a> {
         };
         let start = slide.instant(0.0, Instant::default());
         slide.history.push(start);
+        if problem.control == Control::Load {
+            slide.hold = Hold::Load(start.load);
+        }
         slide
     }
 
@@ -209,6 +219,7 @@ impl<'a> Slide<'a> {
         let mut advance =
             (FIRST_INCREMENT * increments.growth / 0.15 * elastic).min(distance / LEAST_INCREMENTS);
         let mut before = self.mechanics.displacement.clone();
+        let mut interference_before = self.interference;
         let mut slip_before = 0.0;
         let mut slip = 0.0;
         while slip < distance * (1.0 - 1e-9) {
@@ -222,9 +233,12 @@ impl<'a> Slide<'a> {
             let next = if left <= increment { distance } else { slip + increment };
             let committed = self.mechanics.displacement.clone();
             let start = extrapolate(&before, &committed, slip_before, slip, next);
-            match self.step(slip, next, start) {
+            let interference = self.interference;
+            let sunk = extrapolate(&[interference_before], &[interference], slip_before, slip, next)[0];
+            match self.step(slip, next, start, sunk) {
                 Ok(()) => {
                     (before, slip_before, slip) = (committed, slip, next);
+                    interference_before = interference;
                     let least = FIRST_INCREMENT * increments.growth / 0.15 * elastic;
                     let most = (increments.growth * slip)
                         .max(least)
@@ -253,16 +267,17 @@ impl<'a> Slide<'a> {
     fn to_less_stick(&self, least: f64) -> f64 {
         let [.., before, now] = self.history[..] else { return f64::INFINITY };
         let rate = (before.stick_fraction - now.stick_fraction) / (now.slip - before.slip);
-        if now.stick_fraction <= 0.0 || rate <= 0.0 {
+        if self.all_slipped || now.stick_fraction <= 0.0 || rate <= 0.0 {
             return f64::INFINITY;
         }
         (INCEPTION_SHARE * self.increments.growth / 0.15 * now.stick_fraction / rate).max(0.2 * least)
     }
 
-    /// One increment from slip to slip.
-    fn step(&mut self, from: f64, to: f64, start: Vec<f64>) -> Result<(), SlideFailure> {
+    /// One increment from slip to slip; `start` and `sunk` are first guesses of the displacements and
+    /// the interference.
+    fn step(&mut self, from: f64, to: f64, start: Vec<f64>, sunk: f64) -> Result<(), SlideFailure> {
         let dt = if self.speed > 0.0 { (to - from) / self.speed } else { 0.0 };
-        let flat = Flat { interference: self.interference, displacement: to };
+        let flat = Flat { interference: sunk, displacement: to };
         let problem = self.problem;
         let conduction = &mut self.conduction;
         let mut heated: Option<(Vec<f64>, HeatBalance)> = None;
@@ -273,41 +288,49 @@ impl<'a> Slide<'a> {
         let mut sources = HeatSources::default();
         let (mut frozen, mut refreshed) = (false, 0);
         let coupling_limit = self.increments.coupling_limit;
-        self.mechanics.solve(flat, start, |body: &mut Body, contact: &mut Contact, iteration| {
-            if frozen {
-                return None;
-            }
-            if iteration > 0 {
-                contact.update_cover();
-            }
-            // A step that failed may have left any trial state.
-            let state = if iteration == 0 { &body.committed } else { &body.trial };
-            let hardened = interface_hardening(problem, body, contact, state);
-            let mut rise = None;
-            if let Some(conduction) = conduction.as_mut() {
-                // The first guess heats as the step before did.
-                sources =
-                    if iteration == 0 { before.clone() } else { HeatSources::of(problem, body, contact, dt) };
-                match sources.heat(problem, conduction, contact, &hardened, dt) {
-                    Ok(result) => {
-                        rise = Some(result.0.clone());
-                        heated = Some(result);
-                    }
-                    Err(error) => failure = Some(error),
+        let flat = self.mechanics.solve(
+            flat,
+            self.hold,
+            start,
+            |body: &mut Body, contact: &mut Contact, iteration| {
+                if frozen {
+                    return None;
                 }
-            }
-            let limit = shear_limits(problem, contact, &hardened, rise.as_deref());
-            // Once they no longer change they are held, and Newton's method converges fast.
-            let agrees = last_limit.as_ref().is_some_and(|last| {
-                last.iter()
-                    .zip(&limit)
-                    .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
-            });
-            refreshed += 1;
-            frozen = agrees || refreshed > coupling_limit;
-            last_limit = Some(limit.clone());
-            Some(Surroundings { limit, rise, settled: frozen })
-        })?;
+                if iteration > 0 {
+                    contact.update_cover();
+                }
+                // A step that failed may have left any trial state.
+                let state = if iteration == 0 { &body.committed } else { &body.trial };
+                let hardened = interface_hardening(problem, body, contact, state);
+                let mut rise = None;
+                if let Some(conduction) = conduction.as_mut() {
+                    // The first guess heats as the step before did.
+                    sources = if iteration == 0 {
+                        before.clone()
+                    } else {
+                        HeatSources::of(problem, body, contact, dt)
+                    };
+                    match sources.heat(problem, conduction, contact, &hardened, dt) {
+                        Ok(result) => {
+                            rise = Some(result.0.clone());
+                            heated = Some(result);
+                        }
+                        Err(error) => failure = Some(error),
+                    }
+                }
+                let limit = shear_limits(problem, contact, &hardened, rise.as_deref());
+                // Once they no longer change they are held, and Newton's method converges fast.
+                let agrees = last_limit.as_ref().is_some_and(|last| {
+                    last.iter()
+                        .zip(&limit)
+                        .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
+                });
+                refreshed += 1;
+                frozen = agrees || refreshed > coupling_limit;
+                last_limit = Some(limit.clone());
+                Some(Surroundings { limit, rise, settled: frozen })
+            },
+        )?;
         if let Some(error) = failure {
             return Err(error.into());
         }
@@ -319,6 +342,7 @@ impl<'a> Slide<'a> {
             });
         }
         let mut instant = self.instant(to, *self.history.last().expect("starts with the press"));
+        instant.interference = flat.interference;
         let old = Flat { interference: self.interference, displacement: from };
         let interface = self.mechanics.contact.step_work(old, flat);
         let energies = self.mechanics.body.step_energies();
@@ -342,6 +366,8 @@ impl<'a> Slide<'a> {
         self.mechanics.body.commit();
         self.mechanics.contact.commit();
         self.sources = sources;
+        self.interference = flat.interference;
+        self.all_slipped |= instant.stick_fraction <= 0.0;
         self.history.push(instant);
         Ok(())
     }
@@ -351,6 +377,7 @@ impl<'a> Slide<'a> {
         let contact = &self.mechanics.contact;
         Instant {
             slip,
+            interference: self.interference,
             friction: contact.friction(&contact.trial),
             load: contact.load(&contact.trial),
             area: contact.area(&contact.trial),

@@ -83,6 +83,7 @@ pub fn outcome(
         .iter()
         .map(|i| SlideStep {
             slip: i.slip * units.length,
+            interference: i.interference / problem.critical_interference,
             time: i.time * units.time,
             friction: i.friction * units.force(),
             load: i.load * units.force(),
