@@ -2,9 +2,8 @@
 //!
 //! Every run has companions on a mesh half as fine, which cost little: one as it is, and one each
 //! with another N_θ, with increments twice as large and with a solver less exact. The difference
-//! between the run and the first is the error of the mesh if that falls with the first power of
-//! the element size; between 1.5 (elastic contact) and 1 was observed. The differences among the
-//! companions are those of the other three sources.
+//! between the run and the first tells the error of the mesh, given the order of convergence. The
+//! differences among the companions are the errors of the other three sources.
 
 use tables::quantity::Quantity;
 
@@ -146,7 +145,12 @@ impl ErrorBudget {
     }
 }
 
-/// Error of the finer of two runs over their difference, at first order.
+/// Order at which results converge with the elements: 1.5 beside the square-root edge of elastic
+/// contact; a slide at 20 ω_c changes by 0.34, 0.34 and 0.47 % in A, Q and P from 8 to 16 elements per
+/// radius and by 0.10, 0.10 and 0.06 % from 16 to 32.
+const ORDER: f64 = 1.5;
+
+/// Error of the finer of two runs over their difference.
 fn mesh_factor(refinement: f64) -> f64 {
-    1.0 / (refinement - 1.0).max(0.5)
+    1.0 / (refinement.powf(ORDER) - 1.0).max(0.5)
 }

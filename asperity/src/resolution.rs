@@ -98,7 +98,7 @@ impl Resolution {
         let mut elements = self.elements_per_radius;
         let allowed = (accuracy - others).max(0.4 * accuracy);
         if parts.mesh > allowed && numerics.elements_per_radius.is_none() {
-            // Order 1.5, and a little more to be sure.
+            // A little more than order 1.5 asks for, to be sure.
             let wanted = 1.1 * elements as f64 * (parts.mesh / allowed).powf(1.0 / 1.5);
             elements = (wanted.ceil() as usize).clamp(elements + 2, 2 * elements).next_multiple_of(2);
             elements = elements.min(MOST_ELEMENTS).max(self.elements_per_radius);
