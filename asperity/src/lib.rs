@@ -56,3 +56,4 @@ pub mod simulate;
 mod slide;
 mod summary;
 pub mod tabulate;
+pub mod timings;

@@ -2,6 +2,7 @@
 //! preconditioned by the exact elastic solver with the contact stiffness inside.
 
 use std::sync::Arc;
+use std::time::Instant;
 
 use faer::linalg::solvers::{Llt, SolveCore};
 use faer::{Mat, MatMut, Side};
@@ -9,6 +10,7 @@ use faer::{Mat, MatMut, Side};
 use crate::body::Body;
 use crate::contact::{Contact, Flat, Status};
 use crate::harmonic::{FieldKind, HarmonicFactors};
+use crate::timings::{Kernel, Timings};
 
 /// Residual below which a state is good enough to ask for its temperature and contact edge.
 const REFRESH: f64 = 3e-2;
@@ -52,6 +54,7 @@ pub struct Mechanics {
     internal: Vec<f64>,
     modal: Vec<f64>,
     pub effort: Effort,
+    pub timings: Timings,
 }
 
 impl Mechanics {
@@ -84,6 +87,7 @@ impl Mechanics {
             displacement,
             tolerance,
             effort: Effort::default(),
+            timings: Timings::default(),
         }
     }
 
@@ -106,7 +110,7 @@ impl Mechanics {
         let mut trial = vec![0.0; n];
         let mut around =
             surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
-        self.body.internal_force(&u, around.rise.as_deref(), &mut self.internal);
+        self.internal_force(&u, &around);
         let mut last = f64::INFINITY;
         let mut flutter = Flutter::new(self.contact.len());
         for iteration in 0..NEWTON_LIMIT {
@@ -140,11 +144,18 @@ impl Mechanics {
             {
                 around = next;
                 if around.rise.is_some() {
-                    self.body.internal_force(&u, around.rise.as_deref(), &mut self.internal);
+                    self.internal_force(&u, &around);
                 }
             }
         }
         Err(StepFailure::Newton { residual: last })
+    }
+
+    /// Of the body at displacement `u`, kept for the residual.
+    fn internal_force(&mut self, u: &[f64], around: &Surroundings) {
+        let clock = Instant::now();
+        self.body.internal_force(u, around.rise.as_deref(), &mut self.internal);
+        self.timings.since(Kernel::InternalForce, clock);
     }
 
     /// Goes along `direction` until the slope of the energy has fallen enough; leaves `u` there,
@@ -177,7 +188,7 @@ impl Mechanics {
             for ((t, &x), &d) in trial.iter_mut().zip(u.iter()).zip(direction) {
                 *t = x + step * d;
             }
-            self.body.internal_force(trial, around.rise.as_deref(), &mut self.internal);
+            self.internal_force(trial, around);
             let of_body = dot(&self.internal, direction);
             let slope = of_body + contact_slope(&mut self.contact, step);
             if slope.abs() <= ENOUGH * initial.abs() || attempt == TRIES {
@@ -226,7 +237,9 @@ impl Mechanics {
         let target = rho * tolerance * tolerance;
         for _ in 0..KRYLOV_LIMIT {
             self.effort.krylov += 1;
+            let clock = Instant::now();
             self.body.tangent_product(&p, &mut product);
+            self.timings.since(Kernel::TangentProduct, clock);
             self.contact.add_tangent_product(&p, &mut product);
             let curvature = dot(&p, &product);
             if curvature <= 0.0 {
@@ -252,6 +265,7 @@ impl Mechanics {
 
     /// Elastic stiffness with the contact stiffness, inverted exactly.
     fn precondition(&mut self, residual: &[f64], solution: &mut [f64]) {
+        let clock = Instant::now();
         self.factors.to_modal(residual, &mut self.modal);
         self.factors.forward(&mut self.modal);
         let contact = &mut self.modal[self.factors.contact_offset()..];
@@ -261,13 +275,16 @@ impl Mechanics {
             .solve_in_place_with_conj(faer::Conj::No, MatMut::from_column_major_slice_mut(contact, size, 1));
         self.factors.backward(&mut self.modal);
         self.factors.to_nodal(&self.modal, solution);
+        self.timings.since(Kernel::Preconditioner, clock);
     }
 
     /// Adds the present contact stiffness to the elastic one and factorises.
     fn factorise_contact(&mut self) -> Result<(), StepFailure> {
+        let clock = Instant::now();
         let mut matrix = self.dense.elastic.clone();
         add_contact_stiffness(&self.factors, &self.contact, &mut matrix);
         self.dense.factor = Some(matrix.llt(Side::Lower).map_err(|_| StepFailure::ContactStiffness)?);
+        self.timings.since(Kernel::ContactFactorisation, clock);
         Ok(())
     }
 
