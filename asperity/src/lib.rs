@@ -41,6 +41,7 @@ mod mechanics;
 mod mesh;
 pub mod numbers;
 pub mod outcome;
+mod preconditioner;
 pub mod presets;
 mod press;
 mod problem;

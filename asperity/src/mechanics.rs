@@ -4,12 +4,10 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use faer::linalg::solvers::{Llt, SolveCore};
-use faer::{Mat, MatMut, Side};
-
 use crate::body::Body;
 use crate::contact::{Contact, Flat, Status};
-use crate::harmonic::{FieldKind, HarmonicFactors};
+use crate::harmonic::HarmonicFactors;
+use crate::preconditioner::Preconditioner;
 use crate::timings::{Kernel, Timings};
 
 /// Residual below which a state is good enough to ask for its temperature and contact edge.
@@ -37,22 +35,14 @@ pub struct Effort {
     pub krylov: usize,
 }
 
-/// Dense stiffness of all contact unknowns and harmonics, index (ring, component, harmonic).
-struct ContactStiffness {
-    elastic: Mat<f64>,
-    factor: Option<Llt<f64>>,
-}
-
 pub struct Mechanics {
     pub body: Body,
     pub contact: Contact,
-    factors: Arc<HarmonicFactors>,
-    dense: ContactStiffness,
+    preconditioner: Preconditioner,
     pub displacement: Vec<f64>,
     /// Residual, in the energy norm, at which a step counts as solved, relative to √(Pω).
     pub tolerance: f64,
     internal: Vec<f64>,
-    modal: Vec<f64>,
     pub effort: Effort,
     pub timings: Timings,
 }
@@ -65,25 +55,11 @@ impl Mechanics {
         displacement: Vec<f64>,
         tolerance: f64,
     ) -> Self {
-        let n = factors.contact_unknowns() * factors.harmonics();
-        let harmonics = factors.harmonics();
-        let mut elastic = Mat::<f64>::zeros(n, n);
-        for m in 0..harmonics {
-            let stiffness = factors.contact_stiffness(m);
-            let size = factors.contact_unknowns();
-            for i in 0..size {
-                for j in 0..size {
-                    elastic[(i * harmonics + m, j * harmonics + m)] = stiffness[i * size + j];
-                }
-            }
-        }
         Self {
             internal: vec![0.0; displacement.len()],
-            modal: vec![0.0; factors.modal_length()],
-            dense: ContactStiffness { elastic, factor: None },
             body,
             contact,
-            factors,
+            preconditioner: Preconditioner::new(factors),
             displacement,
             tolerance,
             effort: Effort::default(),
@@ -120,8 +96,10 @@ impl Mechanics {
             }
             residual.copy_from_slice(&self.internal);
             self.contact.subtract_force(&mut residual);
-            self.factorise_contact()?;
-            self.precondition(&residual, &mut direction);
+            self.preconditioner
+                .update(&self.contact, &mut self.timings)
+                .map_err(|_| StepFailure::ContactStiffness)?;
+            self.preconditioner.apply(&residual, &mut direction, &mut self.timings);
             let norm = dot(&residual, &direction).max(0.0).sqrt();
             let reference = (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
             if !norm.is_finite() {
@@ -250,7 +228,7 @@ impl Mechanics {
                 direction[i] += step * p[i];
                 r[i] -= step * product[i];
             }
-            self.precondition(&r, &mut z);
+            self.preconditioner.apply(&r, &mut z, &mut self.timings);
             let next = dot(&r, &z);
             if next <= target {
                 break;
@@ -261,31 +239,6 @@ impl Mechanics {
             }
             rho = next;
         }
-    }
-
-    /// Elastic stiffness with the contact stiffness, inverted exactly.
-    fn precondition(&mut self, residual: &[f64], solution: &mut [f64]) {
-        let clock = Instant::now();
-        self.factors.to_modal(residual, &mut self.modal);
-        self.factors.forward(&mut self.modal);
-        let contact = &mut self.modal[self.factors.contact_offset()..];
-        let size = contact.len();
-        let factor = self.dense.factor.as_ref().expect("factorised before use");
-        factor
-            .solve_in_place_with_conj(faer::Conj::No, MatMut::from_column_major_slice_mut(contact, size, 1));
-        self.factors.backward(&mut self.modal);
-        self.factors.to_nodal(&self.modal, solution);
-        self.timings.since(Kernel::Preconditioner, clock);
-    }
-
-    /// Adds the present contact stiffness to the elastic one and factorises.
-    fn factorise_contact(&mut self) -> Result<(), StepFailure> {
-        let clock = Instant::now();
-        let mut matrix = self.dense.elastic.clone();
-        add_contact_stiffness(&self.factors, &self.contact, &mut matrix);
-        self.dense.factor = Some(matrix.llt(Side::Lower).map_err(|_| StepFailure::ContactStiffness)?);
-        self.timings.since(Kernel::ContactFactorisation, clock);
-        Ok(())
     }
 
     /// Body, contact and displacement.
@@ -335,60 +288,6 @@ impl Flutter {
         self.open = open;
         damped
     }
-}
-
-/// Adds the contact stiffness, transformed to harmonics ring by ring.
-fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &mut Mat<f64>) {
-    assert_eq!(factors.kind, FieldKind::Vector);
-    let columns = contact.columns;
-    let transform = &factors.transform;
-    let table = |c: usize| transform.of(factors.kind.parity(c));
-    let size = 3 * columns;
-    for ring in 0..contact.radii.len() {
-        let nodes = &contact.stiffness[ring * columns..(ring + 1) * columns];
-        if nodes.iter().all(|d| d[2][2] == 0.0) {
-            continue;
-        }
-        // Over (component, harmonic).
-        let mut local = vec![0.0; size * size];
-        for (c, d) in (0..9).map(|i| (i / 3, i % 3)) {
-            if nodes.iter().all(|node| node[c][d] == 0.0) {
-                continue;
-            }
-            for m in 0..columns {
-                for k in 0..columns {
-                    let sum: f64 = (0..columns)
-                        .map(|j| table(c)[m * columns + j] * nodes[j][c][d] * table(d)[k * columns + j])
-                        .sum();
-                    local[(c * columns + m) * size + d * columns + k] += sum;
-                }
-            }
-        }
-        if contact.radii[ring] == 0.0 {
-            local = axis_block(&local, columns);
-        }
-        for i in 0..size {
-            for j in 0..size {
-                matrix[(ring * size + i, ring * size + j)] += local[i * size + j];
-            }
-        }
-    }
-}
-
-/// The apex has u_z of m = 0 and the translation u_r = −u_θ of m = 1 only.
-fn axis_block(local: &[f64], columns: usize) -> Vec<f64> {
-    let size = 3 * columns;
-    let mut block = vec![0.0; size * size];
-    let axial = 2 * columns;
-    block[axial * size + axial] = local[axial * size + axial];
-    if columns > 1 {
-        let (r, t) = (1, columns + 1);
-        let at = |i: usize, j: usize| local[i * size + j];
-        block[r * size + r] = at(r, r) - at(r, t) - at(t, r) + at(t, t);
-        block[r * size + axial] = at(r, axial) - at(t, axial);
-        block[axial * size + r] = block[r * size + axial];
-    }
-    block
 }
 
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {

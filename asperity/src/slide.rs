@@ -277,43 +277,47 @@ impl<'a> Slide<'a> {
         let (mut frozen, mut refreshed) = (false, 0);
         let coupling_limit = self.increments.coupling_limit;
         let mut heat_time = 0.0;
-        let solved = self.mechanics.solve(flat, start, |body: &mut Body, contact: &mut Contact, iteration| {
-            if frozen {
-                return None;
-            }
-            if iteration > 0 {
-                contact.update_cover();
-            }
-            // A step that failed may have left any trial state.
-            let state = if iteration == 0 { &body.committed } else { &body.trial };
-            let hardened = interface_hardening(problem, body, contact, state);
-            let mut rise = None;
-            if let Some(conduction) = conduction.as_mut() {
-                let clock = Clock::now();
-                // The first guess heats as the step before did.
-                sources =
-                    if iteration == 0 { before.clone() } else { HeatSources::of(problem, body, contact, dt) };
-                match sources.heat(problem, conduction, contact, &hardened, dt) {
-                    Ok(result) => {
-                        rise = Some(result.0.clone());
-                        heated = Some(result);
-                    }
-                    Err(error) => failure = Some(error),
+        let solved =
+            self.mechanics.solve(flat, start, |body: &mut Body, contact: &mut Contact, iteration| {
+                if frozen {
+                    return None;
                 }
-                heat_time += clock.elapsed().as_secs_f64();
-            }
-            let limit = shear_limits(problem, contact, &hardened, rise.as_deref());
-            // Once they no longer change they are held, and Newton's method converges fast.
-            let agrees = last_limit.as_ref().is_some_and(|last| {
-                last.iter()
-                    .zip(&limit)
-                    .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
+                if iteration > 0 {
+                    contact.update_cover();
+                }
+                // A step that failed may have left any trial state.
+                let state = if iteration == 0 { &body.committed } else { &body.trial };
+                let hardened = interface_hardening(problem, body, contact, state);
+                let mut rise = None;
+                if let Some(conduction) = conduction.as_mut() {
+                    let clock = Clock::now();
+                    // The first guess heats as the step before did.
+                    sources = if iteration == 0 {
+                        before.clone()
+                    } else {
+                        HeatSources::of(problem, body, contact, dt)
+                    };
+                    match sources.heat(problem, conduction, contact, &hardened, dt) {
+                        Ok(result) => {
+                            rise = Some(result.0.clone());
+                            heated = Some(result);
+                        }
+                        Err(error) => failure = Some(error),
+                    }
+                    heat_time += clock.elapsed().as_secs_f64();
+                }
+                let limit = shear_limits(problem, contact, &hardened, rise.as_deref());
+                // Once they no longer change they are held, and Newton's method converges fast.
+                let agrees = last_limit.as_ref().is_some_and(|last| {
+                    last.iter()
+                        .zip(&limit)
+                        .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
+                });
+                refreshed += 1;
+                frozen = agrees || refreshed > coupling_limit;
+                last_limit = Some(limit.clone());
+                Some(Surroundings { limit, rise, settled: frozen })
             });
-            refreshed += 1;
-            frozen = agrees || refreshed > coupling_limit;
-            last_limit = Some(limit.clone());
-            Some(Surroundings { limit, rise, settled: frozen })
-        });
         self.mechanics.timings.add(Kernel::Heat, heat_time);
         solved?;
         if let Some(error) = failure {

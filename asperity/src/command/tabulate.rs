@@ -76,12 +76,7 @@ fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-fn report(
-    tabulation: &Tabulation,
-    spent: &Timings,
-    arguments: &TabulateArguments,
-    display: &Display,
-) {
+fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArguments, display: &Display) {
     if !display.quiet {
         for warning in tabulation.warnings() {
             eprintln!("warning: {warning}");

@@ -52,7 +52,12 @@ impl Finished {
         cell.levelled = outcome.summary.levelled;
         cell.wall_time = outcome.account.wall_time;
         let timings = outcome.account.timings;
-        Self { cell, timings, notes: outcome.account.notes.clone(), warnings: outcome.account.warnings.clone() }
+        Self {
+            cell,
+            timings,
+            notes: outcome.account.notes.clone(),
+            warnings: outcome.account.warnings.clone(),
+        }
     }
 }
 

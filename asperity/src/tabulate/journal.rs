@@ -239,7 +239,8 @@ impl Record {
         for (quantity, history) in Quantity::HISTORIES.into_iter().zip(histories) {
             cell = cell.with_history(quantity, history.to_vec());
         }
-        let finished = Finished { cell, timings: Timings::default(), notes: self.notes, warnings: self.warnings };
+        let finished =
+            Finished { cell, timings: Timings::default(), notes: self.notes, warnings: self.warnings };
         Some((point, Ok(finished)))
     }
 }
