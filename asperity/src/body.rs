@@ -371,6 +371,20 @@ impl Body {
         (stress, any)
     }
 
+    /// Share of the elements, angle by angle in groups of lanes, with a point that flows.
+    pub fn flowing_share(&self) -> f64 {
+        let lanes = self.mesh.sectors.columns();
+        let group = if lanes == 1 {
+            1
+        } else if lanes.is_multiple_of(8) {
+            8
+        } else {
+            4
+        };
+        let groups = self.tangent.flows.iter().step_by(group);
+        groups.clone().filter(|flows| **flows).count() as f64 / groups.len() as f64
+    }
+
     /// Product of the consistent tangent at the last internal force with a displacement.
     pub fn tangent_product(&mut self, u: &[f64], force: &mut [f64]) {
         by_lanes!(self.tangent_product_lanes(u, force));

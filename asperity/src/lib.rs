@@ -23,6 +23,8 @@
 //!
 //! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
 
+#[doc(hidden)]
+pub mod benchmark;
 mod body;
 mod conduction;
 mod contact;

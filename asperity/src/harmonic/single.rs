@@ -109,6 +109,7 @@ impl SingleFactors {
         self.harmonics
     }
 
+    #[cfg(test)]
     pub fn rings(&self) -> usize {
         self.rings
     }
