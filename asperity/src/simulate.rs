@@ -1,7 +1,7 @@
 //! Press once, slide at any number of slip rates.
 //!
 //! Each run has companions on a coarser mesh, from which its errors are estimated (see
-//! [`crate::error_budget`]); where they are larger than asked, and the scene leaves the choice, it
+//! `error_budget`); where they are larger than asked, and the scene leaves the choice, it
 //! is repeated more finely. The companions run beside it if there are threads for them.
 
 use std::sync::{Arc, Mutex, PoisonError};
