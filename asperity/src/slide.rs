@@ -406,7 +406,10 @@ impl<'a> Slide<'a> {
         self.fields.push(Fields {
             slip: self.history.last().map_or(0.0, |i| i.slip),
             pressure: state.pressure.clone(),
-            shear: state.traction.iter().map(|t| t[0].hypot(t[1])).collect(),
+            // The last ring may bear for the contact beyond its own cell: per area that is covered.
+            shear: (state.traction.iter().zip(&contact.cover))
+                .map(|(t, cover)| t[0].hypot(t[1]) / cover.max(1.0))
+                .collect(),
             rise,
             path: state.slip.clone(),
         });
