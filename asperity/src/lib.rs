@@ -23,8 +23,6 @@
 //!
 //! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
 
-#[doc(hidden)]
-pub mod benchmark;
 mod body;
 mod conduction;
 mod contact;
@@ -44,7 +42,6 @@ mod mechanics;
 mod mesh;
 pub mod numbers;
 pub mod outcome;
-mod preconditioner;
 pub mod presets;
 mod press;
 mod problem;
@@ -60,4 +57,3 @@ pub mod simulate;
 mod slide;
 mod summary;
 pub mod tabulate;
-pub mod timings;

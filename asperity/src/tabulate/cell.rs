@@ -6,7 +6,6 @@ use tables::table::Cell;
 
 use crate::outcome::{Outcome, SlideStep};
 use crate::quantities::estimate;
-use crate::timings::Timings;
 
 /// Number of slips at which histories are kept.
 const SLIP_POINTS: usize = 49;
@@ -30,8 +29,6 @@ pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
 pub struct Finished {
     /// Scalars, and histories on the slips of [`slip_grid`].
     pub cell: Cell,
-    /// Where the time of the run went; nothing for a run that was taken from a journal.
-    pub timings: Timings,
     /// Of the run's account.
     pub notes: Vec<String>,
     /// Of the run's account.
@@ -51,13 +48,7 @@ impl Finished {
         }
         cell.levelled = outcome.summary.levelled;
         cell.wall_time = outcome.account.wall_time;
-        let timings = outcome.account.timings;
-        Self {
-            cell,
-            timings,
-            notes: outcome.account.notes.clone(),
-            warnings: outcome.account.warnings.clone(),
-        }
+        Self { cell, notes: outcome.account.notes.clone(), warnings: outcome.account.warnings.clone() }
     }
 }
 
