@@ -337,12 +337,14 @@ impl Body {
                 }
                 let trial = squared[l].sqrt();
                 let strain = self.committed.accumulated[scalar + l];
-                let Return { increment, slope } =
-                    self.solid.return_map(trial, strain, softening[l], guess[l]);
+                let Return { increment, strength, slope } = {
+                    let strength = self.committed.strength[scalar + l];
+                    self.solid.return_map(trial, strain, strength, softening[l], guess[l])
+                };
                 let shear = self.solid.moduli.shear;
                 let ratio = 3.0 * shear * increment / trial;
                 self.trial.accumulated[scalar + l] = strain + increment;
-                self.trial.strength[scalar + l] = self.solid.yield_strength(strain + increment, 0.0);
+                self.trial.strength[scalar + l] = strength;
                 self.tangent.coefficients[coefficient(0) + l] = two_shear * (1.0 - ratio);
                 // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive.
                 self.tangent.coefficients[coefficient(1) + l] =
@@ -367,6 +369,20 @@ impl Body {
             self.trial.deviator[tensor(i)..tensor(i) + W].copy_from_slice(&stress[i]);
         }
         (stress, any)
+    }
+
+    /// Share of the elements, angle by angle in groups of lanes, with a point that flows.
+    pub fn flowing_share(&self) -> f64 {
+        let lanes = self.mesh.sectors.columns();
+        let group = if lanes == 1 {
+            1
+        } else if lanes.is_multiple_of(8) {
+            8
+        } else {
+            4
+        };
+        let groups = self.tangent.flows.iter().step_by(group);
+        groups.clone().filter(|flows| **flows).count() as f64 / groups.len() as f64
     }
 
     /// Product of the consistent tangent at the last internal force with a displacement.

@@ -23,6 +23,8 @@
 //!
 //! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
 
+#[doc(hidden)]
+pub mod benchmark;
 mod body;
 mod conduction;
 mod contact;
@@ -42,6 +44,7 @@ mod mechanics;
 mod mesh;
 pub mod numbers;
 pub mod outcome;
+mod preconditioner;
 pub mod presets;
 mod press;
 mod problem;
@@ -57,3 +60,4 @@ pub mod simulate;
 mod slide;
 mod summary;
 pub mod tabulate;
+pub mod timings;

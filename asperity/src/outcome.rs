@@ -3,6 +3,7 @@
 use tables::law::Estimate;
 
 pub use crate::error_budget::{ErrorBudget, ErrorSource};
+pub use crate::timings::{Kernel, Timings};
 
 /// One increment of the press.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,6 +125,8 @@ pub struct Account {
     pub krylov_iterations: usize,
     /// s.
     pub wall_time: f64,
+    /// Where the time went; without that of the output, which is not done then.
+    pub timings: Timings,
     /// What was chosen or left out and why, a sentence each.
     pub notes: Vec<String>,
     /// What the reader must know before trusting the numbers, a sentence each.

@@ -1,6 +1,6 @@
 //! `run.nc`: the histories, scalars and contact-plane fields of one run as CF netCDF-4.
 //!
-//! Apart from `wall_time` and `history`, two runs of one scene give the same file.
+//! Apart from `wall_time`, `time_spent` and `history`, two runs of one scene give the same file.
 
 use std::path::Path;
 
@@ -14,6 +14,7 @@ use crate::provenance::SOURCE;
 use crate::quantities::estimate;
 use crate::scene::Scene;
 use crate::scene_file::write_scene;
+use crate::timings::Kernel;
 
 /// What a file says about the run besides its numbers.
 pub struct About<'a> {
@@ -188,6 +189,15 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
     for (name, unit, long_name, value) in numbers {
         file.reals(name, &[], &[value], &described(unit, long_name))?;
     }
+    // A file cannot hold the time that writing it takes.
+    let kernels: Vec<Kernel> = Kernel::ALL.into_iter().filter(|&k| k != Kernel::Output).collect();
+    let names: Vec<&str> = kernels.iter().map(|kernel| kernel.name()).collect();
+    let seconds: Vec<f64> = kernels.iter().map(|&kernel| account.timings.of(kernel)).collect();
+    file.dimension("kernel", kernels.len())?;
+    file.texts("kernel_name", &["kernel"], &names, &[("long_name", "part of the run".into())])?;
+    let mut attributes = described("s", "time spent in each part of the run, summed over threads");
+    attributes.push(("coordinates", "kernel_name".into()));
+    file.reals("time_spent", &["kernel"], &seconds, &attributes)?;
     let criterion = match outcome.summary.inception {
         InceptionCriterion::FullSlip => 0,
         InceptionCriterion::Stiffness => 1,
@@ -264,6 +274,7 @@ mod tests {
         {
             assert_eq!(dimensions(name), ["step"], "{name}");
         }
+        assert_eq!(dimensions("time_spent"), ["kernel"]);
         for name in ["interference_press", "P_press", "area_press"] {
             assert_eq!(dimensions(name), ["step_press"]);
         }

@@ -24,6 +24,7 @@ use crate::scene::{Kinematics, Scene, Switch};
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
 use crate::summary;
+use crate::timings::{Kernel, Timings};
 
 /// Where a run stands; called between increments.
 pub trait Watch: Sync {
@@ -66,6 +67,8 @@ struct PressedMesh {
     displacement: Vec<f64>,
     increments: Vec<Increment>,
     effort: Effort,
+    /// Time that it took, s.
+    seconds: f64,
 }
 
 /// Asperity after the press, in full stick: start of slides at any slip rate.
@@ -129,6 +132,12 @@ impl Pressed {
         meshes.push(mesh.clone());
         Ok(mesh)
     }
+
+    /// Time spent on pressed meshes other than `mesh`, s.
+    fn seconds_beside(&self, mesh: &Arc<PressedMesh>) -> f64 {
+        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        meshes.iter().filter(|other| !Arc::ptr_eq(other, mesh)).map(|other| other.seconds).sum()
+    }
 }
 
 /// Presses on a mesh laid out for the contact radius, and again on one laid out for the radius that
@@ -140,6 +149,7 @@ fn press_mesh(
     expected_radius: f64,
     watch: &dyn Watch,
 ) -> Result<PressedMesh, SimulationError> {
+    let clock = Clock::now();
     let Resolution { elements_per_radius, press_increments, .. } = *resolution;
     let on = |contact_radius: f64| {
         if watch.cancelled() {
@@ -163,6 +173,7 @@ fn press_mesh(
         displacement,
         increments,
         effort,
+        seconds: clock.elapsed().as_secs_f64(),
     })
 }
 
@@ -190,6 +201,7 @@ pub struct Slid {
     pub grid: ContactPoints,
     unknowns: usize,
     effort: Effort,
+    timings: Timings,
     cutbacks: usize,
     failure: Option<SlideFailure>,
 }
@@ -211,6 +223,7 @@ impl Task<'_> {
     ) -> Result<(Arc<PressedMesh>, Slid), SimulationError> {
         let problem = &self.pressed.problem;
         let pressed = self.pressed.mesh(resolution, self.watch)?;
+        let clock = Clock::now();
         let discretisation = Discretisation::new(problem, pressed.size, Sectors::full(resolution.sectors))
             .map_err(|e| press_error(e.into()))?;
         let mesh = &discretisation.mesh;
@@ -229,6 +242,7 @@ impl Task<'_> {
         let speed = if self.heat { self.speed } else { 0.0 };
         let mut slide = Slide::new(problem, mechanics, conduction, speed, resolution.increments);
         slide.record_fields();
+        slide.mechanics.timings.since(Kernel::Setup, clock);
         // Each mesh slides as far in units of its own contact radius.
         let radius = pressed.contact.radius(&pressed.contact.committed);
         let distance = self.pressed.scene.loading.slip_distance * radius;
@@ -239,8 +253,12 @@ impl Task<'_> {
             })
             .err();
         slide.record_fields();
+        let mut timings = slide.mechanics.timings;
+        timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - timings.total());
+        timings.add(Kernel::Press, pressed.seconds);
         let slid = Slid {
             effort: slide.mechanics.effort,
+            timings,
             history: slide.history,
             fields: slide.fields,
             grid: ContactPoints {
@@ -290,6 +308,8 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
     let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
     let (mut mesh, mut fine) = runs.next().expect("planned");
     let companions: Vec<_> = runs.collect();
+    let slide_time = |slid: &Slid| slid.timings.total() - slid.timings.of(Kernel::Press);
+    let mut beside: f64 = companions.iter().map(|(_, slid)| slide_time(slid)).sum();
     let mut cutbacks = fine.cutbacks;
     let mut warnings = Vec::new();
     let mut scalars = task.scalars(&mesh, &fine);
@@ -322,8 +342,10 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
             })?;
             cutbacks += next.cutbacks;
             if !complete(&next) {
+                beside += slide_time(&next);
                 break;
             }
+            beside += slide_time(&fine);
             let next_scalars = task.scalars(&next_mesh, &next);
             if finer.elements_per_radius > resolution.elements_per_radius {
                 let refinement = finer.elements_per_radius as f64 / resolution.elements_per_radius as f64;
@@ -348,6 +370,8 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
 
     summary::warn(scene, &fine.history, &mut warnings);
     notes.insert(0, resolution.describe());
+    let mut timings = fine.timings;
+    timings.add(Kernel::Companions, beside + pressed.seconds_beside(&mesh));
     let account = Account {
         elements_per_radius: resolution.elements_per_radius,
         sectors: resolution.sectors,
@@ -358,6 +382,7 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
         newton_iterations: mesh.effort.newton + fine.effort.newton,
         krylov_iterations: mesh.effort.krylov + fine.effort.krylov,
         wall_time: pressed.wall_time + clock.elapsed().as_secs_f64(),
+        timings,
         notes,
         warnings,
     };

@@ -1,5 +1,7 @@
 //! The slide: increments of the flat's displacement, mechanics and heat coupled in each.
 
+use std::time::Instant as Clock;
+
 use crate::body::{Body, BodyState};
 use crate::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::contact::{Contact, Flat, Status};
@@ -7,6 +9,7 @@ use crate::mechanics::{Hold, Mechanics, StepFailure, Surroundings};
 use crate::press::extrapolate;
 use crate::problem::{Problem, SHEAR_RATIO};
 use crate::scene::{Control, FrictionLaw, InterfaceStrength};
+use crate::timings::Kernel;
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
 const LIMIT_TOLERANCE: f64 = 3e-5;
@@ -288,7 +291,8 @@ impl<'a> Slide<'a> {
         let mut sources = HeatSources::default();
         let (mut frozen, mut refreshed) = (false, 0);
         let coupling_limit = self.increments.coupling_limit;
-        let flat = self.mechanics.solve(
+        let mut heat_time = 0.0;
+        let solved = self.mechanics.solve(
             flat,
             self.hold,
             start,
@@ -304,6 +308,7 @@ impl<'a> Slide<'a> {
                 let hardened = interface_hardening(problem, body, contact, state);
                 let mut rise = None;
                 if let Some(conduction) = conduction.as_mut() {
+                    let clock = Clock::now();
                     // The first guess heats as the step before did.
                     sources = if iteration == 0 {
                         before.clone()
@@ -317,6 +322,7 @@ impl<'a> Slide<'a> {
                         }
                         Err(error) => failure = Some(error),
                     }
+                    heat_time += clock.elapsed().as_secs_f64();
                 }
                 let limit = shear_limits(problem, contact, &hardened, rise.as_deref());
                 // Once they no longer change they are held, and Newton's method converges fast.
@@ -330,7 +336,9 @@ impl<'a> Slide<'a> {
                 last_limit = Some(limit.clone());
                 Some(Surroundings { limit, rise, settled: frozen })
             },
-        )?;
+        );
+        self.mechanics.timings.add(Kernel::Heat, heat_time);
+        let flat = solved?;
         if let Some(error) = failure {
             return Err(error.into());
         }

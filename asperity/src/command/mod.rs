@@ -7,6 +7,7 @@ mod progress;
 mod run;
 mod table;
 mod tabulate;
+mod timings;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -151,6 +152,9 @@ struct RunArguments {
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
     set: Vec<String>,
+    /// Print where the time went on stderr, or in the JSON
+    #[arg(long)]
+    timings: bool,
     /// Plot friction, forces, area, temperature and energies against slip
     #[arg(long, value_name = "FILE.svg|png")]
     plot: Option<PathBuf>,
@@ -176,6 +180,9 @@ struct TabulateArguments {
     /// Run the part K of N only, for `asperity merge`
     #[arg(long, value_name = "K/N")]
     shard: Option<Shard>,
+    /// Print where the time of all runs went on stderr, or in the JSON
+    #[arg(long)]
+    timings: bool,
     /// Plot the table
     #[arg(long, value_name = "FILE.svg|png")]
     plot: Option<PathBuf>,

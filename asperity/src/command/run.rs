@@ -1,8 +1,9 @@
 //! `asperity run`: one scene, one file, a summary.
 
 use std::fmt::Write;
+use std::time::Instant;
 
-use asperity::outcome::{ErrorSource, Outcome};
+use asperity::outcome::{ErrorSource, Kernel, Outcome};
 use asperity::quantities::{estimate, inception_in_words};
 use asperity::run_file::{self, About};
 use asperity::scene::Scene;
@@ -13,7 +14,7 @@ use serde_json::json;
 use tables::quantity::Quantity;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{Display, Failure, RunArguments, command_line, outputs, print};
+use super::{Display, Failure, RunArguments, command_line, outputs, print, timings};
 
 /// Run the scene, save what there is, say how it went.
 pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
@@ -54,7 +55,10 @@ fn report(
     display: &Display,
 ) -> Result<(), Failure> {
     let about = About { history: provenance::history(&command_line()), incomplete };
+    let clock = Instant::now();
     let saved = run_file::write(&arguments.output, scene, outcome, &about);
+    let mut spent = outcome.account.timings;
+    spent.since(Kernel::Output, clock);
     // The numbers are worth printing even if the disk is full.
     if !display.quiet {
         for warning in &outcome.account.warnings {
@@ -65,9 +69,18 @@ fn report(
         eprint!("{}", account(outcome));
     }
     if display.json {
-        print(&format!("{:#}\n", as_json(scene, outcome, incomplete, arguments)));
-    } else if !display.quiet {
-        print(&summary(scene, outcome));
+        let mut json = as_json(scene, outcome, incomplete, arguments);
+        if arguments.timings {
+            json["timings"] = timings::as_json(&spent);
+        }
+        print(&format!("{json:#}\n"));
+    } else {
+        if arguments.timings {
+            eprint!("{}", timings::as_text(&spent));
+        }
+        if !display.quiet {
+            print(&summary(scene, outcome));
+        }
     }
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
