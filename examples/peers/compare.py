@@ -41,7 +41,7 @@ def results(code, text):
             "Q": value["Q"],
             "A": 1e6 * value["area"],
             "unknowns": run["account"]["unknowns"],
-            "main": run["timings"]["main_run"],
+            "main": run["timings"]["main_run"] / run["timings"]["total"],
             "finished": run["completion"] == "complete",
         }
     merged = {}
@@ -94,7 +94,7 @@ def main():
             done = found.get("finished", False)
             time = f"{found['seconds']:.1f}" if done else f"more than {found['seconds']:.0f}"
             if "main" in found:
-                time += f" ({found['main']:.1f} without error estimates)"
+                time += f" ({found['main'] * found['seconds']:.1f} without error estimates)"
             P, Q = (found.get(name) if done else None for name in "PQ")
             row = [code, str(elements), cell(found.get("unknowns"), "{}"), cell(P, "{:.4f}"), cell(Q, "{:.4f}")]
             row += [cell(found.get("A") if done else None, "{:.4e}"), cell(Q / P if P else None, "{:.4f}")]
