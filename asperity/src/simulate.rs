@@ -20,7 +20,7 @@ use crate::press::{self, Increment, PressFailure};
 use crate::problem::{Discretisation, Problem};
 use crate::resolution::{Resolution, choose_heat, softening_number};
 use crate::scalars::Scalars;
-use crate::scene::{Control, Kinematics, Scene, Switch};
+use crate::scene::{Control, Scene, Switch};
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
 use crate::summary;
@@ -85,11 +85,6 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
     let clock = Clock::now();
     if scene.loading.control == Control::Load {
         return Err(SimulationError::Unsupported("loading.control = \"load\"; use \"interference\"".into()));
-    }
-    if scene.model.kinematics == Kinematics::Finite {
-        return Err(SimulationError::Unsupported(
-            "model.kinematics = \"finite\"; use \"small\" or \"auto\"".into(),
-        ));
     }
     let problem = Problem::new(scene);
     let fine = Resolution::choose(&scene.numerics);
