@@ -218,7 +218,7 @@ fn rotate_field(body: &Body, turn: &Matrix, field: &[f64]) -> Vec<f64> {
 }
 
 /// Uniaxial stress: Kirchhoff's is E times the logarithmic strain, the sides shrink by its ν-th part;
-/// beyond yield σ_y(ε_p), with half the plastic strain. From one half to three times the length.
+/// beyond yield σ_y(ε_p), with half the plastic strain. From 0.36 to 2.7 times the length.
 #[test]
 fn uniaxial_stress_follows_henckys_law() {
     let modulus = 2e9;
