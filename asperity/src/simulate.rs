@@ -13,6 +13,7 @@ use crate::body::Body;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
+use crate::kinematics::slide_as_strained;
 use crate::mechanics::{Effort, Mechanics};
 use crate::mesh::{EDGE_SIZE, MeshSize};
 use crate::outcome::{Account, Outcome};
@@ -20,7 +21,7 @@ use crate::press::{self, Increment, PressFailure};
 use crate::problem::{Discretisation, Problem};
 use crate::resolution::{Resolution, choose_heat, softening_number};
 use crate::scalars::Scalars;
-use crate::scene::{Control, Scene, Switch};
+use crate::scene::{Control, Kinematics, Scene, Switch};
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
 use crate::summary;
@@ -70,13 +71,15 @@ struct PressedMesh {
 
 /// Asperity after the press, in full stick: start of slides at any slip rate.
 pub struct Pressed {
-    scene: Scene,
+    pub(crate) scene: Scene,
     problem: Problem,
     resolution: Resolution,
     /// Contact radius over R that meshes are laid out for.
     contact_radius: f64,
     /// Meshes pressed so far; more are added where a slide needs a finer one.
     meshes: Mutex<Vec<Arc<PressedMesh>>>,
+    /// The same at finite strain, where a slide asked for that.
+    pub(crate) finite: Mutex<Option<Arc<Pressed>>>,
     wall_time: f64,
 }
 
@@ -108,6 +111,7 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
         resolution: fine,
         contact_radius,
         meshes: Mutex::new(meshes),
+        finite: Mutex::new(None),
         wall_time: clock.elapsed().as_secs_f64(),
     })
 }
@@ -261,8 +265,21 @@ impl Task<'_> {
     }
 }
 
-/// Slide the pressed asperity at `slip_rate` (m/s).
+/// Slide the pressed asperity at `slip_rate` (m/s), at small or finite strain as the scene says or
+/// the strain asks for.
 pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    match pressed.scene.model.kinematics {
+        Kinematics::Auto => slide_as_strained(pressed, slip_rate, watch),
+        Kinematics::Small | Kinematics::Finite => slide_as_pressed(pressed, slip_rate, watch),
+    }
+}
+
+/// Slide at the kinematics of the press.
+pub(crate) fn slide_as_pressed(
+    pressed: &Pressed,
+    slip_rate: f64,
+    watch: &dyn Watch,
+) -> Result<Outcome, SimulationError> {
     /// Share of a run's progress until its companions are done.
     const FIRST_SHARE: f64 = 0.6;
     /// Times that a run is repeated more finely.
