@@ -38,6 +38,7 @@ mod fake;
 pub mod figures;
 pub mod fracture;
 mod harmonic;
+mod kinematics;
 mod lanes;
 mod material;
 mod mechanics;

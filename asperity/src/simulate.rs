@@ -13,6 +13,7 @@ use crate::body::Body;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
+use crate::kinematics::slide_as_strained;
 use crate::mechanics::{Effort, Mechanics};
 use crate::mesh::MeshSize;
 use crate::outcome::{Account, Outcome};
@@ -73,24 +74,21 @@ struct PressedMesh {
 
 /// Asperity after the press, in full stick: start of slides at any slip rate.
 pub struct Pressed {
-    scene: Scene,
+    pub(crate) scene: Scene,
     problem: Problem,
     resolution: Resolution,
     /// Contact radius over R that meshes are laid out for.
     contact_radius: f64,
     /// Meshes pressed so far; more are added where a slide needs a finer one.
     meshes: Mutex<Vec<Arc<PressedMesh>>>,
+    /// The same at finite strain, where a slide asked for that.
+    pub(crate) finite: Mutex<Option<Arc<Pressed>>>,
     wall_time: f64,
 }
 
 /// Press the asperity to the interference of the scene, in full stick and without heat.
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Clock::now();
-    if scene.model.kinematics == Kinematics::Finite {
-        return Err(SimulationError::Unsupported(
-            "model.kinematics = \"finite\"; use \"small\" or \"auto\"".into(),
-        ));
-    }
     let problem = Problem::new(scene);
     let fine = Resolution::choose(&scene.numerics);
     let coarse = fine.coarse();
@@ -113,6 +111,7 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
         resolution: fine,
         contact_radius,
         meshes: Mutex::new(meshes),
+        finite: Mutex::new(None),
         wall_time: clock.elapsed().as_secs_f64(),
     })
 }
@@ -277,8 +276,21 @@ impl Task<'_> {
     }
 }
 
-/// Slide the pressed asperity at `slip_rate` (m/s).
+/// Slide the pressed asperity at `slip_rate` (m/s), at small or finite strain as the scene says or
+/// the strain asks for.
 pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    match pressed.scene.model.kinematics {
+        Kinematics::Auto => slide_as_strained(pressed, slip_rate, watch),
+        Kinematics::Small | Kinematics::Finite => slide_as_pressed(pressed, slip_rate, watch),
+    }
+}
+
+/// Slide at the kinematics of the press.
+pub(crate) fn slide_as_pressed(
+    pressed: &Pressed,
+    slip_rate: f64,
+    watch: &dyn Watch,
+) -> Result<Outcome, SimulationError> {
     /// Share of a run's progress until its companions are done.
     const FIRST_SHARE: f64 = 0.6;
     /// Times that a run is repeated more finely.

@@ -13,6 +13,8 @@ use crate::timings::Kernel;
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
 const LIMIT_TOLERANCE: f64 = 3e-5;
+/// Change of the areas of the contact points between iterations, relative, that counts as none.
+const AREA_TOLERANCE: f64 = 1e-4;
 /// First increment in units of the elastic displacement at gross slip.
 const FIRST_INCREMENT: f64 = 0.1;
 /// Share of the sticking area that begins to slip in an increment, at most.
@@ -303,6 +305,8 @@ impl<'a> Slide<'a> {
                 if iteration > 0 {
                     contact.update_cover();
                 }
+                let stretched =
+                    if problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
                 // A step that failed may have left any trial state.
                 let state = if iteration == 0 { &body.committed } else { &body.trial };
                 let hardened = interface_hardening(problem, body, contact, state);
@@ -332,7 +336,7 @@ impl<'a> Slide<'a> {
                         .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
                 });
                 refreshed += 1;
-                frozen = agrees || refreshed > coupling_limit;
+                frozen = (agrees && stretched <= AREA_TOLERANCE) || refreshed > coupling_limit;
                 last_limit = Some(limit.clone());
                 Some(Surroundings { limit, rise, settled: frozen })
             },

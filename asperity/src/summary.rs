@@ -8,12 +8,12 @@ use crate::outcome::{Account, ContactGrid, Outcome, PressStep, SlideStep, Snapsh
 use crate::press::Increment;
 use crate::problem::Problem;
 use crate::scalars::Scalars;
-use crate::scene::{FrictionLaw, Hardening, InterfaceStrength, Scene};
+use crate::scene::{FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene};
 use crate::simulate::Slid;
 use crate::slide::Instant;
 
 /// Top-layer strains above this are beyond small-strain kinematics.
-const LARGE_STRAIN: f64 = 0.2;
+pub const LARGE_STRAIN: f64 = 0.2;
 
 /// What the reader must know.
 pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
@@ -35,7 +35,7 @@ pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
         );
     }
     let strain = history.last().map_or(0.0, |i| i.plastic_strain_max);
-    if strain > LARGE_STRAIN {
+    if strain > LARGE_STRAIN && scene.model.kinematics != Kinematics::Finite {
         warnings.push(format!(
             "plastic strain reaches {strain:.2}: beyond about {LARGE_STRAIN} small-strain kinematics is in doubt"
         ));

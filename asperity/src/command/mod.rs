@@ -41,6 +41,9 @@ Example of a scene (SI units, kelvin):
   strength = \"initial\"     # slip at strength_factor * sigma_Y(T)/sqrt(3) of the virgin material, or
                            # \"current\": at that of the hardened material under the contact
   strength_factor = 1.0
+  [model]                  # optional
+  kinematics = \"auto\"      # \"small\" strain, \"finite\" strain, or finite where the plastic strain of
+                           # the slide at small strain exceeds 0.2
 
 youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
 temperature) may be tables, linear in between and constant outside:
