@@ -119,6 +119,8 @@ pub struct Account {
     pub sectors: usize,
     pub unknowns: usize,
     pub heat: bool,
+    /// Finite strain, not small.
+    pub finite_strain: bool,
     pub steps: usize,
     pub cutbacks: usize,
     pub newton_iterations: usize,

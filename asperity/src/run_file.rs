@@ -205,12 +205,13 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
     };
     let yes_no = ["no", "yes"];
     #[rustfmt::skip]
-    let flags: [(&str, &str, i8, &[&str]); 3] = [
+    let flags: [(&str, &str, i8, &[&str]); 4] = [
         ("inception_criterion", "criterion of sliding inception that was met first", criterion,
             &["full_slip", "stiffness", "none"]),
         ("levelled", "whether the friction coefficient has levelled off at the end of the slide",
             outcome.summary.levelled.into(), &yes_no),
         ("heat", "whether heat was simulated", account.heat.into(), &yes_no),
+        ("finite_strain", "whether kinematics was that of finite strain", account.finite_strain.into(), &yes_no),
     ];
     for (name, long_name, value, meanings) in flags {
         file.flags(name, &[], &[value], meanings, &[("long_name", long_name.into())])?;

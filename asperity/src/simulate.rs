@@ -389,6 +389,7 @@ pub(crate) fn slide_as_pressed(
         sectors: resolution.sectors,
         unknowns: fine.unknowns,
         heat,
+        finite_strain: problem.finite_strain,
         steps: fine.history.len() - 1,
         cutbacks: cutbacks + companions.iter().map(|(_, slid)| slid.cutbacks).sum::<usize>(),
         newton_iterations: mesh.effort.newton + fine.effort.newton,

@@ -36,6 +36,7 @@ fn finite_strain_is_small_strain_where_strains_are_small() {
     // So `auto` stays there, and says so.
     let auto = run_with(&scene, Kinematics::Auto);
     assert_eq!(auto.slide, small.slide);
+    assert!(finite.account.finite_strain && !auto.account.finite_strain);
     assert!(says(&auto, "small strain: the plastic strain reaches"), "{:?}", auto.account.notes);
 }
 
@@ -84,5 +85,6 @@ fn auto_takes_finite_strain_where_strains_are_large() {
     assert!(!auto.account.warnings.iter().any(|warning| warning.contains("kinematics is in doubt")));
     let finite = run_with(&scene, Kinematics::Finite);
     assert_eq!(auto.slide, finite.slide);
+    assert!(auto.account.finite_strain);
     assert!(auto.summary.mu.value != small.summary.mu.value);
 }

@@ -118,7 +118,7 @@ fn account(outcome: &Outcome) -> String {
     let mut text = format!(
         "mesh: {} elements per contact radius, {} sectors, {} unknowns\n\
          steps: {}, cut back {} times; {} Newton and {} Krylov iterations\n\
-         heat: {}\n",
+         heat: {}; strain: {}\n",
         account.elements_per_radius,
         account.sectors,
         account.unknowns,
@@ -127,6 +127,7 @@ fn account(outcome: &Outcome) -> String {
         account.newton_iterations,
         account.krylov_iterations,
         if account.heat { "simulated" } else { "left out" },
+        if account.finite_strain { "finite" } else { "small" },
     );
     let _ = writeln!(text, "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}", "", "mesh", "sectors", "steps", "solver");
     for quantity in Quantity::ALL {
@@ -178,6 +179,7 @@ fn as_json(
             "sectors": account.sectors,
             "unknowns": account.unknowns,
             "heat": account.heat,
+            "finite_strain": account.finite_strain,
             "steps": account.steps,
             "cutbacks": account.cutbacks,
             "newton_iterations": account.newton_iterations,
