@@ -1,55 +1,50 @@
-//! Small or finite strain: by the plastic strain that a slide reaches at small strain.
+//! Small or finite strain: by the plastic strain that a slide reaches on a coarse mesh.
+//!
+//! Finite strain lowers mu by about as much as the largest plastic strain (see `what_is_left_out`),
+//! so small strain will do as long as that is below the accuracy asked for.
 
 use std::sync::{Arc, PoisonError};
 
-use crate::outcome::{Outcome, Summary};
-use crate::scene::Kinematics;
-use crate::simulate::{Pressed, SimulationError, Watch, press, slide_as_pressed};
-use crate::summary::LARGE_STRAIN;
+use tables::quantity::Quantity;
 
-/// Slides at small strain, and where the plastic strain is large then, presses and slides again at
-/// finite strain. What that changes is noted in the outcome.
+use crate::outcome::Outcome;
+use crate::scene::Kinematics;
+use crate::simulate::{Pressed, Probe, SimulationError, Watch, press, slide_as_pressed};
+
+/// Slides at small strain if that is accurate enough by a coarse slide, else at finite strain. What
+/// is left out, or what it changes, is noted in the outcome.
 pub fn slide_as_strained(
     pressed: &Pressed,
     slip_rate: f64,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
-    let small = slide_as_pressed(pressed, slip_rate, watch);
-    let strain = match &small {
-        Ok(outcome) => largest_strain(outcome),
-        Err(SimulationError::NotConverged { partial: Some(partial), .. }) => largest_strain(partial),
-        Err(_) => 0.0,
-    };
-    if strain <= LARGE_STRAIN {
-        return small.map(|mut outcome| {
-            outcome.account.notes.push(what_is_left_out(strain));
+    let small = Probe::new(pressed, slip_rate, watch)?;
+    let strain = small.plastic_strain();
+    if strain <= pressed.scene.numerics.accuracy {
+        return slide_as_pressed(pressed, slip_rate, Some(small), watch).map(|mut outcome| {
+            outcome.account.notes.push(what_is_left_out(largest_strain(&outcome)));
             outcome
         });
     }
-    let watch = FiniteWatch(watch);
-    let finite =
-        at_finite_strain(pressed, &watch).and_then(|pressed| slide_as_pressed(&pressed, slip_rate, &watch));
-    match (small, finite) {
-        (Ok(small), Ok(mut finite)) => {
-            finite.account.notes.push(what_changed(strain, &small.summary, &finite.summary));
-            finite.account.wall_time += small.account.wall_time;
-            Ok(finite)
-        }
-        (Err(_), Ok(mut finite)) => {
-            finite.account.notes.push(format!(
-                "finite strain: at small strain the slide failed at a plastic strain of {strain:.2}"
-            ));
-            Ok(finite)
-        }
-        (Ok(small), Err(SimulationError::Cancelled { partial: None })) => {
-            Err(SimulationError::Cancelled { partial: Some(Box::new(small)) })
-        }
-        (_, Err(cancelled @ SimulationError::Cancelled { .. })) => Err(cancelled),
-        (Ok(mut small), Err(error)) => {
-            small.account.warnings.push(format!("at small strain, as finite strain failed: {error}"));
-            Ok(small)
-        }
-        (Err(error), Err(_)) => Err(error),
+    let finite_watch = FiniteWatch(watch);
+    let finite = at_finite_strain(pressed, &finite_watch).and_then(|pressed| {
+        let probe = Probe::new(&pressed, slip_rate, &finite_watch)?;
+        let note = what_changes(&small, &probe);
+        slide_as_pressed(&pressed, slip_rate, Some(probe), &finite_watch).map(|mut outcome| {
+            outcome.account.notes.push(note);
+            outcome
+        })
+    });
+    match finite {
+        Ok(_) | Err(SimulationError::Cancelled { .. }) => finite,
+        Err(error) => match slide_as_pressed(pressed, slip_rate, Some(small), watch) {
+            Ok(mut outcome) => {
+                outcome.account.warnings.push(format!("at small strain, as finite strain failed: {error}"));
+                Ok(outcome)
+            }
+            Err(cancelled @ SimulationError::Cancelled { .. }) => Err(cancelled),
+            Err(_) => Err(error),
+        },
     }
 }
 
@@ -83,15 +78,19 @@ fn what_is_left_out(strain: f64) -> String {
     )
 }
 
-fn what_changed(strain: f64, small: &Summary, finite: &Summary) -> String {
-    let change = |of: fn(&Summary) -> f64| 100.0 * (of(finite) / of(small) - 1.0);
+fn what_changes(small: &Probe, finite: &Probe) -> String {
+    let strain = small.plastic_strain();
+    if !(small.complete() && finite.complete()) {
+        return format!("finite strain: at small strain the plastic strain reaches {strain:.2}");
+    }
+    let change = |of: Quantity| 100.0 * (finite.value(of) / small.value(of) - 1.0);
     format!(
-        "finite strain, as the plastic strain reached {strain:.2} at small strain: mu {:+.1} %, mu_static \
-         {:+.1} %, P {:+.1} %, A {:+.1} %",
-        change(|s| s.mu.value),
-        change(|s| s.mu_static.value),
-        change(|s| s.load.value),
-        change(|s| s.area.value)
+        "finite strain, as the plastic strain reaches {strain:.2} on a coarse mesh; there it changes mu by \
+         {:+.1} %, mu_static by {:+.1} %, P by {:+.1} %, A by {:+.1} %",
+        change(Quantity::Mu),
+        change(Quantity::MuStatic),
+        change(Quantity::Load),
+        change(Quantity::Area)
     )
 }
 

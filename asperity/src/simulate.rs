@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant as Clock;
 
 use rayon::prelude::*;
+use tables::quantity::Quantity;
 
 use crate::body::Body;
 use crate::conduction::Conduction;
@@ -214,7 +215,14 @@ struct Task<'a> {
     watch: &'a dyn Watch,
 }
 
-impl Task<'_> {
+impl<'a> Task<'a> {
+    fn new(pressed: &'a Pressed, slip_rate: f64, watch: &'a dyn Watch, notes: &mut Vec<String>) -> Self {
+        let units = pressed.problem.units;
+        let number = softening_number(&pressed.scene, slip_rate, pressed.contact_radius * units.length);
+        let heat = choose_heat(&pressed.scene, slip_rate, number, notes);
+        Self { pressed, speed: slip_rate / units.speed(), heat, watch }
+    }
+
     fn slide(
         &self,
         resolution: &Resolution,
@@ -281,14 +289,45 @@ impl Task<'_> {
 pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
     match pressed.scene.model.kinematics {
         Kinematics::Auto => slide_as_strained(pressed, slip_rate, watch),
-        Kinematics::Small | Kinematics::Finite => slide_as_pressed(pressed, slip_rate, watch),
+        Kinematics::Small | Kinematics::Finite => slide_as_pressed(pressed, slip_rate, None, watch),
     }
 }
 
-/// Slide at the kinematics of the press.
+/// A slide on the coarse mesh, to judge by what a finer one needs; it is one of its companions.
+pub(crate) struct Probe {
+    mesh: Arc<PressedMesh>,
+    slid: Slid,
+    scalars: Scalars,
+}
+
+impl Probe {
+    pub fn new(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Self, SimulationError> {
+        let task = Task::new(pressed, slip_rate, watch, &mut Vec::new());
+        watch.progress("slide", 0.0, "coarse mesh");
+        let (mesh, slid) = task.slide(&pressed.resolution.coarse(), |_| {})?;
+        Ok(Self { scalars: task.scalars(&mesh, &slid), mesh, slid })
+    }
+
+    /// Largest plastic strain that the slide reaches.
+    pub fn plastic_strain(&self) -> f64 {
+        self.slid.history.last().map_or(0.0, |instant| instant.plastic_strain_max)
+    }
+
+    /// Whether the slide went all the way.
+    pub fn complete(&self) -> bool {
+        self.slid.failure.is_none()
+    }
+
+    pub fn value(&self, quantity: Quantity) -> f64 {
+        self.scalars.value(quantity)
+    }
+}
+
+/// Slide at the kinematics of the press; `probe` is the coarse slide, if that was made.
 pub(crate) fn slide_as_pressed(
     pressed: &Pressed,
     slip_rate: f64,
+    probe: Option<Probe>,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
     /// Share of a run's progress until its companions are done.
@@ -297,18 +336,18 @@ pub(crate) fn slide_as_pressed(
     const REFINEMENTS: usize = 2;
     let clock = Clock::now();
     let (problem, scene) = (&pressed.problem, &pressed.scene);
-    let units = problem.units;
-    let number = softening_number(scene, slip_rate, pressed.contact_radius * units.length);
     let mut notes = Vec::new();
-    let heat = choose_heat(scene, slip_rate, number, &mut notes);
-    let task = Task { pressed, speed: slip_rate / units.speed(), heat, watch };
+    let task = Task::new(pressed, slip_rate, watch, &mut notes);
 
     let mut resolution = pressed.resolution;
     let coarse = resolution.coarse();
     let plan = [resolution, coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
+    /// Place of the coarse run in the plan.
+    const COARSE: usize = 1;
     let runs: Vec<_> = plan
         .par_iter()
         .enumerate()
+        .filter(|(i, _)| *i != COARSE || probe.is_none())
         .map(|(i, resolution)| {
             task.slide(resolution, |done| {
                 if i == 0 {
@@ -317,7 +356,11 @@ pub(crate) fn slide_as_pressed(
             })
         })
         .collect();
-    let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
+    let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
+    if let Some(Probe { mesh, slid, .. }) = probe {
+        runs.insert(COARSE, (mesh, slid));
+    }
+    let mut runs = runs.into_iter();
     let (mut mesh, mut fine) = runs.next().expect("planned");
     let companions: Vec<_> = runs.collect();
     let slide_time = |slid: &Slid| slid.timings.total() - slid.timings.of(Kernel::Press);
@@ -388,7 +431,7 @@ pub(crate) fn slide_as_pressed(
         elements_per_radius: resolution.elements_per_radius,
         sectors: resolution.sectors,
         unknowns: fine.unknowns,
-        heat,
+        heat: task.heat,
         finite_strain: problem.finite_strain,
         steps: fine.history.len() - 1,
         cutbacks: cutbacks + companions.iter().map(|(_, slid)| slid.cutbacks).sum::<usize>(),
@@ -405,7 +448,7 @@ pub(crate) fn slide_as_pressed(
         Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled { partial: Some(Box::new(outcome)) }),
         Some(failure) => Err(SimulationError::NotConverged {
             stage: "slide",
-            at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * units.length),
+            at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * problem.units.length),
             reason: failure.to_string(),
             partial: Some(Box::new(outcome)),
         }),

@@ -13,7 +13,7 @@ use crate::simulate::Slid;
 use crate::slide::Instant;
 
 /// Top-layer strains above this are beyond small-strain kinematics.
-pub const LARGE_STRAIN: f64 = 0.2;
+const LARGE_STRAIN: f64 = 0.2;
 
 /// What the reader must know.
 pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {

@@ -40,17 +40,18 @@ fn finite_strain_is_small_strain_where_strains_are_small() {
     assert!(says(&auto, "small strain: the plastic strain reaches"), "{:?}", auto.account.notes);
 }
 
-fn energy_off(s: &SlideStep) -> f64 {
+fn energy_missing(s: &SlideStep) -> f64 {
     let spent = s.energy_elastic
         + s.dissipation_plastic
         + s.dissipation_friction
         + s.work_thermal_expansion
         + s.energy_moduli_softening;
-    (s.work - spent).abs() / s.work.abs().max(s.dissipation_plastic).max(s.dissipation_friction)
+    (s.work - spent).abs()
 }
 
-/// The work of the flat is stored or dissipated, but for the curvature of the forces within a step;
-/// heat enters, stays or leaves.
+/// The work of the flat is stored or dissipated, but for the curvature of the forces within a step,
+/// which a tighter solver does not mend: 3e-8 of the work of the slide are missing, all of it before
+/// gross slip. Heat enters, stays or leaves.
 #[test]
 fn ledgers_close_at_finite_strain() {
     let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, 50.0, mesh(6, 8));
@@ -61,11 +62,11 @@ fn ledgers_close_at_finite_strain() {
     let outcome = run_with(&scene, Kinematics::Finite);
     let end = last(&outcome);
     assert!(end.plastic_strain_max > 0.03 && end.temperature_max > 330.0, "{end:?}");
-    let energy = outcome.slide[1..].iter().map(energy_off).fold(0.0, f64::max);
+    let energy = outcome.slide[1..].iter().map(energy_missing).fold(0.0, f64::max) / end.work;
     let heat_off = |s: &SlideStep| (s.heat_in - s.heat_stored - s.heat_out).abs() / s.heat_in;
     let heat = outcome.slide[1..].iter().map(heat_off).fold(0.0, f64::max);
     println!("energy {energy:.1e}, heat {heat:.1e}");
-    assert!(energy <= 1e-6, "energy is off by {energy:.1e}");
+    assert!(energy <= 1e-7, "energy is off by {energy:.1e}");
     assert!(heat <= 1e-6, "heat is off by {heat:.1e}");
 }
 
@@ -81,7 +82,7 @@ fn auto_takes_finite_strain_where_strains_are_large() {
     assert!(small.account.warnings.iter().any(|warning| warning.contains("kinematics is in doubt")));
     let auto = run_with(&scene, Kinematics::Auto);
     println!("{:?}", auto.account.notes);
-    assert!(says(&auto, "finite strain, as the plastic strain reached"), "{:?}", auto.account.notes);
+    assert!(says(&auto, "finite strain, as the plastic strain reaches"), "{:?}", auto.account.notes);
     assert!(!auto.account.warnings.iter().any(|warning| warning.contains("kinematics is in doubt")));
     let finite = run_with(&scene, Kinematics::Finite);
     assert_eq!(auto.slide, finite.slide);

@@ -43,7 +43,7 @@ Example of a scene (SI units, kelvin):
   strength_factor = 1.0
   [model]                  # optional
   kinematics = \"auto\"      # \"small\" strain, \"finite\" strain, or finite where the plastic strain of
-                           # the slide at small strain exceeds 0.2
+                           # a coarse slide exceeds the accuracy asked for
 
 youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
 temperature) may be tables, linear in between and constant outside:
