@@ -78,6 +78,18 @@ impl Resolution {
         Self { tolerance: 30.0 * self.tolerance, increments, ..*self }
     }
 
+    /// On a mesh `factor` times as fine, all else alike.
+    pub fn finer_mesh(&self, factor: usize) -> Self {
+        Self::new(factor * self.elements_per_radius, self.sectors, self.increments.growth)
+    }
+
+    /// The same in increments of press and slide `factor` times shorter.
+    pub fn shorter_steps(&self, factor: usize) -> Self {
+        let growth = self.increments.growth / factor as f64;
+        let increments = Increments { growth, ..self.increments };
+        Self { press_increments: factor * self.press_increments, increments, ..*self }
+    }
+
     /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
     /// nothing if that is met or the scene and the limits leave no choice.
     pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
