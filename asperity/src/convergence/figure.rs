@@ -31,7 +31,8 @@ pub fn figure(convergence: &Convergence) -> Figure {
             curves,
         }
     };
-    let (wall, cpu): (fn(&Run) -> f64, fn(&Run) -> f64) = (|run| run.wall_time, |run| run.cpu_time);
+    let wall: fn(&Run) -> f64 = |run| run.wall_time;
+    let cpu: fn(&Run) -> f64 = |run| run.cpu_time;
     Figure {
         title: "Speed against error".to_owned(),
         panels: vec![

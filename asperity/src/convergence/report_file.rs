@@ -9,6 +9,9 @@ use crate::provenance::SOURCE;
 use crate::scene::Scene;
 use crate::scene_file::write_scene;
 
+/// Name, unit, long name, value.
+type Column = (&'static str, &'static str, &'static str, fn(&Run) -> f64);
+
 /// Write the file; it appears whole or not at all.
 pub fn write(
     path: &Path,
@@ -23,7 +26,7 @@ pub fn write(
     let runs = &convergence.runs;
     file.dimension("run", runs.len())?;
     #[rustfmt::skip]
-    let columns: [(&str, &str, &str, fn(&Run) -> f64); 5] = [
+    let columns: [Column; 5] = [
         ("elements_per_radius", "1", "elements per contact radius", |run| run.elements_per_radius as f64),
         ("sectors", "1", "angles over the half circle", |run| run.sectors as f64),
         ("steps", "1", "increments of the slide", |run| run.steps as f64),

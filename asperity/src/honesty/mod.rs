@@ -7,6 +7,7 @@
 //! coarse mesh. Their effects add up to the true error; what they do to each other is an error of an
 //! error. The solver's part is a hundredth of the others and left out.
 
+mod document;
 mod record;
 mod report;
 pub mod scenes;
@@ -18,8 +19,9 @@ use std::time::Instant as Clock;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+pub use document::markdown;
 pub use record::{Journal, Record};
-pub use report::{Judged, QuantityReport, Report, markdown};
+pub use report::{Judged, QuantityReport, Report};
 
 use crate::resolution::Resolution;
 use crate::simulate::{Watch, press_coarsely, sample};

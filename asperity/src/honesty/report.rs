@@ -1,7 +1,6 @@
 //! True errors beside the estimates.
 
 use std::collections::HashMap;
-use std::fmt::Write;
 
 use tables::quantity::Quantity;
 
@@ -151,6 +150,16 @@ impl Report {
         share(self.all())
     }
 
+    /// Share of true errors that are no larger than an honest estimate allows.
+    pub fn covered(&self) -> f64 {
+        let (mut covered, mut all) = (0u32, 0u32);
+        for judged in self.all() {
+            all += 1;
+            covered += u32::from(judged.is_honest() || judged.ratio() <= HONEST.1);
+        }
+        f64::from(covered) / f64::from(all.max(1))
+    }
+
     pub fn of(&self, quantity: Quantity) -> QuantityReport {
         let chosen = || self.all().filter(move |judged| judged.quantity == quantity);
         let mut ratios: Vec<f64> = chosen().map(Judged::ratio).filter(|ratio| ratio.is_finite()).collect();
@@ -218,18 +227,4 @@ fn judge(runs: &HashMap<Role, Scalars>, scene: &Scene) -> Vec<Judged> {
         }
     };
     JUDGED.into_iter().map(of).collect()
-}
-
-/// The study as a document.
-pub fn markdown(report: &Report) -> String {
-    let mut text = String::new();
-    let _ = writeln!(text, "| quantity | honest | least | median | largest |");
-    for quantity in JUDGED {
-        let QuantityReport { share, ratios, .. } = report.of(quantity);
-        let name = quantity.descriptor().name;
-        let [least, median, largest] = ratios;
-        let _ =
-            writeln!(text, "| {name} | {:.0} % | {least:.2} | {median:.2} | {largest:.2} |", 100.0 * share);
-    }
-    text
 }
