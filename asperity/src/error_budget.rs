@@ -2,11 +2,17 @@
 //!
 //! Every run has companions on a mesh half as fine, which cost little: one as it is, and one each
 //! with another N_θ, with increments twice as large and with a solver less exact. The difference
-//! between the run and the first tells the error of the mesh, given the order of convergence. The
-//! differences among the companions are the errors of the other three sources.
+//! between the run and the first tells the error of the mesh by the order of convergence, 1.5 beside
+//! the square-root edge of the pressure; what depends on where that edge is has a floor besides, as
+//! two meshes may place it wrongly by the same amount. The differences among the companions are those
+//! of the other three sources, less where the run is finer than they are.
+//!
+//! How the estimates compare with true errors is what [`crate::honesty`] finds out.
 
 use tables::quantity::Quantity;
 
+use crate::mesh::EDGE_SIZE;
+use crate::resolution::Resolution;
 use crate::scalars::Scalars;
 
 /// Where an error comes from.
@@ -78,29 +84,35 @@ pub struct Companions<'a> {
 }
 
 impl ErrorBudget {
-    /// `refinement` is the ratio of n_c between the run and its companions.
-    pub fn new(fine: &Scalars, companions: &Companions<'_>, refinement: f64) -> Self {
+    /// Of the run `fine` at one resolution, its companions on the mesh of another.
+    pub fn new(fine: &Scalars, companions: &Companions<'_>, run: &Resolution, coarser: &Resolution) -> Self {
         let Companions { coarse, other_sectors, longer_steps, looser_solver } = *companions;
-        let difference = |a: &Scalars, b: &Scalars, factor: f64| {
-            Quantity::ALL.map(|q| factor * (a.value(q) - b.value(q)).abs())
+        let difference = |a: &Scalars, b: &Scalars| Quantity::ALL.map(|q| (a.value(q) - b.value(q)).abs());
+        let mut budget = Self {
+            parts: [
+                [0.0; QUANTITIES],
+                difference(coarse, other_sectors),
+                difference(coarse, longer_steps),
+                difference(coarse, looser_solver),
+            ],
         };
-        let mut parts = [
-            difference(fine, coarse, mesh_factor(refinement)),
-            difference(coarse, other_sectors, 1.0),
-            difference(coarse, longer_steps, 1.0),
-            difference(coarse, looser_solver, 1.0),
-        ];
+        budget.set_mesh(fine, coarse, run, coarser);
+        let press = coarser.press_increments as f64 / run.press_increments as f64;
         for quantity in Quantity::ALL {
-            parts[ErrorSource::Steps as usize][quantity as usize] += fine.bracket(quantity);
+            let steps = &mut budget.parts[ErrorSource::Steps as usize][quantity as usize];
+            *steps = steps_share(quantity, press) * *steps + fine.bracket(quantity);
         }
-        Self { parts }
+        budget
     }
 
-    /// The mesh's part anew, from a run with `refinement` times the n_c of `coarse`.
-    pub fn set_mesh(&mut self, fine: &Scalars, coarse: &Scalars, refinement: f64) {
-        let factor = mesh_factor(refinement);
-        self.parts[ErrorSource::Mesh as usize] =
-            Quantity::ALL.map(|q| factor * (fine.value(q) - coarse.value(q)).abs());
+    /// The mesh's part anew, from a run and one on a coarser mesh.
+    pub fn set_mesh(&mut self, fine: &Scalars, coarse: &Scalars, run: &Resolution, coarser: &Resolution) {
+        let elements = run.elements_per_radius as f64;
+        let share = mesh_share(elements / coarser.elements_per_radius as f64);
+        self.parts[ErrorSource::Mesh as usize] = Quantity::ALL.map(|quantity| {
+            let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
+            share * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
+        });
     }
 
     /// After a refinement by which a source's error should have fallen.
@@ -145,11 +157,65 @@ impl ErrorBudget {
     }
 }
 
-/// Order at which results converge with the elements: that beside the square-root edge of elastic
-/// contact, where the load is off by 2.2 and 0.7 % at 8 and 16 elements per radius.
-const ORDER: f64 = 1.5;
+/// Errors of a number of the press, that of its increments apart, from its values on the mesh, on a
+/// coarser one, and on that in increments twice as large; `power` of the contact radius it depends on.
+pub fn of_press(
+    [fine, coarse, longer_steps]: [f64; 3],
+    run: &Resolution,
+    coarser: &Resolution,
+    power: f64,
+) -> [f64; 2] {
+    let elements = run.elements_per_radius as f64;
+    let mesh = mesh_share(elements / coarser.elements_per_radius as f64) * (fine - coarse).abs();
+    let increments = coarser.press_increments as f64 / run.press_increments as f64;
+    let steps = increments * (coarse - longer_steps).abs();
+    [mesh + power * edge_share(elements) * fine.abs(), steps]
+}
+
+/// What the edge of the contact after the press, found between two rings of nodes, leaves open of
+/// the radius, relative to it: a share of the ring spacing (measured on elastic and full-stick
+/// presses).
+pub fn edge_share(elements_per_radius: f64) -> f64 {
+    const OF_SPACING: f64 = 0.06;
+    OF_SPACING * EDGE_SIZE / elements_per_radius
+}
+
+/// Of a quantity, relative. The slide moves the edge away from where the rings were laid out for it,
+/// differently around the contact: 0.15 spacings cover what three times as many elements changed
+/// where half as many had changed nothing (`asperity honesty`).
+fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
+    use Quantity::*;
+    let pressed = edge_share(elements_per_radius);
+    let slid = 2.5 * pressed;
+    match quantity {
+        AreaPress => 2.0 * pressed,
+        ContactRadius => pressed,
+        // Friction is strength times area.
+        Mu | MuStatic | MuPeak | Friction | FrictionStatic | Area => 2.0 * slid,
+        // The rise goes with the radius of the source.
+        InceptionSlip | EnergyRelease | EnergyWeakening | TemperatureMax | TemperatureMean => slid,
+        // The pressure vanishes at the edge.
+        Load | LoadPress => 0.0,
+    }
+}
+
+/// Error of the increments over what those twice as large change on the coarse mesh; `press` is the
+/// number of increments of the coarse press over that of the run.
+fn steps_share(quantity: Quantity, press: f64) -> f64 {
+    use Quantity::*;
+    match quantity {
+        // First order in the increments of the press, of which the run has more.
+        LoadPress | AreaPress | ContactRadius => press,
+        // Interpolated between increments, and energies by the trapezoidal rule: second order.
+        InceptionSlip | EnergyRelease => 1.0 / 3.0,
+        // First order in the increments of the slide, and what is left of the press.
+        _ => 0.5 * (1.0 + press),
+    }
+}
 
 /// Error of the finer of two runs over their difference.
-fn mesh_factor(refinement: f64) -> f64 {
+fn mesh_share(refinement: f64) -> f64 {
+    const ORDER: f64 = 1.5;
+    // Meshes that hardly differ tell hardly anything.
     1.0 / (refinement.powf(ORDER) - 1.0).max(0.5)
 }

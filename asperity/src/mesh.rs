@@ -42,7 +42,7 @@ pub fn sphere_height(r: f64) -> f64 {
 }
 
 /// Element size at the contact edge, at the centre, and at the surface in depth, in units of a/n_c.
-const EDGE_SIZE: f64 = 1.0 / 3.0;
+pub const EDGE_SIZE: f64 = 1.0 / 3.0;
 const CENTRE_SIZE: f64 = 1.6;
 const SURFACE_LAYER: f64 = 0.5;
 /// The rings keep their edge size up to here (in a): the contact grows while it slides.

@@ -10,7 +10,7 @@ use crate::slide::Increments;
 const NO_HEAT_SHARE: f64 = 0.25;
 
 /// Relative residual at which a step counts as solved.
-pub const NEWTON_TOLERANCE: f64 = 5e-7;
+pub const NEWTON_TOLERANCE: f64 = 2e-7;
 /// Updates of temperature and contact edge in a step.
 const COUPLING_LIMIT: usize = 4;
 /// Increments of the press for each element per contact radius, and at most in all.
@@ -76,6 +76,18 @@ impl Resolution {
     pub fn looser_solver(&self) -> Self {
         let increments = Increments { coupling_limit: 2, ..self.increments };
         Self { tolerance: 30.0 * self.tolerance, increments, ..*self }
+    }
+
+    /// On a mesh `factor` times as fine, all else alike.
+    pub fn finer_mesh(&self, factor: usize) -> Self {
+        Self::new(factor * self.elements_per_radius, self.sectors, self.increments.growth)
+    }
+
+    /// The same in increments of press and slide `factor` times shorter.
+    pub fn shorter_steps(&self, factor: usize) -> Self {
+        let growth = self.increments.growth / factor as f64;
+        let increments = Increments { growth, ..self.increments };
+        Self { press_increments: factor * self.press_increments, increments, ..*self }
     }
 
     /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;

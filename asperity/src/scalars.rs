@@ -37,6 +37,8 @@ pub struct Scalars {
     values: [f64; QUANTITIES],
     /// What the state of sliding inception, between two states, leaves open.
     brackets: [f64; QUANTITIES],
+    /// T₀, K.
+    start: f64,
     pub inception: InceptionCriterion,
     pub levelled: bool,
 }
@@ -77,11 +79,17 @@ impl Scalars {
             Quantity::InceptionSlip => inception.slip_bracket * units.length,
             _ => 0.0,
         });
-        Self { values, brackets, inception: inception.criterion, levelled: levelled(history) }
+        Self { values, brackets, start, inception: inception.criterion, levelled: levelled(history) }
     }
 
     pub fn value(&self, quantity: Quantity) -> f64 {
         self.values[quantity as usize]
+    }
+
+    /// |value|; of a temperature, its rise.
+    pub fn magnitude(&self, quantity: Quantity) -> f64 {
+        let origin = if quantity.is_temperature() { self.start } else { 0.0 };
+        (self.value(quantity) - origin).abs()
     }
 
     /// Half the difference between the states on both sides of sliding inception.

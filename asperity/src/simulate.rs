@@ -8,12 +8,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant as Clock;
 
 use rayon::prelude::*;
+use tables::law::Estimate;
 use tables::quantity::Quantity;
 
 use crate::body::Body;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
-use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
+use crate::error_budget::{self, Companions, ErrorBudget, ErrorSource};
 use crate::kinematics::slide_as_strained;
 use crate::mechanics::{Effort, Mechanics};
 use crate::mesh::MeshSize;
@@ -87,6 +88,25 @@ pub struct Pressed {
     wall_time: f64,
 }
 
+/// Press on the coarse mesh alone: what [`sample`] starts from.
+pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
+    let clock = Clock::now();
+    let problem = Problem::new(scene);
+    let resolution = Resolution::choose(&scene.numerics);
+    let expected = problem.expected_contact_radius();
+    let mesh = press_mesh(&problem, &resolution.coarse(), expected, watch)?;
+    let contact_radius = mesh.contact.radius(&mesh.contact.committed);
+    Ok(Pressed {
+        scene: scene.clone(),
+        problem,
+        resolution,
+        contact_radius,
+        meshes: Mutex::new(vec![Arc::new(mesh)]),
+        finite: Mutex::new(None),
+        wall_time: clock.elapsed().as_secs_f64(),
+    })
+}
+
 /// Press the asperity to the interference of the scene, in full stick and without heat.
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Clock::now();
@@ -117,7 +137,57 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
     })
 }
 
+/// The contact at the end of the press, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PressedContact {
+    /// P, N.
+    pub load: Estimate,
+    /// Part of the load's error that is of the increments, N.
+    pub load_error_of_steps: f64,
+    /// A, m².
+    pub area: Estimate,
+    /// Of the Hertzian distribution with the same mean over the inner half of the contact, Pa: the
+    /// apex itself is alone in its ring.
+    pub peak_pressure: Estimate,
+    pub plastic_strain_max: f64,
+}
+
+/// p₀ of p₀√(1 − r²/a²) from the mean over the points within a/2: over r < sa that is
+/// p₀ 2(1 − (1 − s²)^{3/2})/(3s²).
+fn peak_pressure(contact: &Contact) -> f64 {
+    let radius = contact.radius(&contact.committed);
+    let inner = contact.radii.iter().take_while(|&&r| r < 0.5 * radius).count();
+    // One angle; areas are those of the half body.
+    let area: f64 = contact.areas[..inner].iter().sum();
+    let pairs = contact.areas.iter().zip(&contact.committed.pressure).take(inner);
+    let load: f64 = pairs.map(|(area, pressure)| area * pressure).sum();
+    let share = 2.0 * area / (std::f64::consts::PI * radius * radius);
+    load / area * 1.5 * share / (1.0 - (1.0 - share).powf(1.5))
+}
+
 impl Pressed {
+    /// The contact, with errors as those of runs.
+    pub fn contact(&self) -> PressedContact {
+        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        let [coarse, fine, longer] = [0, 1, 2].map(|i| &meshes[i]);
+        let (run, coarser) = (&self.resolution, &self.resolution.coarse());
+        let units = self.problem.units;
+        let estimate = |unit: f64, edge_power: f64, of: fn(&Contact) -> f64| {
+            let values = [fine, coarse, longer].map(|mesh| unit * of(&mesh.contact));
+            let [mesh, steps] = error_budget::of_press(values, run, coarser, edge_power);
+            (Estimate { value: values[0], error: mesh + steps }, steps)
+        };
+        let (load, load_error_of_steps) =
+            estimate(units.force(), 0.0, |contact| contact.load(&contact.committed));
+        PressedContact {
+            load,
+            load_error_of_steps,
+            area: estimate(units.area(), 2.0, |contact| contact.area(&contact.committed)).0,
+            peak_pressure: estimate(units.stress, 0.0, peak_pressure).0,
+            plastic_strain_max: fine.body.committed.largest_plastic_strain(),
+        }
+    }
+
     /// The pressed mesh of a resolution, made now if it is not there.
     fn mesh(&self, resolution: &Resolution, watch: &dyn Watch) -> Result<Arc<PressedMesh>, SimulationError> {
         let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
@@ -330,18 +400,30 @@ pub(crate) fn slide_as_pressed(
     probe: Option<Probe>,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
-    /// Share of a run's progress until its companions are done.
-    const FIRST_SHARE: f64 = 0.6;
     /// Times that a run is repeated more finely.
     const REFINEMENTS: usize = 2;
+    slide_refined(pressed, slip_rate, REFINEMENTS, probe, watch)
+}
+
+/// The same, repeated more finely so often at most.
+pub(crate) fn slide_refined(
+    pressed: &Pressed,
+    slip_rate: f64,
+    refinements: usize,
+    probe: Option<Probe>,
+    watch: &dyn Watch,
+) -> Result<Outcome, SimulationError> {
+    /// Share of a run's progress until its companions are done.
+    const FIRST_SHARE: f64 = 0.6;
     let clock = Clock::now();
     let (problem, scene) = (&pressed.problem, &pressed.scene);
     let mut notes = Vec::new();
     let task = Task::new(pressed, slip_rate, watch, &mut notes);
 
     let mut resolution = pressed.resolution;
-    let coarse = resolution.coarse();
-    let plan = [resolution, coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
+    let coarser = resolution.coarse();
+    let plan =
+        [resolution, coarser, coarser.other_sectors(), coarser.longer_steps(), coarser.looser_solver()];
     /// Place of the coarse run in the plan.
     const COARSE: usize = 1;
     let runs: Vec<_> = plan
@@ -375,20 +457,19 @@ pub(crate) fn slide_as_pressed(
             let (mesh, slid) = &companions[i];
             task.scalars(mesh, slid)
         });
-        let refinement = resolution.elements_per_radius as f64 / plan[1].elements_per_radius as f64;
         let companions = Companions {
             coarse: &coarse,
             other_sectors: &sectors,
             longer_steps: &steps,
             looser_solver: &solver,
         };
-        ErrorBudget::new(&scalars, &companions, refinement)
+        ErrorBudget::new(&scalars, &companions, &resolution, &coarser)
     } else {
         warnings.push("a companion run did not finish: errors are unknown and given as the values".into());
         ErrorBudget::unknown(&scalars)
     };
     if known {
-        for _ in 0..REFINEMENTS {
+        for _ in 0..refinements {
             let (_, parts) = budget.worst(&scalars);
             let Some(finer) = resolution.refine(&scene.numerics, &parts) else { break };
             watch.progress("slide", FIRST_SHARE, "finer");
@@ -403,8 +484,7 @@ pub(crate) fn slide_as_pressed(
             beside += slide_time(&fine);
             let next_scalars = task.scalars(&next_mesh, &next);
             if finer.elements_per_radius > resolution.elements_per_radius {
-                let refinement = finer.elements_per_radius as f64 / resolution.elements_per_radius as f64;
-                budget.set_mesh(&next_scalars, &scalars, refinement);
+                budget.set_mesh(&next_scalars, &scalars, &finer, &resolution);
             }
             // Second order in θ at least, first in the increments.
             budget.scale(ErrorSource::Sectors, (resolution.sectors as f64 / finer.sectors as f64).powi(2));
@@ -451,6 +531,39 @@ pub(crate) fn slide_as_pressed(
             at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * problem.units.length),
             reason: failure.to_string(),
             partial: Some(Box::new(outcome)),
+        }),
+    }
+}
+
+/// What one run without companions leaves, dimensionless.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    pub press: Vec<Increment>,
+    pub history: Vec<crate::slide::Instant>,
+}
+
+/// One slide at any resolution, without companions: for studies of what the resolution does. Its
+/// mesh is laid out for the same contact radius as those of `pressed`.
+pub(crate) fn sample(
+    pressed: &Pressed,
+    slip_rate: f64,
+    resolution: &Resolution,
+    watch: &dyn Watch,
+) -> Result<Sample, SimulationError> {
+    let (problem, scene) = (&pressed.problem, &pressed.scene);
+    let units = problem.units;
+    let number = softening_number(scene, slip_rate, pressed.contact_radius * units.length);
+    let heat = choose_heat(scene, slip_rate, number, &mut Vec::new());
+    let task = Task { pressed, speed: slip_rate / units.speed(), heat, watch };
+    let (mesh, slid) = task.slide(resolution, |_| {})?;
+    match slid.failure {
+        None => Ok(Sample { press: mesh.increments.clone(), history: slid.history }),
+        Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled { partial: None }),
+        Some(failure) => Err(SimulationError::NotConverged {
+            stage: "slide",
+            at: format!("slip {:.4e} m", slid.history.last().map_or(0.0, |i| i.slip) * units.length),
+            reason: failure.to_string(),
+            partial: None,
         }),
     }
 }

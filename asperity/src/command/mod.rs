@@ -1,5 +1,7 @@
 //! The command line: arguments, exit status, and one module per subcommand.
 
+mod convergence;
+mod honesty;
 mod materials;
 mod merge;
 mod outputs;
@@ -8,6 +10,7 @@ mod run;
 mod table;
 mod tabulate;
 mod timings;
+mod verify;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -86,6 +89,27 @@ several of them have must agree. Nothing is written otherwise.
 Example:
   asperity merge shard-*.nc -o table.nc --plot table.png";
 
+const CONVERGENCE_EXAMPLE: &str = "\
+The scene is run with 1/4, 1/3, 1/2, 2/3 and all of the elements per contact radius of --finest and the
+increments that its accuracy asks for, and once as it is. Errors are against the limit that the meshes
+show (Richardson extrapolation with the observed order).
+
+Example:
+  asperity convergence scene.toml -o report.nc --plot report.png";
+
+const VERIFY_EXAMPLE: &str = "\
+Examples:
+  asperity verify --quick
+  asperity verify --json > verification.json";
+
+const HONESTY_EXAMPLE: &str = "\
+Each scene takes some minutes of processor time; the study may be interrupted and continued.
+
+Examples:
+  asperity honesty -o honesty.md
+  asperity honesty -o honesty.md --scenes 1,2,3 -v
+  asperity honesty -o honesty.md --judge-only";
+
 const TABLE_EXAMPLE: &str = "\
 Examples:
   asperity table info table.nc
@@ -137,6 +161,18 @@ enum Command {
     /// Describe, compare, plot or export tables
     #[command(subcommand, after_help = TABLE_EXAMPLE)]
     Table(table::TableCommand),
+    /// Run one scene on ever finer meshes: speed against error
+    #[command(after_help = CONVERGENCE_EXAMPLE)]
+    Convergence(ConvergenceArguments),
+    /// Compare the model with closed forms, published fits and conservation laws
+    ///
+    /// Exit status 1 if a row fails: if computed and reference differ by more than the estimated
+    /// error of the computed value and what the two differ by by construction.
+    #[command(after_help = VERIFY_EXAMPLE)]
+    Verify(VerifyArguments),
+    /// Compare the error estimates with true errors in a study of many scenes
+    #[command(after_help = HONESTY_EXAMPLE)]
+    Honesty(HonestyArguments),
     /// List the material presets, or print the constants of one with their sources
     Materials {
         /// Name of a preset
@@ -192,6 +228,61 @@ struct TabulateArguments {
 }
 
 #[derive(Args)]
+struct ConvergenceArguments {
+    /// Scene to run
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    /// File to write values, errors, estimates and times to
+    #[arg(short, long, value_name = "report.nc")]
+    output: PathBuf,
+    /// Replace a value of the scene; may be repeated
+    #[arg(long, value_name = "section.key=value")]
+    set: Vec<String>,
+    /// Elements per contact radius of the finest mesh, a multiple of 12
+    #[arg(long, value_name = "N", default_value_t = FINEST, value_parser = clap::value_parser!(u16).range(12..=96))]
+    finest: u16,
+    /// Plot errors against wall and processor time
+    #[arg(long, value_name = "FILE.svg|png")]
+    plot: Option<PathBuf>,
+}
+
+/// See [`asperity::convergence::FINEST`].
+const FINEST: u16 = asperity::convergence::FINEST as u16;
+
+#[derive(Args)]
+struct VerifyArguments {
+    /// A case of each group, coarsely: under a minute
+    #[arg(long)]
+    quick: bool,
+}
+
+#[derive(Args)]
+struct HonestyArguments {
+    /// Markdown file to write the result to
+    #[arg(short, long, value_name = "honesty.md")]
+    output: PathBuf,
+    /// File of finished runs: what it holds is not run again
+    #[arg(long, value_name = "FILE.jsonl", default_value = "honesty.jsonl")]
+    journal: PathBuf,
+    /// Scenes to run, by number from 1, as in 1,4,7 [default: all]
+    #[arg(long, value_name = "N,N...", value_delimiter = ',', value_parser = scene_number)]
+    scenes: Vec<usize>,
+    /// Run also what tells the orders of convergence and the true error of the sectors
+    #[arg(long)]
+    thorough: bool,
+    /// Run nothing; judge what the journal holds
+    #[arg(long)]
+    judge_only: bool,
+}
+
+fn scene_number(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(number) if number >= 1 => Ok(number),
+        _ => Err("scenes are numbered from 1".into()),
+    }
+}
+
+#[derive(Args)]
 struct MergeArguments {
     /// Tables to put together
     #[arg(value_name = "SHARD.nc", required = true)]
@@ -234,6 +325,9 @@ pub fn main() -> ExitCode {
         Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
         Command::Merge(arguments) => merge::merge(arguments, display),
         Command::Table(command) => table::table(command, display),
+        Command::Convergence(arguments) => convergence::convergence(arguments, display),
+        Command::Verify(arguments) => verify::verify(arguments, display),
+        Command::Honesty(arguments) => honesty::honesty(arguments, display),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
     let (status, reason) = match std::panic::catch_unwind(work) {

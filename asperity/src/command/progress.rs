@@ -74,6 +74,14 @@ impl Progress {
         }
     }
 
+    /// Print something while the bar is shown.
+    pub fn aside(&self, print: impl FnOnce()) {
+        match self {
+            Self::Bar(bar) => bar.suspend(print),
+            _ => print(),
+        }
+    }
+
     /// Take the bar away, before results are printed.
     pub fn clear(&self) {
         if let Self::Bar(bar) = self {

@@ -1,0 +1,77 @@
+//! The sweep for people: a table, and what it advises.
+
+use std::fmt::Write;
+
+use super::{Convergence, Run, SHOWN};
+
+/// A row per run: cost, and for each quantity the error and in brackets its estimate, in per cent.
+pub fn table(convergence: &Convergence) -> String {
+    let mut text = format!("{:>5}{:>8}{:>9}{:>9}", "n_c", "steps", "wall s", "CPU s");
+    // Writing to a String cannot fail.
+    for quantity in SHOWN {
+        let _ = write!(text, "{:>16}", quantity.descriptor().name);
+    }
+    text.push('\n');
+    for run in &convergence.runs {
+        let Run { elements_per_radius, steps, wall_time, cpu_time, .. } = run;
+        let _ = write!(text, "{elements_per_radius:>5}{steps:>8}{wall_time:>9.1}{cpu_time:>9.1}");
+        for quantity in SHOWN {
+            let (error, estimate) = convergence.errors(run, quantity);
+            let _ = write!(text, "{:>16}", format!("{:.2} ({:.2})", 100.0 * error, 100.0 * estimate));
+        }
+        text.push_str(if run.chosen { "  as chosen\n" } else { "\n" });
+    }
+    let _ = write!(text, "{:>31}", "order");
+    for quantity in SHOWN {
+        let order = convergence.limit(quantity).order;
+        let _ = write!(text, "{:>16}", order.map_or("-".to_owned(), |order| format!("{order:.1}")));
+    }
+    text.push_str("\nErrors in % of the limit, of the rise for temperatures; in brackets as estimated.\n");
+    text
+}
+
+/// Where a coarser or a finer mesh pays.
+pub fn in_words(convergence: &Convergence) -> String {
+    let chosen = convergence.chosen();
+    let accuracy = convergence.accuracy;
+    let of = |run: &Run| 100.0 * convergence.worst_error(run);
+    let mut text = format!(
+        "As chosen, {} elements per contact radius: errors of mu, mu_static, Q, P and area are at most \
+         {:.2} % for {:.1} s of processor time; {:.2} % are asked.\n",
+        chosen.elements_per_radius,
+        of(chosen),
+        chosen.cpu_time,
+        100.0 * accuracy
+    );
+    let sweep = &convergence.runs[..convergence.runs.len() - 1];
+    let cheapest = sweep
+        .iter()
+        .filter(|run| convergence.worst_error(run) <= accuracy)
+        .min_by(|a, b| a.cpu_time.total_cmp(&b.cpu_time));
+    let advice = match cheapest {
+        Some(run) if run.cpu_time < 0.8 * chosen.cpu_time => format!(
+            "A coarser choice pays: {} elements have {:.2} % for {:.2} times the processor time.\n",
+            run.elements_per_radius,
+            of(run),
+            run.cpu_time / chosen.cpu_time
+        ),
+        Some(run) if convergence.worst_error(chosen) > accuracy => format!(
+            "A finer choice is needed: {} elements have {:.2} % for {:.1} times the processor time.\n",
+            run.elements_per_radius,
+            of(run),
+            run.cpu_time / chosen.cpu_time
+        ),
+        Some(_) => "No coarser mesh of the sweep meets the accuracy for much less.\n".to_owned(),
+        None => "No mesh of the sweep meets the accuracy.\n".to_owned(),
+    };
+    text += &advice;
+    let finest = sweep.last().expect("a sweep has runs");
+    let _ = writeln!(
+        text,
+        "Finest: {} elements have {:.2} % for {:.1} times the processor time of the choice.",
+        finest.elements_per_radius,
+        of(finest),
+        finest.cpu_time / chosen.cpu_time
+    );
+    text
+}

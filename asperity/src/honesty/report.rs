@@ -1,0 +1,230 @@
+//! True errors beside the estimates.
+
+use std::collections::HashMap;
+
+use tables::quantity::Quantity;
+
+use super::{Record, Role, WORKING_ELEMENTS, scenes};
+use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
+use crate::problem::Problem;
+use crate::resolution::Resolution;
+use crate::scalars::Scalars;
+use crate::scene::Scene;
+
+/// Quantities that are judged.
+pub const JUDGED: [Quantity; 7] = [
+    Quantity::Mu,
+    Quantity::MuStatic,
+    Quantity::Friction,
+    Quantity::Load,
+    Quantity::Area,
+    Quantity::EnergyRelease,
+    Quantity::TemperatureMax,
+];
+/// True error over its estimate that counts as honest.
+pub const HONEST: (f64, f64) = (0.2, 1.5);
+/// Relative to the value (to the rise, for temperatures): below this an error is no concern, and
+/// neither is an estimate.
+pub const NEGLIGIBLE: f64 = 5e-4;
+
+/// One quantity of one scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    pub quantity: Quantity,
+    /// At the working resolution, SI.
+    pub value: f64,
+    /// What errors are relative to: the value, or the rise of temperature.
+    pub scale: f64,
+    /// Value − reference by source, in the order of [`ErrorSource::ALL`].
+    pub parts: [f64; 4],
+    /// Estimated, by source.
+    pub estimates: [f64; 4],
+    /// Order in the mesh and in the increments that the three runs show, if they do.
+    pub orders: [Option<f64>; 2],
+}
+
+impl Judged {
+    /// Value − reference.
+    pub fn error(&self) -> f64 {
+        self.parts.iter().sum()
+    }
+
+    pub fn estimate(&self) -> f64 {
+        self.estimates.iter().sum()
+    }
+
+    /// |true error|/estimate.
+    pub fn ratio(&self) -> f64 {
+        self.error().abs() / self.estimate()
+    }
+
+    /// Neither too large nor too small, or both too small to matter.
+    pub fn is_honest(&self) -> bool {
+        let small = self.error().abs().max(self.estimate()) <= NEGLIGIBLE * self.scale;
+        small || (HONEST.0..=HONEST.1).contains(&self.ratio())
+    }
+}
+
+/// One scene with all its runs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneReport {
+    /// Position in [`scenes::SCENES`].
+    pub scene: usize,
+    pub judged: Vec<Judged>,
+}
+
+/// What is known of one quantity over all scenes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuantityReport {
+    pub quantity: Quantity,
+    /// Of honest estimates.
+    pub share: f64,
+    /// Least, median and largest ratio of true error to estimate.
+    pub ratios: [f64; 3],
+}
+
+/// The study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    pub scenes: Vec<SceneReport>,
+    /// Scenes that lack a run, with the reason.
+    pub missing: Vec<(usize, String)>,
+}
+
+/// Error over the change by a refinement, at an order.
+fn of_limit(refinement: f64, order: f64) -> f64 {
+    1.0 / (1.0 - refinement.powf(-order))
+}
+
+/// Order at which values at h, h/2 and h/3 change by `ratio` in the first step over the second,
+/// if there is one between 0.2 and 5.
+fn mesh_order(ratio: f64) -> Option<f64> {
+    let of = |order: f64| (1.0 - 2f64.powf(-order)) / (2f64.powf(-order) - 3f64.powf(-order)) - ratio;
+    let (mut low, mut high) = (0.2, 5.0);
+    if of(low) > 0.0 || of(high) < 0.0 {
+        return None;
+    }
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if of(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    Some(0.5 * (low + high))
+}
+
+impl Report {
+    /// Of the records of a journal.
+    pub fn new(records: &[Record]) -> Self {
+        let mut report = Self { scenes: Vec::new(), missing: Vec::new() };
+        for (position, &(preset, interference, slip_rate)) in scenes::SCENES.iter().enumerate() {
+            let scene = scenes::scene(preset, interference, slip_rate, WORKING_ELEMENTS);
+            let problem = Problem::new(&scene);
+            let runs: HashMap<Role, Scalars> = records
+                .iter()
+                .filter(|record| record.scene == position)
+                .filter_map(|record| {
+                    let sample = record.sample()?;
+                    Some((record.role, Scalars::new(&problem, &scene, &sample.press, &sample.history)))
+                })
+                .collect();
+            match Role::NEEDED.into_iter().find(|role| !runs.contains_key(role)) {
+                None => {
+                    let judged = judge(&runs, &scene);
+                    report.scenes.push(SceneReport { scene: position, judged });
+                }
+                Some(role) => {
+                    let record = records.iter().find(|r| r.scene == position && r.role == role);
+                    let reason = record.and_then(|r| r.failure.clone()).unwrap_or_else(|| "not run".into());
+                    report.missing.push((position, format!("{role:?}: {reason}")));
+                }
+            }
+        }
+        report
+    }
+
+    pub fn all(&self) -> impl Iterator<Item = &Judged> {
+        self.scenes.iter().flat_map(|scene| &scene.judged)
+    }
+
+    /// Share of honest estimates among all.
+    pub fn share(&self) -> f64 {
+        share(self.all())
+    }
+
+    /// Share of true errors that are no larger than an honest estimate allows.
+    pub fn covered(&self) -> f64 {
+        let (mut covered, mut all) = (0u32, 0u32);
+        for judged in self.all() {
+            all += 1;
+            covered += u32::from(judged.is_honest() || judged.ratio() <= HONEST.1);
+        }
+        f64::from(covered) / f64::from(all.max(1))
+    }
+
+    pub fn of(&self, quantity: Quantity) -> QuantityReport {
+        let chosen = || self.all().filter(move |judged| judged.quantity == quantity);
+        let mut ratios: Vec<f64> = chosen().map(Judged::ratio).filter(|ratio| ratio.is_finite()).collect();
+        ratios.sort_by(f64::total_cmp);
+        let at = |share: f64| {
+            let last = ratios.len().saturating_sub(1) as f64;
+            ratios.get((share * last).round() as usize).copied().unwrap_or(f64::NAN)
+        };
+        QuantityReport { quantity, share: share(chosen()), ratios: [at(0.0), at(0.5), at(1.0)] }
+    }
+}
+
+fn share<'a>(judged: impl Iterator<Item = &'a Judged>) -> f64 {
+    let (mut honest, mut all) = (0u32, 0u32);
+    for judged in judged {
+        all += 1;
+        honest += u32::from(judged.is_honest());
+    }
+    f64::from(honest) / f64::from(all.max(1))
+}
+
+fn judge(runs: &HashMap<Role, Scalars>, scene: &Scene) -> Vec<Judged> {
+    let companions = Companions {
+        coarse: &runs[&Role::Coarse],
+        other_sectors: &runs[&Role::CoarseSectors],
+        longer_steps: &runs[&Role::CoarseSteps],
+        looser_solver: &runs[&Role::CoarseSolver],
+    };
+    let working = &runs[&Role::Working];
+    let resolution = Resolution::choose(&scene.numerics);
+    let start = scene.loading.temperature;
+    let budget = ErrorBudget::new(working, &companions, &resolution, &resolution.coarse());
+    let of = |quantity: Quantity| {
+        let value = |role: Role| runs.get(&role).map(|scalars| scalars.value(quantity));
+        let here = working.value(quantity);
+        let against = |role: Role| value(role).map_or(0.0, |there| here - there);
+        let order = |values: [Option<f64>; 3]| {
+            let [Some(first), Some(second), Some(third)] = values else { return None };
+            Some((first - second) / (second - third))
+        };
+        Judged {
+            quantity,
+            value: here,
+            scale: if quantity.is_temperature() { (here - start).max(1.0) } else { here.abs() },
+            parts: [
+                match value(Role::ThreeTimesElements) {
+                    Some(finest) => (here - finest) * of_limit(3.0, 1.5),
+                    None => against(Role::TwiceElements) * of_limit(2.0, 1.5),
+                },
+                match value(Role::MoreSectors) {
+                    Some(more) => here - more,
+                    None => companions.coarse.value(quantity) - companions.other_sectors.value(quantity),
+                },
+                against(Role::QuarterSteps) * of_limit(4.0, 1.0),
+                0.0,
+            ],
+            orders: [
+                order([Some(here), value(Role::TwiceElements), value(Role::ThreeTimesElements)])
+                    .and_then(mesh_order),
+                order([Some(here), value(Role::HalfSteps), value(Role::QuarterSteps)])
+                    .filter(|ratio| *ratio > 1.0)
+                    .map(f64::log2),
+            ],
+            estimates: ErrorSource::ALL.map(|source| budget.part(source, quantity)),
+        }
+    };
+    JUDGED.into_iter().map(of).collect()
+}
