@@ -22,6 +22,9 @@ const MOST_ROUNDS: usize = 60;
 /// control does the rest.
 const DENSITY_RANGE: f64 = 25.0;
 
+/// Relative accuracy, in √ω, of how far a table would have to reach.
+const REACH_ACCURACY: f64 = 0.005;
+
 /// The start of contact of a law without kinks and the growth of the panels
 /// beyond the last kink: each is twice as long in √ω as the one before.
 const FIRST_PANEL: f64 = 1.0;
@@ -37,6 +40,10 @@ pub struct HeightIntegral<'a> {
     passing: PanelTree,
     /// Panels that together cover ω from zero upwards.
     roots: Vec<Root>,
+    /// Panels of the separation at hand, and others kept for their memory.
+    leaves: Vec<Leaf>,
+    finer: Vec<Leaf>,
+    pending: Vec<(bool, usize)>,
 }
 
 /// A panel between kinks of the law, sampled only where there are summits: a
@@ -82,6 +89,9 @@ impl<'a> HeightIntegral<'a> {
             kept: PanelTree::default(),
             passing: PanelTree::default(),
             roots: breaks.into_iter().map(root).collect(),
+            leaves: Vec::new(),
+            finer: Vec::new(),
+            pending: Vec::new(),
         }
     }
 
@@ -90,35 +100,37 @@ impl<'a> HeightIntegral<'a> {
         if let Some(heights) = self.heights.measured() {
             return self.summed(heights, separation);
         }
-        let leaves = self.leaves(separation)?;
-        let mut state = self.state(separation, &leaves);
+        let mut leaves = std::mem::take(&mut self.leaves);
+        let refined = self.refine(separation, &mut leaves);
+        self.leaves = leaves;
+        refined?;
+        let mut state = self.state(separation, &self.leaves);
         if state.outside > NEGLIGIBLE_SHARE {
-            state.reach = self.reach(&leaves);
+            state.reach = self.reach(separation)?;
         }
         Ok(state)
     }
 
     /// Panels fine enough for the tolerance, by ascending interference.
-    fn leaves(&mut self, separation: f64) -> Result<Vec<Leaf>, LookupError> {
+    fn refine(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
         self.passing.clear();
-        let mut leaves = Vec::new();
-        self.cover(separation, &mut leaves)?;
+        leaves.clear();
+        self.cover(separation, leaves)?;
         for _ in 0..MOST_ROUNDS {
             let total = sum(leaves.iter().map(|leaf| &leaf.value));
             let error = sum(leaves.iter().map(|leaf| &leaf.error));
-            let excessive = |error: &Sums, share: f64| {
-                [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > self.tolerance * total[k].abs() * share)
-            };
-            if !excessive(&error, 1.0) {
+            if !excessive(&error, 1.0, self.tolerance, &total) {
                 break;
             }
             let share = 0.5 / leaves.len() as f64;
-            let poor: Vec<bool> = leaves.iter().map(|leaf| excessive(&leaf.error, share)).collect();
-            let mut finer = Vec::with_capacity(leaves.len() + 8);
-            for (leaf, poor) in leaves.iter().zip(poor) {
+            let tolerance = self.tolerance;
+            let poor = |error: &Sums| excessive(error, share, tolerance, &total);
+            let mut finer = std::mem::take(&mut self.finer);
+            finer.clear();
+            for leaf in leaves.iter() {
                 let panel = self.tree(leaf.kept).panel(leaf.panel);
                 // Below the spacing of numbers there is nothing to halve.
-                if !poor || panel.to - panel.from < 1e-14 * panel.to {
+                if !poor(&leaf.error) || panel.to - panel.from < 1e-14 * panel.to {
                     finer.push(*leaf);
                     continue;
                 }
@@ -126,9 +138,9 @@ impl<'a> HeightIntegral<'a> {
                     finer.push(self.leaf(leaf.kept, half, separation));
                 }
             }
-            leaves = finer;
+            self.finer = std::mem::replace(leaves, finer);
         }
-        Ok(leaves)
+        Ok(())
     }
 
     /// Covers all interferences that matter with panels in which the density is
@@ -140,7 +152,8 @@ impl<'a> HeightIntegral<'a> {
         // Loads grow as a power of ω; 16 leaves a factor of 10⁷ for that growth.
         let negligible = peak + self.tolerance.ln() - 16.0;
 
-        let mut pending: Vec<(bool, usize)> = Vec::new();
+        let mut pending = std::mem::take(&mut self.pending);
+        pending.clear();
         for position in 0.. {
             if position == self.roots.len() {
                 let from = self.roots[position - 1].to;
@@ -211,6 +224,7 @@ impl<'a> HeightIntegral<'a> {
                 None => leaves.push(self.leaf(kept, index, separation)),
             }
         }
+        self.pending = pending;
         Ok(())
     }
 
@@ -224,7 +238,8 @@ impl<'a> HeightIntegral<'a> {
     }
 
     fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
-        let (value, error) = self.tree(kept).panel(panel).integral(self.heights, separation);
+        let (value, error) =
+            self.tree(kept).panel(panel).integral(self.heights, separation, self.asperity.knows_energy());
         Leaf { kept, panel, value, error }
     }
 
@@ -259,25 +274,38 @@ impl<'a> HeightIntegral<'a> {
     }
 
     /// Interference beyond which a negligible share of the load remains.
-    fn reach(&self, leaves: &[Leaf]) -> f64 {
-        let total: f64 = leaves.iter().map(|leaf| leaf.value[LOAD]).sum();
-        let negligible = NEGLIGIBLE_SHARE * total;
+    fn reach(&mut self, separation: f64) -> Result<f64, LookupError> {
+        let negligible = NEGLIGIBLE_SHARE * self.leaves.iter().map(|leaf| leaf.value[LOAD]).sum::<f64>();
         let mut beyond = 0.0;
-        for leaf in leaves.iter().rev() {
+        let crossed = |leaf: &&Leaf| {
             let with_leaf = beyond + leaf.value[LOAD];
-            if with_leaf > negligible {
-                // The load left falls about exponentially across the panel.
-                let panel = self.tree(leaf.kept).panel(leaf.panel);
-                let share = if beyond > 0.0 {
-                    (with_leaf / negligible).ln() / (with_leaf / beyond).ln()
-                } else {
-                    1.0
-                };
-                return (panel.from + share * (panel.to - panel.from)).powi(2);
+            let crossed = with_leaf > negligible;
+            if !crossed {
+                beyond = with_leaf;
             }
-            beyond = with_leaf;
+            crossed
+        };
+        let Some(mut leaf) = self.leaves.iter().rev().find(crossed).copied() else {
+            return Ok(self.asperity.limit());
+        };
+        // Into the half that the share lies in, until its ends agree.
+        for _ in 0..MOST_ROUNDS {
+            let panel = self.tree(leaf.kept).panel(leaf.panel);
+            let (from, to) = (panel.from, panel.to);
+            if to - from <= REACH_ACCURACY * to {
+                return Ok(to * to);
+            }
+            let [lower, upper] = self.halves(leaf.kept, leaf.panel)?;
+            let above = self.leaf(leaf.kept, upper, separation);
+            if beyond + above.value[LOAD] > negligible {
+                leaf = above;
+            } else {
+                beyond += above.value[LOAD];
+                leaf = self.leaf(leaf.kept, lower, separation);
+            }
         }
-        self.asperity.limit()
+        let panel = self.tree(leaf.kept).panel(leaf.panel);
+        Ok(panel.to * panel.to)
     }
 
     /// Sum over a finite set of heights, highest first.
@@ -307,6 +335,11 @@ impl<'a> HeightIntegral<'a> {
         }
         Ok(state)
     }
+}
+
+/// Whether load, friction or area err by more than a `share` of what the tolerance allows.
+fn excessive(error: &Sums, share: f64, tolerance: f64, total: &Sums) -> bool {
+    [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > tolerance * total[k].abs() * share)
 }
 
 fn sum<'s>(parts: impl Iterator<Item = &'s Sums>) -> Sums {

@@ -25,7 +25,7 @@ pub const LOAD_RADIUS: usize = 6;
 /// Load of asperities beyond the limit of the law.
 pub const LOAD_OUTSIDE: usize = 7;
 
-/// Energy released from full stick to full slip.
+/// Energy released from full stick to full slip, last because often nobody asks.
 pub const ENERGY: usize = 8;
 pub const ENERGY_ERROR: usize = 9;
 
@@ -128,7 +128,8 @@ impl Panel {
 
     /// Integral over the panel with summits of density `heights` above a flat at `separation`,
     /// and its error: what the ten-point Gauss rule would differ, a generous one.
-    pub fn integral(&self, heights: &dyn Heights, separation: f64) -> (Sums, Sums) {
+    /// Energies stay zero unless asked for `with_energy`.
+    pub fn integral(&self, heights: &dyn Heights, separation: f64, with_energy: bool) -> (Sums, Sums) {
         // Whole vectors of eight: what is left over would go through the exponential one by one.
         let mut density = [separation; POINTS.next_multiple_of(8)];
         for (height, interference) in density.iter_mut().zip(&self.interference) {
@@ -137,14 +138,28 @@ impl Panel {
         heights.densities(&mut density);
         let mut sums = [0.0; QUANTITIES];
         let mut difference = [0.0; QUANTITIES];
+        self.add::<0, ENERGY>(&density, &mut sums, &mut difference);
+        if with_energy {
+            self.add::<ENERGY, QUANTITIES>(&density, &mut sums, &mut difference);
+        }
+        (sums, difference.map(f64::abs))
+    }
+
+    /// The quantities from one to the next: a number of them that the compiler knows.
+    #[inline(always)]
+    fn add<const FROM: usize, const TO: usize>(
+        &self,
+        density: &[f64],
+        sums: &mut Sums,
+        difference: &mut Sums,
+    ) {
         for point in 0..POINTS {
             let excess = density[point] * EXCESS[point];
-            for quantity in 0..QUANTITIES {
+            for quantity in FROM..TO {
                 sums[quantity] += density[point] * self.weighted[point][quantity];
                 difference[quantity] += excess * self.weighted[point][quantity];
             }
         }
-        (sums, difference.map(f64::abs))
     }
 }
 
