@@ -133,7 +133,7 @@ pub enum PredictionError {
 }
 
 /// Slips of a slide that one thread goes through in order.
-const PIECE: usize = 10;
+const PIECE: usize = 20;
 
 /// Predicts the friction of `surface` from the `law` of its asperities.
 ///

@@ -35,6 +35,7 @@ pub mod surface_file;
 pub mod surface_integral;
 mod sweep;
 pub mod topography;
+pub mod trail;
 pub mod uncertainty;
 
 #[cfg(test)]
