@@ -59,7 +59,7 @@ struct Leaf {
     kept: bool,
     panel: usize,
     value: Sums,
-    error: Sums,
+    error: Errors,
 }
 
 impl<'a> HeightIntegral<'a> {
@@ -124,7 +124,7 @@ impl<'a> HeightIntegral<'a> {
             }
             let share = 0.5 / leaves.len() as f64;
             let tolerance = self.tolerance;
-            let poor = |error: &Sums| excessive(error, share, tolerance, &total);
+            let poor = |error: &Errors| excessive(error, share, tolerance, &total);
             let mut finer = std::mem::take(&mut self.finer);
             finer.clear();
             for leaf in leaves.iter() {
@@ -134,8 +134,12 @@ impl<'a> HeightIntegral<'a> {
                     finer.push(*leaf);
                     continue;
                 }
-                for half in self.halves(leaf.kept, leaf.panel)? {
-                    finer.push(self.leaf(leaf.kept, half, separation));
+                for panel in self.finer(leaf.kept, leaf.panel)?.panels() {
+                    finer.push(self.leaf(leaf.kept, panel, separation));
+                }
+                // What is too coarse here mostly is at the next separation as well.
+                if leaf.kept {
+                    self.kept.pass_over(leaf.panel);
                 }
             }
             self.finer = std::mem::replace(leaves, finer);
@@ -178,10 +182,7 @@ impl<'a> HeightIntegral<'a> {
         // The last shall be first: panels leave the stack by ascending interference.
         pending.reverse();
         while let Some((kept, index)) = pending.pop() {
-            let (from, to) = {
-                let panel = self.tree(kept).panel(index);
-                (panel.from, panel.to)
-            };
+            let Panel { from, to, too_coarse, .. } = *self.tree(kept).panel(index);
             let bottom = (separation + critical * from * from).max(lowest);
             let top = (separation + critical * to * to).min(highest);
             if bottom >= top {
@@ -191,10 +192,18 @@ impl<'a> HeightIntegral<'a> {
             if largest < negligible {
                 continue;
             }
+            if too_coarse {
+                let finer = self.finer(kept, index)?;
+                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
+                continue;
+            }
             // Between its steps a density may vanish or jump: they come before its range.
             let root = |height: f64| ((height - separation) / critical).max(0.0).sqrt();
             let inside = |edge: &f64| *edge > from + 1e-12 * to && *edge < to - 1e-12 * to;
-            if let Some(edge) = self.heights.step_between(bottom, top).map(root).filter(inside) {
+            // One at an end of the panel would hide others within.
+            let margin = 4e-12 * (top - separation);
+            let step = self.heights.step_between(bottom + margin, top - margin);
+            if let Some(edge) = step.map(root).filter(inside) {
                 let first = self.passing.add(&self.asperity, from, edge)?;
                 let second = self.passing.add(&self.asperity, edge, to)?;
                 pending.push((false, second));
@@ -209,9 +218,8 @@ impl<'a> HeightIntegral<'a> {
             let farthest = seen(bottom).min(seen(top));
             let range = largest - farthest.max(negligible);
             if range > DENSITY_RANGE && to - from > 1e-12 * to {
-                let [first, second] = self.halves(kept, index)?;
-                pending.push((kept, second));
-                pending.push((kept, first));
+                let finer = self.finer(kept, index)?;
+                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
                 continue;
             }
             match [lowest, highest].map(root).into_iter().find(inside) {
@@ -232,14 +240,14 @@ impl<'a> HeightIntegral<'a> {
         if kept { &self.kept } else { &self.passing }
     }
 
-    fn halves(&mut self, kept: bool, panel: usize) -> Result<[usize; 2], LookupError> {
+    fn finer(&mut self, kept: bool, panel: usize) -> Result<Finer, LookupError> {
         let tree = if kept { &mut self.kept } else { &mut self.passing };
-        tree.halves(&self.asperity, panel)
+        tree.finer(&self.asperity, panel)
     }
 
     fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
         let (value, error) =
-            self.tree(kept).panel(panel).integral(self.heights, separation, self.asperity.knows_energy());
+            self.tree(kept).integral(panel, self.heights, separation, self.asperity.knows_energy());
         Leaf { kept, panel, value, error }
     }
 
@@ -250,22 +258,22 @@ impl<'a> HeightIntegral<'a> {
     }
 
     /// From sums per asperity to values per nominal area.
-    fn scaled(&self, tail: f64, total: &Sums, error: &Sums) -> ContactState {
+    fn scaled(&self, tail: f64, total: &Sums, error: &Errors) -> ContactState {
         let density = self.asperity_density;
-        let integral = |value: usize, law_error: usize| Integral {
+        let integral = |value: usize, law_error: usize, error_of: usize| Integral {
             value: density * total[value],
             law_error: density * total[law_error],
             // Rounding of the sums themselves.
-            quadrature_error: density * (error[value] + 4.0 * f64::EPSILON * total[value].abs()),
+            quadrature_error: density * (error[error_of] + 4.0 * f64::EPSILON * total[value].abs()),
         };
         let share = |part: usize| {
             if total[LOAD] > 0.0 { total[part] / total[LOAD] } else { 0.0 }
         };
         ContactState {
-            pressure: integral(LOAD, LOAD_ERROR),
-            shear: integral(FRICTION, FRICTION_ERROR),
-            area_fraction: integral(AREA, AREA_ERROR),
-            energy: self.asperity.knows_energy().then(|| integral(ENERGY, ENERGY_ERROR)),
+            pressure: integral(LOAD, LOAD_ERROR, LOAD),
+            shear: integral(FRICTION, FRICTION_ERROR, FRICTION),
+            area_fraction: integral(AREA, AREA_ERROR, AREA),
+            energy: self.asperity.knows_energy().then(|| integral(ENERGY, ENERGY_ERROR, OF_ENERGY)),
             contact_density: density * tail,
             loaded_radius: share(LOAD_RADIUS),
             outside: share(LOAD_OUTSIDE),
@@ -295,13 +303,12 @@ impl<'a> HeightIntegral<'a> {
             if to - from <= REACH_ACCURACY * to {
                 return Ok(to * to);
             }
-            let [lower, upper] = self.halves(leaf.kept, leaf.panel)?;
-            let above = self.leaf(leaf.kept, upper, separation);
-            if beyond + above.value[LOAD] > negligible {
-                leaf = above;
-            } else {
-                beyond += above.value[LOAD];
-                leaf = self.leaf(leaf.kept, lower, separation);
+            for panel in self.finer(leaf.kept, leaf.panel)?.panels().rev() {
+                leaf = self.leaf(leaf.kept, panel, separation);
+                if beyond + leaf.value[LOAD] > negligible {
+                    break;
+                }
+                beyond += leaf.value[LOAD];
             }
         }
         let panel = self.tree(leaf.kept).panel(leaf.panel);
@@ -321,7 +328,7 @@ impl<'a> HeightIntegral<'a> {
             }
         }
         let tail = self.heights.tail(separation);
-        let mut state = self.scaled(tail, &total, &[0.0; QUANTITIES]);
+        let mut state = self.scaled(tail, &total, &Errors::default());
         if state.outside > NEGLIGIBLE_SHARE {
             let mut beyond = 0.0;
             for &height in touching {
@@ -338,12 +345,12 @@ impl<'a> HeightIntegral<'a> {
 }
 
 /// Whether load, friction or area err by more than a `share` of what the tolerance allows.
-fn excessive(error: &Sums, share: f64, tolerance: f64, total: &Sums) -> bool {
+fn excessive(error: &Errors, share: f64, tolerance: f64, total: &Sums) -> bool {
     [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > tolerance * total[k].abs() * share)
 }
 
-fn sum<'s>(parts: impl Iterator<Item = &'s Sums>) -> Sums {
-    let mut total = [0.0; QUANTITIES];
+fn sum<'s, const N: usize>(parts: impl Iterator<Item = &'s [f64; N]>) -> [f64; N] {
+    let mut total = [0.0; N];
     for part in parts {
         for (sum, value) in total.iter_mut().zip(part) {
             *sum += value;

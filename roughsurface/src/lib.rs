@@ -19,6 +19,7 @@ pub mod friction_figure;
 pub mod friction_file;
 pub mod heights;
 pub mod integral;
+mod kronrod;
 pub mod law_source;
 pub mod monte_carlo;
 pub mod monte_carlo_file;

@@ -128,6 +128,9 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     }
 }
 
+/// A drop by this share of the peak is within the tolerance of the integrals, and none.
+const NO_DROP: f64 = 1e-5;
+
 /// Energy released by weakening, ∫ (τ − τ_end) ds from the peak of the friction
 /// stress τ (Pa) to the end of the slip (m), J per m² of nominal area.
 ///
@@ -138,6 +141,10 @@ pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
     let Some(end) = shear.last() else {
         return Estimate::default();
     };
+    let peak = shear.iter().map(|point| point.value).fold(end.value, f64::max);
+    if peak - end.value <= NO_DROP * peak.abs() {
+        return Estimate { value: 0.0, error: (peak - end.value) * (slip[slip.len() - 1] - slip[0]) };
+    }
     let value = released(slip, shear, |point| point.value - end.value);
     let changed = released(slip, shear, |point| (point.error - end.error).abs());
     let relative = shear
@@ -166,8 +173,7 @@ pub fn weakening_distance(slip: &[f64], shear: &[Estimate]) -> Estimate {
         return unknown;
     };
     let drop = peak.value - end.value;
-    // A drop within the tolerance of the integrals is none.
-    if drop <= 1e-5 * peak.value.abs() {
+    if drop <= NO_DROP * peak.value.abs() {
         return unknown;
     }
     let energy = weakening_energy(slip, shear);

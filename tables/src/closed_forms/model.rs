@@ -180,6 +180,12 @@ impl ClosedForm {
     }
 }
 
+/// Interferences, in ω_c, between which kinks are looked for, and steps of the search from break to
+/// break.
+const LOWEST_BREAK: f64 = 1e-9;
+const HIGHEST_BREAK: f64 = 1e6;
+const SCANNED: usize = 16;
+
 /// A sphere in gross slip.
 struct Sliding {
     /// P, N.
@@ -240,6 +246,40 @@ impl AsperityLaw for ClosedForm {
             NormalContact::KogutEtsion => kogut_etsion::BREAKS.to_vec(),
             NormalContact::Brizmer => vec![self.units.0],
         }
+    }
+
+    /// Where the slip is that of gross slip: on one side the contact still sticks in part.
+    fn breaks_after(&self, radius: f64, slip: f64) -> Vec<f64> {
+        let excess = |interference: f64| self.sliding(radius, interference).gross_slip - slip;
+        let mut ends = vec![LOWEST_BREAK];
+        ends.extend(self.breaks());
+        ends.push(HIGHEST_BREAK);
+        // Gross slip need not grow with interference where friction falls: each piece is scanned.
+        let place = |piece: &[f64], i: usize| {
+            // A friction that jumps at a break has there the value of one side.
+            let inside = (i as f64 / SCANNED as f64).clamp(1e-9, 1.0 - 1e-9);
+            piece[0] * (piece[1] / piece[0]).powf(inside)
+        };
+        let mut breaks = Vec::new();
+        for piece in ends.windows(2) {
+            for i in 0..SCANNED {
+                let (mut low, mut high) = (place(piece, i), place(piece, i + 1));
+                let at_low = excess(low);
+                if at_low * excess(high) >= 0.0 {
+                    continue;
+                }
+                for _ in 0..60 {
+                    let middle = (low * high).sqrt();
+                    if (excess(middle) > 0.0) == (at_low > 0.0) {
+                        low = middle;
+                    } else {
+                        high = middle;
+                    }
+                }
+                breaks.push(high);
+            }
+        }
+        breaks
     }
 
     fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
