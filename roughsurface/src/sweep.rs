@@ -149,11 +149,11 @@ impl<'a> Sweep<'a> {
         let friction = Friction {
             mu_static: start.mu,
             inception_slip: start.slip,
-            energy: weakening_energy(slip, &shear),
+            weakening_energy: weakening_energy(slip, &shear),
             weakening_distance: weakening_distance(slip, &shear),
             shares: self.shares(rate, slip[slip.len() - 1], curve[curve.len() - 1].separation.value),
             rate_sensitivity: Estimate { value: f64::NAN, error: f64::NAN },
-            energy_stick_slip: self.energy_stick_slip(row, pressed),
+            energy_release: self.energy_release(row, pressed),
             pressed: curve[0],
             sliding: curve[curve.len() - 1],
             mu_history,
@@ -187,7 +187,7 @@ impl<'a> Sweep<'a> {
         RegimeShares::of(&asperities, heights, separation, self.settings.melting_temperature)
     }
 
-    fn energy_stick_slip(&self, row: usize, pressed: &Carried) -> Option<Estimate> {
+    fn energy_release(&self, row: usize, pressed: &Carried) -> Option<Estimate> {
         let mut energy = pressed.state.energy?.estimate();
         if let Pressing::Pressure(pressures) = &self.query.pressing {
             let slope = (pressed.sensitivity.energy * energy.value).abs();

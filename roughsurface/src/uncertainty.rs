@@ -56,12 +56,15 @@ pub struct Output {
     value: fn(&Friction) -> Estimate,
 }
 
+const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
+
 /// Every such result. To add one: a line here.
-pub const OUTPUTS: [Output; 6] = [
+pub const OUTPUTS: [Output; 7] = [
     Output { name: "mu", units: "1", value: |f| f.sliding.mu },
     Output { name: "mu_static", units: "1", value: |f| f.mu_static },
     Output { name: "Q", units: "Pa", value: |f| f.sliding.shear },
-    Output { name: "G", units: "J m-2", value: |f| f.energy },
+    Output { name: "G", units: "J m-2", value: |f| f.energy_release.unwrap_or(UNKNOWN) },
+    Output { name: "G_weakening", units: "J m-2", value: |f| f.weakening_energy },
     Output { name: "real_area_fraction", units: "1", value: |f| f.sliding.area_fraction },
     Output { name: "separation", units: "m", value: |f| f.pressed.separation },
 ];
@@ -181,7 +184,7 @@ yield_strength = 4e6
         }
         let std = relative.iter().map(|share| share * share).sum::<f64>().sqrt();
         assert!((found.std(0, 0) / mu - std).abs() < 1e-5);
-        let separation = found.contributions[0][5][0];
+        let separation = found.contributions[0][6][0];
         assert!((separation / 1e-9 - 0.01).abs() < 1e-5, "{separation:e}");
     }
 

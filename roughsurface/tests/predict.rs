@@ -79,7 +79,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
     let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
     let (mu, mu_error) = (read("mu"), read("mu_error"));
-    let (mu_static, energy, area) = (read("mu_static"), read("G"), read("real_area_fraction"));
+    let (mu_static, energy, area) = (read("mu_static"), read("G_weakening"), read("real_area_fraction"));
     let separation = read("separation");
     for (i, cell) in exact.friction.iter().flatten().enumerate() {
         let off = (mu[i] - cell.sliding.mu.value).abs();
@@ -88,7 +88,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
         assert!((mu_static[i] / cell.mu_static.value - 1.0).abs() < 0.01);
         assert!((area[i] / cell.sliding.area_fraction.value - 1.0).abs() < 5e-3);
         assert!((separation[i] - cell.pressed.separation.value).abs() < 1e-3 * 0.05e-6);
-        assert!((energy[i] / cell.energy.value - 1.0).abs() < 0.02, "G {}", energy[i]);
+        assert!((energy[i] / cell.weakening_energy.value - 1.0).abs() < 0.02, "G {}", energy[i]);
         assert!(mu_static[i] > mu[i] && energy[i] > 0.0);
     }
     assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
