@@ -39,5 +39,8 @@ pub mod topography;
 pub mod trail;
 pub mod uncertainty;
 
+#[doc = include_str!("worked_examples.md")]
+pub mod worked_examples {}
+
 #[cfg(test)]
 mod test_laws;

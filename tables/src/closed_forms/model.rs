@@ -184,7 +184,35 @@ impl ClosedForm {
 /// break.
 const LOWEST_BREAK: f64 = 1e-9;
 const HIGHEST_BREAK: f64 = 1e6;
-const SCANNED: usize = 16;
+const SCANNED: usize = 8;
+
+/// Where a function changes its sign between two places with its values there: regula falsi,
+/// Illinois.
+fn sign_change(function: impl Fn(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64)) -> f64 {
+    let (mut weight_low, mut weight_high) = (low.1, high.1);
+    for _ in 0..100 {
+        if high.0 - low.0 <= 1e-13 * high.0.abs().max(1.0) {
+            break;
+        }
+        let secant = low.0 + (high.0 - low.0) * weight_low / (weight_low - weight_high);
+        // No friction, no gross slip, no logarithm.
+        let next = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
+        let value = function(next);
+        if value == 0.0 {
+            return next;
+        }
+        if (value > 0.0) == (low.1 > 0.0) {
+            low = (next, value);
+            weight_low = value;
+            weight_high *= 0.5;
+        } else {
+            high = (next, value);
+            weight_high = value;
+            weight_low *= 0.5;
+        }
+    }
+    0.5 * (low.0 + high.0)
+}
 
 /// A sphere in gross slip.
 struct Sliding {
@@ -250,33 +278,26 @@ impl AsperityLaw for ClosedForm {
 
     /// Where the slip is that of gross slip: on one side the contact still sticks in part.
     fn breaks_after(&self, radius: f64, slip: f64) -> Vec<f64> {
-        let excess = |interference: f64| self.sliding(radius, interference).gross_slip - slip;
-        let mut ends = vec![LOWEST_BREAK];
-        ends.extend(self.breaks());
-        ends.push(HIGHEST_BREAK);
-        // Gross slip need not grow with interference where friction falls: each piece is scanned.
-        let place = |piece: &[f64], i: usize| {
-            // A friction that jumps at a break has there the value of one side.
-            let inside = (i as f64 / SCANNED as f64).clamp(1e-9, 1.0 - 1e-9);
-            piece[0] * (piece[1] / piece[0]).powf(inside)
-        };
+        let excess =
+            |ln_interference: f64| (self.sliding(radius, ln_interference.exp()).gross_slip / slip).ln();
+        let mut ends = vec![LOWEST_BREAK.ln()];
+        ends.extend(self.breaks().into_iter().map(f64::ln));
+        ends.push(HIGHEST_BREAK.ln());
+        // Under a constant strength gross slip grows with the contact; where friction falls with
+        // interference it need not.
+        let steps = if self.inception == SlidingInception::ConstantShear { 1 } else { SCANNED };
         let mut breaks = Vec::new();
         for piece in ends.windows(2) {
-            for i in 0..SCANNED {
-                let (mut low, mut high) = (place(piece, i), place(piece, i + 1));
-                let at_low = excess(low);
-                if at_low * excess(high) >= 0.0 {
-                    continue;
+            // A law that jumps at a break has there the value of one side.
+            let (from, to) = (piece[0] + 1e-9, piece[1] - 1e-9);
+            let place = |i: usize| from + (to - from) * i as f64 / steps as f64;
+            let mut low = (place(0), excess(place(0)));
+            for i in 1..=steps {
+                let high = (place(i), excess(place(i)));
+                if (low.1 > 0.0) != (high.1 > 0.0) {
+                    breaks.push(sign_change(excess, low, high).exp());
                 }
-                for _ in 0..60 {
-                    let middle = (low * high).sqrt();
-                    if (excess(middle) > 0.0) == (at_low > 0.0) {
-                        low = middle;
-                    } else {
-                        high = middle;
-                    }
-                }
-                breaks.push(high);
+                low = high;
             }
         }
         breaks
@@ -406,6 +427,24 @@ mod tests {
         assert!((state.friction.value / (slip * stiffness) - 1.0).abs() < 1e-4);
         let rest = law.response(1e-4, 5.0, 0.0, 0.0).unwrap();
         assert_eq!(rest.friction.value, 0.0);
+    }
+
+    #[test]
+    fn gross_slip_is_a_break() {
+        for name in NAMES {
+            let law = ClosedForm::new(name, &STEEL).unwrap();
+            for interference in [0.02, 0.7, 30.0] {
+                let sliding = law.sliding(1e-4, interference);
+                if sliding.strength == 0.0 {
+                    continue;
+                }
+                let breaks = law.breaks_after(1e-4, sliding.gross_slip);
+                assert!(
+                    breaks.iter().any(|place| (place / interference - 1.0).abs() < 1e-6),
+                    "{name} at {interference}: {breaks:?}"
+                );
+            }
+        }
     }
 
     #[test]
