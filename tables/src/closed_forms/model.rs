@@ -1,5 +1,6 @@
 //! The closed forms as laws that a rough surface can be built from.
 
+use super::crossings::where_equal;
 use super::partial_slip::{constant_shear, tangential_modulus};
 use super::{brizmer, chang_etsion_bogy, hertz, jackson_green, kogut_etsion};
 use crate::law::{AsperityLaw, Estimate, LookupError, Response};
@@ -180,39 +181,8 @@ impl ClosedForm {
     }
 }
 
-/// Interferences, in ω_c, between which kinks are looked for, and steps of the search from break to
-/// break.
-const LOWEST_BREAK: f64 = 1e-9;
-const HIGHEST_BREAK: f64 = 1e6;
+/// Steps of the search for gross slip from break to break.
 const SCANNED: usize = 8;
-
-/// Where a function changes its sign between two places with its values there: regula falsi,
-/// Illinois.
-fn sign_change(function: impl Fn(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64)) -> f64 {
-    let (mut weight_low, mut weight_high) = (low.1, high.1);
-    for _ in 0..100 {
-        if high.0 - low.0 <= 1e-13 * high.0.abs().max(1.0) {
-            break;
-        }
-        let secant = low.0 + (high.0 - low.0) * weight_low / (weight_low - weight_high);
-        // No friction, no gross slip, no logarithm.
-        let next = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
-        let value = function(next);
-        if value == 0.0 {
-            return next;
-        }
-        if (value > 0.0) == (low.1 > 0.0) {
-            low = (next, value);
-            weight_low = value;
-            weight_high *= 0.5;
-        } else {
-            high = (next, value);
-            weight_high = value;
-            weight_low *= 0.5;
-        }
-    }
-    0.5 * (low.0 + high.0)
-}
 
 /// A sphere in gross slip.
 struct Sliding {
@@ -278,29 +248,11 @@ impl AsperityLaw for ClosedForm {
 
     /// Where the slip is that of gross slip: on one side the contact still sticks in part.
     fn breaks_after(&self, radius: f64, slip: f64) -> Vec<f64> {
-        let excess =
-            |ln_interference: f64| (self.sliding(radius, ln_interference.exp()).gross_slip / slip).ln();
-        let mut ends = vec![LOWEST_BREAK.ln()];
-        ends.extend(self.breaks().into_iter().map(f64::ln));
-        ends.push(HIGHEST_BREAK.ln());
         // Under a constant strength gross slip grows with the contact; where friction falls with
         // interference it need not.
         let steps = if self.inception == SlidingInception::ConstantShear { 1 } else { SCANNED };
-        let mut breaks = Vec::new();
-        for piece in ends.windows(2) {
-            // A law that jumps at a break has there the value of one side.
-            let (from, to) = (piece[0] + 1e-9, piece[1] - 1e-9);
-            let place = |i: usize| from + (to - from) * i as f64 / steps as f64;
-            let mut low = (place(0), excess(place(0)));
-            for i in 1..=steps {
-                let high = (place(i), excess(place(i)));
-                if (low.1 > 0.0) != (high.1 > 0.0) {
-                    breaks.push(sign_change(excess, low, high).exp());
-                }
-                low = high;
-            }
-        }
-        breaks
+        let gross_slip = |interference: f64| self.sliding(radius, interference).gross_slip;
+        where_equal(gross_slip, slip, &self.breaks(), steps)
     }
 
     fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
