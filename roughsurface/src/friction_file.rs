@@ -311,7 +311,7 @@ fn write_propagated(
     propagated: &Propagated,
     grid: &[&str; 2],
 ) -> Result<(), DatasetError> {
-    let keys: Vec<&str> = propagated.parameters.iter().map(|uncertain| uncertain.parameter.key()).collect();
+    let keys: Vec<&str> = propagated.parameters.iter().map(|moved| moved.key.as_str()).collect();
     file.dimension("parameter", keys.len())?;
     let what = "parameter of the surface file with a standard deviation";
     file.texts("parameter", &["parameter"], &keys, &[("long_name", what.into())])?;

@@ -202,7 +202,8 @@ fn uncertainties(page: &mut String, prediction: &Prediction) {
     }
     page.push_str("<h2>Standard deviations from uncertain parameters</h2>\n<ul>\n");
     for uncertain in &propagated.parameters {
-        let _ = writeln!(page, "<li>{} ± {:e}</li>", uncertain.parameter.key(), uncertain.std);
+        let std = uncertain.std.map_or("another table".into(), |std| format!("± {std:e}"));
+        let _ = writeln!(page, "<li>{} {std}</li>", escaped(&uncertain.key));
     }
     page.push_str("</ul>\n");
     table(page, &head, &rows);

@@ -133,7 +133,7 @@ fn parameters(prediction: &Prediction, propagated: &Propagated) -> String {
             row.extend((0..OUTPUTS.len()).map(|output| format!("{:.1e}", propagated.std(cell, output))));
             let changes = propagated.contributions[cell][0].iter().zip(&propagated.parameters);
             let most = changes.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
-            row.push(most.map_or("-", |(_, uncertain)| uncertain.parameter.key()).to_string());
+            row.push(most.map_or("-", |(_, uncertain)| uncertain.key.as_str()).to_string());
             rows.push(row);
             cell += 1;
         }

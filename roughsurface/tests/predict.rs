@@ -2,7 +2,7 @@
 
 mod demonstration;
 
-use demonstration::{STEEL, Weakening, table};
+use demonstration::{STEEL, Stronger, Weakening, table};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -221,4 +221,29 @@ fn everything_asked_for_is_in_the_files() {
     {
         assert!(page.contains(wanted), "{wanted}");
     }
+}
+
+#[test]
+fn another_table_stands_for_a_constant_of_the_material() {
+    let folder = Folder::new("tables");
+    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    // A tenth more of every shear stress: friction and its energies grow by as much.
+    let stronger = table(&Stronger(Weakening::new()), 200.0);
+    stronger.write(&folder.path("stronger.nc")).unwrap();
+    let text = format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n");
+    std::fs::write(folder.path("surface.toml"), text).unwrap();
+    let output = folder.run("predict surface.toml --table table.nc -o f.nc --report f.html");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
+    for name in ["mu", "Q", "G_weakening"] {
+        for (std, value) in read(&format!("{name}_parameter_std")).iter().zip(read(name)) {
+            assert!((std / value - 0.1).abs() < 1e-3, "{name}: {std} {value}");
+        }
+    }
+    let page = std::fs::read_to_string(folder.path("f.html")).unwrap();
+    assert!(page.contains("<li>strength another table</li>"));
+    let refused = folder.run("predict surface.toml --table model:hertz -o f.nc");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("uncertainty.tables: has no meaning for a closed form"));
 }

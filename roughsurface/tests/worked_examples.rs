@@ -59,7 +59,8 @@ fn brake_disc() {
         ],
     );
     assert!(prediction.friction.iter().flatten().all(|cell| (cell.shares.plastic - 0.99).abs() < 0.005));
-    let propagated = propagate(&file, "model:jackson-green", &Settings::default(), &|_, _| ()).unwrap();
+    let propagated =
+        propagate(&file, "model:jackson-green", &prediction, &Settings::default(), &|_, _| ()).unwrap();
     let std = propagated.std(0, 0);
     assert!((std - 0.002).abs() < 5e-4, "{std}");
 }

@@ -131,9 +131,9 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
         })
         .map_err(failure)?;
     prediction.warnings.extend(gaps);
-    if !file.uncertain.is_empty() {
+    if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
         let shown = |done, total| progress.show(done, total);
-        let propagated = pool.install(|| propagate(&file, &options.table, &settings, &shown));
+        let propagated = pool.install(|| propagate(&file, &options.table, &prediction, &settings, &shown));
         prediction.propagated = Some(propagated.map_err(input)?);
     }
     if let Some(material) = &background.material {

@@ -52,6 +52,33 @@ impl AsperityLaw for Weakening {
     }
 }
 
+/// The same with a tenth more friction everywhere.
+#[allow(dead_code, reason = "the benchmarks do without")]
+pub struct Stronger(pub Weakening);
+
+impl AsperityLaw for Stronger {
+    fn name(&self) -> String {
+        "stronger".into()
+    }
+    fn critical_interference(&self, radius: f64) -> f64 {
+        self.0.critical_interference(radius)
+    }
+    fn interference_limit(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn breaks(&self) -> Vec<f64> {
+        self.0.breaks()
+    }
+    fn slip_rate_range(&self, radius: f64) -> (f64, f64) {
+        self.0.slip_rate_range(radius)
+    }
+    fn response(&self, radius: f64, omega: f64, rate: f64, slip: f64) -> Result<Response, LookupError> {
+        let mut response = self.0.response(radius, omega, rate, slip)?;
+        response.friction.value *= 1.1;
+        Ok(response)
+    }
+}
+
 fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
     let share = |i: usize| i as f64 / (points - 1) as f64;
     (0..points).map(|i| from * (to / from).powf(share(i))).collect()
