@@ -71,6 +71,7 @@ impl<'a> AsperityAtSlip<'a> {
     /// Places ω/ω_c where the law has kinks, ascending, its limit among them.
     pub fn breaks(&self) -> Vec<f64> {
         let mut breaks = self.law.breaks();
+        breaks.extend(self.law.breaks_after(self.radius, self.slip));
         breaks.push(self.limit);
         breaks.retain(|place| *place > 0.0 && place.is_finite() && *place <= self.limit);
         breaks.sort_by(f64::total_cmp);

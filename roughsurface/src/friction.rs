@@ -45,14 +45,14 @@ impl Friction {
         Estimate { value, error }
     }
 
-    /// [`energy`](Self::energy) per real contact area at the end of the slide, J/m².
-    pub fn energy_of_real_area(&self) -> Estimate {
-        Self::per(self.energy, self.sliding.area_fraction)
+    /// [`weakening_energy`](Self::weakening_energy) per real contact area at the end of the slide, J/m².
+    pub fn weakening_of_real_area(&self) -> Estimate {
+        Self::per(self.weakening_energy, self.sliding.area_fraction)
     }
 
-    /// [`energy_stick_slip`](Self::energy_stick_slip) per real contact area before the slide, J/m².
-    pub fn energy_stick_slip_of_real_area(&self) -> Option<Estimate> {
-        self.energy_stick_slip.map(|energy| Self::per(energy, self.pressed.area_fraction))
+    /// [`energy_release`](Self::energy_release) per real contact area before the slide, J/m².
+    pub fn release_of_real_area(&self) -> Option<Estimate> {
+        self.energy_release.map(|energy| Self::per(energy, self.pressed.area_fraction))
     }
 }
 
@@ -73,13 +73,13 @@ pub struct Friction {
     pub inception_slip: f64,
     /// Energy released by weakening, J per m² of nominal area, see
     /// [`weakening_energy`](crate::slip_curve::weakening_energy).
-    pub energy: Estimate,
+    pub weakening_energy: Estimate,
     /// Slip over which friction weakens, m, see
     /// [`weakening_distance`](crate::slip_curve::weakening_distance).
     pub weakening_distance: Estimate,
     /// Energy that the asperities release from full stick to full slip, J per m² of
     /// nominal area; none where the law does not know it.
-    pub energy_stick_slip: Option<Estimate>,
+    pub energy_release: Option<Estimate>,
     /// Before the slide.
     pub pressed: SlipState,
     /// At the end of the slide: sliding friction.
@@ -133,7 +133,7 @@ pub enum PredictionError {
 }
 
 /// Slips of a slide that one thread goes through in order.
-const PIECE: usize = 10;
+const PIECE: usize = 20;
 
 /// Predicts the friction of `surface` from the `law` of its asperities.
 ///

@@ -1,8 +1,9 @@
 //! Predictions at a glance.
 
+use crate::flash_heating::FlashHeating;
 use crate::friction::{Friction, Prediction};
 use crate::query::Pressing;
-use tables::figure::{Axis, Curve, Figure, Panel};
+use tables::figure::{Axis, Curve, Drawn, Figure, Panel};
 use tables::law::Estimate;
 
 /// Curves that a panel can hold and stay legible.
@@ -17,10 +18,11 @@ pub fn figure(prediction: &Prediction) -> Figure {
         over_slip_rate(prediction),
         over_pressing(
             prediction,
-            "Static and sliding friction",
+            "Sliding friction",
             FRICTION_LABEL,
-            &[("", |friction| friction.sliding.mu), ("static, ", |friction| friction.mu_static)],
+            &[("", |friction| friction.sliding.mu)],
         ),
+        over_pressing(prediction, "Static friction", FRICTION_LABEL, &[("", |friction| friction.mu_static)]),
         along_the_slide(prediction),
         Panel {
             y: Axis::logarithmic("real area fraction"),
@@ -119,40 +121,43 @@ fn short(value: f64) -> String {
     }
 }
 
+/// Points with the flash-heating law through them; where it could not be fitted, with a line.
 fn over_slip_rate(prediction: &Prediction) -> Panel {
     let rates = &prediction.query.slip_rates;
+    let mut curves = Vec::new();
     let rows = chosen(prediction.friction.len(), MOST_CURVES);
-    let curves = rows.iter().map(|&row| {
+    for (style, &row) in rows.iter().enumerate() {
         let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
         let (y, error) = values_and_errors(mu);
-        Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error)
-    });
+        let points = Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error);
+        match &prediction.flash_heating[row] {
+            Ok(fit) => {
+                curves.push(points.drawn_as(Drawn::Markers, style));
+                curves.push(fitted(rates, fit).drawn_as(Drawn::Line, style));
+            }
+            Err(_) => curves.push(points.drawn_as(Drawn::LineAndMarkers, style)),
+        }
+    }
+    let with_fit = rows.iter().any(|row| prediction.flash_heating[*row].is_ok());
+    let title = if with_fit { "Sliding friction, and flash-heating fit (lines)" } else { "Sliding friction" };
     Panel {
-        title: "Sliding friction and flash-heating fit".into(),
+        title: title.into(),
         x: Axis::logarithmic("slip rate V (m/s)"),
         y: Axis::linear(FRICTION_LABEL),
-        curves: curves.chain(fits(prediction, &rows)).collect(),
+        curves,
     }
 }
 
-/// The flash-heating law along the slip rates, for the first and the last of `rows` that have one.
-fn fits(prediction: &Prediction, rows: &[usize]) -> Vec<Curve> {
+/// The flash-heating law along the slip rates.
+fn fitted(slip_rates: &[f64], fit: &FlashHeating) -> Curve {
     const POINTS: usize = 121;
-    let rates = prediction.query.slip_rates.iter().copied().filter(|rate| *rate > 0.0);
+    let rates = slip_rates.iter().copied().filter(|rate| *rate > 0.0);
     let (slowest, fastest) = rates
         .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), rate: f64| (low.min(rate), high.max(rate)));
-    let fitted = rows.iter().filter_map(|&row| Some((row, prediction.flash_heating[row].ok()?)));
-    let mut fitted: Vec<_> = fitted.collect();
-    if fitted.len() > 2 {
-        fitted = vec![fitted[0], fitted[fitted.len() - 1]];
-    }
-    let curve = |(row, fit): (usize, crate::flash_heating::FlashHeating)| {
-        let at = |i: usize| slowest * (fastest / slowest).powf(i as f64 / (POINTS - 1) as f64);
-        let x: Vec<f64> = (0..POINTS).map(at).collect();
-        let y = x.iter().map(|&rate| fit.friction_coefficient(rate)).collect();
-        Curve::new(format!("fit, {}", row_label(prediction, row)), x, y)
-    };
-    fitted.into_iter().map(curve).collect()
+    let at = |i: usize| slowest * (fastest / slowest).powf(i as f64 / (POINTS - 1) as f64);
+    let x: Vec<f64> = (0..POINTS).map(at).collect();
+    let y = x.iter().map(|&rate| fit.friction_coefficient(rate)).collect();
+    Curve::new("", x, y)
 }
 
 fn pressing_axis(prediction: &Prediction) -> Axis {

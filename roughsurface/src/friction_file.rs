@@ -39,28 +39,28 @@ const QUANTITIES: [Quantity; 17] = [
         value: |f| f.sliding.shear,
     },
     Quantity {
-        name: "G",
+        name: "G_weakening",
         units: "J m-2",
         long_name: "energy of slip weakening per nominal area, from the peak of the friction stress to the end of the slide",
-        value: |f| f.energy,
+        value: |f| f.weakening_energy,
     },
     Quantity {
-        name: "G_stick_slip",
+        name: "G",
         units: "J m-2",
         long_name: "energy that the asperities release from full stick to full slip per nominal area",
-        value: |f| f.energy_stick_slip.unwrap_or(UNKNOWN),
+        value: |f| f.energy_release.unwrap_or(UNKNOWN),
+    },
+    Quantity {
+        name: "G_weakening_real_area",
+        units: "J m-2",
+        long_name: "energy of slip weakening per real contact area at the end of the slide",
+        value: Friction::weakening_of_real_area,
     },
     Quantity {
         name: "G_real_area",
         units: "J m-2",
-        long_name: "energy of slip weakening per real contact area at the end of the slide",
-        value: Friction::energy_of_real_area,
-    },
-    Quantity {
-        name: "G_stick_slip_real_area",
-        units: "J m-2",
         long_name: "energy that the asperities release from full stick to full slip per real contact area before the slide",
-        value: |f| f.energy_stick_slip_of_real_area().unwrap_or(UNKNOWN),
+        value: |f| f.release_of_real_area().unwrap_or(UNKNOWN),
     },
     Quantity {
         name: "weakening_distance",
@@ -311,7 +311,7 @@ fn write_propagated(
     propagated: &Propagated,
     grid: &[&str; 2],
 ) -> Result<(), DatasetError> {
-    let keys: Vec<&str> = propagated.parameters.iter().map(|uncertain| uncertain.parameter.key()).collect();
+    let keys: Vec<&str> = propagated.parameters.iter().map(|moved| moved.key.as_str()).collect();
     file.dimension("parameter", keys.len())?;
     let what = "parameter of the surface file with a standard deviation";
     file.texts("parameter", &["parameter"], &keys, &[("long_name", what.into())])?;

@@ -22,6 +22,9 @@ const MOST_ROUNDS: usize = 60;
 /// control does the rest.
 const DENSITY_RANGE: f64 = 25.0;
 
+/// Relative accuracy, in √ω, of how far a table would have to reach.
+const REACH_ACCURACY: f64 = 0.005;
+
 /// The start of contact of a law without kinks and the growth of the panels
 /// beyond the last kink: each is twice as long in √ω as the one before.
 const FIRST_PANEL: f64 = 1.0;
@@ -37,6 +40,10 @@ pub struct HeightIntegral<'a> {
     passing: PanelTree,
     /// Panels that together cover ω from zero upwards.
     roots: Vec<Root>,
+    /// Panels of the separation at hand, and others kept for their memory.
+    leaves: Vec<Leaf>,
+    finer: Vec<Leaf>,
+    pending: Vec<(bool, usize)>,
 }
 
 /// A panel between kinks of the law, sampled only where there are summits: a
@@ -52,7 +59,7 @@ struct Leaf {
     kept: bool,
     panel: usize,
     value: Sums,
-    error: Sums,
+    error: Errors,
 }
 
 impl<'a> HeightIntegral<'a> {
@@ -82,6 +89,9 @@ impl<'a> HeightIntegral<'a> {
             kept: PanelTree::default(),
             passing: PanelTree::default(),
             roots: breaks.into_iter().map(root).collect(),
+            leaves: Vec::new(),
+            finer: Vec::new(),
+            pending: Vec::new(),
         }
     }
 
@@ -90,45 +100,51 @@ impl<'a> HeightIntegral<'a> {
         if let Some(heights) = self.heights.measured() {
             return self.summed(heights, separation);
         }
-        let leaves = self.leaves(separation)?;
-        let mut state = self.state(separation, &leaves);
+        let mut leaves = std::mem::take(&mut self.leaves);
+        let refined = self.refine(separation, &mut leaves);
+        self.leaves = leaves;
+        refined?;
+        let mut state = self.state(separation, &self.leaves);
         if state.outside > NEGLIGIBLE_SHARE {
-            state.reach = self.reach(&leaves);
+            state.reach = self.reach(separation)?;
         }
         Ok(state)
     }
 
     /// Panels fine enough for the tolerance, by ascending interference.
-    fn leaves(&mut self, separation: f64) -> Result<Vec<Leaf>, LookupError> {
+    fn refine(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
         self.passing.clear();
-        let mut leaves = Vec::new();
-        self.cover(separation, &mut leaves)?;
+        leaves.clear();
+        self.cover(separation, leaves)?;
         for _ in 0..MOST_ROUNDS {
             let total = sum(leaves.iter().map(|leaf| &leaf.value));
             let error = sum(leaves.iter().map(|leaf| &leaf.error));
-            let excessive = |error: &Sums, share: f64| {
-                [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > self.tolerance * total[k].abs() * share)
-            };
-            if !excessive(&error, 1.0) {
+            if !excessive(&error, 1.0, self.tolerance, &total) {
                 break;
             }
             let share = 0.5 / leaves.len() as f64;
-            let poor: Vec<bool> = leaves.iter().map(|leaf| excessive(&leaf.error, share)).collect();
-            let mut finer = Vec::with_capacity(leaves.len() + 8);
-            for (leaf, poor) in leaves.iter().zip(poor) {
+            let tolerance = self.tolerance;
+            let poor = |error: &Errors| excessive(error, share, tolerance, &total);
+            let mut finer = std::mem::take(&mut self.finer);
+            finer.clear();
+            for leaf in leaves.iter() {
                 let panel = self.tree(leaf.kept).panel(leaf.panel);
                 // Below the spacing of numbers there is nothing to halve.
-                if !poor || panel.to - panel.from < 1e-14 * panel.to {
+                if !poor(&leaf.error) || panel.to - panel.from < 1e-14 * panel.to {
                     finer.push(*leaf);
                     continue;
                 }
-                for half in self.halves(leaf.kept, leaf.panel)? {
-                    finer.push(self.leaf(leaf.kept, half, separation));
+                for panel in self.finer(leaf.kept, leaf.panel)?.panels() {
+                    finer.push(self.leaf(leaf.kept, panel, separation));
+                }
+                // What is too coarse here mostly is at the next separation as well.
+                if leaf.kept {
+                    self.kept.pass_over(leaf.panel);
                 }
             }
-            leaves = finer;
+            self.finer = std::mem::replace(leaves, finer);
         }
-        Ok(leaves)
+        Ok(())
     }
 
     /// Covers all interferences that matter with panels in which the density is
@@ -140,7 +156,8 @@ impl<'a> HeightIntegral<'a> {
         // Loads grow as a power of ω; 16 leaves a factor of 10⁷ for that growth.
         let negligible = peak + self.tolerance.ln() - 16.0;
 
-        let mut pending: Vec<(bool, usize)> = Vec::new();
+        let mut pending = std::mem::take(&mut self.pending);
+        pending.clear();
         for position in 0.. {
             if position == self.roots.len() {
                 let from = self.roots[position - 1].to;
@@ -165,10 +182,7 @@ impl<'a> HeightIntegral<'a> {
         // The last shall be first: panels leave the stack by ascending interference.
         pending.reverse();
         while let Some((kept, index)) = pending.pop() {
-            let (from, to) = {
-                let panel = self.tree(kept).panel(index);
-                (panel.from, panel.to)
-            };
+            let Panel { from, to, too_coarse, .. } = *self.tree(kept).panel(index);
             let bottom = (separation + critical * from * from).max(lowest);
             let top = (separation + critical * to * to).min(highest);
             if bottom >= top {
@@ -178,10 +192,18 @@ impl<'a> HeightIntegral<'a> {
             if largest < negligible {
                 continue;
             }
+            if too_coarse {
+                let finer = self.finer(kept, index)?;
+                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
+                continue;
+            }
             // Between its steps a density may vanish or jump: they come before its range.
             let root = |height: f64| ((height - separation) / critical).max(0.0).sqrt();
             let inside = |edge: &f64| *edge > from + 1e-12 * to && *edge < to - 1e-12 * to;
-            if let Some(edge) = self.heights.step_between(bottom, top).map(root).filter(inside) {
+            // One at an end of the panel would hide others within.
+            let margin = 4e-12 * (top - separation);
+            let step = self.heights.step_between(bottom + margin, top - margin);
+            if let Some(edge) = step.map(root).filter(inside) {
                 let first = self.passing.add(&self.asperity, from, edge)?;
                 let second = self.passing.add(&self.asperity, edge, to)?;
                 pending.push((false, second));
@@ -196,9 +218,8 @@ impl<'a> HeightIntegral<'a> {
             let farthest = seen(bottom).min(seen(top));
             let range = largest - farthest.max(negligible);
             if range > DENSITY_RANGE && to - from > 1e-12 * to {
-                let [first, second] = self.halves(kept, index)?;
-                pending.push((kept, second));
-                pending.push((kept, first));
+                let finer = self.finer(kept, index)?;
+                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
                 continue;
             }
             match [lowest, highest].map(root).into_iter().find(inside) {
@@ -211,6 +232,7 @@ impl<'a> HeightIntegral<'a> {
                 None => leaves.push(self.leaf(kept, index, separation)),
             }
         }
+        self.pending = pending;
         Ok(())
     }
 
@@ -218,13 +240,14 @@ impl<'a> HeightIntegral<'a> {
         if kept { &self.kept } else { &self.passing }
     }
 
-    fn halves(&mut self, kept: bool, panel: usize) -> Result<[usize; 2], LookupError> {
+    fn finer(&mut self, kept: bool, panel: usize) -> Result<Finer, LookupError> {
         let tree = if kept { &mut self.kept } else { &mut self.passing };
-        tree.halves(&self.asperity, panel)
+        tree.finer(&self.asperity, panel)
     }
 
     fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
-        let (value, error) = self.tree(kept).panel(panel).integral(self.heights, separation);
+        let (value, error) =
+            self.tree(kept).integral(panel, self.heights, separation, self.asperity.knows_energy());
         Leaf { kept, panel, value, error }
     }
 
@@ -235,22 +258,22 @@ impl<'a> HeightIntegral<'a> {
     }
 
     /// From sums per asperity to values per nominal area.
-    fn scaled(&self, tail: f64, total: &Sums, error: &Sums) -> ContactState {
+    fn scaled(&self, tail: f64, total: &Sums, error: &Errors) -> ContactState {
         let density = self.asperity_density;
-        let integral = |value: usize, law_error: usize| Integral {
+        let integral = |value: usize, law_error: usize, error_of: usize| Integral {
             value: density * total[value],
             law_error: density * total[law_error],
             // Rounding of the sums themselves.
-            quadrature_error: density * (error[value] + 4.0 * f64::EPSILON * total[value].abs()),
+            quadrature_error: density * (error[error_of] + 4.0 * f64::EPSILON * total[value].abs()),
         };
         let share = |part: usize| {
             if total[LOAD] > 0.0 { total[part] / total[LOAD] } else { 0.0 }
         };
         ContactState {
-            pressure: integral(LOAD, LOAD_ERROR),
-            shear: integral(FRICTION, FRICTION_ERROR),
-            area_fraction: integral(AREA, AREA_ERROR),
-            energy: self.asperity.knows_energy().then(|| integral(ENERGY, ENERGY_ERROR)),
+            pressure: integral(LOAD, LOAD_ERROR, LOAD),
+            shear: integral(FRICTION, FRICTION_ERROR, FRICTION),
+            area_fraction: integral(AREA, AREA_ERROR, AREA),
+            energy: self.asperity.knows_energy().then(|| integral(ENERGY, ENERGY_ERROR, OF_ENERGY)),
             contact_density: density * tail,
             loaded_radius: share(LOAD_RADIUS),
             outside: share(LOAD_OUTSIDE),
@@ -259,25 +282,37 @@ impl<'a> HeightIntegral<'a> {
     }
 
     /// Interference beyond which a negligible share of the load remains.
-    fn reach(&self, leaves: &[Leaf]) -> f64 {
-        let total: f64 = leaves.iter().map(|leaf| leaf.value[LOAD]).sum();
-        let negligible = NEGLIGIBLE_SHARE * total;
+    fn reach(&mut self, separation: f64) -> Result<f64, LookupError> {
+        let negligible = NEGLIGIBLE_SHARE * self.leaves.iter().map(|leaf| leaf.value[LOAD]).sum::<f64>();
         let mut beyond = 0.0;
-        for leaf in leaves.iter().rev() {
+        let crossed = |leaf: &&Leaf| {
             let with_leaf = beyond + leaf.value[LOAD];
-            if with_leaf > negligible {
-                // The load left falls about exponentially across the panel.
-                let panel = self.tree(leaf.kept).panel(leaf.panel);
-                let share = if beyond > 0.0 {
-                    (with_leaf / negligible).ln() / (with_leaf / beyond).ln()
-                } else {
-                    1.0
-                };
-                return (panel.from + share * (panel.to - panel.from)).powi(2);
+            let crossed = with_leaf > negligible;
+            if !crossed {
+                beyond = with_leaf;
             }
-            beyond = with_leaf;
+            crossed
+        };
+        let Some(mut leaf) = self.leaves.iter().rev().find(crossed).copied() else {
+            return Ok(self.asperity.limit());
+        };
+        // Into the half that the share lies in, until its ends agree.
+        for _ in 0..MOST_ROUNDS {
+            let panel = self.tree(leaf.kept).panel(leaf.panel);
+            let (from, to) = (panel.from, panel.to);
+            if to - from <= REACH_ACCURACY * to {
+                return Ok(to * to);
+            }
+            for panel in self.finer(leaf.kept, leaf.panel)?.panels().rev() {
+                leaf = self.leaf(leaf.kept, panel, separation);
+                if beyond + leaf.value[LOAD] > negligible {
+                    break;
+                }
+                beyond += leaf.value[LOAD];
+            }
         }
-        self.asperity.limit()
+        let panel = self.tree(leaf.kept).panel(leaf.panel);
+        Ok(panel.to * panel.to)
     }
 
     /// Sum over a finite set of heights, highest first.
@@ -293,7 +328,7 @@ impl<'a> HeightIntegral<'a> {
             }
         }
         let tail = self.heights.tail(separation);
-        let mut state = self.scaled(tail, &total, &[0.0; QUANTITIES]);
+        let mut state = self.scaled(tail, &total, &Errors::default());
         if state.outside > NEGLIGIBLE_SHARE {
             let mut beyond = 0.0;
             for &height in touching {
@@ -309,8 +344,13 @@ impl<'a> HeightIntegral<'a> {
     }
 }
 
-fn sum<'s>(parts: impl Iterator<Item = &'s Sums>) -> Sums {
-    let mut total = [0.0; QUANTITIES];
+/// Whether load, friction or area err by more than a `share` of what the tolerance allows.
+fn excessive(error: &Errors, share: f64, tolerance: f64, total: &Sums) -> bool {
+    [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > tolerance * total[k].abs() * share)
+}
+
+fn sum<'s, const N: usize>(parts: impl Iterator<Item = &'s [f64; N]>) -> [f64; N] {
+    let mut total = [0.0; N];
     for part in parts {
         for (sum, value) in total.iter_mut().zip(part) {
             *sum += value;

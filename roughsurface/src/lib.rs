@@ -19,6 +19,7 @@ pub mod friction_figure;
 pub mod friction_file;
 pub mod heights;
 pub mod integral;
+mod kronrod;
 pub mod law_source;
 pub mod monte_carlo;
 pub mod monte_carlo_file;
@@ -35,7 +36,11 @@ pub mod surface_file;
 pub mod surface_integral;
 mod sweep;
 pub mod topography;
+pub mod trail;
 pub mod uncertainty;
+
+#[doc = include_str!("worked_examples.md")]
+pub mod worked_examples {}
 
 #[cfg(test)]
 mod test_laws;

@@ -7,57 +7,41 @@
 
 use crate::asperity_at_slip::AsperityAtSlip;
 use crate::heights::Heights;
+use crate::kronrod::{FEW, MANY, Rule};
 use tables::law::LookupError;
 
-/// Points of a panel: exact for polynomials up to degree 31.
-const POINTS: usize = 21;
+/// Densities are computed in whole vectors: what is left over would go one by one.
+const LANES: usize = 8;
+const MOST_POINTS: usize = MANY.count().next_multiple_of(LANES);
+
 /// Quantities summed in one pass.
 pub const QUANTITIES: usize = 10;
 
 pub const LOAD: usize = 0;
-pub const LOAD_ERROR: usize = 1;
-pub const FRICTION: usize = 2;
-pub const FRICTION_ERROR: usize = 3;
-pub const AREA: usize = 4;
-pub const AREA_ERROR: usize = 5;
+pub const FRICTION: usize = 1;
+pub const AREA: usize = 2;
 /// Load times contact radius, for the mean radius of the loaded asperities.
-pub const LOAD_RADIUS: usize = 6;
+pub const LOAD_RADIUS: usize = 3;
+pub const LOAD_ERROR: usize = 4;
+pub const FRICTION_ERROR: usize = 5;
+pub const AREA_ERROR: usize = 6;
 /// Load of asperities beyond the limit of the law.
 pub const LOAD_OUTSIDE: usize = 7;
-
-/// Energy released from full stick to full slip.
+/// Energy released from full stick to full slip, last because often nobody asks.
 pub const ENERGY: usize = 8;
 pub const ENERGY_ERROR: usize = 9;
 
 /// Sums over heights, per asperity and metre of height until multiplied out.
 pub type Sums = [f64; QUANTITIES];
 
-/// Abscissa, weight, and weight less that of the ten-point Gauss rule, of the 21-point Kronrod
-/// rule, half of it: Piessens et al., QUADPACK (Springer 1983), routine QK21.
-#[rustfmt::skip]
-const HALF_RULE: [(f64, f64, f64); 11] = [
-    (0.9956571630258081, 0.011694638867371874, 0.011694638867371874),
-    (0.9739065285171717, 0.032558162307964725, -0.03411318200072341),
-    (0.9301574913557082, 0.054755896574351995, 0.054755896574351995),
-    (0.8650633666889845, 0.07503967481091996, -0.07441167433966063),
-    (0.7808177265864169, 0.0931254545836976, 0.0931254545836976),
-    (0.6794095682990244, 0.10938715880229764, -0.1096992037136844),
-    (0.5627571346686047, 0.12349197626206584, 0.12349197626206584),
-    (0.4333953941292472, 0.13470921731147334, -0.134557501998523),
-    (0.2943928627014602, 0.14277593857706009, 0.14277593857706009),
-    (0.14887433898163122, 0.14773910490133849, -0.14778511981341438),
-    (0.0, 0.1494455540029169, 0.1494455540029169),
-];
+/// Errors of quadrature of the first three quantities and, last, of the energy.
+pub type Errors = [f64; 4];
 
-/// Point `index` of the rule on (−1, 1), ascending.
-const fn rule(index: usize) -> (f64, f64, f64) {
-    if index <= 10 {
-        let (abscissa, weight, excess) = HALF_RULE[index];
-        (-abscissa, weight, excess)
-    } else {
-        HALF_RULE[20 - index]
-    }
-}
+/// Place of the energy among the errors.
+pub const OF_ENERGY: usize = 3;
+
+/// A panel that ends at less than so many times where it starts is narrow: few points do.
+const NARROW: f64 = 1.5;
 
 /// Quantities of one asperity at `interference` (ω/ω_c), in the order of [`Sums`].
 pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, LookupError> {
@@ -68,12 +52,12 @@ pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, 
     let outside = interference > asperity.limit();
     Ok([
         load,
-        response.load.error,
         response.friction.value,
-        response.friction.error,
         response.area.value,
-        response.area.error,
         load * radius,
+        response.load.error,
+        response.friction.error,
+        response.area.error,
         if outside { load } else { 0.0 },
         energy.value,
         energy.error,
@@ -81,77 +65,27 @@ pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, 
 }
 
 /// The asperity law on u = √(ω/ω_c) from `from` to `to`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Panel {
     pub from: f64,
     pub to: f64,
-    /// Interference at each point, m.
-    interference: [f64; POINTS],
-    /// Quantities times the weight of the point, m.
-    weighted: [Sums; POINTS],
-    children: Option<[usize; 2]>,
+    rule: &'static Rule,
+    /// Its points among those of the tree, and their quantities.
+    first_point: usize,
+    first_sums: usize,
+    finer: Option<[usize; 2]>,
+    /// Whether its error was once too large: then it is passed over.
+    pub too_coarse: bool,
 }
 
-/// Share of a point's weight by which the ten-point Gauss rule differs from the panel's.
-const EXCESS: [f64; POINTS] = {
-    let mut shares = [0.0; POINTS];
-    let mut point = 0;
-    while point < POINTS {
-        let (_, weight, excess) = rule(point);
-        shares[point] = excess / weight;
-        point += 1;
-    }
-    shares
-};
-
-impl Panel {
-    fn new(asperity: &AsperityAtSlip, from: f64, to: f64) -> Result<Self, LookupError> {
-        let critical = asperity.critical_interference();
-        let half = 0.5 * (to - from);
-        let mut panel = Self {
-            from,
-            to,
-            interference: [0.0; POINTS],
-            weighted: [[0.0; QUANTITIES]; POINTS],
-            children: None,
-        };
-        for point in 0..POINTS {
-            let (abscissa, weight, _) = rule(point);
-            let root = from + half * (1.0 + abscissa);
-            panel.interference[point] = critical * root * root;
-            // dω = 2u du
-            let metres = critical * 2.0 * root * half * weight;
-            panel.weighted[point] = quantities(asperity, root * root)?.map(|value| value * metres);
-        }
-        Ok(panel)
-    }
-
-    /// Integral over the panel with summits of density `heights` above a flat at `separation`,
-    /// and its error: what the ten-point Gauss rule would differ, a generous one.
-    pub fn integral(&self, heights: &dyn Heights, separation: f64) -> (Sums, Sums) {
-        // Whole vectors of eight: what is left over would go through the exponential one by one.
-        let mut density = [separation; POINTS.next_multiple_of(8)];
-        for (height, interference) in density.iter_mut().zip(&self.interference) {
-            *height += interference;
-        }
-        heights.densities(&mut density);
-        let mut sums = [0.0; QUANTITIES];
-        let mut difference = [0.0; QUANTITIES];
-        for point in 0..POINTS {
-            let excess = density[point] * EXCESS[point];
-            for quantity in 0..QUANTITIES {
-                sums[quantity] += density[point] * self.weighted[point][quantity];
-                difference[quantity] += excess * self.weighted[point][quantity];
-            }
-        }
-        (sums, difference.map(f64::abs))
-    }
-}
-
-/// Panels and their halves, halved on demand.
+/// Panels, and finer ones made of them on demand.
 #[derive(Clone, Debug, Default)]
 pub struct PanelTree {
     panels: Vec<Panel>,
+    /// Interference at each point, m: of every panel a multiple of [`LANES`], the last repeated.
+    interference: Vec<f64>,
+    /// Quantities times the weight of the point, m.
+    weighted: Vec<Sums>,
 }
 
 impl PanelTree {
@@ -163,23 +97,119 @@ impl PanelTree {
     /// Forgets every panel.
     pub fn clear(&mut self) {
         self.panels.clear();
+        self.interference.clear();
+        self.weighted.clear();
     }
 
     /// Adds a panel over u = `from` to `to` and returns its index.
     pub fn add(&mut self, asperity: &AsperityAtSlip, from: f64, to: f64) -> Result<usize, LookupError> {
-        self.panels.push(Panel::new(asperity, from, to)?);
+        self.add_with(asperity, from, to, if to < NARROW * from { &FEW } else { &MANY })
+    }
+
+    fn add_with(
+        &mut self,
+        asperity: &AsperityAtSlip,
+        from: f64,
+        to: f64,
+        rule: &'static Rule,
+    ) -> Result<usize, LookupError> {
+        let critical = asperity.critical_interference();
+        let half = 0.5 * (to - from);
+        let (first_point, first_sums) = (self.interference.len(), self.weighted.len());
+        for (abscissa, weight) in rule.points() {
+            let root = from + half * (1.0 + abscissa);
+            // dω = 2u du
+            let metres = critical * 2.0 * root * half * weight;
+            let sums = quantities(asperity, root * root)?;
+            self.interference.push(critical * root * root);
+            self.weighted.push(sums.map(|value| value * metres));
+        }
+        let last = critical * to * to;
+        self.interference.resize(first_point + rule.count().next_multiple_of(LANES), last);
+        let panel = Panel { from, to, rule, first_point, first_sums, finer: None, too_coarse: false };
+        self.panels.push(panel);
         Ok(self.panels.len() - 1)
     }
 
-    /// The two halves of a panel, sampled at the first call.
-    pub fn halves(&mut self, asperity: &AsperityAtSlip, index: usize) -> Result<[usize; 2], LookupError> {
-        if let Some(children) = self.panels[index].children {
-            return Ok(children);
+    /// What takes the place of a panel that is too coarse: the same with more points and, of one
+    /// that has them, its halves. Sampled at the first call.
+    pub fn finer(&mut self, asperity: &AsperityAtSlip, index: usize) -> Result<Finer, LookupError> {
+        let Panel { from, to, rule, finer, .. } = self.panels[index];
+        let [first, second] = match finer {
+            Some(known) => known,
+            None => {
+                let made = if std::ptr::eq(rule, &FEW) {
+                    [self.add_with(asperity, from, to, &MANY)?; 2]
+                } else {
+                    let middle = 0.5 * (from + to);
+                    [self.add(asperity, from, middle)?, self.add(asperity, middle, to)?]
+                };
+                self.panels[index].finer = Some(made);
+                made
+            }
+        };
+        Ok(if first == second { Finer::One(first) } else { Finer::Halves(first, second) })
+    }
+
+    /// Marks a panel as too coarse.
+    pub fn pass_over(&mut self, index: usize) {
+        self.panels[index].too_coarse = true;
+    }
+
+    /// Integral over a panel with summits of density `heights` above a flat at `separation`,
+    /// and its error: what the rule of Gauss within would differ, a generous one.
+    /// Energies stay zero unless asked for `with_energy`.
+    pub fn integral(
+        &self,
+        index: usize,
+        heights: &dyn Heights,
+        separation: f64,
+        with_energy: bool,
+    ) -> (Sums, Errors) {
+        let Panel { rule, first_point, first_sums, .. } = self.panels[index];
+        let count = rule.count();
+        let mut buffer = [0.0; MOST_POINTS];
+        let density = &mut buffer[..count.next_multiple_of(LANES)];
+        for (height, interference) in density.iter_mut().zip(&self.interference[first_point..]) {
+            *height = separation + interference;
         }
-        let (from, to) = (self.panels[index].from, self.panels[index].to);
-        let middle = 0.5 * (from + to);
-        let children = [self.add(asperity, from, middle)?, self.add(asperity, middle, to)?];
-        self.panels[index].children = Some(children);
-        Ok(children)
+        heights.densities(density);
+        let terms = || density.iter().zip(rule.excess).zip(&self.weighted[first_sums..][..count]);
+        let (mut sums, mut difference) = ([0.0; QUANTITIES], Errors::default());
+        for ((density, excess), weighted) in terms() {
+            let excess = density * excess;
+            for quantity in 0..ENERGY {
+                sums[quantity] += density * weighted[quantity];
+            }
+            for quantity in 0..OF_ENERGY {
+                difference[quantity] += excess * weighted[quantity];
+            }
+        }
+        if with_energy {
+            for ((density, excess), weighted) in terms() {
+                sums[ENERGY] += density * weighted[ENERGY];
+                sums[ENERGY_ERROR] += density * weighted[ENERGY_ERROR];
+                difference[OF_ENERGY] += density * excess * weighted[ENERGY];
+            }
+        }
+        (sums, difference.map(f64::abs))
+    }
+}
+
+/// Panels that take the place of a coarser one.
+#[derive(Clone, Copy, Debug)]
+pub enum Finer {
+    One(usize),
+    Halves(usize, usize),
+}
+
+impl Finer {
+    /// By ascending interference.
+    pub fn panels(self) -> impl DoubleEndedIterator<Item = usize> {
+        let (first, second) = match self {
+            Self::One(first) => (first, None),
+            Self::Halves(first, second) => (first, Some(second)),
+        };
+        std::iter::once(first).chain(second)
     }
 }

@@ -120,6 +120,8 @@ fn results(page: &mut String, prediction: &Prediction) {
             "dμ/d ln V",
             "G [J/m²]",
             "G per real area [J/m²]",
+            "G weakening [J/m²]",
+            "G weakening per real area [J/m²]",
             "D_w [m]",
             "real area fraction",
             "separation [m]",
@@ -137,8 +139,10 @@ fn results(page: &mut String, prediction: &Prediction) {
                 with_error(cell.mu_static),
                 with_error(cell.sliding.mu),
                 with_error(cell.rate_sensitivity),
-                scientific(cell.energy),
-                scientific(cell.energy_of_real_area()),
+                cell.energy_release.map_or("-".into(), scientific),
+                cell.release_of_real_area().map_or("-".into(), scientific),
+                scientific(cell.weakening_energy),
+                scientific(cell.weakening_of_real_area()),
                 scientific(cell.weakening_distance),
                 scientific(cell.sliding.area_fraction),
                 scientific(cell.sliding.separation),
@@ -198,7 +202,8 @@ fn uncertainties(page: &mut String, prediction: &Prediction) {
     }
     page.push_str("<h2>Standard deviations from uncertain parameters</h2>\n<ul>\n");
     for uncertain in &propagated.parameters {
-        let _ = writeln!(page, "<li>{} ± {:e}</li>", uncertain.parameter.key(), uncertain.std);
+        let std = uncertain.std.map_or("another table".into(), |std| format!("± {std:e}"));
+        let _ = writeln!(page, "<li>{} {std}</li>", escaped(&uncertain.key));
     }
     page.push_str("</ul>\n");
     table(page, &head, &rows);
@@ -254,7 +259,7 @@ mod tests {
             "Warning: less &lt; more",
             "# a &lt; b &amp; c",
             "Share of the contacts",
-            "fit, 1e6 Pa",
+            "flash-heating fit (lines)",
             "dμ/d ln V",
             "No adhesion",
             "Greenwood",

@@ -3,6 +3,7 @@
 use crate::contact_state::ContactState;
 use crate::heights::Heights;
 use crate::surface_integral::ContactIntegral;
+use crate::trail::{SHARED_DOUBT, Sensitivity, Start};
 use tables::law::LookupError;
 
 /// Why no separation carries the pressure.
@@ -20,27 +21,9 @@ pub struct Carried {
     /// Distance of the flat from the plane of the heights, m.
     pub separation: f64,
     pub state: ContactState,
-    /// State a little closer to the surface or, if the step is negative, farther from it: at
-    /// `separation − step`.
-    closer: ContactState,
-    step: f64,
-}
-
-/// Where a search for a separation starts.
-#[derive(Clone, Copy, Debug)]
-pub struct Start {
-    /// m.
-    pub separation: f64,
-    /// d ln(pressure)/d(separation) there, 1/m: negative.
-    pub slope: f64,
-}
-
-impl Start {
-    /// At `separation` (m) of summits that nothing is known of yet: in the tails of most
-    /// distributions the pressure falls by about e within a standard deviation.
-    pub fn at(separation: f64, heights: &dyn Heights) -> Self {
-        Self { separation, slope: -1.0 / heights.standard_deviation() }
-    }
+    pub sensitivity: Sensitivity,
+    /// Whether the sensitivity was computed here, not taken from a neighbour.
+    pub(crate) own_sensitivity: bool,
 }
 
 impl Carried {
@@ -63,19 +46,19 @@ impl Carried {
     ) -> Result<Self, LookupError> {
         integral.complete_errors(separation, &mut state)?;
         // Wide against the rounding of the integrals, narrow against their curvature.
-        let step = 1e-4 * heights.standard_deviation();
-        Ok(Self { separation, state, closer: integral.at(separation - step)?, step })
+        let step = -1e-4 * heights.standard_deviation();
+        let closer = integral.at(separation + step)?;
+        Ok(Self::beside(separation, state, Sensitivity::between(&state, &closer, step)))
+    }
+
+    fn beside(separation: f64, state: ContactState, sensitivity: Sensitivity) -> Self {
+        Self { separation, state, sensitivity, own_sensitivity: true }
     }
 
     /// Where the search for a neighbouring state starts.
     pub fn start(&self) -> Start {
-        let slope = -self.slope(|state| state.pressure.value) / self.state.pressure.value;
-        Start { separation: self.separation, slope }
-    }
-
-    /// |d(quantity)/d(separation)|, unit of the quantity per metre.
-    pub fn slope(&self, quantity: impl Fn(&ContactState) -> f64) -> f64 {
-        (quantity(&self.closer) - quantity(&self.state)).abs() / self.step.abs()
+        let sensitivity = Some(self.sensitivity);
+        Start { separation: self.separation, slope: self.sensitivity.pressure, sensitivity }
     }
 
     /// Error of the separation (m): of the pressure, through its slope, and of the
@@ -83,7 +66,7 @@ impl Carried {
     pub fn separation_error(&self, asked: f64) -> f64 {
         let pressure = self.state.pressure.estimate();
         let wrong = pressure.error + (pressure.value - asked).abs();
-        let slope = self.slope(|state| state.pressure.value);
+        let slope = (self.sensitivity.pressure * pressure.value).abs();
         if slope > 0.0 { wrong / slope } else { f64::INFINITY }
     }
 }
@@ -119,17 +102,31 @@ pub fn separation_for(
     for _ in 0..SECANT_STEPS {
         let state = integral.at(here)?;
         let excess = (state.pressure.value / pressure).ln();
+        if let (Some(known), true) = (start.sensitivity, last.is_none())
+            && tolerance < excess.abs()
+            && SHARED_DOUBT * excess.abs() <= tolerance
+            && known.pressure < 0.0
+        {
+            // So near, a step along what the neighbours know is as good as computing anew.
+            let change = -excess / known.pressure;
+            let mut carried = Carried::beside(here + change, known.moved(&state, change), known);
+            carried.own_sensitivity = false;
+            integral.complete_errors(carried.separation, &mut carried.state)?;
+            carried.state.pressure.quadrature_error += SHARED_DOUBT * excess.abs() * pressure;
+            return Ok(carried);
+        }
         if excess.abs() <= tolerance {
-            return match last {
-                // A step of the search is as good for the sensitivity as one made for it.
-                Some((before, _, beside)) if USEFUL.contains(&((here - before).abs() / longest)) => {
-                    let mut carried =
-                        Carried { separation: here, state, closer: beside, step: here - before };
-                    integral.complete_errors(here, &mut carried.state)?;
-                    Ok(carried)
-                }
-                _ => Ok(Carried::of(integral, heights, here, state)?),
+            // A step of the search is as good for the sensitivity as one made for it.
+            let step = last.map(|(before, _, beside)| (before - here, beside));
+            let useful = step.filter(|(step, _)| USEFUL.contains(&(step.abs() / longest)));
+            let sensitivity = useful.map(|(step, beside)| Sensitivity::between(&state, &beside, step));
+            let Some(known) = sensitivity.or(start.sensitivity) else {
+                return Ok(Carried::of(integral, heights, here, state)?);
             };
+            let mut carried = Carried::beside(here, state, known);
+            carried.own_sensitivity = sensitivity.is_some();
+            integral.complete_errors(here, &mut carried.state)?;
+            return Ok(carried);
         }
         if let Some((before, excess_before, _)) = last {
             slope = (excess - excess_before) / (here - before);

@@ -1,5 +1,6 @@
 //! What a friction–slip curve says: static friction, sliding friction, energy.
 
+use crate::contact_state::ContactState;
 use crate::separation::Carried;
 use tables::law::Estimate;
 
@@ -33,11 +34,11 @@ impl SlipState {
     /// is wrong with the law's load then moves the flat, and everything with it.
     pub fn at_pressure(carried: &Carried, asked: f64) -> Self {
         let state = &carried.state;
-        let shift = carried.separation_error(asked);
+        let (shift, sensitivity) = (carried.separation_error(asked), &carried.sensitivity);
         let mut mu = state.friction_coefficient();
-        mu.error += shift * carried.slope(|state| state.friction_coefficient().value);
+        mu.error += shift * (sensitivity.friction_coefficient * mu.value).abs();
         let mut area_fraction = state.area_fraction.estimate();
-        area_fraction.error += shift * carried.slope(|state| state.area_fraction.value);
+        area_fraction.error += shift * (sensitivity.area_fraction * area_fraction.value).abs();
         Self {
             mu,
             shear: Estimate { value: mu.value * asked, error: mu.error * asked },
@@ -46,22 +47,21 @@ impl SlipState {
             area_fraction,
             contact_density: Estimate {
                 value: state.contact_density,
-                error: shift * carried.slope(|state| state.contact_density),
+                error: shift * (sensitivity.contact_density * state.contact_density).abs(),
             },
             outside: state.outside,
             reach: state.reach,
         }
     }
 
-    /// State of a surface held at its separation.
-    pub fn at_separation(carried: &Carried) -> Self {
-        let state = &carried.state;
+    /// State of a surface held at its `separation` (m).
+    pub fn at_separation(separation: f64, state: &ContactState) -> Self {
         let exact = |value| Estimate { value, error: 0.0 };
         Self {
             mu: state.friction_coefficient(),
             shear: state.shear.estimate(),
             pressure: state.pressure.estimate(),
-            separation: exact(carried.separation),
+            separation: exact(separation),
             area_fraction: state.area_fraction.estimate(),
             contact_density: exact(state.contact_density),
             outside: state.outside,
@@ -128,6 +128,9 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     }
 }
 
+/// A drop by this share of the peak is within the tolerance of the integrals, and none.
+const NO_DROP: f64 = 1e-5;
+
 /// Energy released by weakening, ∫ (τ − τ_end) ds from the peak of the friction
 /// stress τ (Pa) to the end of the slip (m), J per m² of nominal area.
 ///
@@ -138,6 +141,10 @@ pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
     let Some(end) = shear.last() else {
         return Estimate::default();
     };
+    let peak = shear.iter().map(|point| point.value).fold(end.value, f64::max);
+    if peak - end.value <= NO_DROP * peak.abs() {
+        return Estimate { value: 0.0, error: (peak - end.value) * (slip[slip.len() - 1] - slip[0]) };
+    }
     let value = released(slip, shear, |point| point.value - end.value);
     let changed = released(slip, shear, |point| (point.error - end.error).abs());
     let relative = shear
@@ -166,8 +173,7 @@ pub fn weakening_distance(slip: &[f64], shear: &[Estimate]) -> Estimate {
         return unknown;
     };
     let drop = peak.value - end.value;
-    // A drop within the tolerance of the integrals is none.
-    if drop <= 1e-5 * peak.value.abs() {
+    if drop <= NO_DROP * peak.value.abs() {
         return unknown;
     }
     let energy = weakening_energy(slip, shear);

@@ -32,11 +32,12 @@ pub fn with_error(estimate: Estimate) -> String {
 
 type Column = (&'static str, fn(&Friction) -> String);
 
-const COLUMNS: [Column; 7] = [
+const COLUMNS: [Column; 8] = [
     ("mu_static", |f| with_error(f.mu_static)),
     ("mu", |f| with_error(f.sliding.mu)),
     ("Q [Pa]", |f| format!("{:.3e}", f.sliding.shear.value)),
-    ("G [J/m2]", |f| format!("{:.3e}", f.energy.value)),
+    ("G [J/m2]", |f| f.energy_release.map_or("-".into(), |energy| format!("{:.3e}", energy.value))),
+    ("G_weakening", |f| format!("{:.3e}", f.weakening_energy.value)),
     ("area fraction", |f| format!("{:.3e}", f.sliding.area_fraction.value)),
     ("separation [m]", |f| format!("{:.3e}", f.sliding.separation.value)),
     ("outside table", |f| {
@@ -132,7 +133,7 @@ fn parameters(prediction: &Prediction, propagated: &Propagated) -> String {
             row.extend((0..OUTPUTS.len()).map(|output| format!("{:.1e}", propagated.std(cell, output))));
             let changes = propagated.contributions[cell][0].iter().zip(&propagated.parameters);
             let most = changes.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
-            row.push(most.map_or("-", |(_, uncertain)| uncertain.parameter.key()).to_string());
+            row.push(most.map_or("-", |(_, uncertain)| uncertain.key.as_str()).to_string());
             rows.push(row);
             cell += 1;
         }
@@ -181,10 +182,10 @@ pub fn json(prediction: &Prediction) -> Value {
                 "inception_slip": cell.inception_slip,
                 "mu": cell.sliding.mu,
                 "Q": cell.sliding.shear,
-                "G": cell.energy,
-                "G_stick_slip": cell.energy_stick_slip,
-                "G_real_area": cell.energy_of_real_area(),
-                "G_stick_slip_real_area": cell.energy_stick_slip_of_real_area(),
+                "G": cell.energy_release,
+                "G_weakening": cell.weakening_energy,
+                "G_real_area": cell.release_of_real_area(),
+                "G_weakening_real_area": cell.weakening_of_real_area(),
                 "weakening_distance": cell.weakening_distance,
                 "dmu_dlnV": cell.rate_sensitivity,
                 "contacts": cell.shares,

@@ -4,9 +4,10 @@ use crate::friction::{Friction, PredictionError, Settings};
 use crate::integral::NEGLIGIBLE_SHARE;
 use crate::query::{Hold, Pressing, Query, Surface};
 use crate::regime::RegimeShares;
-use crate::separation::{Carried, Start, separation_for};
+use crate::separation::{Carried, separation_for};
 use crate::slip_curve::{SlipState, inception, weakening_distance, weakening_energy};
-use crate::surface_integral::{Asperities, SurfaceIntegral};
+use crate::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
+use crate::trail::{Start, Trail};
 use rayon::prelude::*;
 use tables::law::{AsperityLaw, Estimate, LookupError};
 
@@ -81,39 +82,44 @@ impl<'a> Sweep<'a> {
         slips: &[f64],
         pressed: &[Carried],
     ) -> Result<Vec<Vec<SlipState>>, PredictionError> {
-        let mut starts: Vec<Start> = pressed.iter().map(Carried::start).collect();
+        let mut trails: Vec<Trail> = pressed.iter().map(|before| Trail::from(before.start())).collect();
         slips
             .iter()
             .map(|&slip| {
                 let mut integral = self.integral(&self.asperities[rate].after(slip));
                 pressed
                     .iter()
-                    .zip(&mut starts)
+                    .zip(&mut trails)
                     .enumerate()
-                    .map(|(row, (before, start))| self.slid((row, rate), &mut integral, before, start))
+                    .map(|(row, (before, trail))| self.slid((row, rate), &mut integral, before, trail))
                     .collect()
             })
             .collect()
     }
 
-    /// One pressure or separation after the slip of `integral`; moves `start` there.
+    /// One pressure or separation after the slip of `integral`, with which `trail` goes on.
     fn slid(
         &self,
         (row, rate): (usize, usize),
         integral: &mut SurfaceIntegral,
         before: &Carried,
-        start: &mut Start,
+        trail: &mut Trail,
     ) -> Result<SlipState, PredictionError> {
         let heights = self.surface.heights.as_ref();
         let state = match self.query.hold {
-            Hold::Separation => SlipState::at_separation(&Carried::at(integral, heights, before.separation)?),
+            Hold::Separation => {
+                let mut state = integral.at(before.separation)?;
+                integral.complete_errors(before.separation, &mut state)?;
+                SlipState::at_separation(before.separation, &state)
+            }
             Hold::Load => {
                 let pressure = match &self.query.pressing {
                     Pressing::Pressure(pressures) => pressures[row],
                     Pressing::Separation(_) => before.state.pressure.value,
                 };
-                let carried = separation_for(integral, heights, pressure, *start, self.settings.tolerance)?;
-                *start = carried.start();
+                let carried =
+                    separation_for(integral, heights, pressure, trail.next(), self.settings.tolerance)?;
+                trail.add(carried.start(), carried.own_sensitivity);
                 SlipState::at_pressure(&carried, pressure)
             }
         };
@@ -143,11 +149,11 @@ impl<'a> Sweep<'a> {
         let friction = Friction {
             mu_static: start.mu,
             inception_slip: start.slip,
-            energy: weakening_energy(slip, &shear),
+            weakening_energy: weakening_energy(slip, &shear),
             weakening_distance: weakening_distance(slip, &shear),
             shares: self.shares(rate, slip[slip.len() - 1], curve[curve.len() - 1].separation.value),
             rate_sensitivity: Estimate { value: f64::NAN, error: f64::NAN },
-            energy_stick_slip: self.energy_stick_slip(row, pressed),
+            energy_release: self.energy_release(row, pressed),
             pressed: curve[0],
             sliding: curve[curve.len() - 1],
             mu_history,
@@ -181,10 +187,10 @@ impl<'a> Sweep<'a> {
         RegimeShares::of(&asperities, heights, separation, self.settings.melting_temperature)
     }
 
-    fn energy_stick_slip(&self, row: usize, pressed: &Carried) -> Option<Estimate> {
+    fn energy_release(&self, row: usize, pressed: &Carried) -> Option<Estimate> {
         let mut energy = pressed.state.energy?.estimate();
         if let Pressing::Pressure(pressures) = &self.query.pressing {
-            let slope = pressed.slope(|state| state.energy.map_or(f64::NAN, |e| e.value));
+            let slope = (pressed.sensitivity.energy * energy.value).abs();
             energy.error += pressed.separation_error(pressures[row]) * slope;
         }
         Some(energy)

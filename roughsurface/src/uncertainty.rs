@@ -2,7 +2,9 @@
 //!
 //! Each parameter is moved by its standard deviation up and down, the prediction repeated, and
 //! half the difference taken; parameters are independent, so the squares add up. That is exact for
-//! results linear in the parameters over ± one standard deviation.
+//! results linear in the parameters over ± one standard deviation. Constants of the material that a
+//! table was computed for are moved by giving another table, for which one was: half as exact, but
+//! half the price.
 
 use crate::friction::{Friction, Prediction, PredictionError, Settings, predict};
 use crate::law_source::{LawSourceError, asperity_law};
@@ -56,20 +58,30 @@ pub struct Output {
     value: fn(&Friction) -> Estimate,
 }
 
+const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
+
 /// Every such result. To add one: a line here.
-pub const OUTPUTS: [Output; 6] = [
+pub const OUTPUTS: [Output; 7] = [
     Output { name: "mu", units: "1", value: |f| f.sliding.mu },
     Output { name: "mu_static", units: "1", value: |f| f.mu_static },
     Output { name: "Q", units: "Pa", value: |f| f.sliding.shear },
-    Output { name: "G", units: "J m-2", value: |f| f.energy },
+    Output { name: "G", units: "J m-2", value: |f| f.energy_release.unwrap_or(UNKNOWN) },
+    Output { name: "G_weakening", units: "J m-2", value: |f| f.weakening_energy },
     Output { name: "real_area_fraction", units: "1", value: |f| f.sliding.area_fraction },
     Output { name: "separation", units: "m", value: |f| f.pressed.separation },
 ];
 
+/// What was moved, by its key, and its standard deviation where the surface file says it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    pub key: String,
+    pub std: Option<f64>,
+}
+
 /// Uncertainties of the results over the cells of a prediction, row by row.
 #[derive(Clone, Debug, Default)]
 pub struct Propagated {
-    pub parameters: Vec<Uncertain>,
+    pub parameters: Vec<Moved>,
     /// Per cell, output and parameter: the change of the output when the parameter grows by its
     /// standard deviation.
     pub contributions: Vec<[Vec<f64>; OUTPUTS.len()]>,
@@ -86,51 +98,71 @@ impl Propagated {
 #[derive(Debug, thiserror::Error)]
 pub enum UncertaintyError {
     #[error(
-        "uncertainty.{key}: constants of the material of a table are fixed; leave it out or use --table model:NAME"
+        "uncertainty.{key}: constants of the material of a table are fixed; give the table of a material with it raised in uncertainty.tables, or use --table model:NAME"
     )]
     Fixed { key: &'static str },
+    #[error(
+        "uncertainty.tables: has no meaning for a closed form; give standard deviations of the constants themselves"
+    )]
+    NoTable,
     #[error(transparent)]
     File(#[from] SurfaceFileError),
     #[error(transparent)]
     Law(#[from] LawSourceError),
     #[error("with {key} {direction} by its uncertainty: {error}")]
-    Prediction { key: &'static str, direction: &'static str, error: PredictionError },
+    Prediction { key: String, direction: &'static str, error: PredictionError },
 }
 
-/// Repeats the prediction for the law called `table` with every uncertain parameter of `file`
-/// moved up and down.
+/// Repeats the prediction `base` for the law called `table` with every uncertain parameter of
+/// `file` moved up and down, and with its other tables.
 pub fn propagate(
     file: &SurfaceFile,
     table: &str,
+    base: &Prediction,
     settings: &Settings,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Propagated, UncertaintyError> {
+    let is_closed_form = table.starts_with("model:");
     let fixed = file.uncertain.iter().find(|uncertain| uncertain.parameter.is_of_material());
-    if let Some(fixed) = fixed.filter(|_| !table.starts_with("model:")) {
+    if let Some(fixed) = fixed.filter(|_| !is_closed_form) {
         return Err(UncertaintyError::Fixed { key: fixed.parameter.key() });
     }
-    let mut propagated = Propagated { parameters: file.uncertain.clone(), contributions: Vec::new() };
+    if is_closed_form && !file.uncertain_tables.is_empty() {
+        return Err(UncertaintyError::NoTable);
+    }
+    let again = |file: &SurfaceFile, table: &str, key: &str, direction| {
+        let law = asperity_law(table, file.material.as_ref())?;
+        predict(law.as_ref(), &file.surface, &file.query, settings, progress)
+            .map_err(|error| UncertaintyError::Prediction { key: key.into(), direction, error })
+    };
+    let mut propagated = Propagated::default();
     for uncertain in &file.uncertain {
-        let moved = |sign: f64| -> Result<Prediction, UncertaintyError> {
-            let varied = file.varied(uncertain.parameter, sign * uncertain.std)?;
-            let law = asperity_law(table, varied.material.as_ref())?;
-            predict(law.as_ref(), &varied.surface, &varied.query, settings, progress).map_err(|error| {
-                let direction = if sign > 0.0 { "raised" } else { "lowered" };
-                UncertaintyError::Prediction { key: uncertain.parameter.key(), direction, error }
-            })
-        };
-        let (up, down) = (moved(1.0)?, moved(-1.0)?);
+        let key = uncertain.parameter.key();
+        let up = again(&file.varied(uncertain.parameter, uncertain.std)?, table, key, "raised")?;
+        let down = again(&file.varied(uncertain.parameter, -uncertain.std)?, table, key, "lowered")?;
+        propagated.add(Moved { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);
+    }
+    for (key, other) in &file.uncertain_tables {
+        let up = again(file, &other.to_string_lossy(), key, "raised")?;
+        propagated.add(Moved { key: key.clone(), std: None }, &up, base, 1.0);
+    }
+    Ok(propagated)
+}
+
+impl Propagated {
+    /// Adds a parameter: `share` of the difference between two predictions is its contribution.
+    fn add(&mut self, moved: Moved, up: &Prediction, down: &Prediction, share: f64) {
+        self.parameters.push(moved);
         let pairs = up.friction.iter().flatten().zip(down.friction.iter().flatten());
         for (cell, (up, down)) in pairs.enumerate() {
-            if propagated.contributions.len() <= cell {
-                propagated.contributions.push(Default::default());
+            if self.contributions.len() <= cell {
+                self.contributions.push(Default::default());
             }
-            for (output, changes) in OUTPUTS.iter().zip(&mut propagated.contributions[cell]) {
-                changes.push(0.5 * ((output.value)(up).value - (output.value)(down).value));
+            for (output, changes) in OUTPUTS.iter().zip(&mut self.contributions[cell]) {
+                changes.push(share * ((output.value)(up).value - (output.value)(down).value));
             }
         }
     }
-    Ok(propagated)
 }
 
 #[cfg(test)]
@@ -173,7 +205,7 @@ yield_strength = 4e6
         let law = asperity_law("model:hertz", file.material.as_ref()).unwrap();
         let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
         let mu = base.friction[0][0].sliding.mu.value;
-        let found = propagate(&file, "model:hertz", &settings, &|_, _| ()).unwrap();
+        let found = propagate(&file, "model:hertz", &base, &settings, &|_, _| ()).unwrap();
         let relative = [0.0, 0.005, -0.01, -0.005, 0.01];
         for (change, expected) in found.contributions[0][0].iter().zip(relative) {
             // Second order in one to two per cent.
@@ -181,7 +213,7 @@ yield_strength = 4e6
         }
         let std = relative.iter().map(|share| share * share).sum::<f64>().sqrt();
         assert!((found.std(0, 0) / mu - std).abs() < 1e-5);
-        let separation = found.contributions[0][5][0];
+        let separation = found.contributions[0][6][0];
         assert!((separation / 1e-9 - 0.01).abs() < 1e-5, "{separation:e}");
     }
 
@@ -207,7 +239,14 @@ uncertainty = { KEY }
         let material = text.replace("KEY", "youngs_modulus = 1e9")
             + "material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 1e9 }\n";
         let file = SurfaceFile::parse(Path::new("s.toml"), material).unwrap();
-        let error = propagate(&file, "table.nc", &Settings::default(), &|_, _| ()).unwrap_err();
+        let law = asperity_law("model:hertz", file.material.as_ref()).unwrap();
+        let settings = Settings::default();
+        let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
+        let error = propagate(&file, "table.nc", &base, &settings, &|_, _| ()).unwrap_err();
         assert!(error.to_string().starts_with("uncertainty.youngs_modulus: constants"));
+        let file = parse("tables = { yield_strength = \"up.nc\" }").unwrap();
+        assert_eq!(file.uncertain_tables, [("yield_strength".to_string(), "up.nc".into())]);
+        let error = propagate(&file, "model:hertz", &base, &settings, &|_, _| ()).unwrap_err();
+        assert!(error.to_string().starts_with("uncertainty.tables: has no meaning"));
     }
 }

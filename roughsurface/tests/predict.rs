@@ -1,15 +1,15 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
+mod demonstration;
+
+use demonstration::{STEEL, Stronger, Weakening, table};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface_file::SurfaceFile;
-use tables::closed_forms::{ElasticPlastic, closed_form, hertz};
+use tables::closed_forms::hertz;
 use tables::dataset::DatasetReader;
-use tables::law::{AsperityLaw, Estimate, LookupError, Response};
-use tables::quantity::Quantity;
-use tables::table::{Axes, Cell, Metadata, Table};
 
 const SURFACE: &str = r#"
 [surface]
@@ -24,107 +24,6 @@ youngs_modulus = 200e9
 poisson_ratio = 0.3
 yield_strength = 400e6
 "#;
-
-const STEEL: ElasticPlastic =
-    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
-
-/// Jackson–Green asperities that weaken with slip rate once they have slid by a
-/// tenth of their contact radius.
-struct Weakening(Box<dyn AsperityLaw>);
-
-impl Weakening {
-    fn new() -> Self {
-        Self(closed_form("jackson-green", &STEEL).unwrap())
-    }
-}
-
-impl AsperityLaw for Weakening {
-    fn name(&self) -> String {
-        "weakening".into()
-    }
-    fn critical_interference(&self, radius: f64) -> f64 {
-        self.0.critical_interference(radius)
-    }
-    fn interference_limit(&self) -> f64 {
-        f64::INFINITY
-    }
-    fn breaks(&self) -> Vec<f64> {
-        self.0.breaks()
-    }
-    fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
-        (0.0, f64::INFINITY)
-    }
-    fn response(
-        &self,
-        radius: f64,
-        interference: f64,
-        slip_rate: f64,
-        slip: f64,
-    ) -> Result<Response, LookupError> {
-        let mut response = self.0.response(radius, interference, slip_rate, slip)?;
-        let contact_radius = (response.area.value / std::f64::consts::PI).sqrt();
-        let slid = 1.0 - (-slip / (0.1 * contact_radius).max(f64::MIN_POSITIVE)).exp();
-        // V R is what a table scales with.
-        let hot = slip_rate * radius / 1e-4;
-        response.friction.value *= 1.0 - 0.7 * slid * hot / (1.0 + hot);
-        Ok(response)
-    }
-}
-
-fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
-    let share = |i: usize| i as f64 / (points - 1) as f64;
-    (0..points).map(|i| from * (to / from).powf(share(i))).collect()
-}
-
-/// The law as a table for spheres ten times as large as those of the surface.
-fn table(law: &dyn AsperityLaw, interference_to: f64) -> Table {
-    let radius = 1e-3;
-    let mut slip = vec![0.0];
-    slip.extend(spaced(1e-4, 2.0, 40));
-    let axes =
-        Axes { interference: spaced(0.02, interference_to, 26), slip_rate: spaced(1e-3, 2.0, 12), slip };
-    let metadata = Metadata {
-        title: "test".into(),
-        asperity_radius: radius,
-        critical_interference: law.critical_interference(radius),
-        contact_modulus: STEEL.contact_modulus(),
-        poisson_ratio: STEEL.poisson_ratio,
-        yield_strength: STEEL.yield_strength,
-        strength_factor: Some(1.0),
-        temperature: 298.0,
-        ..Metadata::default()
-    };
-    let mut table = Table::new(axes.clone(), metadata).unwrap();
-    for (i, &interference) in axes.interference.iter().enumerate() {
-        for (j, &rate) in axes.slip_rate.iter().enumerate() {
-            let at = |slip: f64| law.response(radius, interference, rate, slip).unwrap();
-            let contact_radius = (at(0.0).area.value / std::f64::consts::PI).sqrt();
-            let states: Vec<Response> = axes.slip.iter().map(|s| at(s * contact_radius)).collect();
-            let history = |value: fn(&Response) -> Estimate| -> Vec<f64> {
-                states.iter().map(|state| value(state).value).collect()
-            };
-            let (load, friction, area) = (history(|s| s.load), history(|s| s.friction), history(|s| s.area));
-            let end = axes.slip.len() - 1;
-            let mu: Vec<f64> = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
-            let cell = Cell::new()
-                .with(Quantity::ContactRadius, contact_radius, 0.0)
-                .with(Quantity::Mu, mu[end], 0.0)
-                .with(Quantity::Load, load[end], 0.0)
-                .with(Quantity::LoadPress, load[0], 0.0)
-                .with(Quantity::Friction, friction[end], 0.0)
-                .with(Quantity::Area, area[end], 0.0)
-                .with(Quantity::AreaPress, area[0], 0.0)
-                .with(Quantity::TemperatureMax, 298.0, 0.0)
-                .with_history(Quantity::Mu, mu)
-                .with_history(Quantity::Load, load)
-                .with_history(Quantity::Friction, friction)
-                .with_history(Quantity::Area, area)
-                .with_history(Quantity::TemperatureMax, vec![298.0; axes.slip.len()]);
-            table.set_cell(i, j, cell).unwrap();
-        }
-    }
-    table
-}
 
 /// A folder for one test, removed at its end.
 struct Folder(PathBuf);
@@ -180,7 +79,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
     let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
     let (mu, mu_error) = (read("mu"), read("mu_error"));
-    let (mu_static, energy, area) = (read("mu_static"), read("G"), read("real_area_fraction"));
+    let (mu_static, energy, area) = (read("mu_static"), read("G_weakening"), read("real_area_fraction"));
     let separation = read("separation");
     for (i, cell) in exact.friction.iter().flatten().enumerate() {
         let off = (mu[i] - cell.sliding.mu.value).abs();
@@ -189,7 +88,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
         assert!((mu_static[i] / cell.mu_static.value - 1.0).abs() < 0.01);
         assert!((area[i] / cell.sliding.area_fraction.value - 1.0).abs() < 5e-3);
         assert!((separation[i] - cell.pressed.separation.value).abs() < 1e-3 * 0.05e-6);
-        assert!((energy[i] / cell.energy.value - 1.0).abs() < 0.02, "G {}", energy[i]);
+        assert!((energy[i] / cell.weakening_energy.value - 1.0).abs() < 0.02, "G {}", energy[i]);
         assert!(mu_static[i] > mu[i] && energy[i] > 0.0);
     }
     assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
@@ -322,4 +221,29 @@ fn everything_asked_for_is_in_the_files() {
     {
         assert!(page.contains(wanted), "{wanted}");
     }
+}
+
+#[test]
+fn another_table_stands_for_a_constant_of_the_material() {
+    let folder = Folder::new("tables");
+    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    // A tenth more of every shear stress: friction and its energies grow by as much.
+    let stronger = table(&Stronger(Weakening::new()), 200.0);
+    stronger.write(&folder.path("stronger.nc")).unwrap();
+    let text = format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n");
+    std::fs::write(folder.path("surface.toml"), text).unwrap();
+    let output = folder.run("predict surface.toml --table table.nc -o f.nc --report f.html");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
+    for name in ["mu", "Q", "G_weakening"] {
+        for (std, value) in read(&format!("{name}_parameter_std")).iter().zip(read(name)) {
+            assert!((std / value - 0.1).abs() < 1e-3, "{name}: {std} {value}");
+        }
+    }
+    let page = std::fs::read_to_string(folder.path("f.html")).unwrap();
+    assert!(page.contains("<li>strength another table</li>"));
+    let refused = folder.run("predict surface.toml --table model:hertz -o f.nc");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("uncertainty.tables: has no meaning for a closed form"));
 }

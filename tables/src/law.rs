@@ -53,6 +53,11 @@ pub trait AsperityLaw: Send + Sync {
     fn interference_limit(&self) -> f64;
     /// Values of ω/ω_c where the law or its derivatives have kinks: integrate between them.
     fn breaks(&self) -> Vec<f64>;
+    /// Further such values for a sphere of `radius` (m) that has slid by `slip` (m): where its
+    /// slide has come to an end, say.
+    fn breaks_after(&self, _radius: f64, _slip: f64) -> Vec<f64> {
+        Vec::new()
+    }
     /// Range of slip rates (m/s) for a sphere of `radius` metres; 0 and infinity for rate-independent laws.
     fn slip_rate_range(&self, radius: f64) -> (f64, f64);
     /// Response of a sphere of `radius` (m) pressed by `interference` (ω/ω_c), after sliding

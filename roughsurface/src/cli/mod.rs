@@ -27,5 +27,6 @@ Uncertain parameters, by standard deviation, are propagated to the results:
     [uncertainty]
     heights_std = 0.05e-6       # also asperity_density, asperity_radius and, for closed forms,
     yield_strength = 20e6       # youngs_modulus, poisson_ratio, yield_strength
+    tables = { conductivity = \"up.nc\" }   # tables of a material with one constant raised
 
 Exit status: 0 done, 1 failed, 2 bad input or usage.";

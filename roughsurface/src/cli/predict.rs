@@ -28,6 +28,15 @@ Examples:
   Summary for a script:
     roughsurface predict surface.toml --table table.nc -o friction.nc --json | jq .friction
 
+Worked through, with what each leaves out, in examples/scenes and the documentation of the library:
+  a brake disc, a bearing steel contact, a granite fault with flash heating:
+    roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc --compare all
+    roughsurface predict examples/scenes/bearing-steel.toml --table model:jackson-green -o bearing.nc --compare all
+    roughsurface predict examples/scenes/granite-fault.toml --table granite-table.nc -o granite.nc --report granite.html
+
+What is left out: asperities do not feel each other, no adhesion, no wear, no third body (debris, gouge,
+oxide, lubricant); the counter-face is smooth and rigid.
+
 A pressure so high that the table's range carries less than 99.9 % of the load is refused
 unless --extrapolate holds friction and mean pressure at the table's last interference.";
 
@@ -122,9 +131,9 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
         })
         .map_err(failure)?;
     prediction.warnings.extend(gaps);
-    if !file.uncertain.is_empty() {
+    if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
         let shown = |done, total| progress.show(done, total);
-        let propagated = pool.install(|| propagate(&file, &options.table, &settings, &shown));
+        let propagated = pool.install(|| propagate(&file, &options.table, &prediction, &settings, &shown));
         prediction.propagated = Some(propagated.map_err(input)?);
     }
     if let Some(material) = &background.material {

@@ -41,7 +41,7 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
         // Static friction of a surface that creeps to its final value is within a
         // few per cent of it.
         assert!((row[0].mu_static.value / exact - 1.0).abs() < 0.03);
-        assert_eq!(row[0].energy.value, 0.0);
+        assert_eq!(row[0].weakening_energy.value, 0.0);
     }
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
     assert_eq!(found.flash_heating[0], Err(NoFit::TooFewSlipRates));
@@ -66,7 +66,7 @@ fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
     let ratio = found.mu_static.value / bound.sliding.mu.value;
     assert!(ratio < 0.97 && ratio > 0.7, "{ratio}");
     assert!((found.sliding.mu.value / bound.sliding.mu.value - 0.5).abs() < 1e-6);
-    assert!(found.energy.value > 0.0);
+    assert!(found.weakening_energy.value > 0.0);
 }
 
 #[test]

@@ -41,7 +41,15 @@ fn what_is_written_is_read() {
         let shape = [2, 3, prediction.slip.len()];
         let history = file.reals("mu_history", &shape).unwrap();
         assert_eq!(history[0], prediction.friction[0][0].mu_history[0].value);
-        for name in ["mu_static", "Q", "G", "G_real_area", "dmu_dlnV", "separation", "real_area_fraction"] {
+        for name in [
+            "mu_static",
+            "Q",
+            "G_weakening",
+            "G_weakening_real_area",
+            "dmu_dlnV",
+            "separation",
+            "real_area_fraction",
+        ] {
             let values = file.reals(name, &[2, 3]).unwrap();
             assert!(values.iter().all(|value| value.is_finite()), "{name}");
         }

@@ -7,20 +7,21 @@ use std::f64::consts::{PI, SQRT_2};
 #[derive(Clone, Debug)]
 pub struct Gaussian {
     std: f64,
+    /// 1/2σ², 1/m².
+    half_precision: f64,
     ln_peak: f64,
 }
 
 impl Gaussian {
     /// Heights of standard deviation `std` (m).
     pub fn new(std: f64) -> Self {
-        Self { std, ln_peak: -(std * (2.0 * PI).sqrt()).ln() }
+        Self { std, half_precision: 0.5 / (std * std), ln_peak: -(std * (2.0 * PI).sqrt()).ln() }
     }
 }
 
 impl Heights for Gaussian {
     fn ln_density(&self, height: f64) -> f64 {
-        let scaled = height / self.std;
-        self.ln_peak - 0.5 * scaled * scaled
+        self.ln_peak - self.half_precision * height * height
     }
     fn tail(&self, height: f64) -> f64 {
         0.5 * libm::erfc(height / (self.std * SQRT_2))

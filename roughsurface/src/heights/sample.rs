@@ -13,7 +13,7 @@ pub struct Sample {
 impl Sample {
     /// A set of at least two different finite heights (m).
     pub fn new(mut heights: Vec<f64>) -> Option<Self> {
-        heights.sort_by(|one, other| other.total_cmp(one));
+        heights.sort_unstable_by(|one, other| other.total_cmp(one));
         let count = heights.len() as f64;
         let mean = heights.iter().sum::<f64>() / count;
         let variance = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / count;
@@ -22,7 +22,7 @@ impl Sample {
 
     /// Any finite heights (m), be they one or none: a part of a set, never searched by itself.
     pub(crate) fn part(mut heights: Vec<f64>) -> Self {
-        heights.sort_by(|one, other| other.total_cmp(one));
+        heights.sort_unstable_by(|one, other| other.total_cmp(one));
         Self { heights, std: f64::NAN }
     }
 

@@ -5,7 +5,9 @@ use crate::heights::HeightsKeys;
 use crate::query::Hold;
 use crate::radii::{LARGEST_VARIATION, Radii};
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::fmt::Display;
+use std::path::{Path, PathBuf};
 use tables::closed_forms::ElasticPlastic;
 
 #[derive(Deserialize)]
@@ -26,6 +28,9 @@ pub(super) struct UncertaintyKeys {
     pub(super) youngs_modulus: Option<f64>,
     pub(super) poisson_ratio: Option<f64>,
     pub(super) yield_strength: Option<f64>,
+    /// Tables of a material of which one constant is raised by its standard deviation.
+    #[serde(default)]
+    pub(super) tables: BTreeMap<String, PathBuf>,
 }
 
 #[derive(Deserialize)]
@@ -84,6 +89,12 @@ impl FileKeys {
         if let Some(value) = self.value(parameter) {
             *value += change;
         }
+    }
+
+    /// The other tables of the section `uncertainty`, relative ones beside the surface file.
+    pub(super) fn uncertain_tables(&self, folder: &Path) -> Vec<(String, PathBuf)> {
+        let tables = self.uncertainty.iter().flat_map(|keys| &keys.tables);
+        tables.map(|(key, file)| (key.clone(), folder.join(file))).collect()
     }
 
     /// The standard deviations of the section `uncertainty`.

@@ -21,6 +21,8 @@
 //! [uncertainty]                  # optional: standard deviations, in the unit of the value
 //! heights_std = 0.05e-6          # also asperity_density, asperity_radius and, for closed forms,
 //! yield_strength = 20e6          # youngs_modulus, poisson_ratio, yield_strength
+//! tables = { conductivity = "table-conductivity.nc" }    # for tables: those of a material with one
+//!                                # constant raised by its standard deviation, under any name
 //! ```
 
 mod explain;
@@ -46,6 +48,8 @@ pub struct SurfaceFile {
     pub material: Option<ElasticPlastic>,
     /// Parameters given with a standard deviation.
     pub uncertain: Vec<Uncertain>,
+    /// Tables of a material of which one constant is raised by its standard deviation.
+    pub uncertain_tables: Vec<(String, PathBuf)>,
     /// The text of the file, kept with the results.
     pub text: String,
     /// The file itself, named in errors.
@@ -111,6 +115,7 @@ impl SurfaceFile {
 
 fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, String> {
     let folder = file.parent().unwrap_or(Path::new("."));
+    let uncertain_tables = keys.uncertain_tables(folder);
     let uncertain = keys.uncertain()?;
     let SurfaceKeys { asperity_density, asperity_radius, radii, heights } = keys.surface;
     positive("surface.asperity_density", asperity_density, "1/m2")?;
@@ -143,6 +148,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
         query: Query { pressing, slip_rates, hold: keys.query.hold },
         material: keys.material,
         uncertain,
+        uncertain_tables,
         text: text.to_string(),
         file: file.to_path_buf(),
     })

@@ -1,7 +1,8 @@
 //! Text: a matrix of heights, columns x y z on a grid, a profile x z, or a column of heights.
 //!
 //! Comments start with `#`, `%` or `;`; numbers are separated by white space, commas or
-//! semicolons. The header that Gwyddion writes before a matrix (`# Width: 5.0 µm`) is understood.
+//! semicolons. The header that Gwyddion writes before a matrix (`# Width: 5.0 µm`) is understood, and
+//! titles of columns with their unit (`x [um], y [um], z [um]`).
 
 use super::read::Reading;
 use super::{Topography, length};
@@ -16,14 +17,15 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
         let comment = line.find(['#', '%']).unwrap_or(line.len());
         let (content, comment) = line.split_at(comment);
         header.take(comment.trim_start_matches(['#', '%', ' ']));
-        let words = content.split([' ', '\t', ',', ';', '\r']).filter(|word| !word.is_empty());
-        let number = |word: &str| match word.parse::<f64>() {
-            Ok(number) => Ok(number),
-            // Tools write what is not known in words.
-            Err(_) if matches!(word, "---" | "nan" | "NaN" | "NAN" | "bad" | "BAD" | "*****") => Ok(f64::NAN),
-            Err(_) => Err(format!("line {}: \"{word}\" is not a number", index + 1)),
-        };
-        let numbers: Vec<f64> = words.map(number).collect::<Result<_, _>>()?;
+        let words = || content.split([' ', '\t', ',', ';', '\r']).filter(|word| !word.is_empty());
+        // Titles of the columns, before the first number.
+        if lines.is_empty() && words().next().is_some() && words().all(|word| number(word).is_none()) {
+            header.take_titles(content);
+            continue;
+        }
+        let or_where =
+            |word| number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number", index + 1));
+        let numbers: Vec<f64> = words().map(or_where).collect::<Result<_, _>>()?;
         if let Some(first) = lines.first().filter(|first| !numbers.is_empty() && first.len() != numbers.len())
         {
             return Err(format!(
@@ -80,6 +82,14 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
     }
 }
 
+/// A number, or what tools write where there is none.
+fn number(word: &str) -> Option<f64> {
+    match word.parse::<f64>() {
+        Ok(number) => Some(number),
+        Err(_) => matches!(word, "---" | "nan" | "NaN" | "NAN" | "bad" | "BAD" | "*****").then_some(f64::NAN),
+    }
+}
+
 /// What the header of a matrix says, in metres.
 #[derive(Default)]
 struct Header {
@@ -99,6 +109,18 @@ impl Header {
             "Height" => self.height = length::parse(value).ok(),
             "Value units" => self.unit = length::unit(value),
             _ => {}
+        }
+    }
+
+    /// The unit in titles such as `x [um], y [um], z [um]`, if all columns have the same.
+    fn take_titles(&mut self, titles: &str) {
+        let units: Vec<Option<f64>> = (titles.split(['[', '(']).skip(1))
+            .map(|rest| length::unit(rest.split([']', ')']).next().unwrap_or_default()))
+            .collect();
+        if let [Some(first), others @ ..] = &units[..]
+            && others.iter().all(|other| *other == Some(*first))
+        {
+            self.unit = Some(*first);
         }
     }
 }
@@ -198,6 +220,18 @@ mod tests {
         let hole = read("0 0 1\n2 0 3\n1 0 2\n0 1 4\n2 1 6\n").unwrap();
         assert!(hole.heights[4].is_nan());
         assert!(read("0 0 1\n1 0 2\n3 0 3\n0 1 4\n1 1 5\n3 1 6\n").unwrap_err().contains("x is not evenly"));
+    }
+
+    #[test]
+    fn titles_of_columns_may_say_the_unit() {
+        let points = "0 0 1\n1 0 2\n0 1 4\n1 1 5\n";
+        let named = read(&format!("X Y Z\n{points}")).unwrap();
+        assert_eq!((named.heights[3], named.remarks.len()), (5.0, 1));
+        let micrometres = read(&format!("x [um], y [um], z [um]\n{points}")).unwrap();
+        assert!((micrometres.heights[3] / 5e-6 - 1.0).abs() < 1e-15 && micrometres.remarks.is_empty());
+        // Of two units none is that of all.
+        assert_eq!(read(&format!("x (um) y (um) z (nm)\n{points}")).unwrap().heights[3], 5.0);
+        assert!(read(&format!("{points}x y z\n")).unwrap_err().contains("line 5: \"x\""));
     }
 
     #[test]

@@ -6,6 +6,7 @@
 
 pub mod brizmer;
 pub mod chang_etsion_bogy;
+mod crossings;
 pub mod hertz;
 pub mod jackson_green;
 pub mod kogut_etsion;

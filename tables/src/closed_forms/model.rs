@@ -1,5 +1,6 @@
 //! The closed forms as laws that a rough surface can be built from.
 
+use super::crossings::where_equal;
 use super::partial_slip::{constant_shear, tangential_modulus};
 use super::{brizmer, chang_etsion_bogy, hertz, jackson_green, kogut_etsion};
 use crate::law::{AsperityLaw, Estimate, LookupError, Response};
@@ -180,6 +181,9 @@ impl ClosedForm {
     }
 }
 
+/// Steps of the search for gross slip from break to break.
+const SCANNED: usize = 8;
+
 /// A sphere in gross slip.
 struct Sliding {
     /// P, N.
@@ -240,6 +244,15 @@ impl AsperityLaw for ClosedForm {
             NormalContact::KogutEtsion => kogut_etsion::BREAKS.to_vec(),
             NormalContact::Brizmer => vec![self.units.0],
         }
+    }
+
+    /// Where the slip is that of gross slip: on one side the contact still sticks in part.
+    fn breaks_after(&self, radius: f64, slip: f64) -> Vec<f64> {
+        // Under a constant strength gross slip grows with the contact; where friction falls with
+        // interference it need not.
+        let steps = if self.inception == SlidingInception::ConstantShear { 1 } else { SCANNED };
+        let gross_slip = |interference: f64| self.sliding(radius, interference).gross_slip;
+        where_equal(gross_slip, slip, &self.breaks(), steps)
     }
 
     fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
@@ -366,6 +379,24 @@ mod tests {
         assert!((state.friction.value / (slip * stiffness) - 1.0).abs() < 1e-4);
         let rest = law.response(1e-4, 5.0, 0.0, 0.0).unwrap();
         assert_eq!(rest.friction.value, 0.0);
+    }
+
+    #[test]
+    fn gross_slip_is_a_break() {
+        for name in NAMES {
+            let law = ClosedForm::new(name, &STEEL).unwrap();
+            for interference in [0.02, 0.7, 30.0] {
+                let sliding = law.sliding(1e-4, interference);
+                if sliding.strength == 0.0 {
+                    continue;
+                }
+                let breaks = law.breaks_after(1e-4, sliding.gross_slip);
+                assert!(
+                    breaks.iter().any(|place| (place / interference - 1.0).abs() < 1e-6),
+                    "{name} at {interference}: {breaks:?}"
+                );
+            }
+        }
     }
 
     #[test]

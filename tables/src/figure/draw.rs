@@ -5,7 +5,7 @@ use kuva::plot::{LegendPosition, LinePlot, LineStyle, ScatterPlot};
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
 
-use super::{Axis, Curve, PIXELS, Panel};
+use super::{Axis, Curve, Drawn, PIXELS, Panel};
 
 /// Curves with more points than this get a few markers only, and a band instead of bars.
 const FEW_POINTS: usize = 25;
@@ -164,6 +164,7 @@ fn draw_curve(
     medium: Medium,
     plots: &mut Vec<Plot>,
 ) {
+    let number = curve.style.unwrap_or(number);
     let (color, dashes, marker) = STYLES[number % STYLES.len()];
     let few = points.len() <= FEW_POINTS;
     let mut line = LinePlot::new()
@@ -180,7 +181,12 @@ fn draw_curve(
             points.iter().map(|(_, y, error)| y + error),
         );
     }
-    plots.push(Plot::Line(line));
+    if curve.drawn != Drawn::Markers {
+        plots.push(Plot::Line(line));
+    }
+    if curve.drawn == Drawn::Line {
+        return;
+    }
 
     let step = if few { 1 } else { points.len().div_ceil(SPARSE_MARKERS) };
     // Shifted from curve to curve, so that markers of close curves do not hide each other.

@@ -46,6 +46,20 @@ pub struct Curve {
     pub y: Vec<f64>,
     /// Absolute errors of `y`, drawn as bars on few points and as a band on many.
     pub error: Option<Vec<f64>>,
+    pub drawn: Drawn,
+    /// Number of the colour, dash and marker; by default the place among the curves.
+    pub style: Option<usize>,
+}
+
+/// What of a curve is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Drawn {
+    #[default]
+    LineAndMarkers,
+    /// Measured points.
+    Markers,
+    /// What was fitted to them.
+    Line,
 }
 
 /// Why a figure was not made.
@@ -72,11 +86,18 @@ impl Axis {
 
 impl Curve {
     pub fn new(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
-        Self { label: label.into(), x, y, error: None }
+        Self { label: label.into(), x, y, ..Self::default() }
     }
 
     pub fn with_error(mut self, error: Vec<f64>) -> Self {
         self.error = Some(error);
+        self
+    }
+
+    /// Only a part of it, in the style of that number.
+    pub fn drawn_as(mut self, drawn: Drawn, style: usize) -> Self {
+        self.drawn = drawn;
+        self.style = Some(style);
         self
     }
 }
@@ -160,6 +181,24 @@ mod tests {
         for text in ["slip rate V (m/s)", "friction coefficient", "3 ω_c"] {
             assert!(svg.contains(text), "{text}");
         }
+    }
+
+    #[test]
+    fn points_and_their_fit_share_a_colour() {
+        let (x, y) = (vec![1.0, 2.0, 3.0], vec![1.0, 3.0, 2.0]);
+        let svg = |drawn: Drawn| {
+            let panel = Panel {
+                curves: vec![Curve::new("", x.clone(), y.clone()).drawn_as(drawn, 1)],
+                ..Panel::default()
+            };
+            Figure { panels: vec![panel], ..Figure::default() }.svg()
+        };
+        let [both, points, line] = [Drawn::LineAndMarkers, Drawn::Markers, Drawn::Line].map(svg);
+        for picture in [&both, &points, &line] {
+            assert!(picture.contains("#0072b2") && !picture.contains("#d55e00"));
+        }
+        assert!(both.len() > points.len() && both.len() > line.len());
+        assert!(line.contains("stroke-dasharray") && !points.contains("stroke-dasharray"));
     }
 
     #[test]

@@ -16,6 +16,7 @@
 
 mod beyond;
 mod elastic;
+mod end_of_histories;
 mod nodes;
 mod scalar;
 
@@ -184,13 +185,7 @@ impl Interpolant {
     ) -> Result<(Values, Values), Absent> {
         let depth = log_interference - self.log_interference[first];
         let knot = self.log_interference[first].exp();
-        let contact_radius = self.elastic.continued(
-            self.elastic.contact_radius(knot * depth.exp()),
-            self.elastic.contact_radius(knot),
-            self.log_contact_radius[first].exp(),
-            depth,
-        );
-        let ratio = slip / contact_radius;
+        let ratio = slip / self.contact_radius_below(first, log_interference);
         let place = Location { index: first, t: 0.0 };
         let slip = self.nodes.locate_slip(ratio);
         let row = self.row(first, rate, slip)?;
@@ -316,6 +311,12 @@ impl AsperityLaw for Table {
 
     fn breaks(&self) -> Vec<f64> {
         self.axes().interference.clone()
+    }
+
+    /// Where the histories end: contacts smaller than that have slid farther, and are held.
+    fn breaks_after(&self, radius: f64, slip: f64) -> Vec<f64> {
+        let ratio = radius / self.metadata().asperity_radius;
+        self.interpolant().end_of_histories(slip / ratio).into_iter().collect()
     }
 
     fn slip_rate_range(&self, radius: f64) -> (f64, f64) {

@@ -76,6 +76,11 @@ impl Nodes {
         self.histories[i * self.rates + j].is_some()
     }
 
+    /// s/a₀ at which the histories end.
+    pub(super) fn last_slip(&self) -> f64 {
+        self.slip.last().copied().unwrap_or(0.0)
+    }
+
     pub(super) fn locate_slip(&self, ratio: f64) -> Location {
         locate(&self.slip, ratio)
     }

@@ -397,3 +397,26 @@ fn beyond_the_table_only_when_asked_and_flagged() {
     assert!(slow.outside && relative(slow.estimate.value, power(5.0, 0.1)) < 1e-9);
     assert!(slow.estimate.error >= 0.999 * (power(5.0, 0.01) - power(5.0, 0.1)));
 }
+
+#[test]
+fn the_end_of_the_histories_is_a_break() {
+    let table = table_of(log_spaced(0.1, 50.0, 8), vec![0.1, 1.0]);
+    for radius in [RADIUS, 0.1 * RADIUS] {
+        // In the table and below it: a₀ is half the slip there, the histories end at s = 2 a₀.
+        for interference in [0.01f64, 0.3, 20.0] {
+            let area = table.response(radius, interference, 1.0, 0.0).unwrap().area.value;
+            let slip = 2.0 * (area / std::f64::consts::PI).sqrt();
+            let [found] = table.breaks_after(radius, slip)[..] else { panic!("{interference}") };
+            // The area and a₀ are interpolated apart.
+            assert!((found / interference - 1.0).abs() < 0.02, "{interference}: {found}");
+            let friction = |interference: f64, slip: f64| {
+                table.response(radius, interference, 1.0, slip).unwrap().friction.value
+            };
+            // Smaller contacts are held, larger ones still change.
+            assert_eq!(friction(0.999 * found, slip), friction(0.999 * found, 1.001 * slip));
+            assert_ne!(friction(1.001 * found, slip), friction(1.001 * found, 0.999 * slip));
+        }
+        assert!(table.breaks_after(radius, 0.0).is_empty());
+        assert!(table.breaks_after(radius, 1.0).is_empty());
+    }
+}

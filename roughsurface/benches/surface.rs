@@ -1,0 +1,64 @@
+//! What a prediction and finite surfaces cost, from a table of 26 interferences and 12 slip rates:
+//!
+//!     cargo bench -p roughsurface
+//!
+//! Aims on two cores: 50 pressures × 20 slip rates × 200 slips in 1 s, ten million asperities in 5 s.
+
+#[path = "../tests/demonstration/mod.rs"]
+mod demonstration;
+
+use demonstration::{Weakening, table};
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use roughsurface::friction::{Settings, predict};
+use roughsurface::heights::Gaussian;
+use roughsurface::monte_carlo::{Sampling, sample};
+use roughsurface::query::{Hold, Pressing, Query, Surface};
+use tables::table::Table;
+
+fn main() {
+    divan::main();
+}
+
+fn law() -> Table {
+    table(&Weakening::new(), 200.0)
+}
+
+fn surface() -> Surface {
+    Surface {
+        asperity_density: 1e10,
+        asperity_radius: 1e-4.into(),
+        heights: Box::new(Gaussian::new(0.05e-6)),
+    }
+}
+
+fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
+    (0..points).map(|i| from * (to / from).powf(i as f64 / (points - 1) as f64)).collect()
+}
+
+/// 50 pressures × 20 slip rates × 200 slips.
+#[divan::bench(sample_count = 10)]
+fn prediction(bencher: Bencher) {
+    let (law, surface, settings) = (law(), surface(), Settings::default());
+    let query = Query {
+        pressing: Pressing::Pressure(spaced(1e4, 1e7, 50)),
+        slip_rates: spaced(0.1, 10.0, 20),
+        hold: Hold::Load,
+    };
+    let states = 50 * 20 * settings.slip_points;
+    bencher
+        .counter(ItemsCount::new(states))
+        .bench(|| predict(&law, &surface, &query, &settings, &|_, _| ()).expect("the table covers it"));
+}
+
+/// Ten surfaces of a million asperities, of which a few per cent or about half touch.
+#[divan::bench(args = [1e6, 3e7], sample_count = 3)]
+fn ten_million_asperities(bencher: Bencher, pressure: f64) {
+    let (law, surface, settings) = (law(), surface(), Settings::default());
+    let query =
+        Query { pressing: Pressing::Pressure(vec![pressure]), slip_rates: vec![1.0], hold: Hold::Load };
+    let sampling = Sampling { asperities: 1_000_000, realizations: 10, seed: 1, slip: 1e-6 };
+    bencher.counter(ItemsCount::new(10_000_000_usize)).bench(|| {
+        sample(&law, &surface, &query, &sampling, &settings, &|_, _| ()).expect("the table covers it")
+    });
+}

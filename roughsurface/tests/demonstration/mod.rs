@@ -1,0 +1,135 @@
+//! An asperity law that weakens with slip rate, and a table of it: what tests and benchmarks read
+//! in place of simulations.
+
+use tables::closed_forms::{ElasticPlastic, closed_form};
+use tables::law::{AsperityLaw, Estimate, LookupError, Response};
+use tables::quantity::Quantity;
+use tables::table::{Axes, Cell, Metadata, Table};
+
+pub const STEEL: ElasticPlastic =
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+
+/// Jackson–Green asperities that weaken with slip rate once they have slid by a
+/// tenth of their contact radius.
+pub struct Weakening(Box<dyn AsperityLaw>);
+
+impl Weakening {
+    pub fn new() -> Self {
+        Self(closed_form("jackson-green", &STEEL).unwrap())
+    }
+}
+
+impl AsperityLaw for Weakening {
+    fn name(&self) -> String {
+        "weakening".into()
+    }
+    fn critical_interference(&self, radius: f64) -> f64 {
+        self.0.critical_interference(radius)
+    }
+    fn interference_limit(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn breaks(&self) -> Vec<f64> {
+        self.0.breaks()
+    }
+    fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
+        (0.0, f64::INFINITY)
+    }
+    fn response(
+        &self,
+        radius: f64,
+        interference: f64,
+        slip_rate: f64,
+        slip: f64,
+    ) -> Result<Response, LookupError> {
+        let mut response = self.0.response(radius, interference, slip_rate, slip)?;
+        let contact_radius = (response.area.value / std::f64::consts::PI).sqrt();
+        let slid = 1.0 - (-slip / (0.1 * contact_radius).max(f64::MIN_POSITIVE)).exp();
+        // V R is what a table scales with.
+        let hot = slip_rate * radius / 1e-4;
+        response.friction.value *= 1.0 - 0.7 * slid * hot / (1.0 + hot);
+        Ok(response)
+    }
+}
+
+/// The same with a tenth more friction everywhere.
+#[allow(dead_code, reason = "the benchmarks do without")]
+pub struct Stronger(pub Weakening);
+
+impl AsperityLaw for Stronger {
+    fn name(&self) -> String {
+        "stronger".into()
+    }
+    fn critical_interference(&self, radius: f64) -> f64 {
+        self.0.critical_interference(radius)
+    }
+    fn interference_limit(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn breaks(&self) -> Vec<f64> {
+        self.0.breaks()
+    }
+    fn slip_rate_range(&self, radius: f64) -> (f64, f64) {
+        self.0.slip_rate_range(radius)
+    }
+    fn response(&self, radius: f64, omega: f64, rate: f64, slip: f64) -> Result<Response, LookupError> {
+        let mut response = self.0.response(radius, omega, rate, slip)?;
+        response.friction.value *= 1.1;
+        Ok(response)
+    }
+}
+
+fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
+    let share = |i: usize| i as f64 / (points - 1) as f64;
+    (0..points).map(|i| from * (to / from).powf(share(i))).collect()
+}
+
+/// The law as a table for spheres ten times as large as those of the surface.
+pub fn table(law: &dyn AsperityLaw, interference_to: f64) -> Table {
+    let radius = 1e-3;
+    let mut slip = vec![0.0];
+    slip.extend(spaced(1e-4, 2.0, 40));
+    let axes =
+        Axes { interference: spaced(0.02, interference_to, 26), slip_rate: spaced(1e-3, 2.0, 12), slip };
+    let metadata = Metadata {
+        title: "test".into(),
+        asperity_radius: radius,
+        critical_interference: law.critical_interference(radius),
+        contact_modulus: STEEL.contact_modulus(),
+        poisson_ratio: STEEL.poisson_ratio,
+        yield_strength: STEEL.yield_strength,
+        strength_factor: Some(1.0),
+        temperature: 298.0,
+        ..Metadata::default()
+    };
+    let mut table = Table::new(axes.clone(), metadata).unwrap();
+    for (i, &interference) in axes.interference.iter().enumerate() {
+        for (j, &rate) in axes.slip_rate.iter().enumerate() {
+            let at = |slip: f64| law.response(radius, interference, rate, slip).unwrap();
+            let contact_radius = (at(0.0).area.value / std::f64::consts::PI).sqrt();
+            let states: Vec<Response> = axes.slip.iter().map(|s| at(s * contact_radius)).collect();
+            let history = |value: fn(&Response) -> Estimate| -> Vec<f64> {
+                states.iter().map(|state| value(state).value).collect()
+            };
+            let (load, friction, area) = (history(|s| s.load), history(|s| s.friction), history(|s| s.area));
+            let end = axes.slip.len() - 1;
+            let mu: Vec<f64> = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
+            let cell = Cell::new()
+                .with(Quantity::ContactRadius, contact_radius, 0.0)
+                .with(Quantity::Mu, mu[end], 0.0)
+                .with(Quantity::Load, load[end], 0.0)
+                .with(Quantity::LoadPress, load[0], 0.0)
+                .with(Quantity::Friction, friction[end], 0.0)
+                .with(Quantity::Area, area[end], 0.0)
+                .with(Quantity::AreaPress, area[0], 0.0)
+                .with(Quantity::TemperatureMax, 298.0, 0.0)
+                .with_history(Quantity::Mu, mu)
+                .with_history(Quantity::Load, load)
+                .with_history(Quantity::Friction, friction)
+                .with_history(Quantity::Area, area)
+                .with_history(Quantity::TemperatureMax, vec![298.0; axes.slip.len()]);
+            table.set_cell(i, j, cell).unwrap();
+        }
+    }
+    table
+}
