@@ -16,7 +16,10 @@ use crate::material::{Return, Solid};
 use crate::sectors::VECTOR_PARITY;
 
 mod energies;
+mod nodal;
 mod surface;
+
+pub use nodal::NODAL;
 
 /// History of all Gauss points: element by element, point by point, component by component,
 /// angles as lanes.

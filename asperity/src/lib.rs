@@ -24,9 +24,11 @@
 //! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
 
 mod body;
+pub mod body_fields;
 mod conduction;
 mod contact;
 mod contact_edge;
+mod contact_maps;
 mod curve;
 mod elastic;
 mod element;
@@ -35,6 +37,7 @@ mod error_budget;
 mod fake;
 pub mod figures;
 pub mod fracture;
+pub mod friction_law;
 mod harmonic;
 mod lanes;
 mod material;
@@ -47,7 +50,9 @@ mod press;
 mod problem;
 pub mod provenance;
 pub mod quantities;
+pub mod recording;
 mod resolution;
+pub mod revolved;
 pub mod run_file;
 mod scalars;
 pub mod scene;
@@ -55,5 +60,7 @@ pub mod scene_file;
 mod sectors;
 pub mod simulate;
 mod slide;
+mod standing;
 mod summary;
 pub mod tabulate;
+pub mod vtu;

@@ -10,6 +10,7 @@ use std::time::Instant as Clock;
 use rayon::prelude::*;
 
 use crate::body::Body;
+use crate::body_fields::BodyFields;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
@@ -18,11 +19,13 @@ use crate::mesh::MeshSize;
 use crate::outcome::{Account, Outcome};
 use crate::press::{self, Increment, PressFailure};
 use crate::problem::{Discretisation, Problem};
+use crate::recording::{Fields, Recorder, Recording};
 use crate::resolution::{Resolution, choose_heat, softening_number};
 use crate::scalars::Scalars;
 use crate::scene::{Kinematics, Scene, Switch};
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
+use crate::standing;
 use crate::summary;
 
 /// Where a run stands; called between increments.
@@ -186,7 +189,8 @@ pub struct ContactPoints {
 /// One slide on one mesh, as far as it came.
 pub struct Slid {
     pub history: Vec<crate::slide::Instant>,
-    pub fields: Vec<crate::slide::Fields>,
+    pub fields: Vec<Fields>,
+    pub body: Option<BodyFields>,
     pub grid: ContactPoints,
     unknowns: usize,
     effort: Effort,
@@ -200,6 +204,7 @@ struct Task<'a> {
     /// VR/κ.
     speed: f64,
     heat: bool,
+    recording: &'a Recording,
     watch: &'a dyn Watch,
 }
 
@@ -207,7 +212,7 @@ impl Task<'_> {
     fn slide(
         &self,
         resolution: &Resolution,
-        mut progress: impl FnMut(f64),
+        mut progress: impl FnMut(f64, &str),
     ) -> Result<(Arc<PressedMesh>, Slid), SimulationError> {
         let problem = &self.pressed.problem;
         let pressed = self.pressed.mesh(resolution, self.watch)?;
@@ -228,13 +233,14 @@ impl Task<'_> {
         };
         let speed = if self.heat { self.speed } else { 0.0 };
         let mut slide = Slide::new(problem, mechanics, conduction, speed, resolution.increments);
-        slide.record_fields();
         // Each mesh slides as far in units of its own contact radius.
         let radius = pressed.contact.radius(&pressed.contact.committed);
         let distance = self.pressed.scene.loading.slip_distance * radius;
+        slide.recorder = Recorder::new(self.recording, radius, &slide.history[0]);
+        slide.record_fields();
         let failure = slide
-            .run(distance, |done| {
-                progress(done);
+            .run(distance, |done, history| {
+                progress(done, &standing::in_words(&problem.units, history));
                 !self.watch.cancelled()
             })
             .err();
@@ -242,7 +248,8 @@ impl Task<'_> {
         let slid = Slid {
             effort: slide.mechanics.effort,
             history: slide.history,
-            fields: slide.fields,
+            fields: slide.recorder.contact,
+            body: BodyFields::new(mesh, &slide.recorder.bodies, &problem.units),
             grid: ContactPoints {
                 radii: slide.mechanics.contact.radii.clone(),
                 angles: mesh.sectors.angles(),
@@ -261,6 +268,16 @@ impl Task<'_> {
 
 /// Slide the pressed asperity at `slip_rate` (m/s).
 pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    slide_recorded(pressed, slip_rate, &Recording::default(), watch)
+}
+
+/// Slide the pressed asperity at `slip_rate` (m/s), keeping fields as `recording` says.
+pub fn slide_recorded(
+    pressed: &Pressed,
+    slip_rate: f64,
+    recording: &Recording,
+    watch: &dyn Watch,
+) -> Result<Outcome, SimulationError> {
     /// Share of a run's progress until its companions are done.
     const FIRST_SHARE: f64 = 0.6;
     /// Times that a run is repeated more finely.
@@ -271,7 +288,7 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
     let number = softening_number(scene, slip_rate, pressed.contact_radius * units.length);
     let mut notes = Vec::new();
     let heat = choose_heat(scene, slip_rate, number, &mut notes);
-    let task = Task { pressed, speed: slip_rate / units.speed(), heat, watch };
+    let task = Task { pressed, speed: slip_rate / units.speed(), heat, recording, watch };
 
     let mut resolution = pressed.resolution;
     let coarse = resolution.coarse();
@@ -280,9 +297,9 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
         .par_iter()
         .enumerate()
         .map(|(i, resolution)| {
-            task.slide(resolution, |done| {
+            task.slide(resolution, |done, standing| {
                 if i == 0 {
-                    watch.progress("slide", FIRST_SHARE * done, "");
+                    watch.progress("slide", FIRST_SHARE * done, standing);
                 }
             })
         })
@@ -312,16 +329,27 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
         warnings.push("a companion run did not finish: errors are unknown and given as the values".into());
         ErrorBudget::unknown(&scalars)
     };
+    let mut stopped = false;
     if known {
         for _ in 0..REFINEMENTS {
             let (_, parts) = budget.worst(&scalars);
             let Some(finer) = resolution.refine(&scene.numerics, &parts) else { break };
             watch.progress("slide", FIRST_SHARE, "finer");
-            let (next_mesh, next) = task.slide(&finer, |done| {
-                watch.progress("slide", FIRST_SHARE + (1.0 - FIRST_SHARE) * done, "finer");
-            })?;
+            let result = task.slide(&finer, |done, standing| {
+                let done = FIRST_SHARE + (1.0 - FIRST_SHARE) * done;
+                watch.progress("slide", done, &format!("finer: {standing}"));
+            });
+            let (next_mesh, next) = match result {
+                // What there is already is worth more than nothing.
+                Err(SimulationError::Cancelled { .. }) => {
+                    stopped = true;
+                    break;
+                }
+                result => result?,
+            };
             cutbacks += next.cutbacks;
             if !complete(&next) {
+                stopped = matches!(next.failure, Some(SlideFailure::Cancelled));
                 break;
             }
             let next_scalars = task.scalars(&next_mesh, &next);
@@ -348,7 +376,7 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
 
     summary::warn(scene, &fine.history, &mut warnings);
     notes.insert(0, resolution.describe());
-    let account = Account {
+    let mut account = Account {
         elements_per_radius: resolution.elements_per_radius,
         sectors: resolution.sectors,
         unknowns: fine.unknowns,
@@ -361,10 +389,15 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
         notes,
         warnings,
     };
-    let outcome = summary::outcome(problem, &mesh.increments, &fine, &scalars, budget, account);
+    if stopped {
+        account.warnings.push("stopped before the run was repeated more finely".into());
+    }
+    let outcome = summary::outcome(problem, &mesh.increments, &mut fine, &scalars, budget, account);
     match fine.failure {
-        None => Ok(outcome),
-        Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled { partial: Some(Box::new(outcome)) }),
+        None if !stopped => Ok(outcome),
+        None | Some(SlideFailure::Cancelled) => {
+            Err(SimulationError::Cancelled { partial: Some(Box::new(outcome)) })
+        }
         Some(failure) => Err(SimulationError::NotConverged {
             stage: "slide",
             at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * units.length),
@@ -376,8 +409,17 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
 
 /// Press and slide as the scene says.
 pub fn simulate(scene: &Scene, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    simulate_recorded(scene, &Recording::default(), watch)
+}
+
+/// Press and slide as the scene says, keeping fields as `recording` says.
+pub fn simulate_recorded(
+    scene: &Scene,
+    recording: &Recording,
+    watch: &dyn Watch,
+) -> Result<Outcome, SimulationError> {
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
-    slide(&press(scene, watch)?, scene.loading.slip_rate, watch)
+    slide_recorded(&press(scene, watch)?, scene.loading.slip_rate, recording, watch)
 }

@@ -4,12 +4,14 @@
 //! and marker, so that they can be told apart in grey as well. No fonts of the system are used;
 //! the same figure gives the same bytes.
 
+mod cells;
 mod draw;
 mod map;
 mod sheet;
 
 use std::path::Path;
 
+pub use cells::{Cell, Cells, Scale};
 pub use map::Map;
 pub use sheet::{Drawing, Sheet};
 
@@ -100,7 +102,7 @@ impl Figure {
 
     fn sheet(&self) -> Sheet {
         let panels = self.panels.iter().cloned().map(Drawing::Curves).collect();
-        Sheet { title: self.title.clone(), drawings: panels }
+        Sheet::new(self.title.clone(), panels)
     }
 }
 
