@@ -2,8 +2,7 @@
 //!
 //!     cargo run --release -p examples --example ten_lines
 
-use asperity::scene_file::read_scene;
-use asperity::simulate::{Unwatched, simulate};
+use asperity::{Unwatched, read_scene, simulate};
 
 fn main() -> anyhow::Result<()> {
     // A coarse mesh, to be quick; without it the scene's accuracy chooses.

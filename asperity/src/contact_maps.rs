@@ -144,7 +144,7 @@ impl<'a> Plane<'a> {
                 }
             }
         }
-        let extent = self.outer.last().copied().unwrap_or(1.0);
+        let extent = 1.05 * self.outer.last().copied().unwrap_or(1.0);
         Cells {
             title,
             x: Axis::linear("x/a₀   (the flat moves to the right)"),

@@ -29,6 +29,35 @@ use crate::standing;
 use crate::summary;
 
 /// Where a run stands; called between increments.
+/// ```
+/// use std::sync::atomic::{AtomicBool, Ordering};
+///
+/// use asperity::scene_file::parse_scene;
+/// use asperity::simulate::{SimulationError, Watch, simulate};
+///
+/// /// Stops a run once it slides.
+/// #[derive(Default)]
+/// struct Impatient(AtomicBool);
+///
+/// impl Watch for Impatient {
+///     fn progress(&self, stage: &'static str, done: f64, _detail: &str) {
+///         self.0.fetch_or(stage == "slide" && done > 0.01, Ordering::Relaxed);
+///     }
+///     fn cancelled(&self) -> bool {
+///         self.0.load(Ordering::Relaxed)
+///     }
+/// }
+///
+/// # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+/// #             [loading]\ninterference = 5\nslip_rate = 0\n\
+/// #             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+/// # let scene = parse_scene(text, "this example", &[])?;
+/// match simulate(&scene, &Impatient::default()) {
+///     Err(SimulationError::Cancelled { partial: Some(outcome) }) => assert!(outcome.slide.len() > 1),
+///     other => panic!("{other:?}"),
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Watch: Sync {
     /// `stage` is "press" or "slide", `done` the share of that stage that is done (0 to 1).
     fn progress(&self, _stage: &'static str, _done: f64, _detail: &str) {}
@@ -84,6 +113,20 @@ pub struct Pressed {
 }
 
 /// Press the asperity to the interference of the scene, in full stick and without heat.
+/// ```
+/// use asperity::scene_file::parse_scene;
+/// use asperity::simulate::{Unwatched, press, slide};
+///
+/// let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+///             [loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 0.02\n\
+///             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+/// let scene = parse_scene(text, "this example", &[])?;
+/// // One press serves slides at any slip rate.
+/// let pressed = press(&scene, &Unwatched)?;
+/// let [slow, fast] = [0.1, 10.0].map(|rate| slide(&pressed, rate, &Unwatched));
+/// assert_eq!(slow?.summary.load_press, fast?.summary.load_press);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Clock::now();
     if scene.model.kinematics == Kinematics::Finite {

@@ -49,7 +49,7 @@ impl Default for Scale {
 }
 
 /// Of a cell's outline in its own colour, so that no background shows between cells.
-const SEAM: f64 = 0.7;
+const SEAM: f64 = 1.5;
 
 impl Cells {
     pub(super) fn draw(&self) -> (Vec<Plot>, Layout) {
