@@ -56,6 +56,13 @@ const PRESSURE_COEFFICIENT: Parameter =
     Parameter { key: "pressure_coefficient", unit: "1", default: Value::Number(0.0) };
 
 /// Every law that a scene file can ask for; the first is the default.
+/// ```
+/// use asperity::friction_law::LAWS;
+///
+/// let coulomb = LAWS.iter().find(|entry| entry.name == "coulomb").unwrap();
+/// let keys: Vec<&str> = coulomb.parameters.iter().map(|parameter| parameter.key).collect();
+/// assert_eq!(keys, ["friction", "cap"]);
+/// ```
 pub const LAWS: &[Entry] = &[
     Entry { name: "shear-strength", parameters: &[], build: |_| FrictionLaw::ShearStrength },
     Entry {

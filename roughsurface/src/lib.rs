@@ -8,6 +8,7 @@
 //! more and less reach theirs at different slips.
 //! ```
 //! use roughsurface::friction::{Settings, predict};
+//! use roughsurface::friction_file::{self, Origin};
 //! use roughsurface::surface_file::SurfaceFile;
 //! use tables::closed_forms::closed_form;
 //!
@@ -29,6 +30,13 @@
 //! let prediction = predict(law.as_ref(), &file.surface, &file.query, &Settings::default(), &|_, _| ())?;
 //! let static_friction = prediction.friction[0][0].mu_static;
 //! assert!(static_friction.value > 0.2 && static_friction.value < 0.6, "{static_friction:?}");
+//!
+//! // The figure and the file.
+//! assert!(roughsurface::friction_figure::figure(&prediction).svg().contains("friction coefficient"));
+//! let path = std::env::temp_dir().join(format!("roughsurface-example-{}.nc", std::process::id()));
+//! let origin = Origin { surface: &file.text, table: "model:jackson-green", command: "an example" };
+//! friction_file::write(&path, &prediction, &origin)?;
+//! # std::fs::remove_file(&path)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
