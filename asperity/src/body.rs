@@ -1,5 +1,5 @@
 //! The elastic–plastic body: history at the Gauss points, internal forces, consistent tangent
-//! and mechanical energies. Small strain.
+//! and mechanical energies. Small strain here, finite strain in [`finite`] with the same history.
 //!
 //! Stress at a Gauss point: deviator s = 2G(e − ε_p), mean stress p = K(ε̄_v − 3∫α dθ̄), where the
 //! dilatation ε̄_v and the temperature rise θ̄ are means over the element (B̄), and G and K those
@@ -9,16 +9,18 @@
 //! (2008), eq. (7.120).
 
 use crate::element::{
-    CORNERS, Element, POINTS, RevolvedMesh, VALUES, deviators_and_dilatation, shape_at_points, stress_force,
+    CORNERS, POINTS, RevolvedMesh, VALUES, deviators_and_dilatation, shape_at_points, stress_force,
 };
 use crate::lanes::Lanes;
 use crate::material::{Return, Solid};
 use crate::sectors::VECTOR_PARITY;
 
 mod energies;
+mod heat;
 mod nodal;
 mod surface;
 
+use heat::PointHeat;
 pub use nodal::NODAL;
 
 /// History of all Gauss points: element by element, point by point, component by component,
@@ -50,16 +52,6 @@ struct Tangent {
     stiffness: Vec<f64>,
 }
 
-/// Temperature and what it does at one Gauss point.
-#[derive(Clone, Copy)]
-struct PointHeat<'a, const W: usize> {
-    rise: &'a Lanes<W>,
-    /// No point of the element has a lower softening factor.
-    weakest: f64,
-    /// E(T)/E(T₀) of the element, unless constant.
-    stiffness: Option<&'a Lanes<W>>,
-}
-
 #[derive(Clone, Debug)]
 pub struct Body {
     pub mesh: RevolvedMesh,
@@ -67,6 +59,8 @@ pub struct Body {
     pub committed: BodyState,
     pub trial: BodyState,
     tangent: Tangent,
+    /// At finite strain its tangent, at small strain nothing.
+    finite: Option<finite::FiniteTangent>,
     shapes: [[f64; CORNERS]; POINTS],
     /// Scratch: ∂u/∂θ, and the forces that work on it.
     slope: Vec<f64>,
@@ -86,6 +80,8 @@ macro_rules! by_lanes {
         }
     };
 }
+
+mod finite;
 
 impl BodyState {
     fn new(elements: usize, lanes: usize) -> Self {
@@ -143,6 +139,7 @@ impl Body {
             committed: state.clone(),
             trial: state,
             tangent,
+            finite: None,
             shapes: shape_at_points(),
             slope: vec![0.0; mesh.field_length(3)],
             on_slope: vec![0.0; mesh.field_length(3)],
@@ -150,10 +147,20 @@ impl Body {
         }
     }
 
+    /// The same body at finite strain.
+    pub fn at_finite_strain(mut self) -> Self {
+        let (elements, lanes) = (self.mesh.elements.len(), self.mesh.sectors.columns());
+        self.finite = Some(finite::FiniteTangent::new(elements, lanes));
+        self
+    }
+
     /// Body of revolution with the history of an axisymmetric one on the same meridian.
     pub fn revolve(axisymmetric: &Body, mesh: RevolvedMesh) -> Self {
         let lanes = mesh.sectors.columns();
         let mut body = Self::new(mesh, axisymmetric.solid.clone());
+        if axisymmetric.finite.is_some() {
+            body = body.at_finite_strain();
+        }
         body.committed = axisymmetric.committed.spread(lanes);
         body.trial = body.committed.clone();
         body
@@ -167,7 +174,9 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        if self.solid.stiffness_varies() {
+        if self.finite.is_some() {
+            by_lanes!(self.finite_force(u, rise, force));
+        } else if self.solid.stiffness_varies() {
             by_lanes!(self.internal_force_varying(u, rise, force));
         } else {
             by_lanes!(self.internal_force_constant(u, rise, force));
@@ -201,34 +210,26 @@ impl Body {
         let lanes = self.mesh.sectors.columns();
         for e in 0..self.mesh.elements.len() {
             for first in (0..lanes).step_by(W) {
+                let heat = self.element_heat::<W>(e, first, rise, VARYING);
                 let element = &self.mesh.elements[e];
                 let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
-                let nodal_rise = rise.map(|field| self.mesh.gather_scalar::<W>(field, element, first));
-                let (point_rise, mean_rise) = self.temperatures(element, nodal_rise);
-                let weakest = nodal_rise.map_or(1.0, |nodal| {
-                    let hottest = nodal.iter().flatten().fold(0.0f64, |m, &t| m.max(t));
-                    let coldest = || nodal.iter().flatten().fold(0.0f64, |m, &t| m.min(t));
-                    self.solid.lowest_softening_factor(coldest, hottest)
-                });
-                let stiffness = VARYING.then(|| mean_rise.map(|rise| self.solid.stiffness_factor(rise)));
-                let thermal = self.solid.thermal_dilatation(&mean_rise);
                 let (deviators, dilatation) = deviators_and_dilatation(element, &displacement);
                 let mut mean_stress = [0.0; W];
                 for l in 0..W {
-                    mean_stress[l] = self.solid.moduli.bulk * (dilatation[l] - thermal[l]);
+                    mean_stress[l] = self.solid.moduli.bulk * (dilatation[l] - heat.thermal[l]);
                 }
                 let at = e * lanes + first;
-                if let Some(stiffness) = &stiffness {
+                if let Some(stiffness) = &heat.stiffness {
                     (0..W).for_each(|l| mean_stress[l] *= stiffness[l]);
                     self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
                 }
                 self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
-                self.trial.rise[at..at + W].copy_from_slice(&mean_rise);
+                self.trial.rise[at..at + W].copy_from_slice(&heat.mean_rise);
                 let mut stresses = [[[0.0; W]; TENSOR]; POINTS];
                 let mut flows = false;
                 for q in 0..POINTS {
-                    let heat = PointHeat { rise: &point_rise[q], weakest, stiffness: stiffness.as_ref() };
-                    let (mut stress, flowing) = self.point_stress::<W>(e, q, first, &deviators[q], heat);
+                    let (mut stress, flowing) =
+                        self.point_stress::<W>(e, q, first, &deviators[q], heat.at_point(q));
                     flows |= flowing;
                     let weight = self.mesh.elements[e].weight[q];
                     for (i, component) in stress.iter_mut().enumerate() {
@@ -251,30 +252,6 @@ impl Body {
             }
         }
         self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
-    }
-
-    /// Temperature rise at the Gauss points and its mean over the element.
-    #[inline(always)]
-    fn temperatures<const W: usize>(
-        &self,
-        element: &Element,
-        nodal: Option<[Lanes<W>; CORNERS]>,
-    ) -> ([Lanes<W>; POINTS], Lanes<W>) {
-        let mut points = [[0.0; W]; POINTS];
-        let mut mean = [0.0; W];
-        if let Some(nodal) = nodal {
-            for q in 0..POINTS {
-                for (n, value) in nodal.iter().enumerate() {
-                    for l in 0..W {
-                        points[q][l] += self.shapes[q][n] * value[l];
-                    }
-                }
-                for l in 0..W {
-                    mean[l] += element.weight[q] / element.volume * points[q][l];
-                }
-            }
-        }
-        (points, mean)
     }
 
     /// Radial return at one point: deviatoric stress and whether any lane flows.
@@ -340,12 +317,14 @@ impl Body {
                 }
                 let trial = squared[l].sqrt();
                 let strain = self.committed.accumulated[scalar + l];
-                let Return { increment, slope } =
-                    self.solid.return_map(trial, strain, softening[l], guess[l]);
+                let Return { increment, strength, slope } = {
+                    let strength = self.committed.strength[scalar + l];
+                    self.solid.return_map(trial, strain, strength, softening[l], guess[l])
+                };
                 let shear = self.solid.moduli.shear;
                 let ratio = 3.0 * shear * increment / trial;
                 self.trial.accumulated[scalar + l] = strain + increment;
-                self.trial.strength[scalar + l] = self.solid.yield_strength(strain + increment, 0.0);
+                self.trial.strength[scalar + l] = strength;
                 self.tangent.coefficients[coefficient(0) + l] = two_shear * (1.0 - ratio);
                 // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive.
                 self.tangent.coefficients[coefficient(1) + l] =
@@ -372,8 +351,32 @@ impl Body {
         (stress, any)
     }
 
+    /// Share of the elements, angle by angle in groups of lanes, with a point that flows.
+    pub fn flowing_share(&self) -> f64 {
+        let lanes = self.mesh.sectors.columns();
+        let group = if lanes == 1 {
+            1
+        } else if lanes.is_multiple_of(8) {
+            8
+        } else {
+            4
+        };
+        let groups = self.tangent.flows.iter().step_by(group);
+        groups.clone().filter(|flows| **flows).count() as f64 / groups.len() as f64
+    }
+
+    /// Coefficient i of the tangent at a point.
+    #[inline(always)]
+    fn coefficient<const W: usize>(&self, e: usize, q: usize, i: usize, first: usize) -> &[f64] {
+        let at = ((e * POINTS + q) * COEFFICIENTS + i) * self.mesh.sectors.columns() + first;
+        &self.tangent.coefficients[at..at + W]
+    }
+
     /// Product of the consistent tangent at the last internal force with a displacement.
     pub fn tangent_product(&mut self, u: &[f64], force: &mut [f64]) {
+        if self.finite.is_some() {
+            return by_lanes!(self.finite_tangent_product(u, force));
+        }
         by_lanes!(self.tangent_product_lanes(u, force));
     }
 
@@ -409,15 +412,10 @@ impl Body {
         first: usize,
         displacement: &[[Lanes<W>; VALUES]; CORNERS],
     ) -> [[Lanes<W>; VALUES]; CORNERS] {
-        let lanes = self.mesh.sectors.columns();
         let element = &self.mesh.elements[e];
         let (mut stresses, dilatation) = deviators_and_dilatation(element, displacement);
         for q in 0..POINTS {
-            let point = e * POINTS + q;
-            let coefficient = |i: usize| {
-                let at = (point * COEFFICIENTS + i) * lanes + first;
-                &self.tangent.coefficients[at..at + W]
-            };
+            let coefficient = |i: usize| self.coefficient::<W>(e, q, i, first);
             let (shear, radial) = (coefficient(0), coefficient(1));
             let stress = &mut stresses[q];
             // n is stale where nothing flows, and its factor zero.

@@ -32,7 +32,9 @@ pub struct BodySnapshot {
     pub time: f64,
     /// (u_r, u_θ, u_z), m.
     pub displacement: Vec<f64>,
-    /// (rr, θθ, zz, rθ, θz, zr), Pa: means over the elements around a node.
+    /// (rr, θθ, zz, rθ, θz, zr), Pa: means over the elements around a node. At finite strain the stress
+    /// that works on the logarithmic strain per undeformed volume: Kirchhoff's where the principal axes
+    /// do not turn.
     pub stress: Vec<f64>,
     /// Equivalent plastic strain, likewise.
     pub plastic_strain: Vec<f64>,

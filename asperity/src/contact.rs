@@ -12,6 +12,9 @@
 use crate::contact_edge;
 use crate::element::RevolvedMesh;
 use crate::mesh::sphere_height;
+use crate::sectors::Sectors;
+
+mod stretch;
 
 /// Stiffness of the constraint springs in units of E*/(ring spacing).
 const NORMAL_SPRING: f64 = 50.0;
@@ -70,8 +73,11 @@ pub struct Contact {
     pub angles: Vec<f64>,
     /// Nodes of the meridian, ring by ring.
     nodes: Vec<u32>,
-    /// ∫N dA of each node on the flat.
+    /// ∫N dA of each node on the flat, in the trial state.
     pub areas: Vec<f64>,
+    /// The same in the committed state.
+    committed_areas: Vec<f64>,
+    sectors: Sectors,
     height: Vec<f64>,
     normal_spring: Vec<f64>,
     tangential_spring: Vec<f64>,
@@ -134,6 +140,8 @@ impl Contact {
             angles: mesh.sectors.angles(),
             nodes: mesh.meridian.contact.clone(),
             areas: mesh.contact_areas(),
+            committed_areas: mesh.contact_areas(),
+            sectors: mesh.sectors.clone(),
             height: radii.iter().map(|&r| sphere_height(r)).collect(),
             normal_spring: (0..=last).map(|k| NORMAL_SPRING * modulus / spacing(k)).collect(),
             touching_share: TOUCH_SPRING / tangential,
@@ -157,6 +165,10 @@ impl Contact {
             state.anchor[i] = std::array::from_fn(|c| state.relative[i][c] - state.traction[i][c] / spring);
         }
         contact.trial = contact.committed.clone();
+        // Of the whole circle in the press.
+        let share = |area: &f64| std::iter::repeat_n(area / contact.columns as f64, contact.columns);
+        contact.areas = axisymmetric.areas.iter().flat_map(share).collect();
+        contact.committed_areas = contact.areas.clone();
         contact.cover =
             axisymmetric.cover.iter().flat_map(|&c| std::iter::repeat_n(c, contact.columns)).collect();
         contact
@@ -323,6 +335,7 @@ impl Contact {
 
     pub fn commit(&mut self) {
         self.committed.clone_from(&self.trial);
+        self.committed_areas.copy_from_slice(&self.areas);
     }
 
     /// Normal force of the whole asperity.
@@ -367,28 +380,21 @@ impl Contact {
     pub fn step_work(&self, from: Flat, to: Flat) -> InterfaceWork {
         let mut work = InterfaceWork::default();
         for i in 0..self.len() {
-            let area = self.areas[i];
-            let pressure = 0.5 * (self.committed.pressure[i] + self.trial.pressure[i]);
-            let traction: [f64; 2] =
-                std::array::from_fn(|c| 0.5 * (self.committed.traction[i][c] + self.trial.traction[i][c]));
+            // Forces: the area of a point may change.
+            let (before, after) = (0.5 * self.committed_areas[i], 0.5 * self.areas[i]);
+            let pressure = before * self.committed.pressure[i] + after * self.trial.pressure[i];
+            let traction: [f64; 2] = std::array::from_fn(|c| {
+                before * self.committed.traction[i][c] + after * self.trial.traction[i][c]
+            });
             let displacement = to.displacement - from.displacement;
-            work.of_flat += area
-                * (pressure * (to.interference - from.interference)
-                    + self.along_x(i, traction) * displacement);
-            work.friction += area * self.point_friction_work(i);
-            work.springs += area * pressure * (self.committed.gap[i] - self.trial.gap[i]);
+            work.of_flat +=
+                pressure * (to.interference - from.interference) + self.along_x(i, traction) * displacement;
+            work.friction += (0..2)
+                .map(|c| traction[c] * (self.trial.relative[i][c] - self.committed.relative[i][c]))
+                .sum::<f64>();
+            work.springs += pressure * (self.committed.gap[i] - self.trial.gap[i]);
         }
         work
-    }
-
-    /// Frictional work of the step per area at a point: mean traction times relative displacement.
-    pub fn point_friction_work(&self, point: usize) -> f64 {
-        (0..2)
-            .map(|c| {
-                let traction = 0.5 * (self.committed.traction[point][c] + self.trial.traction[point][c]);
-                traction * (self.trial.relative[point][c] - self.committed.relative[point][c])
-            })
-            .sum()
     }
 
     /// Speed-free slip of the step at a point: length of the relative displacement where it slips.
@@ -412,9 +418,8 @@ pub struct InterfaceWork {
 mod tests {
     use super::*;
     use crate::mesh::{MeridianMesh, MeshSize};
-    use crate::sectors::Sectors;
 
-    fn contact() -> (RevolvedMesh, Contact) {
+    pub(super) fn contact() -> (RevolvedMesh, Contact) {
         let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: 4 });
         let mesh = RevolvedMesh::new(meridian, Sectors::full(4));
         let contact = Contact::new(&mesh, 500.0);

@@ -16,6 +16,7 @@ use crate::outcome::Outcome;
 use crate::scene::{FractureData, Material, Scene};
 
 /// G_IIc of the material over the contact radius, if it is known.
+///
 /// ```
 /// use asperity::fracture::fracture_energy;
 /// use asperity::scene_file::parse_scene;

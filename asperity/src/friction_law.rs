@@ -56,6 +56,7 @@ const PRESSURE_COEFFICIENT: Parameter =
     Parameter { key: "pressure_coefficient", unit: "1", default: Value::Number(0.0) };
 
 /// Every law that a scene file can ask for; the first is the default.
+///
 /// ```
 /// use asperity::friction_law::LAWS;
 ///

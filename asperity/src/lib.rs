@@ -71,6 +71,8 @@
 //!
 //! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
 
+#[doc(hidden)]
+pub mod benchmark;
 mod body;
 pub mod body_fields;
 mod conduction;
@@ -87,12 +89,14 @@ pub mod figures;
 pub mod fracture;
 pub mod friction_law;
 mod harmonic;
+mod kinematics;
 mod lanes;
 mod material;
 mod mechanics;
 mod mesh;
 pub mod numbers;
 pub mod outcome;
+mod preconditioner;
 pub mod presets;
 mod press;
 mod problem;
@@ -111,6 +115,7 @@ mod slide;
 mod standing;
 mod summary;
 pub mod tabulate;
+pub mod timings;
 pub mod vtu;
 
 pub use outcome::Outcome;

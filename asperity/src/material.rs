@@ -41,6 +41,8 @@ enum Expansion {
 pub struct Return {
     /// Increment of the equivalent plastic strain.
     pub increment: f64,
+    /// Strength at the end, at the initial temperature.
+    pub strength: f64,
     /// dσ_y/dε_p at the end.
     pub slope: f64,
 }
@@ -160,10 +162,13 @@ impl Solid {
     /// is where the elastic and the hardening part each take up half of the excess. A bracket
     /// guards against laws that are not concave.
     ///
-    /// `guess` is a first guess of the increment, 0 if there is none.
-    pub fn return_map(&self, trial: f64, strain: f64, factor: f64, guess: f64) -> Return {
+    /// `strength` is σ_y(ε_p, T₀), `guess` a first guess of the increment, 0 if there is none.
+    pub fn return_map(&self, trial: f64, strain: f64, strength: f64, factor: f64, guess: f64) -> Return {
         let stiffness = 3.0 * self.moduli.shear;
-        let excess = trial - factor * self.hardened(strain).0;
+        let excess = trial - factor * strength;
+        if excess <= 0.0 {
+            return Return { increment: 0.0, strength, slope: factor * self.hardened(strain).1 };
+        }
         let (mut low, mut high) = (0.0, excess / stiffness);
         let mut x = match &self.hardening {
             _ if guess > 0.0 && guess < high => guess,
@@ -173,6 +178,10 @@ impl Solid {
             }
             _ => 0.0,
         };
+        // A power law is smooth: an error e goes to less than e²/2(ε_p + x), so that the iteration
+        // before the last tells how exact that will be, without a further power.
+        let smooth = matches!(self.hardening, Hardening::JohnsonCook { .. });
+        let mut end = None;
         for _ in 0..100 {
             let (strength, slope) = self.hardened(strain + x);
             let residual = trial - stiffness * x - factor * strength;
@@ -183,13 +192,19 @@ impl Solid {
             }
             let step = residual / (stiffness + factor * slope);
             let next = x + step;
-            let converged = step.abs() <= 1e-13 * (x.abs() + step.abs()) || residual.abs() <= 1e-15 * trial;
-            x = if next >= low && next <= high { next } else { 0.5 * (low + high) };
+            let inside = next >= low && next <= high;
+            let converged = step.abs() <= 1e-13 * (x.abs() + step.abs())
+                || residual.abs() <= 1e-15 * trial
+                || (smooth && inside && step * step <= 1e-13 * next.min(x) * (strain + next.min(x)));
+            x = if inside { next } else { 0.5 * (low + high) };
             if converged {
+                // To first order, and with the curvature left out of the slope alone.
+                end = (smooth && inside && slope.is_finite()).then_some((strength + slope * step, slope));
                 break;
             }
         }
-        Return { increment: x, slope: factor * self.hardened(strain + x).1 }
+        let end = end.unwrap_or_else(|| self.hardened(strain + x));
+        Return { increment: x, strength: end.0, slope: factor * end.1 }
     }
 }
 
@@ -229,8 +244,13 @@ mod tests {
                     for (overshoot, guess) in [(1e-9, 0.0), (1e-4, 1e-3), (0.1, 1e-7), (10.0, 0.02)] {
                         let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
                         let factor = solid.softening_factor(rise);
-                        let Return { increment, .. } = solid.return_map(trial, strain, factor, guess);
+                        let Return { increment, strength: end, .. } = {
+                            let strength = solid.yield_strength(strain, 0.0);
+                            solid.return_map(trial, strain, strength, factor, guess)
+                        };
                         assert!(increment >= 0.0);
+                        let exact = solid.yield_strength(strain + increment, 0.0);
+                        assert!((end / exact - 1.0).abs() < 1e-12, "{end} {exact}");
                         let q = trial - 3.0 * solid.moduli.shear * increment;
                         let strength = solid.yield_strength(strain + increment, rise);
                         assert!(
@@ -280,7 +300,7 @@ mod tests {
                 last = factor;
                 for trial in [1e-12, 0.5, 3.0, 1e6] {
                     if trial > factor {
-                        let Return { increment, slope } = solid.return_map(trial, 0.0, factor, 0.0);
+                        let Return { increment, slope, .. } = solid.return_map(trial, 0.0, 1.0, factor, 0.0);
                         assert!(increment.is_finite() && increment >= 0.0 && slope >= 0.0, "{rise} {trial}");
                     }
                 }
@@ -294,7 +314,8 @@ mod tests {
         let solid = steel(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
         assert_eq!(solid.yield_strength(0.0, 1495.0), 0.0);
         assert_eq!(solid.yield_strength(0.3, 1e5), 0.0);
-        let Return { increment, slope } = solid.return_map(1.0, 0.0, solid.softening_factor(2000.0), 0.0);
+        let Return { increment, slope, .. } =
+            solid.return_map(1.0, 0.0, 1.0, solid.softening_factor(2000.0), 0.0);
         assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
     }
 }

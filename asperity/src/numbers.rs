@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use tables::law::Estimate;
 
 /// `value ± error unit`, with two digits of the error.
+///
 /// ```
 /// use asperity::numbers::with_error;
 /// use tables::law::Estimate;

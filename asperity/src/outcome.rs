@@ -5,6 +5,7 @@ use tables::law::Estimate;
 pub use crate::body_fields::{BodyFields, BodySnapshot};
 pub use crate::contact::Status as ContactStatus;
 pub use crate::error_budget::{ErrorBudget, ErrorSource};
+pub use crate::timings::{Kernel, Timings};
 
 /// One increment of the press.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,12 +122,16 @@ pub struct Account {
     pub sectors: usize,
     pub unknowns: usize,
     pub heat: bool,
+    /// Finite strain, not small.
+    pub finite_strain: bool,
     pub steps: usize,
     pub cutbacks: usize,
     pub newton_iterations: usize,
     pub krylov_iterations: usize,
     /// s.
     pub wall_time: f64,
+    /// Where the time went; without that of the output, which is not done then.
+    pub timings: Timings,
     /// What was chosen or left out and why, a sentence each.
     pub notes: Vec<String>,
     /// What the reader must know before trusting the numbers, a sentence each.

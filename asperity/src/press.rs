@@ -36,7 +36,10 @@ pub fn press_on(
     let mesh = discretisation.mesh;
     let contact = Contact::new(&mesh, problem.contact_modulus);
     let displacement = vec![0.0; mesh.field_length(3)];
-    let body = Body::new(mesh, problem.solid.clone());
+    let mut body = Body::new(mesh, problem.solid.clone());
+    if problem.finite_strain {
+        body = body.at_finite_strain();
+    }
     let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement, NEWTON_TOLERANCE);
 
     let limit = if problem.law.rubs() { f64::INFINITY } else { 0.0 };
@@ -53,7 +56,10 @@ pub fn press_on(
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
         let flat = Flat { interference, displacement: 0.0 };
-        let outcome = mechanics.solve(flat, Hold::Interference, start, |_, contact, _| {
+        let outcome = mechanics.solve(flat, Hold::Interference, start, |_, contact, iteration| {
+            if problem.finite_strain {
+                contact.update_areas(iteration == 0);
+            }
             Some(Surroundings { limit: vec![limit; contact.len()], rise: None, settled: true })
         });
         match outcome {

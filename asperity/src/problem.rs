@@ -15,7 +15,7 @@ use crate::element::RevolvedMesh;
 use crate::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
 use crate::material::Solid;
 use crate::mesh::{MeridianMesh, MeshSize};
-use crate::scene::{Control, FrictionLaw, InterfaceStrength, Material, Scene, TemperatureTable};
+use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene, TemperatureTable};
 use crate::sectors::Sectors;
 
 /// 1/√3, von Mises' ratio of shear to tensile strength.
@@ -24,6 +24,8 @@ pub const SHEAR_RATIO: f64 = 0.577_350_269_189_625_8;
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub solid: Solid,
+    /// Finite strain, not small.
+    pub finite_strain: bool,
     /// E*/σ_Y.
     pub contact_modulus: f64,
     /// ω_c/R.
@@ -85,6 +87,7 @@ impl Problem {
         let diffusivity = material.thermal_conductivity / capacity;
         Self {
             solid: Solid::new(material, scene.loading.temperature),
+            finite_strain: scene.model.kinematics == Kinematics::Finite,
             contact_modulus: e_star / material.yield_strength,
             critical_interference: critical,
             interference: scene.loading.interference * critical,

@@ -1,6 +1,6 @@
 //! `run.nc`: the histories, scalars and contact-plane fields of one run as CF netCDF-4.
 //!
-//! Apart from `wall_time` and `history`, two runs of one scene give the same file.
+//! Apart from `wall_time`, `time_spent` and `history`, two runs of one scene give the same file.
 
 use std::path::Path;
 
@@ -16,6 +16,7 @@ use crate::provenance::SOURCE;
 use crate::quantities::estimate;
 use crate::scene::Scene;
 use crate::scene_file::write_scene;
+use crate::timings::Kernel;
 
 /// What a file says about the run besides its numbers.
 pub struct About<'a> {
@@ -190,6 +191,15 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
     for (name, unit, long_name, value) in numbers {
         file.reals(name, &[], &[value], &described(unit, long_name))?;
     }
+    // A file cannot hold the time that writing it takes.
+    let kernels: Vec<Kernel> = Kernel::ALL.into_iter().filter(|&k| k != Kernel::Output).collect();
+    let names: Vec<&str> = kernels.iter().map(|kernel| kernel.name()).collect();
+    let seconds: Vec<f64> = kernels.iter().map(|&kernel| account.timings.of(kernel)).collect();
+    file.dimension("kernel", kernels.len())?;
+    file.texts("kernel_name", &["kernel"], &names, &[("long_name", "part of the run".into())])?;
+    let mut attributes = described("s", "time spent in each part of the run, summed over threads");
+    attributes.push(("coordinates", "kernel_name".into()));
+    file.reals("time_spent", &["kernel"], &seconds, &attributes)?;
     let criterion = match outcome.summary.inception {
         InceptionCriterion::FullSlip => 0,
         InceptionCriterion::Stiffness => 1,
@@ -197,12 +207,13 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
     };
     let yes_no = ["no", "yes"];
     #[rustfmt::skip]
-    let flags: [(&str, &str, i8, &[&str]); 3] = [
+    let flags: [(&str, &str, i8, &[&str]); 4] = [
         ("inception_criterion", "criterion of sliding inception that was met first", criterion,
             &["full_slip", "stiffness", "none"]),
         ("levelled", "whether the friction coefficient has levelled off at the end of the slide",
             outcome.summary.levelled.into(), &yes_no),
         ("heat", "whether heat was simulated", account.heat.into(), &yes_no),
+        ("finite_strain", "whether kinematics was that of finite strain", account.finite_strain.into(), &yes_no),
     ];
     for (name, long_name, value, meanings) in flags {
         file.flags(name, &[], &[value], meanings, &[("long_name", long_name.into())])?;
@@ -276,6 +287,7 @@ mod tests {
         {
             assert_eq!(dimensions(name), ["step"], "{name}");
         }
+        assert_eq!(dimensions("time_spent"), ["kernel"]);
         for name in ["interference_press", "P_press", "area_press"] {
             assert_eq!(dimensions(name), ["step_press"]);
         }

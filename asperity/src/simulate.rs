@@ -8,12 +8,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant as Clock;
 
 use rayon::prelude::*;
+use tables::quantity::Quantity;
 
 use crate::body::Body;
 use crate::body_fields::BodyFields;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
+use crate::kinematics::slide_as_strained;
 use crate::mechanics::{Effort, Mechanics};
 use crate::mesh::MeshSize;
 use crate::outcome::{Account, Outcome};
@@ -27,8 +29,10 @@ use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
 use crate::standing;
 use crate::summary;
+use crate::timings::{Kernel, Timings};
 
 /// Where a run stands; called between increments.
+///
 /// ```
 /// use std::sync::atomic::{AtomicBool, Ordering};
 ///
@@ -98,21 +102,27 @@ struct PressedMesh {
     displacement: Vec<f64>,
     increments: Vec<Increment>,
     effort: Effort,
+    /// Time that it took, s.
+    seconds: f64,
 }
 
 /// Asperity after the press, in full stick: start of slides at any slip rate.
 pub struct Pressed {
-    scene: Scene,
+    pub(crate) scene: Scene,
     problem: Problem,
     resolution: Resolution,
     /// Contact radius over R that meshes are laid out for.
     contact_radius: f64,
     /// Meshes pressed so far; more are added where a slide needs a finer one.
     meshes: Mutex<Vec<Arc<PressedMesh>>>,
+    /// The same at finite strain, where a slide asked for that.
+    pub(crate) finite: Mutex<Option<Arc<Pressed>>>,
+    recording: Recording,
     wall_time: f64,
 }
 
 /// Press the asperity to the interference of the scene, in full stick and without heat.
+///
 /// ```
 /// use asperity::scene_file::parse_scene;
 /// use asperity::simulate::{Unwatched, press, slide};
@@ -129,11 +139,6 @@ pub struct Pressed {
 /// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Clock::now();
-    if scene.model.kinematics == Kinematics::Finite {
-        return Err(SimulationError::Unsupported(
-            "model.kinematics = \"finite\"; use \"small\" or \"auto\"".into(),
-        ));
-    }
     let problem = Problem::new(scene);
     let fine = Resolution::choose(&scene.numerics);
     let coarse = fine.coarse();
@@ -156,11 +161,22 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
         resolution: fine,
         contact_radius,
         meshes: Mutex::new(meshes),
+        finite: Mutex::new(None),
+        recording: Recording::default(),
         wall_time: clock.elapsed().as_secs_f64(),
     })
 }
 
 impl Pressed {
+    /// The same, with slides that keep fields as `recording` says.
+    pub fn recording(self, recording: Recording) -> Self {
+        Self { recording, finite: Mutex::new(None), ..self }
+    }
+
+    pub(crate) fn what_is_recorded(&self) -> &Recording {
+        &self.recording
+    }
+
     /// The pressed mesh of a resolution, made now if it is not there.
     fn mesh(&self, resolution: &Resolution, watch: &dyn Watch) -> Result<Arc<PressedMesh>, SimulationError> {
         let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
@@ -175,6 +191,12 @@ impl Pressed {
         meshes.push(mesh.clone());
         Ok(mesh)
     }
+
+    /// Time spent on pressed meshes other than `mesh`, s.
+    fn seconds_beside(&self, mesh: &Arc<PressedMesh>) -> f64 {
+        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        meshes.iter().filter(|other| !Arc::ptr_eq(other, mesh)).map(|other| other.seconds).sum()
+    }
 }
 
 /// Presses on a mesh laid out for the contact radius, and again on one laid out for the radius that
@@ -186,6 +208,7 @@ fn press_mesh(
     expected_radius: f64,
     watch: &dyn Watch,
 ) -> Result<PressedMesh, SimulationError> {
+    let clock = Clock::now();
     let Resolution { elements_per_radius, press_increments, .. } = *resolution;
     let on = |contact_radius: f64| {
         if watch.cancelled() {
@@ -209,6 +232,7 @@ fn press_mesh(
         displacement,
         increments,
         effort,
+        seconds: clock.elapsed().as_secs_f64(),
     })
 }
 
@@ -237,6 +261,7 @@ pub struct Slid {
     pub grid: ContactPoints,
     unknowns: usize,
     effort: Effort,
+    timings: Timings,
     cutbacks: usize,
     failure: Option<SlideFailure>,
 }
@@ -247,11 +272,17 @@ struct Task<'a> {
     /// VR/κ.
     speed: f64,
     heat: bool,
-    recording: &'a Recording,
     watch: &'a dyn Watch,
 }
 
-impl Task<'_> {
+impl<'a> Task<'a> {
+    fn new(pressed: &'a Pressed, slip_rate: f64, watch: &'a dyn Watch, notes: &mut Vec<String>) -> Self {
+        let units = pressed.problem.units;
+        let number = softening_number(&pressed.scene, slip_rate, pressed.contact_radius * units.length);
+        let heat = choose_heat(&pressed.scene, slip_rate, number, notes);
+        Self { pressed, speed: slip_rate / units.speed(), heat, watch }
+    }
+
     fn slide(
         &self,
         resolution: &Resolution,
@@ -259,6 +290,7 @@ impl Task<'_> {
     ) -> Result<(Arc<PressedMesh>, Slid), SimulationError> {
         let problem = &self.pressed.problem;
         let pressed = self.pressed.mesh(resolution, self.watch)?;
+        let clock = Clock::now();
         let discretisation = Discretisation::new(problem, pressed.size, Sectors::full(resolution.sectors))
             .map_err(|e| press_error(e.into()))?;
         let mesh = &discretisation.mesh;
@@ -276,10 +308,11 @@ impl Task<'_> {
         };
         let speed = if self.heat { self.speed } else { 0.0 };
         let mut slide = Slide::new(problem, mechanics, conduction, speed, resolution.increments);
+        slide.mechanics.timings.since(Kernel::Setup, clock);
         // Each mesh slides as far in units of its own contact radius.
         let radius = pressed.contact.radius(&pressed.contact.committed);
         let distance = self.pressed.scene.loading.slip_distance * radius;
-        slide.recorder = Recorder::new(self.recording, radius, &slide.history[0]);
+        slide.recorder = Recorder::new(&self.pressed.recording, radius, &slide.history[0]);
         slide.record_fields();
         let failure = slide
             .run(distance, |done, history| {
@@ -288,8 +321,12 @@ impl Task<'_> {
             })
             .err();
         slide.record_fields();
+        let mut timings = slide.mechanics.timings;
+        timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - timings.total());
+        timings.add(Kernel::Press, pressed.seconds);
         let slid = Slid {
             effort: slide.mechanics.effort,
+            timings,
             history: slide.history,
             fields: slide.recorder.contact,
             body: BodyFields::new(mesh, &slide.recorder.bodies, &problem.units),
@@ -309,16 +346,50 @@ impl Task<'_> {
     }
 }
 
-/// Slide the pressed asperity at `slip_rate` (m/s).
+/// Slide the pressed asperity at `slip_rate` (m/s), at small or finite strain as the scene says or
+/// the strain asks for.
 pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
-    slide_recorded(pressed, slip_rate, &Recording::default(), watch)
+    match pressed.scene.model.kinematics {
+        Kinematics::Auto => slide_as_strained(pressed, slip_rate, watch),
+        Kinematics::Small | Kinematics::Finite => slide_as_pressed(pressed, slip_rate, None, watch),
+    }
 }
 
-/// Slide the pressed asperity at `slip_rate` (m/s), keeping fields as `recording` says.
-pub fn slide_recorded(
+/// A slide on the coarse mesh, to judge by what a finer one needs; it is one of its companions.
+pub(crate) struct Probe {
+    mesh: Arc<PressedMesh>,
+    slid: Slid,
+    scalars: Scalars,
+}
+
+impl Probe {
+    pub fn new(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Self, SimulationError> {
+        let task = Task::new(pressed, slip_rate, watch, &mut Vec::new());
+        watch.progress("slide", 0.0, "coarse mesh");
+        let (mesh, slid) = task.slide(&pressed.resolution.coarse(), |_, _| {})?;
+        Ok(Self { scalars: task.scalars(&mesh, &slid), mesh, slid })
+    }
+
+    /// Largest plastic strain that the slide reaches.
+    pub fn plastic_strain(&self) -> f64 {
+        self.slid.history.last().map_or(0.0, |instant| instant.plastic_strain_max)
+    }
+
+    /// Whether the slide went all the way.
+    pub fn complete(&self) -> bool {
+        self.slid.failure.is_none()
+    }
+
+    pub fn value(&self, quantity: Quantity) -> f64 {
+        self.scalars.value(quantity)
+    }
+}
+
+/// Slide at the kinematics of the press; `probe` is the coarse slide, if that was made.
+pub(crate) fn slide_as_pressed(
     pressed: &Pressed,
     slip_rate: f64,
-    recording: &Recording,
+    probe: Option<Probe>,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
     /// Share of a run's progress until its companions are done.
@@ -327,18 +398,18 @@ pub fn slide_recorded(
     const REFINEMENTS: usize = 2;
     let clock = Clock::now();
     let (problem, scene) = (&pressed.problem, &pressed.scene);
-    let units = problem.units;
-    let number = softening_number(scene, slip_rate, pressed.contact_radius * units.length);
     let mut notes = Vec::new();
-    let heat = choose_heat(scene, slip_rate, number, &mut notes);
-    let task = Task { pressed, speed: slip_rate / units.speed(), heat, recording, watch };
+    let task = Task::new(pressed, slip_rate, watch, &mut notes);
 
     let mut resolution = pressed.resolution;
     let coarse = resolution.coarse();
     let plan = [resolution, coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
+    /// Place of the coarse run in the plan.
+    const COARSE: usize = 1;
     let runs: Vec<_> = plan
         .par_iter()
         .enumerate()
+        .filter(|(i, _)| *i != COARSE || probe.is_none())
         .map(|(i, resolution)| {
             task.slide(resolution, |done, standing| {
                 if i == 0 {
@@ -347,9 +418,15 @@ pub fn slide_recorded(
             })
         })
         .collect();
-    let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
+    let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
+    if let Some(Probe { mesh, slid, .. }) = probe {
+        runs.insert(COARSE, (mesh, slid));
+    }
+    let mut runs = runs.into_iter();
     let (mut mesh, mut fine) = runs.next().expect("planned");
     let companions: Vec<_> = runs.collect();
+    let slide_time = |slid: &Slid| slid.timings.total() - slid.timings.of(Kernel::Press);
+    let mut beside: f64 = companions.iter().map(|(_, slid)| slide_time(slid)).sum();
     let mut cutbacks = fine.cutbacks;
     let mut warnings = Vec::new();
     let mut scalars = task.scalars(&mesh, &fine);
@@ -393,8 +470,10 @@ pub fn slide_recorded(
             cutbacks += next.cutbacks;
             if !complete(&next) {
                 stopped = matches!(next.failure, Some(SlideFailure::Cancelled));
+                beside += slide_time(&next);
                 break;
             }
+            beside += slide_time(&fine);
             let next_scalars = task.scalars(&next_mesh, &next);
             if finer.elements_per_radius > resolution.elements_per_radius {
                 let refinement = finer.elements_per_radius as f64 / resolution.elements_per_radius as f64;
@@ -419,16 +498,20 @@ pub fn slide_recorded(
 
     summary::warn(scene, &fine.history, &mut warnings);
     notes.insert(0, resolution.describe());
+    let mut timings = fine.timings;
+    timings.add(Kernel::Companions, beside + pressed.seconds_beside(&mesh));
     let mut account = Account {
         elements_per_radius: resolution.elements_per_radius,
         sectors: resolution.sectors,
         unknowns: fine.unknowns,
-        heat,
+        heat: task.heat,
+        finite_strain: problem.finite_strain,
         steps: fine.history.len() - 1,
         cutbacks: cutbacks + companions.iter().map(|(_, slid)| slid.cutbacks).sum::<usize>(),
         newton_iterations: mesh.effort.newton + fine.effort.newton,
         krylov_iterations: mesh.effort.krylov + fine.effort.krylov,
         wall_time: pressed.wall_time + clock.elapsed().as_secs_f64(),
+        timings,
         notes,
         warnings,
     };
@@ -443,7 +526,7 @@ pub fn slide_recorded(
         }
         Some(failure) => Err(SimulationError::NotConverged {
             stage: "slide",
-            at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * units.length),
+            at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * problem.units.length),
             reason: failure.to_string(),
             partial: Some(Box::new(outcome)),
         }),
@@ -464,5 +547,5 @@ pub fn simulate_recorded(
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
-    slide_recorded(&press(scene, watch)?, scene.loading.slip_rate, recording, watch)
+    slide(&press(scene, watch)?.recording(recording.clone()), scene.loading.slip_rate, watch)
 }

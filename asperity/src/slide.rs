@@ -1,5 +1,7 @@
 //! The slide: increments of the flat's displacement, mechanics and heat coupled in each.
 
+use std::time::Instant as Clock;
+
 use crate::body::{Body, BodyState};
 use crate::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::contact::{Contact, Flat, Status};
@@ -9,9 +11,12 @@ use crate::press::extrapolate;
 use crate::problem::{Problem, SHEAR_RATIO};
 use crate::recording::Recorder;
 use crate::scene::{Control, InterfaceStrength};
+use crate::timings::Kernel;
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
 const LIMIT_TOLERANCE: f64 = 3e-5;
+/// Change of the areas of the contact points between iterations, relative, that counts as none.
+const AREA_TOLERANCE: f64 = 1e-4;
 /// First increment in units of the elastic displacement at gross slip.
 const FIRST_INCREMENT: f64 = 0.1;
 /// Share of the sticking area that begins to slip in an increment, at most.
@@ -280,7 +285,8 @@ impl<'a> Slide<'a> {
         let mut sources = HeatSources::default();
         let (mut frozen, mut refreshed) = (false, 0);
         let coupling_limit = self.increments.coupling_limit;
-        let flat = self.mechanics.solve(
+        let mut heat_time = 0.0;
+        let solved = self.mechanics.solve(
             flat,
             self.hold,
             start,
@@ -291,11 +297,14 @@ impl<'a> Slide<'a> {
                 if iteration > 0 {
                     contact.update_cover();
                 }
+                let stretched =
+                    if problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
                 // A step that failed may have left any trial state.
                 let state = if iteration == 0 { &body.committed } else { &body.trial };
                 let hardened = interface_hardening(problem, body, contact, state);
                 let mut rise = None;
                 if let Some(conduction) = conduction.as_mut() {
+                    let clock = Clock::now();
                     // The first guess heats as the step before did.
                     sources = if iteration == 0 {
                         before.clone()
@@ -309,6 +318,7 @@ impl<'a> Slide<'a> {
                         }
                         Err(error) => failure = Some(error),
                     }
+                    heat_time += clock.elapsed().as_secs_f64();
                 }
                 let limit = shear_limits(problem, contact, &hardened, rise.as_deref());
                 // Once they no longer change they are held, and Newton's method converges fast.
@@ -318,11 +328,13 @@ impl<'a> Slide<'a> {
                         .all(|(a, b)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs()))
                 });
                 refreshed += 1;
-                frozen = agrees || refreshed > coupling_limit;
+                frozen = (agrees && stretched <= AREA_TOLERANCE) || refreshed > coupling_limit;
                 last_limit = Some(limit.clone());
                 Some(Surroundings { limit, rise, settled: frozen })
             },
-        )?;
+        );
+        self.mechanics.timings.add(Kernel::Heat, heat_time);
+        let flat = solved?;
         if let Some(error) = failure {
             return Err(error.into());
         }

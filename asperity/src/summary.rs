@@ -8,7 +8,7 @@ use crate::outcome::{Account, ContactGrid, ContactStatus, Outcome, PressStep, Sl
 use crate::press::Increment;
 use crate::problem::Problem;
 use crate::scalars::Scalars;
-use crate::scene::{Hardening, InterfaceStrength, Scene};
+use crate::scene::{Hardening, InterfaceStrength, Kinematics, Scene};
 use crate::simulate::Slid;
 use crate::slide::Instant;
 
@@ -34,7 +34,7 @@ pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
         );
     }
     let strain = history.last().map_or(0.0, |i| i.plastic_strain_max);
-    if strain > LARGE_STRAIN {
+    if strain > LARGE_STRAIN && scene.model.kinematics != Kinematics::Finite {
         warnings.push(format!(
             "plastic strain reaches {strain:.2}: beyond about {LARGE_STRAIN} small-strain kinematics is in doubt"
         ));

@@ -77,6 +77,7 @@ fn linear_fit(slip_rates: &[f64], mu: &[Estimate], v_w: f64) -> (f64, f64, f64) 
 /// and the last but one: with less than two points beyond it, V_w and μ_w say the
 /// same thing. Errors add the scatter about the fit to the errors of `mu`, the
 /// latter with the signs that hurt most.
+///
 /// ```
 /// use roughsurface::flash_heating::fit;
 /// use tables::law::Estimate;

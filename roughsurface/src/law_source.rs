@@ -21,6 +21,7 @@ pub enum LawSourceError {
 
 /// The law called `asked`: `model:NAME` is a closed form for `material`, anything
 /// else the file of a table.
+///
 /// ```
 /// use roughsurface::law_source::asperity_law;
 /// use tables::closed_forms::ElasticPlastic;

@@ -6,6 +6,7 @@
 //! integrated over the heights at each slip; the friction of the surface is read
 //! from that curve, not from the asperities' own peaks, because asperities pressed
 //! more and less reach theirs at different slips.
+//!
 //! ```
 //! use roughsurface::friction::{Settings, predict};
 //! use roughsurface::friction_file::{self, Origin};

@@ -114,6 +114,7 @@ impl Samples {
 /// on the number of threads; the same surfaces meet every pressure and slip rate.
 /// With the load held the separation is that of the end of the slide; with the
 /// separation held it is that of the pressure before the slide.
+///
 /// ```
 /// use roughsurface::friction::Settings;
 /// use roughsurface::heights::Gaussian;

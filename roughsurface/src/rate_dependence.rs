@@ -9,6 +9,7 @@ use tables::law::Estimate;
 /// The error is half the difference between the slopes to both sides, at the ends the curvature
 /// seen beside them, and the difference of the errors of μ over the interval: errors of
 /// neighbouring rates come from the same asperities and have the same sign.
+///
 /// ```
 /// use roughsurface::rate_dependence::rate_sensitivity;
 /// use tables::law::Estimate;

@@ -15,6 +15,7 @@ pub fn plasticity_index(law: &dyn AsperityLaw, surface: &Surface) -> f64 {
 }
 
 /// The regime that a plasticity index stands for, after Greenwood & Williamson (1966).
+///
 /// ```
 /// assert!(roughsurface::regime::regime(0.4).starts_with("elastic contact"));
 /// assert!(roughsurface::regime::regime(20.0).starts_with("fully plastic"));

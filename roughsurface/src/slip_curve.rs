@@ -134,6 +134,7 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
 /// Errors of τ at different slips come from the same asperities, so only what
 /// changes along the curve counts fully, besides the same relative error of the
 /// whole; the error of the slip grid is that of every second point.
+///
 /// ```
 /// use roughsurface::slip_curve::{weakening_distance, weakening_energy};
 /// use tables::law::Estimate;

@@ -50,6 +50,7 @@ pub enum DatasetError {
 }
 
 /// A netCDF-4 file being written under a temporary name in the directory of the final one.
+///
 /// ```
 /// use tables::dataset::{DatasetReader, DatasetWriter};
 ///

@@ -62,7 +62,8 @@ pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh
             control: Control::Interference,
             temperature: 298.0,
         },
-        model: Model { heat: Switch::Auto, kinematics: Kinematics::Auto },
+        // The references of most tests are of small strain.
+        model: Model { heat: Switch::Auto, kinematics: Kinematics::Small },
         numerics: Numerics {
             accuracy: 0.02,
             elements_per_radius: Some(mesh.elements),

@@ -7,6 +7,7 @@ mod progress;
 mod run;
 mod table;
 mod tabulate;
+mod timings;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -40,6 +41,9 @@ Example of a scene (SI units, kelvin):
   strength = \"initial\"     # slip at strength_factor * sigma_Y(T)/sqrt(3) of the virgin material, or
                            # \"current\": at that of the hardened material under the contact
   strength_factor = 1.0
+  [model]                  # optional
+  kinematics = \"auto\"      # \"small\" strain, \"finite\" strain, or finite where the plastic strain of
+                           # a coarse slide exceeds the accuracy asked for
 
 youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
 temperature) may be tables, linear in between and constant outside:
@@ -151,6 +155,9 @@ struct RunArguments {
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
     set: Vec<String>,
+    /// Print where the time went on stderr, or in the JSON
+    #[arg(long)]
+    timings: bool,
     /// Plot friction, forces, area, temperature and energies against slip, and what sticks, pressure,
     /// shear and temperature over the contact
     #[arg(long, value_name = "FILE.svg|png")]
@@ -188,6 +195,9 @@ struct TabulateArguments {
     /// Run the part K of N only, for `asperity merge`
     #[arg(long, value_name = "K/N")]
     shard: Option<Shard>,
+    /// Print where the time of all runs went on stderr, or in the JSON
+    #[arg(long)]
+    timings: bool,
     /// Plot the table
     #[arg(long, value_name = "FILE.svg|png")]
     plot: Option<PathBuf>,

@@ -1,8 +1,9 @@
 //! `asperity run`: one scene, one file, a summary.
 
 use std::fmt::Write;
+use std::time::Instant;
 
-use asperity::outcome::{ErrorSource, Outcome};
+use asperity::outcome::{ErrorSource, Kernel, Outcome};
 use asperity::quantities::{estimate, inception_in_words};
 use asperity::recording::Recording;
 use asperity::revolved::Extent;
@@ -15,7 +16,7 @@ use serde_json::json;
 use tables::quantity::Quantity;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{Display, Failure, RunArguments, command_line, outputs, print};
+use super::{Display, Failure, RunArguments, command_line, outputs, print, timings};
 
 /// Run the scene, save what there is, say how it went.
 pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
@@ -62,7 +63,10 @@ fn report(
     display: &Display,
 ) -> Result<(), Failure> {
     let about = About { history: provenance::history(&command_line()), incomplete };
+    let clock = Instant::now();
     let saved = run_file::write(&arguments.output, scene, outcome, &about);
+    let mut spent = outcome.account.timings;
+    spent.since(Kernel::Output, clock);
     // The numbers are worth printing even if the disk is full.
     if !display.quiet {
         for warning in &outcome.account.warnings {
@@ -73,9 +77,18 @@ fn report(
         eprint!("{}", account(outcome));
     }
     if display.json {
-        print(&format!("{:#}\n", as_json(scene, outcome, incomplete, arguments)));
-    } else if !display.quiet {
-        print(&summary(scene, outcome));
+        let mut json = as_json(scene, outcome, incomplete, arguments);
+        if arguments.timings {
+            json["timings"] = timings::as_json(&spent);
+        }
+        print(&format!("{json:#}\n"));
+    } else {
+        if arguments.timings {
+            eprint!("{}", timings::as_text(&spent));
+        }
+        if !display.quiet {
+            print(&summary(scene, outcome));
+        }
     }
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
@@ -117,7 +130,7 @@ fn account(outcome: &Outcome) -> String {
     let mut text = format!(
         "mesh: {} elements per contact radius, {} sectors, {} unknowns\n\
          steps: {}, cut back {} times; {} Newton and {} Krylov iterations\n\
-         heat: {}\n",
+         heat: {}; strain: {}\n",
         account.elements_per_radius,
         account.sectors,
         account.unknowns,
@@ -126,6 +139,7 @@ fn account(outcome: &Outcome) -> String {
         account.newton_iterations,
         account.krylov_iterations,
         if account.heat { "simulated" } else { "left out" },
+        if account.finite_strain { "finite" } else { "small" },
     );
     let _ = writeln!(text, "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}", "", "mesh", "sectors", "steps", "solver");
     for quantity in Quantity::ALL {
@@ -177,6 +191,7 @@ fn as_json(
             "sectors": account.sectors,
             "unknowns": account.unknowns,
             "heat": account.heat,
+            "finite_strain": account.finite_strain,
             "steps": account.steps,
             "cutbacks": account.cutbacks,
             "newton_iterations": account.newton_iterations,

@@ -2,15 +2,17 @@
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use asperity::scene_file::read_request;
 use asperity::tabulate::{self, JournalError, Options, TabulateError, Tabulation};
+use asperity::timings::{Kernel, Timings};
 use asperity::{numbers, provenance};
 use serde_json::{Value, json};
 use tables::quantity::Quantity;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{Display, Failure, TabulateArguments, command_line, outputs, print};
+use super::{Display, Failure, TabulateArguments, command_line, outputs, print, timings};
 
 /// Run what is missing of the request, write the table, say how it went.
 pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
@@ -41,9 +43,12 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
         )));
     }
     let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
+    let clock = Instant::now();
     table.write(&arguments.output).map_err(Failure::run)?;
+    let mut spent = tabulation.timings();
+    spent.since(Kernel::Output, clock);
     journal.remove().map_err(Failure::run)?;
-    report(&tabulation, arguments, display);
+    report(&tabulation, &spent, arguments, display);
     if let Some(plot) = &arguments.plot {
         table.figure().save(plot).map_err(Failure::run)?;
     }
@@ -80,7 +85,7 @@ fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-fn report(tabulation: &Tabulation, arguments: &TabulateArguments, display: &Display) {
+fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArguments, display: &Display) {
     if !display.quiet {
         for warning in tabulation.warnings() {
             eprintln!("warning: {warning}");
@@ -98,9 +103,18 @@ fn report(tabulation: &Tabulation, arguments: &TabulateArguments, display: &Disp
         }
     }
     if display.json {
-        print(&format!("{:#}\n", as_json(tabulation, arguments)));
-    } else if !display.quiet {
-        print(&summary(tabulation));
+        let mut json = as_json(tabulation, arguments);
+        if arguments.timings {
+            json["timings"] = timings::as_json(spent);
+        }
+        print(&format!("{json:#}\n"));
+    } else {
+        if arguments.timings {
+            eprint!("{}", timings::as_text(spent));
+        }
+        if !display.quiet {
+            print(&summary(tabulation));
+        }
     }
 }
 

@@ -10,9 +10,11 @@
 //! heat exchange), and a backward sweep.
 
 mod pattern;
+mod single;
 mod sweeps;
 
 pub use pattern::HarmonicPattern;
+pub use single::SingleFactors;
 
 use crate::lanes::{fma, small_product};
 use crate::sectors::{Parity, Sectors, VECTOR_PARITY};

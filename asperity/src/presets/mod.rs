@@ -84,6 +84,7 @@ pub fn all() -> &'static [Preset] {
 }
 
 /// The preset called `name`.
+///
 /// ```
 /// let steel = asperity::presets::find("steel-4340").unwrap();
 /// let strength = steel.constants.iter().find(|constant| constant.key == "yield_strength").unwrap();

@@ -27,6 +27,7 @@ use reader::{Origin, Section};
 const SECTIONS: [&str; 6] = ["material", "asperity", "interface", "loading", "model", "numerics"];
 
 /// Read a scene from a file, with `overrides` (`section.key=value`) laid over it.
+///
 /// ```no_run
 /// use asperity::scene_file::read_scene;
 ///
@@ -44,6 +45,7 @@ pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneF
 }
 
 /// Read a scene from text; `file` is the name to use in messages.
+///
 /// ```
 /// use asperity::scene_file::{parse_scene, write_scene};
 ///

@@ -6,6 +6,7 @@ use tables::table::Cell;
 
 use crate::outcome::{Outcome, SlideStep};
 use crate::quantities::estimate;
+use crate::timings::Timings;
 
 /// Number of slips at which histories are kept.
 const SLIP_POINTS: usize = 49;
@@ -29,6 +30,8 @@ pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
 pub struct Finished {
     /// Scalars, and histories on the slips of [`slip_grid`].
     pub cell: Cell,
+    /// Where the time of the run went; nothing for a run that was taken from a journal.
+    pub timings: Timings,
     /// Of the run's account.
     pub notes: Vec<String>,
     /// Of the run's account.
@@ -48,7 +51,13 @@ impl Finished {
         }
         cell.levelled = outcome.summary.levelled;
         cell.wall_time = outcome.account.wall_time;
-        Self { cell, notes: outcome.account.notes.clone(), warnings: outcome.account.warnings.clone() }
+        let timings = outcome.account.timings;
+        Self {
+            cell,
+            timings,
+            notes: outcome.account.notes.clone(),
+            warnings: outcome.account.warnings.clone(),
+        }
     }
 }
 

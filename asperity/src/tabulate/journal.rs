@@ -15,6 +15,7 @@ use tables::table::Cell;
 use super::cell::Finished;
 use super::shard::Shard;
 use crate::provenance::{FINGERPRINT, SOURCE};
+use crate::timings::Timings;
 
 /// Cell of the grid: index of the interference and of the slip rate.
 pub type Index = (usize, usize);
@@ -238,7 +239,8 @@ impl Record {
         for (quantity, history) in Quantity::HISTORIES.into_iter().zip(histories) {
             cell = cell.with_history(quantity, history.to_vec());
         }
-        let finished = Finished { cell, notes: self.notes, warnings: self.warnings };
+        let finished =
+            Finished { cell, timings: Timings::default(), notes: self.notes, warnings: self.warnings };
         Some((point, Ok(finished)))
     }
 }

@@ -25,6 +25,7 @@ use crate::outcome::Outcome;
 use crate::scene::Scene;
 use crate::scene_file::{Request, write_request};
 use crate::simulate::{self, Pressed, SimulationError, Watch};
+use crate::timings::Timings;
 use cost::CostModel;
 use grid::Work;
 use known::Known;
@@ -131,6 +132,14 @@ impl Tabulation {
         })
     }
 
+    /// Where the time of the cells that were run went, all together. A press that served several
+    /// slip rates counts in each.
+    pub fn timings(&self) -> Timings {
+        let mut sum = Timings::default();
+        self.done().for_each(|(_, finished)| sum.include(&finished.timings));
+        sum
+    }
+
     fn each(&self) -> impl Iterator<Item = (Index, &Option<CellResult>)> {
         self.cells
             .iter()
@@ -175,6 +184,7 @@ impl Simulator for FiniteElements {
 /// tolerance, those that have to be added for it.
 ///
 /// The journal remains; remove it once the table is written.
+///
 /// ```
 /// use asperity::scene_file::parse_request;
 /// use asperity::simulate::Unwatched;

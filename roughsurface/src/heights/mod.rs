@@ -195,6 +195,7 @@ pub const DISTRIBUTIONS: &[Entry] = &[
 
 /// Builds the distribution that the keys describe; a relative `file` is looked
 /// for in `folder`.
+///
 /// ```
 /// use roughsurface::heights::{HeightsKeys, build};
 ///

@@ -60,6 +60,7 @@ const SKEWED: f64 = 0.5;
 const HEAVY_TAILED: f64 = 1.0;
 
 /// Moments and summits of `topography`, or what is wrong with the cut-off.
+///
 /// ```
 /// use roughsurface::topography::Topography;
 /// use roughsurface::topography::characterize::{Options, characterize};

@@ -84,6 +84,7 @@ pub fn yield_coefficient(poisson_ratio: f64) -> f64 {
 }
 
 /// ω_c = (π C(ν) σ_Y / 2E*)² R, m: interference of first yield.
+///
 /// ```
 /// use tables::closed_forms::hertz::{contact_modulus, critical_interference, hertz_load};
 ///

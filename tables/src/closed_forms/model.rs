@@ -131,6 +131,7 @@ pub struct ClosedForm {
 /// ([`constant_shear`](super::partial_slip::constant_shear)), the strength being the final
 /// force over the area. Errors are reported as zero: how far the fits are from the truth is not
 /// known to them.
+///
 /// ```
 /// use tables::closed_forms::{ElasticPlastic, closed_form};
 ///

@@ -1,0 +1,170 @@
+//! The kernels of a run one by one, in the state of a slide under way: for `benches/kernels.rs`
+//! alone, and no part of the interface.
+
+use crate::body::Body;
+use crate::conduction::{Conduction, ContactHeat};
+use crate::contact::{Contact, Flat};
+use crate::harmonic::SingleFactors;
+use crate::mechanics::Mechanics;
+use crate::mesh::MeshSize;
+use crate::preconditioner::Preconditioner;
+use crate::press::press_on;
+use crate::problem::{Discretisation, Problem, SHEAR_RATIO};
+use crate::resolution::Resolution;
+use crate::scene::Scene;
+use crate::sectors::Sectors;
+use crate::slide::Slide;
+use crate::timings::Timings;
+
+/// Rise that the conduction step and the return mapping are given, K.
+const RISE: f64 = 50.0;
+
+/// Arithmetic operations and bytes of one call, counted by hand.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    pub operations: usize,
+    pub bytes: usize,
+}
+
+pub struct Kernels {
+    body: Body,
+    contact: Contact,
+    single: SingleFactors,
+    preconditioner: Preconditioner,
+    conduction: Conduction,
+    flat: Flat,
+    displacement: Vec<f64>,
+    rise: Vec<f64>,
+    force: Vec<f64>,
+    sweep: Vec<f32>,
+    timings: Timings,
+    steps: usize,
+}
+
+struct Constant(Vec<f64>);
+
+impl ContactHeat for Constant {
+    fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
+        (self.0[point] * (1.0 - 1e-3 * rise), -1e-3 * self.0[point])
+    }
+}
+
+impl Kernels {
+    /// Presses the scene on one mesh and slides it by `distance` contact radii, without heat.
+    pub fn new(scene: &Scene, distance: f64) -> Self {
+        let problem = Problem::new(scene);
+        let resolution = Resolution::choose(&scene.numerics);
+        let size = MeshSize {
+            contact_radius: problem.expected_contact_radius(),
+            elements_per_radius: resolution.elements_per_radius,
+        };
+        let (pressed, _) = press_on(&problem, size, resolution.press_increments).expect("a press that works");
+        let radius = pressed.contact.radius(&pressed.contact.committed);
+        let (body, contact, displacement) = pressed.into_parts();
+        let discretisation =
+            Discretisation::new(&problem, size, Sectors::full(resolution.sectors)).expect("factors");
+        let mesh = discretisation.mesh;
+        let mechanics = Mechanics::new(
+            Body::revolve(&body, mesh.clone()),
+            Contact::revolve(&contact, &mesh, problem.contact_modulus),
+            discretisation.factors.clone(),
+            mesh.sectors.spread(&displacement),
+            resolution.tolerance,
+        );
+        let mut slide = Slide::new(&problem, mechanics, None, 0.0, resolution.increments);
+        slide.run(distance * radius, |_| true).expect("a slide that works");
+        let steps = slide.history.len() - 1;
+        let flat = Flat { interference: problem.interference, displacement: distance * radius };
+        let (body, contact, displacement) = slide.mechanics.into_parts();
+        let single = SingleFactors::new(&discretisation.factors);
+        Self {
+            sweep: (0..single.len()).map(|i| (0.1 * i as f32).sin()).collect(),
+            force: vec![0.0; displacement.len()],
+            rise: vec![RISE; mesh.field_length(1)],
+            conduction: Conduction::new(&mesh, problem.heat_capacity).expect("factors"),
+            preconditioner: Preconditioner::new(discretisation.factors.clone()),
+            timings: Timings::default(),
+            body,
+            contact,
+            single,
+            flat,
+            displacement,
+            steps,
+        }
+    }
+
+    pub fn unknowns(&self) -> usize {
+        self.displacement.len()
+    }
+
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// With a strain beyond that of the slide, so that what has flowed flows again.
+    pub fn internal_force(&mut self) {
+        let further: Vec<f64> = self.displacement.iter().map(|u| 1.02 * u).collect();
+        self.body.internal_force(&further, Some(&self.rise), &mut self.force);
+    }
+
+    /// At the last internal force.
+    pub fn tangent_product(&mut self) {
+        self.body.tangent_product(&self.displacement, &mut self.force);
+    }
+
+    /// About 680 operations for an elastic element at one angle: strains and forces 288 each, the rest
+    /// stresses. Geometry is read once per element, fields once.
+    pub fn tangent_work(&self) -> Work {
+        let mesh = &self.body.mesh;
+        let lanes = mesh.sectors.columns();
+        let elements = mesh.elements.len();
+        let flowing = self.body.flowing_share();
+        let plastic = (260.0 * flowing) as usize;
+        let history = (4.0 * 8.0 * 8.0 * flowing) as usize;
+        Work {
+            operations: elements * lanes * (680 + plastic),
+            bytes: elements * size_of::<crate::element::Element>()
+                + 4 * 8 * self.displacement.len()
+                + elements * lanes * history,
+        }
+    }
+
+    /// Forward and backward, down to the contact.
+    pub fn sweeps(&mut self) {
+        self.single.forward(&mut self.sweep, 0);
+        self.single.backward(&mut self.sweep, 0);
+        // Neither growing nor vanishing, whatever the number of calls.
+        self.sweep.iter_mut().enumerate().for_each(|(i, x)| *x = (0.1 * (i % 64) as f32) - 3.2);
+    }
+
+    pub fn sweeps_work(&self) -> Work {
+        Work { operations: 4 * self.single.multiplications(), bytes: 2 * self.single.bytes() }
+    }
+
+    /// Transforms, sweeps and dense solve.
+    pub fn precondition(&mut self) {
+        self.preconditioner.update(&self.contact, &mut self.timings).expect("stable contact");
+        self.preconditioner.apply(&self.displacement, &mut self.force, &mut self.timings);
+    }
+
+    /// ∂/∂θ of the displacement and its transpose.
+    pub fn transform(&mut self) {
+        let sectors = self.body.mesh.sectors.clone();
+        sectors.differentiate(&crate::sectors::VECTOR_PARITY, &self.displacement, &mut self.force);
+    }
+
+    /// Contact law and factorisation of the dense stiffness; `turn` makes it another each time.
+    pub fn factorise_contact(&mut self, turn: bool) {
+        let limit = vec![SHEAR_RATIO * if turn { 0.99 } else { 1.0 }; self.contact.len()];
+        let u = &self.displacement;
+        self.contact.evaluate(|p| u[p], self.flat, &limit);
+        self.preconditioner.update(&self.contact, &mut self.timings).expect("stable contact");
+    }
+
+    pub fn conduct(&mut self) {
+        let heat = Constant(self.contact.areas.clone());
+        let none = vec![0.0; self.rise.len()];
+        let (rise, _) = self.conduction.advance(1e-6, &none, &heat).expect("a step that works");
+        self.force[0] = rise[0];
+    }
+}

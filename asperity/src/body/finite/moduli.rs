@@ -1,0 +1,238 @@
+//! First Piola–Kirchhoff stress and its derivative from stress and moduli in logarithmic strain
+//! (Miehe, Apel & Lambrecht 2002, Comput. Methods Appl. Mech. Engrg 191, 5383).
+//!
+//! With E = ½ ln C, its conjugate stress T, and dT = D:dE, in the frame of the eigenvectors of C:
+//! S_ab = 2f[a,b] T_ab and dS = (4 f f D + second derivative of E along T):½dC; P = FS.
+
+use super::gradient::{TwoPoint, after};
+use super::spectral::{PAIR, Spectral, into_frame, triple};
+use crate::lanes::{Lanes, add_scaled, fma};
+
+/// Independent entries of the symmetric ∂P/∂F: 9·10/2, row by row.
+pub const ENTRIES: usize = 45;
+
+/// Moduli in logarithmic strain: c₀·dev + c₁ n⊗n.
+pub struct LogModuli<'a, const W: usize> {
+    pub shear: Lanes<W>,
+    pub radial: Lanes<W>,
+    /// n by pairs, if anything flows.
+    pub direction: Option<[&'a [f64]; 6]>,
+}
+
+/// Place of row i, column j ≥ i of a symmetric 9 × 9 matrix.
+const fn entry(i: usize, j: usize) -> usize {
+    i * (17 - i) / 2 + j
+}
+
+/// What the two results share at one point.
+pub struct PointFrame<const W: usize> {
+    spectral: Spectral<W>,
+    /// F times the eigenvectors, as columns.
+    image: TwoPoint<W>,
+    /// T in the frame.
+    log_stress: [Lanes<W>; 6],
+    /// S in the frame.
+    stress: [Lanes<W>; 6],
+}
+
+impl<const W: usize> PointFrame<W> {
+    #[inline(always)]
+    pub fn new(spectral: Spectral<W>, f: &TwoPoint<W>, log_stress: &[Lanes<W>; 6]) -> Self {
+        let mut image = [[[0.0; W]; 3]; 3];
+        for i in 0..3 {
+            for a in 0..3 {
+                for (j, row) in spectral.frame.iter().enumerate() {
+                    for l in 0..W {
+                        image[i][a][l] = fma(f[i][j][l], row[a][l], image[i][a][l]);
+                    }
+                }
+            }
+        }
+        let log_stress = into_frame(&spectral.frame, log_stress);
+        let mut stress = log_stress;
+        for (s, first) in stress.iter_mut().zip(&spectral.first) {
+            for l in 0..W {
+                s[l] *= 2.0 * first[l];
+            }
+        }
+        Self { spectral, image, log_stress, stress }
+    }
+
+    /// P = F S.
+    #[inline(always)]
+    pub fn first_piola(&self) -> TwoPoint<W> {
+        let mut p = [[[0.0; W]; 3]; 3];
+        for (v, &(a, b)) in PAIR.iter().enumerate() {
+            for i in 0..3 {
+                for j in 0..3 {
+                    let frame = &self.spectral.frame[j];
+                    for l in 0..W {
+                        let mut part = self.image[i][a][l] * frame[b][l];
+                        if v >= 3 {
+                            part = fma(self.image[i][b][l], frame[a][l], part);
+                        }
+                        p[i][j][l] = fma(self.stress[v][l], part, p[i][j][l]);
+                    }
+                }
+            }
+        }
+        p
+    }
+
+    /// ∂P/∂F of the deviatoric part.
+    #[inline(always)]
+    pub fn tangent(&self, moduli: &LogModuli<'_, W>) -> [Lanes<W>; ENTRIES] {
+        let material = self.material_moduli(moduli);
+        let frame = &self.spectral.frame;
+        // X_ab = ½dC_ab = weights·dF, twice that for a ≠ b, so that both places of a shear count.
+        let mut weights = [[[0.0; W]; 9]; 6];
+        for (v, &(a, b)) in PAIR.iter().enumerate() {
+            for i in 0..3 {
+                for j in 0..3 {
+                    let weight = &mut weights[v][3 * i + j];
+                    for l in 0..W {
+                        weight[l] = self.image[i][a][l] * frame[j][b][l];
+                        if v >= 3 {
+                            weight[l] = fma(self.image[i][b][l], frame[j][a][l], weight[l]);
+                        }
+                    }
+                }
+            }
+        }
+        let mut tangent = [[0.0; W]; ENTRIES];
+        for v in 0..6 {
+            let mut row = [[0.0; W]; 9];
+            for w in 0..6 {
+                for (entry, weight) in row.iter_mut().zip(&weights[w]) {
+                    for l in 0..W {
+                        entry[l] = fma(material[v][w][l], weight[l], entry[l]);
+                    }
+                }
+            }
+            for i in 0..9 {
+                for j in i..9 {
+                    let target = &mut tangent[entry(i, j)];
+                    for l in 0..W {
+                        target[l] = fma(weights[v][i][l], row[j][l], target[l]);
+                    }
+                }
+            }
+        }
+        // δ_ik S_JL.
+        for j in 0..3 {
+            for m in j..3 {
+                let mut s = [0.0; W];
+                for (v, &(a, b)) in PAIR.iter().enumerate() {
+                    for l in 0..W {
+                        let mut part = frame[j][a][l] * frame[m][b][l];
+                        if v >= 3 {
+                            part = fma(frame[j][b][l], frame[m][a][l], part);
+                        }
+                        s[l] = fma(self.stress[v][l], part, s[l]);
+                    }
+                }
+                for i in 0..3 {
+                    add_scaled(&mut tangent[entry(3 * i + j, 3 * i + m)], 1.0, &s);
+                }
+            }
+        }
+        tangent
+    }
+
+    /// ∂S/∂(½C) in the frame, by pairs.
+    #[inline(always)]
+    fn material_moduli(&self, moduli: &LogModuli<'_, W>) -> [[Lanes<W>; 6]; 6] {
+        let (first, second) = (&self.spectral.first, &self.spectral.second);
+        let direction = moduli.direction.map(|n| {
+            let n: [Lanes<W>; 6] = n.map(|component| std::array::from_fn(|l| component[l]));
+            into_frame(&self.spectral.frame, &n)
+        });
+        let stress = |a: usize, b: usize| {
+            let pair = PAIR.iter().position(|&pair| pair == (a, b) || pair == (b, a));
+            &self.log_stress[pair.expect("one of the six")]
+        };
+        let mut material = [[[0.0; W]; 6]; 6];
+        for v in 0..6 {
+            let (p, q) = PAIR[v];
+            for w in v..6 {
+                let (r, s) = PAIR[w];
+                let deviatoric = match (v < 3, w < 3) {
+                    (true, true) if v == w => 2.0 / 3.0,
+                    (true, true) => -1.0 / 3.0,
+                    (false, false) if v == w => 0.5,
+                    _ => 0.0,
+                };
+                let mut sum = [0.0; W];
+                for l in 0..W {
+                    let flow = direction.as_ref().map_or(0.0, |n| moduli.radial[l] * n[v][l] * n[w][l]);
+                    sum[l] = 4.0 * first[v][l] * first[w][l] * (deviatoric * moduli.shear[l] + flow);
+                }
+                // T:d²E[X, Y] with X = e_p e_q and Y = e_r e_s, made symmetric in each.
+                for (equal, f, t) in [
+                    (q == r, triple(p, q, s), (p, s)),
+                    (p == r, triple(q, p, s), (q, s)),
+                    (q == s, triple(p, q, r), (p, r)),
+                    (p == s, triple(q, p, r), (q, r)),
+                ] {
+                    if equal {
+                        let stress = stress(t.0, t.1);
+                        for l in 0..W {
+                            sum[l] = fma(2.0 * second[f][l], stress[l], sum[l]);
+                        }
+                    }
+                }
+                material[v][w] = sum;
+                material[w][v] = sum;
+            }
+        }
+        material
+    }
+}
+
+/// Adds `factor`·∂²J/∂F∂F, which is F itself with the signs of two permutations.
+#[inline(always)]
+pub fn add_volume_curvature<const W: usize>(
+    factor: &Lanes<W>,
+    f: &TwoPoint<W>,
+    tangent: &mut [Lanes<W>; ENTRIES],
+) {
+    for i in 0..3 {
+        for k in i + 1..3 {
+            // ε_ikm for i < k: negative for (r, z) alone.
+            let m = 3 - i - k;
+            for j in 0..3 {
+                for n in (0..3).filter(|&n| n != j) {
+                    let o = 3 - j - n;
+                    let sign = if (k == after(i)) == (n == after(j)) { 1.0 } else { -1.0 };
+                    let target = &mut tangent[entry(3 * i + j, 3 * k + n)];
+                    for l in 0..W {
+                        target[l] += sign * factor[l] * f[m][o][l];
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// y = A x for a symmetric 9 × 9 matrix, whose entries are `at(place)`.
+#[inline(always)]
+pub fn symmetric_product<'a, const W: usize>(
+    at: impl Fn(usize) -> &'a [f64],
+    x: &TwoPoint<W>,
+) -> TwoPoint<W> {
+    let mut y = [[[0.0; W]; 3]; 3];
+    for i in 0..9 {
+        for j in i..9 {
+            let a = at(entry(i, j));
+            for l in 0..W {
+                y[i / 3][i % 3][l] = fma(a[l], x[j / 3][j % 3][l], y[i / 3][i % 3][l]);
+            }
+            if i != j {
+                for l in 0..W {
+                    y[j / 3][j % 3][l] = fma(a[l], x[i / 3][i % 3][l], y[j / 3][j % 3][l]);
+                }
+            }
+        }
+    }
+    y
+}

@@ -1,0 +1,300 @@
+//! Spectral decomposition of the right Cauchy–Green tensor, and divided differences of the
+//! logarithmic strain.
+//!
+//! E = ½ ln C has the eigenvectors of C and the eigenvalues f(λ) = ½ ln λ. In the frame of the
+//! eigenvectors its first derivative is f[λ_a, λ_b]·dC_ab and its second one takes
+//! f[λ_a, λ_b, λ_c], with the divided differences of f (Bhatia, Matrix Analysis, 1997, ch. V.3;
+//! Miehe & Lambrecht 2001, Commun. Numer. Meth. Engng 17, 337, who list the cases of equal
+//! eigenvalues that divided differences need not tell apart).
+
+use crate::lanes::Lanes;
+
+/// Tensor components of the six that are stored: (rr, θθ, zz, rθ, θz, zr).
+pub const PAIR: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
+
+/// Sorted triples of eigenvalues.
+const TRIPLES: usize = 10;
+
+/// Eigenvectors as columns.
+pub type Frame<const W: usize> = [[Lanes<W>; 3]; 3];
+
+/// Logarithmic strain and its derivatives in the frame of the eigenvectors of C.
+pub struct Spectral<const W: usize> {
+    /// `frame[i][a]`: component i of eigenvector a.
+    pub frame: Frame<W>,
+    /// ½ ln λ_a.
+    pub strain: [Lanes<W>; 3],
+    /// f[λ_a, λ_b] by pair.
+    pub first: [Lanes<W>; 6],
+    /// f[λ_a, λ_b, λ_c], see [`triple`].
+    pub second: [Lanes<W>; TRIPLES],
+}
+
+/// Place of f[λ_a, λ_b, λ_c], which is symmetric, in [`Spectral::second`].
+pub const fn triple(a: usize, b: usize, c: usize) -> usize {
+    // Numbers of indices 1 and 2 among the three tell a triple.
+    let ones = (a == 1) as usize + (b == 1) as usize + (c == 1) as usize;
+    let twos = (a == 2) as usize + (b == 2) as usize + (c == 2) as usize;
+    [0, 4, 7, 9][twos] + ones
+}
+
+impl<const W: usize> Spectral<W> {
+    /// Of C = 1 + `excess`, given by pairs: small strains keep all their digits.
+    #[inline(always)]
+    pub fn new(excess: &[Lanes<W>; 6]) -> Self {
+        let (values, frame) = eigen(*excess);
+        let mut spectral =
+            Self { frame, strain: [[0.0; W]; 3], first: [[0.0; W]; 6], second: [[0.0; W]; TRIPLES] };
+        for l in 0..W {
+            let excess = [values[0][l], values[1][l], values[2][l]];
+            let strain = excess.map(|x| 0.5 * x.ln_1p());
+            let divided = Divided { excess, strain };
+            for a in 0..3 {
+                spectral.strain[a][l] = strain[a];
+            }
+            for (v, &(a, b)) in PAIR.iter().enumerate() {
+                spectral.first[v][l] = divided.first(a, b);
+            }
+            for a in 0..3 {
+                for b in a..3 {
+                    for c in b..3 {
+                        spectral.second[triple(a, b, c)][l] = divided.second(a, b, c);
+                    }
+                }
+            }
+        }
+        spectral
+    }
+
+    /// E itself, by pairs.
+    #[inline(always)]
+    pub fn log_strain(&self) -> [Lanes<W>; 6] {
+        let mut e = [[0.0; W]; 6];
+        for (v, &(i, j)) in PAIR.iter().enumerate() {
+            for a in 0..3 {
+                for l in 0..W {
+                    e[v][l] += self.strain[a][l] * self.frame[i][a][l] * self.frame[j][a][l];
+                }
+            }
+        }
+        e
+    }
+}
+
+/// A symmetric tensor in the frame of the eigenvectors: NᵀAN, by pairs.
+#[inline(always)]
+pub fn into_frame<const W: usize>(frame: &Frame<W>, tensor: &[Lanes<W>; 6]) -> [Lanes<W>; 6] {
+    const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+    let mut turned = [[0.0; W]; 6];
+    for a in 0..3 {
+        // A·N_a.
+        let mut image = [[0.0; W]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                for l in 0..W {
+                    image[i][l] += tensor[PLACE[i][j]][l] * frame[j][a][l];
+                }
+            }
+        }
+        for (v, &(p, q)) in PAIR.iter().enumerate() {
+            if q == a {
+                for i in 0..3 {
+                    for l in 0..W {
+                        turned[v][l] += frame[i][p][l] * image[i][l];
+                    }
+                }
+            }
+        }
+    }
+    turned
+}
+
+/// Eigenvalues and eigenvectors of symmetric tensors by cyclic Jacobi rotations (Golub & Van Loan,
+/// Matrix Computations, §8.5), which are as exact for equal eigenvalues as for others.
+#[inline(always)]
+fn eigen<const W: usize>(mut a: [Lanes<W>; 6]) -> ([Lanes<W>; 3], Frame<W>) {
+    const SWEEPS: usize = 10;
+    let mut frame = [[[0.0; W]; 3]; 3];
+    for (i, row) in frame.iter_mut().enumerate() {
+        row[i] = [1.0; W];
+    }
+    for _ in 0..SWEEPS {
+        let mut open = false;
+        for l in 0..W {
+            let off = a[3][l] * a[3][l] + a[4][l] * a[4][l] + a[5][l] * a[5][l];
+            let on = a[0][l] * a[0][l] + a[1][l] * a[1][l] + a[2][l] * a[2][l];
+            open |= off > 1e-33 * on;
+        }
+        if !open {
+            break;
+        }
+        // Pair (p, q) and the pairs that the third index r forms with them.
+        for (p, q, pq, rp, rq) in [(0, 1, 3, 5, 4), (1, 2, 4, 3, 5), (2, 0, 5, 4, 3)] {
+            for l in 0..W {
+                let (difference, off) = (a[q][l] - a[p][l], a[pq][l]);
+                let root = (difference * difference + 4.0 * off * off).sqrt();
+                let below = difference.abs() + root + f64::MIN_POSITIVE;
+                let t = (2.0 * off * 1f64.copysign(difference) / below).clamp(-1.0, 1.0);
+                let c = 1.0 / (1.0 + t * t).sqrt();
+                let s = t * c;
+                a[p][l] -= t * off;
+                a[q][l] += t * off;
+                a[pq][l] = 0.0;
+                let (x, y) = (a[rp][l], a[rq][l]);
+                a[rp][l] = c * x - s * y;
+                a[rq][l] = s * x + c * y;
+                for row in &mut frame {
+                    let (x, y) = (row[p][l], row[q][l]);
+                    row[p][l] = c * x - s * y;
+                    row[q][l] = s * x + c * y;
+                }
+            }
+        }
+    }
+    ([a[0], a[1], a[2]], frame)
+}
+
+/// Divided differences of ½ ln λ at one point, λ_a = 1 + excess_a.
+struct Divided {
+    excess: [f64; 3],
+    strain: [f64; 3],
+}
+
+impl Divided {
+    fn first(&self, a: usize, b: usize) -> f64 {
+        /// The quotient loses digits below.
+        const CLOSE: f64 = 0.02;
+        let difference = self.excess[a] - self.excess[b];
+        let sum = 2.0 + self.excess[a] + self.excess[b];
+        let d = difference / sum;
+        if d.abs() < CLOSE {
+            // ½ ln(λ_a/λ_b) = artanh d.
+            let x = d * d;
+            (1.0 + x * (1.0 / 3.0 + x * (1.0 / 5.0 + x * (1.0 / 7.0 + x / 9.0)))) / sum
+        } else {
+            (self.strain[a] - self.strain[b]) / difference
+        }
+    }
+
+    fn second(&self, a: usize, b: usize, c: usize) -> f64 {
+        /// Spread of the eigenvalues, relative, from which the quotient is better than the series.
+        const CLOSE: f64 = 3e-3;
+        // The two farthest apart divide.
+        let distance = |i: usize, j: usize| (self.excess[i] - self.excess[j]).abs();
+        let (far, near, middle) = [(a, b, c), (b, c, a), (c, a, b)]
+            .into_iter()
+            .max_by(|x, y| distance(x.0, x.1).total_cmp(&distance(y.0, y.1)))
+            .expect("three");
+        let mean = 1.0 + (self.excess[a] + self.excess[b] + self.excess[c]) / 3.0;
+        if distance(far, near) < CLOSE * mean {
+            // Taylor's series about the mean: deviations x have the complete symmetric polynomials
+            // h₁ = 0, h₂ = ½Σx², h₃ = x_a x_b x_c, h₄ = h₂².
+            let x = [a, b, c].map(|i| (1.0 + self.excess[i]) / mean - 1.0);
+            let h2 = 0.5 * (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+            let h3 = x[0] * x[1] * x[2];
+            (-0.25 - h2 / 8.0 + h3 / 10.0 - h2 * h2 / 12.0) / (mean * mean)
+        } else {
+            (self.first(far, middle) - self.first(middle, near)) / (self.excess[far] - self.excess[near])
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Excess of C of a principal stretch in each lane, turned by a rotation.
+    fn turned(values: [f64; 3], frame: &Frame<1>) -> [Lanes<1>; 6] {
+        let mut tensor = [[0.0]; 6];
+        for (v, &(i, j)) in PAIR.iter().enumerate() {
+            tensor[v][0] = (0..3).map(|a| values[a] * frame[i][a][0] * frame[j][a][0]).sum();
+        }
+        tensor
+    }
+
+    /// Eigenvectors of some tensor that has three different eigenvalues.
+    fn rotation() -> Frame<1> {
+        eigen::<1>([[0.3], [-0.2], [0.9], [0.4], [-0.5], [0.25]]).1
+    }
+
+    #[test]
+    fn spectral_form_gives_the_tensor_back() {
+        let frame = rotation();
+        for values in [
+            [0.0; 3],
+            [0.4, 0.4, 0.4],
+            [0.4, 0.4, -0.3],
+            [2.0, 2.0 + 1e-13, -0.9],
+            [1e-9, -2e-9, 3e-9],
+            [80.0, -0.99, 0.0],
+        ] {
+            let tensor = turned(values, &frame);
+            let scale = values.iter().fold(f64::MIN_POSITIVE, |m: f64, x| m.max(x.abs()));
+            let (found, axes) = eigen(tensor);
+            let mut sorted = [found[0][0], found[1][0], found[2][0]];
+            let mut exact = values;
+            sorted.sort_by(f64::total_cmp);
+            exact.sort_by(f64::total_cmp);
+            let again = turned([found[0][0], found[1][0], found[2][0]], &axes);
+            for i in 0..6 {
+                assert!((again[i][0] - tensor[i][0]).abs() < 1e-14 * scale, "{values:?}");
+            }
+            for a in 0..3 {
+                assert!((sorted[a] - exact[a]).abs() < 1e-14 * scale, "{sorted:?} {exact:?}");
+                for b in 0..3 {
+                    let product: f64 = (0..3).map(|i| axes[i][a][0] * axes[i][b][0]).sum();
+                    assert!((product - f64::from(a == b)).abs() < 1e-14);
+                }
+            }
+            // The logarithm in the frame that it was built from.
+            let strain = Spectral::new(&tensor).log_strain();
+            let expected = turned(values.map(|x| 0.5 * x.ln_1p()), &frame);
+            let scale = expected.iter().fold(f64::MIN_POSITIVE, |m: f64, x| m.max(x[0].abs()));
+            for i in 0..6 {
+                assert!((strain[i][0] - expected[i][0]).abs() < 1e-13 * scale, "{values:?}");
+            }
+        }
+    }
+
+    /// The mean values of f' and f'' over segment and triangle (Hermite–Genocchi) by quadrature,
+    /// from well apart to equal, on both sides of the switch to series.
+    #[test]
+    fn divided_differences_are_the_hermite_genocchi_integrals() {
+        const COUNT: usize = 400;
+        let nodes: Vec<f64> = (0..COUNT).map(|i| (i as f64 + 0.5) / COUNT as f64).collect();
+        for spread in [1.0, 0.1, 0.041, 0.039, 4e-3, 3.1e-3, 2.9e-3, 1e-6, 0.0] {
+            let excess = [0.3, 0.3 + spread, 0.3 - 0.4 * spread];
+            let divided = Divided { excess, strain: excess.map(|x: f64| 0.5 * x.ln_1p()) };
+            let lambda = excess.map(|x| 1.0 + x);
+            for (a, b) in [(0, 1), (1, 2), (0, 0)] {
+                let mean: f64 = nodes.iter().map(|t| 0.5 / (lambda[a] + t * (lambda[b] - lambda[a]))).sum();
+                assert!((divided.first(a, b) - mean / COUNT as f64).abs() < 1e-6, "{spread} {a} {b}");
+            }
+            // Over the unit triangle, of area ½, by Duffy's map.
+            for (a, b, c) in [(0, 1, 2), (1, 1, 2), (2, 0, 0), (1, 1, 1)] {
+                let mut mean = 0.0;
+                for s in &nodes {
+                    for t in &nodes {
+                        let x = lambda[a] + s * (lambda[b] - lambda[a]) + s * t * (lambda[c] - lambda[b]);
+                        mean += -0.5 / (x * x) * s / (COUNT * COUNT) as f64;
+                    }
+                }
+                let found = divided.second(a, b, c);
+                assert!((found / mean - 1.0).abs() < 1e-5, "{spread} {a}{b}{c}: {found} {mean}");
+            }
+        }
+    }
+
+    /// Quotient and series agree where one takes over from the other.
+    #[test]
+    fn second_differences_do_not_jump() {
+        let at = |spread: f64| {
+            let excess = [0.3, 0.3 + spread, 0.3 + 0.3 * spread];
+            Divided { excess, strain: excess.map(|x: f64| 0.5 * x.ln_1p()) }.second(0, 1, 2)
+        };
+        // The switch is at a spread of 3e-3 times a mean of 1.3.
+        let slope = (at(3.95e-3) - at(3.93e-3)) / 2e-5;
+        let jump = at(3.92e-3) - at(3.88e-3) - 4e-5 * slope;
+        assert!(jump.abs() < 1e-9, "{jump}");
+    }
+}
