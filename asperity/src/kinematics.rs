@@ -102,7 +102,9 @@ impl Watch for FiniteWatch<'_> {
         /// Share of the press, about.
         const PRESS: f64 = 0.2;
         let done = if stage == "press" { PRESS * done } else { PRESS + (1.0 - PRESS) * done };
-        self.0.progress("slide", done, &format!("finite strain: {detail}"));
+        let detail =
+            if detail.is_empty() { "finite strain".into() } else { format!("finite strain: {detail}") };
+        self.0.progress("slide", done, &detail);
     }
 
     fn cancelled(&self) -> bool {

@@ -32,7 +32,8 @@ const COMPRESSION: u32 = 3;
 ///
 /// Points lie where they were before deformation, with the apex at the origin, z upwards and x along
 /// the motion of the flat, in m. Values at the points: `displacement` (m), `stress` (xx, yy, zz, xy,
-/// yz, xz) and `von_mises_stress` (Pa), `plastic_strain` and `temperature` (K).
+/// yz, xz) and `von_mises_stress` (Pa), `plastic_strain` and `temperature` (K). At finite strain the
+/// stress is the one that works on the logarithmic strain (see [`crate::body_fields::BodySnapshot`]).
 pub fn write(directory: &Path, outcome: &Outcome, extent: Extent) -> Result<PathBuf, VtuError> {
     let fields = outcome.body.as_ref().ok_or(VtuError::NotRecorded)?;
     let failed = |path: &Path, reason: String| VtuError::Write { path: path.to_owned(), reason };
