@@ -1,4 +1,4 @@
-//! Makes the fingerprint of the sources that results depend on: two builds of one version that do
+//! Lists the material presets, and makes the fingerprint of the sources that results depend on: two builds of one version that do
 //! different work, as during development, can be told apart by it.
 
 use std::path::{Path, PathBuf};
@@ -6,7 +6,19 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 /// What shows results but does not make them; relative to `src`.
-const NOT_HASHED: [&str; 6] = ["command", "main.rs", "figures.rs", "verification", "convergence", "honesty"];
+const NOT_HASHED: [&str; 11] = [
+    "command",
+    "main.rs",
+    "contact_maps.rs",
+    "convergence",
+    "figures.rs",
+    "honesty",
+    "revolved",
+    "revolved.rs",
+    "standing.rs",
+    "verification",
+    "vtu.rs",
+];
 
 /// Of the crate `tables`, what runs use. It lies beside this crate in the repository; as a
 /// published crate it has the same version number as this one.
@@ -37,6 +49,23 @@ fn main() {
     let digits: String = hash.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect();
     println!("cargo::rustc-env=ASPERITY_FINGERPRINT={digits}");
     println!("cargo::rerun-if-changed=src");
+    list_presets(&root.join("src/presets"));
+}
+
+/// Writes `const FILES: &[(name, content)]` of the files `NAME.toml` in a folder, by name.
+fn list_presets(folder: &Path) {
+    let mut files = Vec::new();
+    collect(folder, &mut files);
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    let entry = |file: &PathBuf| {
+        let name = file.file_stem().unwrap_or_default();
+        format!("    ({name:?}, include_str!({file:?})),\n")
+    };
+    let entries: String = files.iter().map(entry).collect();
+    let target = PathBuf::from(std::env::var_os("OUT_DIR").expect("set by cargo")).join("presets.rs");
+    let text = format!("const FILES: &[(&str, &str)] = &[\n{entries}];\n");
+    std::fs::write(&target, text).unwrap_or_else(|error| panic!("{}: {error}", target.display()));
 }
 
 /// All files below `path`, or `path` itself.

@@ -72,7 +72,7 @@ impl Kernels {
             resolution.tolerance,
         );
         let mut slide = Slide::new(&problem, mechanics, None, 0.0, resolution.increments);
-        slide.run(distance * radius, |_| true).expect("a slide that works");
+        slide.run(distance * radius, |_, _| true).expect("a slide that works");
         let steps = slide.history.len() - 1;
         let flat = Flat { interference: problem.interference, displacement: distance * radius };
         let (body, contact, displacement) = slide.mechanics.into_parts();

@@ -17,9 +17,11 @@ use crate::sectors::VECTOR_PARITY;
 
 mod energies;
 mod heat;
+mod nodal;
 mod surface;
 
 use heat::PointHeat;
+pub use nodal::NODAL;
 
 /// History of all Gauss points: element by element, point by point, component by component,
 /// angles as lanes.

@@ -29,8 +29,10 @@ const SLIDE_SPRING: f64 = 10.0;
 /// the beginning of the step on it was 1.0575 and 1.0540.
 const TOUCH_SPRING: f64 = 0.5;
 
+/// What a contact point does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
+    /// Carries nothing.
     Open,
     Stick,
     Slip,

@@ -7,7 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::Estimate;
 
 use crate::outcome::{
-    Account, ContactGrid, ErrorBudget, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot, Summary,
+    Account, ContactGrid, ContactStatus, ErrorBudget, InceptionCriterion, Outcome, PressStep, SlideStep,
+    Snapshot, Summary,
 };
 use crate::scene::Scene;
 use crate::scene_file::parse_scene;
@@ -97,11 +98,13 @@ impl Fake {
             grid: ContactGrid { theta: vec![0.0, 1.0], r: vec![0.0, 1e-5, 2e-5] },
             snapshots: vec![Snapshot {
                 slip: 1e-5,
+                status: vec![ContactStatus::Slip; 6],
                 pressure: vec![1e9; 6],
                 shear: vec![1e8; 6],
                 temperature: vec![400.0; 6],
                 slip_distance: vec![1e-6; 6],
             }],
+            body: None,
             account: Account {
                 notes: vec!["a note".into()],
                 warnings: vec!["a warning".into(), "another".into()],

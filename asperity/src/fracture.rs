@@ -16,6 +16,19 @@ use crate::outcome::Outcome;
 use crate::scene::{FractureData, Material, Scene};
 
 /// G_IIc of the material over the contact radius, if it is known.
+///
+/// ```
+/// use asperity::fracture::fracture_energy;
+/// use asperity::scene_file::parse_scene;
+/// use tables::law::Estimate;
+///
+/// let text = "[material]\npreset = \"copper\"\nshear_fracture_energy = 500.0\n\
+///             [asperity]\nradius = 1e-6\n[loading]\ninterference = 5\nslip_rate = 1\n";
+/// let scene = parse_scene(text, "this example", &[])?;
+/// let energy = fracture_energy(&scene.material).unwrap();
+/// assert_eq!(energy.at(Estimate { value: 1e-7, error: 0.0 }).value, 500.0);
+/// # Ok::<(), asperity::scene_file::SceneFileError>(())
+/// ```
 pub fn fracture_energy(material: &Material) -> Option<FractureEnergy> {
     let modulus = material.youngs_modulus;
     material.fracture.as_ref().map(|data| match *data {

@@ -62,7 +62,7 @@ fn at_finite_strain(pressed: &Pressed, watch: &dyn Watch) -> Result<Arc<Pressed>
     // may be given a slide that asks here. Of two that are made the first stays.
     let mut scene = pressed.scene.clone();
     scene.model.kinematics = Kinematics::Finite;
-    let finite = Arc::new(press(&scene, watch)?);
+    let finite = Arc::new(press(&scene, watch)?.recording(pressed.what_is_recorded().clone()));
     Ok(known().get_or_insert(finite).clone())
 }
 
@@ -98,11 +98,13 @@ fn what_changes(small: &Probe, finite: &Probe) -> String {
 struct FiniteWatch<'a>(&'a dyn Watch);
 
 impl Watch for FiniteWatch<'_> {
-    fn progress(&self, stage: &'static str, done: f64, _detail: &str) {
+    fn progress(&self, stage: &'static str, done: f64, detail: &str) {
         /// Share of the press, about.
         const PRESS: f64 = 0.2;
         let done = if stage == "press" { PRESS * done } else { PRESS + (1.0 - PRESS) * done };
-        self.0.progress("slide", done, "finite strain");
+        let detail =
+            if detail.is_empty() { "finite strain".into() } else { format!("finite strain: {detail}") };
+        self.0.progress("slide", done, &detail);
     }
 
     fn cancelled(&self) -> bool {

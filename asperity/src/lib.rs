@@ -3,7 +3,7 @@
 //!
 //! Friction is not put in: a contact point slips where its shear stress reaches the shear strength
 //! of the material at its own temperature. A [`scene::Scene`] says what is simulated (read from TOML
-//! by [`scene_file`]), [`simulate`] presses and slides it, an [`outcome::Outcome`] holds the histories
+//! by [`scene_file`]), [`mod@simulate`] presses and slides it, an [`outcome::Outcome`] holds the histories
 //! and the scalars with their errors, [`run_file`] writes them. [`mod@tabulate`] runs a grid of
 //! interferences and slip rates into a [`tables::table::Table`], from which the crate `roughsurface`
 //! builds rough surfaces.
@@ -20,15 +20,65 @@
 //!     │    │    │
 //!   ──┴────┴────┴──► x            base z = 0: clamped, at the initial temperature
 //! ```
+//! In the fewest lines:
+//!
+//! ```
+//! # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+//! #             [loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 0.02\n\
+//! #             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+//! let scene = asperity::parse_scene(text, "scene.toml", &[])?;
+//! let mu = asperity::simulate(&scene, &asperity::Unwatched)?.summary.mu;
+//! assert!(mu.error > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A run, its file, its figure and its fields for ParaView:
+//!
+//! ```
+//! use asperity::recording::Recording;
+//! use asperity::revolved::Extent;
+//! use asperity::simulate::{Unwatched, simulate_recorded};
+//! use asperity::{figures, provenance, run_file, scene_file, vtu};
+//!
+//! let text = r#"
+//! [material]
+//! preset = "steel-4340"
+//! [asperity]
+//! radius = 1e-3            # m
+//! [loading]
+//! interference = 20.0      # in units of that of first yield
+//! slip_rate = 1.0          # m/s
+//! slip_distance = 0.05     # in contact radii
+//! [numerics]
+//! elements_per_radius = 4  # very coarse
+//! sectors = 4
+//! "#;
+//! let scene = scene_file::parse_scene(text, "this example", &[])?;
+//! let recording = Recording { body: true, ..Recording::default() };
+//! let outcome = simulate_recorded(&scene, &recording, &Unwatched)?;
+//! assert!(outcome.summary.mu_static.value > 0.2 && outcome.summary.mu_static.value < 0.35);
+//!
+//! let folder = std::env::temp_dir().join(format!("asperity-example-{}", std::process::id()));
+//! std::fs::create_dir_all(&folder)?;
+//! let about = run_file::About { history: provenance::history("an example"), incomplete: None };
+//! run_file::write(&folder.join("run.nc"), &scene, &outcome, &about)?;
+//! figures::run_figure(&scene, &outcome).save(&folder.join("run.svg"))?;
+//! let collection = vtu::write(&folder, &outcome, Extent::Half)?;
+//! assert!(collection.exists());
+//! # std::fs::remove_dir_all(&folder)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
 
 #[doc(hidden)]
 pub mod benchmark;
 mod body;
+pub mod body_fields;
 mod conduction;
 mod contact;
 mod contact_edge;
+mod contact_maps;
 pub mod convergence;
 mod curve;
 mod elastic;
@@ -38,6 +88,7 @@ mod error_budget;
 mod fake;
 pub mod figures;
 pub mod fracture;
+pub mod friction_law;
 mod harmonic;
 pub mod honesty;
 mod kinematics;
@@ -53,7 +104,9 @@ mod press;
 mod problem;
 pub mod provenance;
 pub mod quantities;
+pub mod recording;
 mod resolution;
+pub mod revolved;
 pub mod run_file;
 mod scalars;
 pub mod scene;
@@ -61,7 +114,14 @@ pub mod scene_file;
 mod sectors;
 pub mod simulate;
 mod slide;
+mod standing;
 mod summary;
 pub mod tabulate;
 pub mod timings;
 pub mod verification;
+pub mod vtu;
+
+pub use outcome::Outcome;
+pub use scene::Scene;
+pub use scene_file::{parse_scene, read_scene};
+pub use simulate::{Unwatched, simulate};

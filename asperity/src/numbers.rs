@@ -4,6 +4,14 @@ use serde_json::{Value, json};
 use tables::law::Estimate;
 
 /// `value ± error unit`, with two digits of the error.
+///
+/// ```
+/// use asperity::numbers::with_error;
+/// use tables::law::Estimate;
+///
+/// assert_eq!(with_error(Estimate { value: 0.23498, error: 0.00351 }, "1"), "0.2350 ± 0.0035");
+/// assert_eq!(with_error(Estimate { value: 7.888e-9, error: 4.3e-11 }, "m2"), "7.888e-9 ± 0.043e-9 m2");
+/// ```
 pub fn with_error(estimate: Estimate, unit: &str) -> String {
     let Estimate { value, error } = estimate;
     let unit = match unit {

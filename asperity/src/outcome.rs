@@ -2,6 +2,8 @@
 
 use tables::law::Estimate;
 
+pub use crate::body_fields::{BodyFields, BodySnapshot};
+pub use crate::contact::Status as ContactStatus;
 pub use crate::error_budget::{ErrorBudget, ErrorSource};
 pub use crate::timings::{Kernel, Timings};
 
@@ -97,6 +99,7 @@ pub struct Summary {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub slip: f64,
+    pub status: Vec<ContactStatus>,
     pub pressure: Vec<f64>,
     pub shear: Vec<f64>,
     pub temperature: Vec<f64>,
@@ -145,5 +148,7 @@ pub struct Outcome {
     pub budget: ErrorBudget,
     pub grid: ContactGrid,
     pub snapshots: Vec<Snapshot>,
+    /// If they were asked for.
+    pub body: Option<BodyFields>,
     pub account: Account,
 }

@@ -8,7 +8,6 @@ use crate::mechanics::{Hold, Mechanics, StepFailure, Surroundings};
 use crate::mesh::MeshSize;
 use crate::problem::{Discretisation, Problem};
 use crate::resolution::NEWTON_TOLERANCE;
-use crate::scene::FrictionLaw;
 use crate::sectors::Sectors;
 
 #[derive(Debug, thiserror::Error)]
@@ -43,7 +42,7 @@ pub fn press_on(
     }
     let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement, NEWTON_TOLERANCE);
 
-    let limit = if problem.law == FrictionLaw::Frictionless { 0.0 } else { f64::INFINITY };
+    let limit = if problem.law.rubs() { f64::INFINITY } else { 0.0 };
     let count = count as f64;
     let mut increments = Vec::new();
     let mut before = (0.0, mechanics.displacement.clone());

@@ -2,7 +2,7 @@
 
 use crate::error_budget::RelativeParts;
 use crate::problem::SHEAR_RATIO;
-use crate::scene::{FrictionLaw, Numerics, Scene, Softening, Switch};
+use crate::scene::{Numerics, Scene, Softening, Switch};
 use crate::slide::Increments;
 
 /// Heat changes friction by about the softening number L (steady state: L/(1 + 8L/3π)); it is left
@@ -151,9 +151,7 @@ pub fn choose_heat(scene: &Scene, slip_rate: f64, number: f64, notes: &mut Vec<S
         Switch::Off => Some("heat is switched off".to_string()),
         _ if slip_rate == 0.0 => Some("the slip rate is 0, the isothermal limit".to_string()),
         Switch::On => None,
-        Switch::Auto if matches!(scene.interface.law, FrictionLaw::Frictionless) => {
-            Some("there is no friction".to_string())
-        }
+        Switch::Auto if !scene.interface.law.rubs() => Some("there is no friction".to_string()),
         Switch::Auto if number < NO_HEAT_SHARE * scene.numerics.accuracy => Some(format!(
             "the softening number f_h tau_0 V a/(k dT_m) = {number:.2e} changes friction by at most about {:.2} %",
             100.0 * number

@@ -9,7 +9,9 @@ use tables::law::Estimate;
 use tables::quantity::{QUANTITIES, Quantity};
 
 use crate::fracture;
-use crate::outcome::{ErrorSource, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot};
+use crate::outcome::{
+    ContactStatus, ErrorSource, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot,
+};
 use crate::provenance::SOURCE;
 use crate::quantities::estimate;
 use crate::scene::Scene;
@@ -238,6 +240,16 @@ fn fields(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErro
         attributes.push(("coordinates", "snapshot_slip".into()));
         file.reals(name, &["snapshot", "theta", "r"], &values, &attributes)?;
     }
+    let status = |status: &ContactStatus| match status {
+        ContactStatus::Open => 0,
+        ContactStatus::Stick => 1,
+        ContactStatus::Slip => 2,
+    };
+    let values: Vec<i8> = snapshots.iter().flat_map(|s| s.status.iter().map(status)).collect();
+    let attributes =
+        [("long_name", "what each contact point does".into()), ("coordinates", "snapshot_slip".into())];
+    let meanings = ["open", "stick", "slip"];
+    file.flags("contact_status", &["snapshot", "theta", "r"], &values, &meanings, &attributes)?;
     Ok(())
 }
 
@@ -285,7 +297,7 @@ mod tests {
         {
             assert!(dimensions(name).is_empty(), "{name}");
         }
-        for name in ["pressure", "shear", "temperature", "slip_distance"] {
+        for name in ["pressure", "shear", "temperature", "slip_distance", "contact_status"] {
             assert_eq!(dimensions(name), ["snapshot", "theta", "r"]);
         }
         let text = |name: &str| match file.attribute(name).unwrap().value().unwrap() {

@@ -2,6 +2,7 @@
 //! SI units and kelvin throughout; plain data, no files.
 
 use crate::curve::{Curve, interpolate};
+pub use crate::friction_law::FrictionLaw;
 
 /// Growth of the yield strength with equivalent plastic strain ε_p at the initial temperature.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,20 +130,6 @@ impl Material {
             }
         }
     }
-}
-
-/// Law of the tangential traction on the contact.
-#[derive(Clone, Debug, PartialEq)]
-pub enum FrictionLaw {
-    /// Slip at τ_c = f_τ σ/√3, with the strength σ that [`InterfaceStrength`] says.
-    ShearStrength,
-    /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ/√3.
-    Coulomb {
-        friction: f64,
-        cap: bool,
-    },
-    FullStick,
-    Frictionless,
 }
 
 /// Which yield strength of the material the interface shears at.

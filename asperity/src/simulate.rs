@@ -12,6 +12,7 @@ use tables::law::Estimate;
 use tables::quantity::Quantity;
 
 use crate::body::Body;
+use crate::body_fields::BodyFields;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::error_budget::{self, Companions, ErrorBudget, ErrorSource};
@@ -21,15 +22,47 @@ use crate::mesh::MeshSize;
 use crate::outcome::{Account, Outcome};
 use crate::press::{self, Increment, PressFailure};
 use crate::problem::{Discretisation, Problem};
+use crate::recording::{Fields, Recorder, Recording};
 use crate::resolution::{Resolution, choose_heat, softening_number};
 use crate::scalars::Scalars;
 use crate::scene::{Kinematics, Scene, Switch};
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
+use crate::standing;
 use crate::summary;
 use crate::timings::{Kernel, Timings};
 
 /// Where a run stands; called between increments.
+///
+/// ```
+/// use std::sync::atomic::{AtomicBool, Ordering};
+///
+/// use asperity::scene_file::parse_scene;
+/// use asperity::simulate::{SimulationError, Watch, simulate};
+///
+/// /// Stops a run once it slides.
+/// #[derive(Default)]
+/// struct Impatient(AtomicBool);
+///
+/// impl Watch for Impatient {
+///     fn progress(&self, stage: &'static str, done: f64, _detail: &str) {
+///         self.0.fetch_or(stage == "slide" && done > 0.01, Ordering::Relaxed);
+///     }
+///     fn cancelled(&self) -> bool {
+///         self.0.load(Ordering::Relaxed)
+///     }
+/// }
+///
+/// # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+/// #             [loading]\ninterference = 5\nslip_rate = 0\n\
+/// #             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+/// # let scene = parse_scene(text, "this example", &[])?;
+/// match simulate(&scene, &Impatient::default()) {
+///     Err(SimulationError::Cancelled { partial: Some(outcome) }) => assert!(outcome.slide.len() > 1),
+///     other => panic!("{other:?}"),
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Watch: Sync {
     /// `stage` is "press" or "slide", `done` the share of that stage that is done (0 to 1).
     fn progress(&self, _stage: &'static str, _done: f64, _detail: &str) {}
@@ -85,6 +118,7 @@ pub struct Pressed {
     meshes: Mutex<Vec<Arc<PressedMesh>>>,
     /// The same at finite strain, where a slide asked for that.
     pub(crate) finite: Mutex<Option<Arc<Pressed>>>,
+    recording: Recording,
     wall_time: f64,
 }
 
@@ -103,11 +137,27 @@ pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
         contact_radius,
         meshes: Mutex::new(vec![Arc::new(mesh)]),
         finite: Mutex::new(None),
+        recording: Recording::default(),
         wall_time: clock.elapsed().as_secs_f64(),
     })
 }
 
 /// Press the asperity to the interference of the scene, in full stick and without heat.
+///
+/// ```
+/// use asperity::scene_file::parse_scene;
+/// use asperity::simulate::{Unwatched, press, slide};
+///
+/// let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+///             [loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 0.02\n\
+///             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+/// let scene = parse_scene(text, "this example", &[])?;
+/// // One press serves slides at any slip rate.
+/// let pressed = press(&scene, &Unwatched)?;
+/// let [slow, fast] = [0.1, 10.0].map(|rate| slide(&pressed, rate, &Unwatched));
+/// assert_eq!(slow?.summary.load_press, fast?.summary.load_press);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Clock::now();
     let problem = Problem::new(scene);
@@ -133,6 +183,7 @@ pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationErro
         contact_radius,
         meshes: Mutex::new(meshes),
         finite: Mutex::new(None),
+        recording: Recording::default(),
         wall_time: clock.elapsed().as_secs_f64(),
     })
 }
@@ -186,6 +237,15 @@ impl Pressed {
             peak_pressure: estimate(units.stress, 0.0, peak_pressure).0,
             plastic_strain_max: fine.body.committed.largest_plastic_strain(),
         }
+    }
+
+    /// The same, with slides that keep fields as `recording` says.
+    pub fn recording(self, recording: Recording) -> Self {
+        Self { recording, finite: Mutex::new(None), ..self }
+    }
+
+    pub(crate) fn what_is_recorded(&self) -> &Recording {
+        &self.recording
     }
 
     /// The pressed mesh of a resolution, made now if it is not there.
@@ -267,7 +327,8 @@ pub struct ContactPoints {
 /// One slide on one mesh, as far as it came.
 pub struct Slid {
     pub history: Vec<crate::slide::Instant>,
-    pub fields: Vec<crate::slide::Fields>,
+    pub fields: Vec<Fields>,
+    pub body: Option<BodyFields>,
     pub grid: ContactPoints,
     unknowns: usize,
     effort: Effort,
@@ -296,7 +357,7 @@ impl<'a> Task<'a> {
     fn slide(
         &self,
         resolution: &Resolution,
-        mut progress: impl FnMut(f64),
+        mut progress: impl FnMut(f64, &str),
     ) -> Result<(Arc<PressedMesh>, Slid), SimulationError> {
         let problem = &self.pressed.problem;
         let pressed = self.pressed.mesh(resolution, self.watch)?;
@@ -318,14 +379,15 @@ impl<'a> Task<'a> {
         };
         let speed = if self.heat { self.speed } else { 0.0 };
         let mut slide = Slide::new(problem, mechanics, conduction, speed, resolution.increments);
-        slide.record_fields();
         slide.mechanics.timings.since(Kernel::Setup, clock);
         // Each mesh slides as far in units of its own contact radius.
         let radius = pressed.contact.radius(&pressed.contact.committed);
         let distance = self.pressed.scene.loading.slip_distance * radius;
+        slide.recorder = Recorder::new(&self.pressed.recording, radius, &slide.history[0]);
+        slide.record_fields();
         let failure = slide
-            .run(distance, |done| {
-                progress(done);
+            .run(distance, |done, history| {
+                progress(done, &standing::in_words(&problem.units, history));
                 !self.watch.cancelled()
             })
             .err();
@@ -337,7 +399,8 @@ impl<'a> Task<'a> {
             effort: slide.mechanics.effort,
             timings,
             history: slide.history,
-            fields: slide.fields,
+            fields: slide.recorder.contact,
+            body: BodyFields::new(mesh, &slide.recorder.bodies, &problem.units),
             grid: ContactPoints {
                 radii: slide.mechanics.contact.radii.clone(),
                 angles: mesh.sectors.angles(),
@@ -374,7 +437,7 @@ impl Probe {
     pub fn new(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Self, SimulationError> {
         let task = Task::new(pressed, slip_rate, watch, &mut Vec::new());
         watch.progress("slide", 0.0, "coarse mesh");
-        let (mesh, slid) = task.slide(&pressed.resolution.coarse(), |_| {})?;
+        let (mesh, slid) = task.slide(&pressed.resolution.coarse(), |_, _| {})?;
         Ok(Self { scalars: task.scalars(&mesh, &slid), mesh, slid })
     }
 
@@ -431,9 +494,9 @@ pub(crate) fn slide_refined(
         .enumerate()
         .filter(|(i, _)| *i != COARSE || probe.is_none())
         .map(|(i, resolution)| {
-            task.slide(resolution, |done| {
+            task.slide(resolution, |done, standing| {
                 if i == 0 {
-                    watch.progress("slide", FIRST_SHARE * done, "");
+                    watch.progress("slide", FIRST_SHARE * done, standing);
                 }
             })
         })
@@ -468,16 +531,27 @@ pub(crate) fn slide_refined(
         warnings.push("a companion run did not finish: errors are unknown and given as the values".into());
         ErrorBudget::unknown(&scalars)
     };
+    let mut stopped = false;
     if known {
         for _ in 0..refinements {
             let (_, parts) = budget.worst(&scalars);
             let Some(finer) = resolution.refine(&scene.numerics, &parts) else { break };
             watch.progress("slide", FIRST_SHARE, "finer");
-            let (next_mesh, next) = task.slide(&finer, |done| {
-                watch.progress("slide", FIRST_SHARE + (1.0 - FIRST_SHARE) * done, "finer");
-            })?;
+            let result = task.slide(&finer, |done, standing| {
+                let done = FIRST_SHARE + (1.0 - FIRST_SHARE) * done;
+                watch.progress("slide", done, &format!("finer: {standing}"));
+            });
+            let (next_mesh, next) = match result {
+                // What there is already is worth more than nothing.
+                Err(SimulationError::Cancelled { .. }) => {
+                    stopped = true;
+                    break;
+                }
+                result => result?,
+            };
             cutbacks += next.cutbacks;
             if !complete(&next) {
+                stopped = matches!(next.failure, Some(SlideFailure::Cancelled));
                 beside += slide_time(&next);
                 break;
             }
@@ -507,7 +581,7 @@ pub(crate) fn slide_refined(
     notes.insert(0, resolution.describe());
     let mut timings = fine.timings;
     timings.add(Kernel::Companions, beside + pressed.seconds_beside(&mesh));
-    let account = Account {
+    let mut account = Account {
         elements_per_radius: resolution.elements_per_radius,
         sectors: resolution.sectors,
         unknowns: fine.unknowns,
@@ -522,10 +596,15 @@ pub(crate) fn slide_refined(
         notes,
         warnings,
     };
-    let outcome = summary::outcome(problem, &mesh.increments, &fine, &scalars, budget, account);
+    if stopped {
+        account.warnings.push("stopped before the run was repeated more finely".into());
+    }
+    let outcome = summary::outcome(problem, &mesh.increments, &mut fine, &scalars, budget, account);
     match fine.failure {
-        None => Ok(outcome),
-        Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled { partial: Some(Box::new(outcome)) }),
+        None if !stopped => Ok(outcome),
+        None | Some(SlideFailure::Cancelled) => {
+            Err(SimulationError::Cancelled { partial: Some(Box::new(outcome)) })
+        }
         Some(failure) => Err(SimulationError::NotConverged {
             stage: "slide",
             at: format!("slip {:.4e} m", fine.history.last().map_or(0.0, |i| i.slip) * problem.units.length),
@@ -550,18 +629,17 @@ pub(crate) fn sample(
     resolution: &Resolution,
     watch: &dyn Watch,
 ) -> Result<Sample, SimulationError> {
-    let (problem, scene) = (&pressed.problem, &pressed.scene);
-    let units = problem.units;
-    let number = softening_number(scene, slip_rate, pressed.contact_radius * units.length);
-    let heat = choose_heat(scene, slip_rate, number, &mut Vec::new());
-    let task = Task { pressed, speed: slip_rate / units.speed(), heat, watch };
-    let (mesh, slid) = task.slide(resolution, |_| {})?;
+    let task = Task::new(pressed, slip_rate, watch, &mut Vec::new());
+    let (mesh, slid) = task.slide(resolution, |_, _| {})?;
     match slid.failure {
         None => Ok(Sample { press: mesh.increments.clone(), history: slid.history }),
         Some(SlideFailure::Cancelled) => Err(SimulationError::Cancelled { partial: None }),
         Some(failure) => Err(SimulationError::NotConverged {
             stage: "slide",
-            at: format!("slip {:.4e} m", slid.history.last().map_or(0.0, |i| i.slip) * units.length),
+            at: format!(
+                "slip {:.4e} m",
+                slid.history.last().map_or(0.0, |i| i.slip) * pressed.problem.units.length
+            ),
             reason: failure.to_string(),
             partial: None,
         }),
@@ -570,8 +648,17 @@ pub(crate) fn sample(
 
 /// Press and slide as the scene says.
 pub fn simulate(scene: &Scene, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    simulate_recorded(scene, &Recording::default(), watch)
+}
+
+/// Press and slide as the scene says, keeping fields as `recording` says.
+pub fn simulate_recorded(
+    scene: &Scene,
+    recording: &Recording,
+    watch: &dyn Watch,
+) -> Result<Outcome, SimulationError> {
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
-    slide(&press(scene, watch)?, scene.loading.slip_rate, watch)
+    slide(&press(scene, watch)?.recording(recording.clone()), scene.loading.slip_rate, watch)
 }

@@ -5,10 +5,12 @@ use std::time::Instant as Clock;
 use crate::body::{Body, BodyState};
 use crate::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::contact::{Contact, Flat, Status};
+use crate::friction_law::ContactPoint;
 use crate::mechanics::{Hold, Mechanics, StepFailure, Surroundings};
 use crate::press::extrapolate;
 use crate::problem::{Problem, SHEAR_RATIO};
-use crate::scene::{Control, FrictionLaw, InterfaceStrength};
+use crate::recording::Recorder;
+use crate::scene::{Control, InterfaceStrength};
 use crate::timings::Kernel;
 
 /// Change of the shear limits between iterations, relative to the strength, that counts as none.
@@ -60,16 +62,6 @@ pub struct Instant {
     pub heat_out: f64,
 }
 
-/// Contact fields at one instant: ring by ring, columns within.
-#[derive(Clone, Debug)]
-pub struct Fields {
-    pub slip: f64,
-    pub pressure: Vec<f64>,
-    pub shear: Vec<f64>,
-    pub rise: Vec<f64>,
-    pub path: Vec<f64>,
-}
-
 /// How finely the slide is divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Increments {
@@ -92,7 +84,7 @@ pub struct Slide<'a> {
     all_slipped: bool,
     sources: HeatSources,
     pub history: Vec<Instant>,
-    pub fields: Vec<Fields>,
+    pub recorder: Recorder,
     pub cutbacks: usize,
     increments: Increments,
 }
@@ -116,17 +108,14 @@ impl ContactHeat for FrictionHeat<'_> {
         let area = self.contact.areas[point];
         let gap = self.conductance(point);
         let power = problem.heat_partition * area * self.speed[point];
-        let (traction, slope) = match problem.law {
-            FrictionLaw::ShearStrength => {
-                let hardened = self.hardened[point];
-                let strength = |t: f64| shear_strength(problem, hardened, t) * self.contact.cover[point];
-                let h = 0.01;
-                (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
-            }
-            _ => {
-                let [r, t] = self.contact.trial.traction[point];
-                (r.hypot(t), 0.0)
-            }
+        let (traction, slope) = if problem.law.is_material_strength() {
+            let hardened = self.hardened[point];
+            let strength = |t: f64| shear_strength(problem, hardened, t) * self.contact.cover[point];
+            let h = 0.01;
+            (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
+        } else {
+            let [r, t] = self.contact.trial.traction[point];
+            (r.hypot(t), 0.0)
         };
         (power * traction - gap * rise, power * slope - gap)
     }
@@ -168,16 +157,12 @@ fn shear_limits(problem: &Problem, contact: &Contact, hardened: &[f64], rise: Op
     (0..contact.len())
         .map(|i| {
             let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
-            let strength = contact.cover[i] * shear_strength(problem, hardened[i], theta);
-            match problem.law {
-                FrictionLaw::ShearStrength => strength,
-                FrictionLaw::Coulomb { friction, cap } => {
-                    let coulomb = friction * contact.trial.pressure[i];
-                    if cap { coulomb.min(strength) } else { coulomb }
-                }
-                FrictionLaw::FullStick => f64::INFINITY,
-                FrictionLaw::Frictionless => 0.0,
-            }
+            problem.law.limit(&ContactPoint {
+                pressure: contact.trial.pressure[i],
+                cover: contact.cover[i],
+                strength: shear_strength(problem, hardened[i], theta),
+                unit: problem.units.stress,
+            })
         })
         .collect()
 }
@@ -202,7 +187,7 @@ impl<'a> Slide<'a> {
             speed,
             sources: HeatSources::default(),
             history: Vec::new(),
-            fields: Vec::new(),
+            recorder: Recorder::default(),
             cutbacks: 0,
             increments,
         };
@@ -214,8 +199,12 @@ impl<'a> Slide<'a> {
         slide
     }
 
-    /// Slides by `distance` (in R); `watch` is given the share done and may stop the slide.
-    pub fn run(&mut self, distance: f64, mut watch: impl FnMut(f64) -> bool) -> Result<(), SlideFailure> {
+    /// Slides by `distance` (in R); `watch` is given the share done and the history, and may stop the slide.
+    pub fn run(
+        &mut self,
+        distance: f64,
+        mut watch: impl FnMut(f64, &[Instant]) -> bool,
+    ) -> Result<(), SlideFailure> {
         let increments = self.increments;
         let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
         let shear = self.problem.solid.moduli.shear;
@@ -228,7 +217,7 @@ impl<'a> Slide<'a> {
         let mut slip_before = 0.0;
         let mut slip = 0.0;
         while slip < distance * (1.0 - 1e-9) {
-            if !watch(slip / distance) {
+            if !watch(slip / distance, &self.history) {
                 return Err(SlideFailure::Cancelled);
             }
             // No sliver of an increment at the end.
@@ -249,6 +238,9 @@ impl<'a> Slide<'a> {
                         .max(least)
                         .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
                     advance = (2.0 * advance).min(most).min(self.to_less_stick(least));
+                    if self.recorder.is_due(self.history.last().expect("stepped")) {
+                        self.record_fields();
+                    }
                 }
                 Err(
                     failure @ (SlideFailure::Step(_) | SlideFailure::Heat(HeatError::NotConverged { .. })),
@@ -263,7 +255,7 @@ impl<'a> Slide<'a> {
                 Err(failure) => return Err(failure),
             }
         }
-        watch(1.0);
+        watch(1.0, &self.history);
         Ok(())
     }
 
@@ -399,24 +391,10 @@ impl<'a> Slide<'a> {
         }
     }
 
-    /// Contact fields of the present state.
+    /// Keeps the fields of the present state.
     pub fn record_fields(&mut self) {
-        let contact = &self.mechanics.contact;
-        let state = &contact.committed;
-        let rise = match &self.conduction {
-            Some(c) => (0..contact.len()).map(|i| c.committed[contact.scalar_place(i)]).collect(),
-            None => vec![0.0; contact.len()],
-        };
-        self.fields.push(Fields {
-            slip: self.history.last().map_or(0.0, |i| i.slip),
-            pressure: state.pressure.clone(),
-            // The last ring may bear for the contact beyond its own cell: per area that is covered.
-            shear: (state.traction.iter().zip(&contact.cover))
-                .map(|(t, cover)| t[0].hypot(t[1]) / cover.max(1.0))
-                .collect(),
-            rise,
-            path: state.slip.clone(),
-        });
+        let now = self.history.last().expect("starts with the press");
+        self.recorder.keep(now, &self.mechanics, self.conduction.as_ref());
     }
 }
 

@@ -4,11 +4,11 @@ use tables::law::Estimate;
 use tables::quantity::Quantity;
 
 use crate::error_budget::ErrorBudget;
-use crate::outcome::{Account, ContactGrid, Outcome, PressStep, SlideStep, Snapshot, Summary};
+use crate::outcome::{Account, ContactGrid, ContactStatus, Outcome, PressStep, SlideStep, Snapshot, Summary};
 use crate::press::Increment;
 use crate::problem::Problem;
 use crate::scalars::Scalars;
-use crate::scene::{FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene};
+use crate::scene::{Hardening, InterfaceStrength, Kinematics, Scene};
 use crate::simulate::Slid;
 use crate::slide::Instant;
 
@@ -17,8 +17,7 @@ const LARGE_STRAIN: f64 = 0.2;
 
 /// What the reader must know.
 pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
-    let equal_strength = scene.interface.strength_factor >= 1.0
-        && matches!(scene.interface.law, FrictionLaw::ShearStrength | FrictionLaw::FullStick);
+    let equal_strength = scene.interface.strength_factor >= 1.0 && scene.interface.law.holds_like_the_body();
     let plastic = history.last().is_some_and(|i| i.plastic_strain_max > 0.0);
     if equal_strength && scene.material.hardening == Hardening::None && plastic {
         warnings.push(
@@ -70,7 +69,7 @@ fn summary(scalars: &Scalars, budget: &ErrorBudget) -> Summary {
 pub fn outcome(
     problem: &Problem,
     press: &[Increment],
-    slid: &Slid,
+    slid: &mut Slid,
     scalars: &Scalars,
     budget: ErrorBudget,
     account: Account,
@@ -107,16 +106,14 @@ pub fn outcome(
     let rings = grid.radii.len();
     let columns = grid.angles.len();
     // Stored ring by ring; reported angle by angle.
-    let turn = |v: &[f64], scale: f64| -> Vec<f64> {
-        (0..columns)
-            .flat_map(|j| (0..rings).map(move |k| (k, j)))
-            .map(|(k, j)| scale * v[k * columns + j])
-            .collect()
-    };
+    let places = || (0..columns).flat_map(|j| (0..rings).map(move |k| k * columns + j));
+    let turn = |v: &[f64], scale: f64| -> Vec<f64> { places().map(|at| scale * v[at]).collect() };
+    let reordered = |v: &[ContactStatus]| -> Vec<ContactStatus> { places().map(|at| v[at]).collect() };
     let snapshots = fields
         .iter()
         .map(|f| Snapshot {
             slip: f.slip * units.length,
+            status: reordered(&f.status),
             pressure: turn(&f.pressure, units.stress),
             shear: turn(&f.shear, units.stress),
             temperature: turn(&f.rise, 1.0).iter().map(|t| units.temperature + t).collect(),
@@ -141,6 +138,7 @@ pub fn outcome(
             r: grid.radii.iter().map(|r| r * units.length).collect(),
         },
         snapshots,
+        body: slid.body.take(),
         account,
     }
 }

@@ -2,11 +2,14 @@
 //!
 //! | what | how |
 //! |---|---|
+//! | friction of one asperity in ten lines of Rust | `cargo run --release -p examples --example ten_lines` |
 //! | one asperity, pressed and slid, from Rust | `cargo run --release -p examples --example hertz_to_slide` |
 //! | friction of a Gaussian surface, from Rust | `cargo run --release -p examples --example rough_surface [table.nc]` |
-//! | the same as the first, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
+//! | a study of fresh and worn surfaces, from Rust | `cargo run --release -p examples --example worn_surface` |
+//! | one asperity, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
 //! | a brake disc, bearing steel, a granite fault | `roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc` |
 //! | a table in shards, with Snakemake or Slurm | `examples/snakemake/two-jobs.sh`, `slurm-array.sh` there |
+//! | 3-D fields of a run, in Python | `examples/read_body.py DIR/body.pvd`, after `asperity run … --vtu DIR` |
 //! | μ(V) from a table, in Python | `examples/friction_against_rate.py table.nc figure.png` |
 //! | material and roughness to friction, the main job | `examples/friction-of-steel.sh` |
 

@@ -77,6 +77,19 @@ fn linear_fit(slip_rates: &[f64], mu: &[Estimate], v_w: f64) -> (f64, f64, f64) 
 /// and the last but one: with less than two points beyond it, V_w and μ_w say the
 /// same thing. Errors add the scatter about the fit to the errors of `mu`, the
 /// latter with the signs that hurt most.
+///
+/// ```
+/// use roughsurface::flash_heating::fit;
+/// use tables::law::Estimate;
+///
+/// let rates = [0.01, 0.1, 0.3, 1.0, 3.0, 10.0];
+/// // μ = μ_w + (μ_0 − μ_w) V_w/V beyond V_w = 0.3 m/s.
+/// let mu = rates.map(|rate| if rate > 0.3 { 0.2 + 0.4 * 0.3 / rate } else { 0.6 });
+/// let found = fit(&rates, &mu.map(|value| Estimate { value, error: 0.0 }))?;
+/// // Between the points that were given.
+/// assert!((found.friction_coefficient(2.0) - 0.26).abs() < 0.02, "{}", found.friction_coefficient(2.0));
+/// # Ok::<(), roughsurface::flash_heating::NoFit>(())
+/// ```
 pub fn fit(slip_rates: &[f64], mu: &[Estimate]) -> Result<FlashHeating, NoFit> {
     // The isothermal limit V = 0 says what μ_0 is without flash heating, not with it.
     let pairs = slip_rates.iter().copied().zip(mu.iter().copied());

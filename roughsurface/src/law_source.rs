@@ -21,6 +21,16 @@ pub enum LawSourceError {
 
 /// The law called `asked`: `model:NAME` is a closed form for `material`, anything
 /// else the file of a table.
+///
+/// ```
+/// use roughsurface::law_source::asperity_law;
+/// use tables::closed_forms::ElasticPlastic;
+///
+/// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
+/// assert!(asperity_law("model:kogut-etsion", Some(&steel)).is_ok());
+/// assert!(asperity_law("model:kogut-etsion", None).is_err());
+/// assert!(asperity_law("no-such-table.nc", None).is_err());
+/// ```
 pub fn asperity_law(
     asked: &str,
     material: Option<&ElasticPlastic>,

@@ -7,6 +7,40 @@
 //! from that curve, not from the asperities' own peaks, because asperities pressed
 //! more and less reach theirs at different slips.
 //!
+//! ```
+//! use roughsurface::friction::{Settings, predict};
+//! use roughsurface::friction_file::{self, Origin};
+//! use roughsurface::surface_file::SurfaceFile;
+//! use tables::closed_forms::closed_form;
+//!
+//! let text = r#"
+//! [surface]
+//! asperity_density = 1e8       # 1/m2
+//! asperity_radius = 1e-3       # m
+//! heights = { distribution = "gaussian", std = 0.4e-6 }
+//! [query]
+//! pressure = [1e6, 1e7]        # nominal, Pa
+//! slip_rate = [1.0]            # m/s
+//! [material]
+//! youngs_modulus = 205e9
+//! poisson_ratio = 0.29
+//! yield_strength = 792e6
+//! "#;
+//! let file = SurfaceFile::parse("this example".as_ref(), text.to_owned())?;
+//! let law = closed_form("jackson-green", file.material.as_ref().unwrap())?;
+//! let prediction = predict(law.as_ref(), &file.surface, &file.query, &Settings::default(), &|_, _| ())?;
+//! let static_friction = prediction.friction[0][0].mu_static;
+//! assert!(static_friction.value > 0.2 && static_friction.value < 0.6, "{static_friction:?}");
+//!
+//! // The figure and the file.
+//! assert!(roughsurface::friction_figure::figure(&prediction).svg().contains("friction coefficient"));
+//! let path = std::env::temp_dir().join(format!("roughsurface-example-{}.nc", std::process::id()));
+//! let origin = Origin { surface: &file.text, table: "model:jackson-green", command: "an example" };
+//! friction_file::write(&path, &prediction, &origin)?;
+//! # std::fs::remove_file(&path)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Not modelled: interaction of neighbouring asperities, adhesion, a deformable
 //! or rough counter-face.
 

@@ -4,12 +4,12 @@ mod cli;
 
 use clap::{Parser, Subcommand};
 use cli::common::Failure;
-use cli::{AFTER_HELP, characterize, predict, sample};
+use cli::{after_help, characterize, predict, sample};
 use std::process::ExitCode;
 
 /// Friction of a rough surface from the friction of one asperity
 #[derive(Parser)]
-#[command(version, after_long_help = AFTER_HELP, arg_required_else_help = true)]
+#[command(version, after_long_help = after_help(), arg_required_else_help = true)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -18,10 +18,10 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Predict static and sliding friction against pressure and slip rate
-    #[command(after_help = predict::HELP, after_long_help = format!("{}\n\n{AFTER_HELP}", predict::HELP))]
+    #[command(after_help = predict::HELP, after_long_help = format!("{}\n\n{}", predict::HELP, after_help()))]
     Predict(predict::Predict),
     /// Slide finite surfaces with heights drawn at random: how much specimens scatter
-    #[command(after_help = sample::HELP, after_long_help = format!("{}\n\n{AFTER_HELP}", sample::HELP))]
+    #[command(after_help = sample::HELP, after_long_help = format!("{}\n\n{}", sample::HELP, after_help()))]
     Sample(sample::Sample),
     /// Summits of a measured topography, as a surface file
     #[command(after_help = characterize::HELP)]

@@ -115,6 +115,29 @@ impl Samples {
 /// on the number of threads; the same surfaces meet every pressure and slip rate.
 /// With the load held the separation is that of the end of the slide; with the
 /// separation held it is that of the pressure before the slide.
+///
+/// ```
+/// use roughsurface::friction::Settings;
+/// use roughsurface::heights::Gaussian;
+/// use roughsurface::monte_carlo::{Sampling, sample};
+/// use roughsurface::query::{Hold, Pressing, Query, Surface};
+/// use tables::closed_forms::{ElasticPlastic, closed_form};
+///
+/// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
+/// let law = closed_form("jackson-green", &steel)?;
+/// let surface = Surface {
+///     asperity_density: 1e8,
+///     asperity_radius: 1e-3.into(),
+///     heights: Box::new(Gaussian::new(0.4e-6)),
+/// };
+/// let query = Query { pressing: Pressing::Pressure(vec![1e7]), slip_rates: vec![1.0], hold: Hold::Load };
+/// let sampling = Sampling { asperities: 300, realizations: 5, seed: 1, slip: 10e-6 };
+/// let draws = || sample(law.as_ref(), &surface, &query, &sampling, &Settings::default(), &|_, _| ());
+/// // The same seed gives the same surfaces, on any number of threads.
+/// let (one, other) = (draws()?.scatter(0, 0, |draw| draw.mu), draws()?.scatter(0, 0, |draw| draw.mu));
+/// assert_eq!(one.mean, other.mean);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn sample(
     law: &dyn AsperityLaw,
     surface: &Surface,

@@ -48,6 +48,11 @@ impl From<f64> for Radii {
 impl Radii {
     /// Log-normal radii of that mean and standard deviation (m), cut at three standard deviations
     /// of ln R; the mean is that of what is left.
+    ///
+    /// ```
+    /// let radii = roughsurface::radii::Radii::log_normal(100e-6, 30e-6);
+    /// assert!((radii.mean() / 100e-6 - 1.0).abs() < 1e-9);
+    /// ```
     pub fn log_normal(mean: f64, std: f64) -> Self {
         let spread = (1.0 + (std / mean).powi(2)).ln().sqrt();
         let classes = |count: usize| {

@@ -15,6 +15,11 @@ pub fn plasticity_index(law: &dyn AsperityLaw, surface: &Surface) -> f64 {
 }
 
 /// The regime that a plasticity index stands for, after Greenwood & Williamson (1966).
+///
+/// ```
+/// assert!(roughsurface::regime::regime(0.4).starts_with("elastic contact"));
+/// assert!(roughsurface::regime::regime(20.0).starts_with("fully plastic"));
+/// ```
 pub fn regime(plasticity_index: f64) -> &'static str {
     match plasticity_index {
         ..0.6 => "elastic contact at any ordinary load",

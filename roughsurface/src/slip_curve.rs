@@ -137,6 +137,17 @@ const NO_DROP: f64 = 1e-5;
 /// Errors of τ at different slips come from the same asperities, so only what
 /// changes along the curve counts fully, besides the same relative error of the
 /// whole; the error of the slip grid is that of every second point.
+///
+/// ```
+/// use roughsurface::slip_curve::{weakening_distance, weakening_energy};
+/// use tables::law::Estimate;
+///
+/// // From 10 to 5 MPa over 20 µm: half of 5 MPa · 20 µm.
+/// let slip: Vec<f64> = (0..=20).map(|n| f64::from(n) * 1e-6).collect();
+/// let shear: Vec<Estimate> = slip.iter().map(|s| Estimate { value: 10e6 - 5e6 * s / 20e-6, error: 0.0 }).collect();
+/// assert!((weakening_energy(&slip, &shear).value - 50.0).abs() < 1e-9);
+/// assert!((weakening_distance(&slip, &shear).value - 20e-6).abs() < 1e-15);
+/// ```
 pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
     let Some(end) = shear.last() else {
         return Estimate::default();

@@ -44,6 +44,47 @@ pub type SlidingResponse<'a> = Box<dyn Fn(f64, f64) -> Result<Response, LookupEr
 ///
 /// Interference is counted from first touch and given in units of the critical
 /// interference ω_c of first yield under frictionless contact.
+/// A law of one's own, an elastic sphere that slides at a constant shear stress:
+///
+/// ```
+/// use tables::closed_forms::hertz::{contact_area, contact_modulus, critical_interference, hertz_load};
+/// use tables::law::{AsperityLaw, Estimate, LookupError, Response};
+///
+/// struct Film;
+///
+/// impl AsperityLaw for Film {
+///     fn name(&self) -> String {
+///         "soft film on steel".into()
+///     }
+///     fn critical_interference(&self, radius: f64) -> f64 {
+///         critical_interference(contact_modulus(205e9, 0.29), 0.29, 792e6, radius)
+///     }
+///     fn interference_limit(&self) -> f64 {
+///         1.0
+///     }
+///     fn breaks(&self) -> Vec<f64> {
+///         Vec::new()
+///     }
+///     fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
+///         (0.0, f64::INFINITY)
+///     }
+///     fn response(&self, radius: f64, interference: f64, _rate: f64, _slip: f64) -> Result<Response, LookupError> {
+///         let omega = interference * self.critical_interference(radius);
+///         let exact = |value: f64| Estimate { value, error: 0.0 };
+///         let area = contact_area(radius, omega);
+///         Ok(Response {
+///             load: exact(hertz_load(contact_modulus(205e9, 0.29), radius, omega)),
+///             friction: exact(50e6 * area),
+///             area: exact(area),
+///             temperature_max: exact(f64::NAN),
+///         })
+///     }
+/// }
+///
+/// let response = Film.response(1e-3, 0.5, 1.0, 1e-6)?;
+/// assert!(response.friction.value < 0.1 * response.load.value);
+/// # Ok::<(), LookupError>(())
+/// ```
 pub trait AsperityLaw: Send + Sync {
     /// Name to print.
     fn name(&self) -> String;

@@ -47,7 +47,7 @@ impl Table {
                 false => self.over_interference(shown),
             }));
         }
-        Sheet { title: self.metadata().title.clone(), drawings }
+        Sheet::new(self.metadata().title.clone(), drawings)
     }
 
     fn map(&self, (title, label, value, log): &Shown) -> Map {

@@ -180,6 +180,42 @@ pub enum TableError {
 
 /// Results of one asperity over interference and slip rate.
 #[derive(Clone, Debug, PartialEq)]
+/// ```
+/// use tables::law::AsperityLaw;
+/// use tables::quantity::Quantity;
+/// use tables::table::{Axes, Cell, Metadata, Table};
+///
+/// let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![1.0], slip: vec![0.0, 1.0, 2.0] };
+/// let metadata = Metadata {
+///     asperity_radius: 1e-3,
+///     critical_interference: 1e-7,
+///     contact_modulus: 220e9,
+///     poisson_ratio: 0.3,
+///     yield_strength: 800e6,
+///     strength_factor: Some(1.0),
+///     temperature: 298.0,
+///     heat_partition: 0.5,
+///     ..Metadata::default()
+/// };
+/// let mut table = Table::new(axes, metadata)?;
+/// for (i, load) in [0.1, 5.0].into_iter().enumerate() {
+///     let mut cell = Cell::new();
+///     for quantity in Quantity::ALL {
+///         cell = cell.with(quantity, load, 0.01 * load);
+///     }
+///     for quantity in Quantity::HISTORIES {
+///         cell = cell.with_history(quantity, vec![load; 3]);
+///     }
+///     table.set_cell(i, 0, cell)?;
+/// }
+/// assert!(table.missing().is_empty());
+/// let path = std::env::temp_dir().join(format!("tables-example-{}.nc", std::process::id()));
+/// table.write(&path)?;
+/// let read = Table::read(&path)?;
+/// assert_eq!(read.cell(1, 0).unwrap()[Quantity::Load].value, 5.0);
+/// # std::fs::remove_file(&path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Table {
     axes: Axes,
     metadata: Metadata,

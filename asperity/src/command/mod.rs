@@ -194,9 +194,21 @@ struct RunArguments {
     /// Print where the time went on stderr, or in the JSON
     #[arg(long)]
     timings: bool,
-    /// Plot friction, forces, area, temperature and energies against slip
+    /// Plot friction, forces, area, temperature and energies against slip, and what sticks, pressure,
+    /// shear and temperature over the contact
     #[arg(long, value_name = "FILE.svg|png")]
     plot: Option<PathBuf>,
+    /// Write displacement, stress, plastic strain and temperature of the body for ParaView; open
+    /// DIR/body.pvd
+    #[arg(long, value_name = "DIR")]
+    vtu: Option<PathBuf>,
+    /// Write the whole body, not only the half that is simulated
+    #[arg(long, requires = "vtu")]
+    vtu_whole: bool,
+    /// Slips, in contact radii a0, at which fields are kept, beside those before the slide, when half
+    /// of the contact slips, at full slip and at the end
+    #[arg(long, value_name = "SLIP,SLIP", value_delimiter = ',', value_parser = parse_slip)]
+    fields_at: Vec<f64>,
 }
 
 #[derive(Args)]
@@ -313,6 +325,13 @@ impl Failure {
 
     fn run(reason: impl ToString) -> Self {
         Self::Run(reason.to_string())
+    }
+}
+
+fn parse_slip(text: &str) -> Result<f64, String> {
+    match text.trim().parse() {
+        Ok(slip) if slip >= 0.0 && f64::is_finite(slip) => Ok(slip),
+        _ => Err("must be slips of at least 0, in contact radii, with commas between".into()),
     }
 }
 

@@ -33,3 +33,14 @@ pub fn check_plot(plot: Option<&Path>, input: &Path) -> Result<(), Failure> {
     Figure::check_extension(plot).map_err(Failure::input)?;
     check_output(plot, input)
 }
+
+/// Whether files can be written into a directory, which is made if it is not there.
+pub fn check_directory(directory: Option<&Path>) -> Result<(), Failure> {
+    let Some(directory) = directory else { return Ok(()) };
+    std::fs::create_dir_all(directory)
+        .map_err(|error| Failure::input(format!("{}: cannot be made: {error}", directory.display())))?;
+    let probe = directory.join(format!(".{}.probe", std::process::id()));
+    File::create_new(&probe)
+        .and_then(|_| std::fs::remove_file(&probe))
+        .map_err(|error| Failure::input(format!("{}: cannot be written to: {error}", directory.display())))
+}

@@ -3,6 +3,7 @@
 use std::io::IsTerminal;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant as Clock;
 
 use asperity::simulate::Watch;
 use asperity::tabulate::{CellResult, Index, Standing, TableWatch};
@@ -12,8 +13,8 @@ use super::Display;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// From now on the first interrupt asks to stop, so that results can be saved; the second
-/// stops at once.
+/// From now on the first interrupt, or the signal that ends a batch job, asks to stop, so that results
+/// can be saved; the second stops at once.
 pub fn watch_for_interrupt() {
     let handler = || {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {
@@ -26,7 +27,13 @@ pub fn watch_for_interrupt() {
 }
 
 /// Shows how far a run or a tabulation is.
-pub enum Progress {
+pub struct Progress {
+    shown: Shown,
+    /// The present stage and when it began.
+    stage: Mutex<(&'static str, Clock)>,
+}
+
+enum Shown {
     Hidden,
     Bar(ProgressBar),
     /// A line per tenth, for logs: the last one shown.
@@ -36,9 +43,48 @@ pub enum Progress {
 /// Steps of the bar.
 const LENGTH: u64 = 1000;
 
+/// Share of a stage before which nothing is said of the time that is left.
+const FIRST_ESTIMATE: f64 = 0.05;
+
 impl Progress {
     /// As the options say: by default only on a terminal.
     pub fn new(display: &Display) -> Self {
+        Self { shown: Shown::new(display), stage: Mutex::new(("", Clock::now())) }
+    }
+
+    /// Seconds left in a stage of which a share is done, going by the time since it began.
+    fn left(&self, stage: &'static str, done: f64) -> Option<f64> {
+        let mut present = self.stage.lock().ok()?;
+        if present.0 != stage {
+            *present = (stage, Clock::now());
+        }
+        let elapsed = present.1.elapsed().as_secs_f64();
+        (FIRST_ESTIMATE..1.0).contains(&done).then(|| elapsed * (1.0 - done) / done)
+    }
+
+    /// `done` is a share, 0 to 1.
+    fn show(&self, stage: &str, done: f64, detail: &str) {
+        self.shown.show(stage, done, detail);
+    }
+
+    /// Print something while the bar is shown.
+    pub fn aside(&self, print: impl FnOnce()) {
+        match &self.shown {
+            Shown::Bar(bar) => bar.suspend(print),
+            _ => print(),
+        }
+    }
+
+    /// Take the bar away, before results are printed.
+    pub fn clear(&self) {
+        if let Shown::Bar(bar) = &self.shown {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl Shown {
+    fn new(display: &Display) -> Self {
         let terminal = std::io::stderr().is_terminal();
         if display.quiet || !(terminal || display.progress) {
             return Self::Hidden;
@@ -54,7 +100,6 @@ impl Progress {
         Self::Bar(bar)
     }
 
-    /// `done` is a share, 0 to 1.
     fn show(&self, stage: &str, done: f64, detail: &str) {
         match self {
             Self::Hidden => {}
@@ -73,21 +118,6 @@ impl Progress {
             }
         }
     }
-
-    /// Print something while the bar is shown.
-    pub fn aside(&self, print: impl FnOnce()) {
-        match self {
-            Self::Bar(bar) => bar.suspend(print),
-            _ => print(),
-        }
-    }
-
-    /// Take the bar away, before results are printed.
-    pub fn clear(&self) {
-        if let Self::Bar(bar) = self {
-            bar.finish_and_clear();
-        }
-    }
 }
 
 /// Two units at most: what is estimated is not known to the second.
@@ -102,7 +132,11 @@ fn duration(seconds: f64) -> String {
 
 impl Watch for Progress {
     fn progress(&self, stage: &'static str, done: f64, detail: &str) {
-        self.show(stage, done, detail);
+        match self.left(stage, done) {
+            Some(left) if detail.is_empty() => self.show(stage, done, &format!("{} left", duration(left))),
+            Some(left) => self.show(stage, done, &format!("{} left, {detail}", duration(left))),
+            None => self.show(stage, done, detail),
+        }
     }
 
     fn cancelled(&self) -> bool {
@@ -125,6 +159,19 @@ impl TableWatch for Progress {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_time_left_is_that_of_the_stage() {
+        let hidden = Shown::Hidden;
+        let begun = Clock::now() - std::time::Duration::from_secs(10);
+        let progress = Progress { shown: hidden, stage: Mutex::new(("slide", begun)) };
+        let left = progress.left("slide", 0.25).unwrap();
+        assert!((30.0..31.0).contains(&left), "{left}");
+        assert_eq!(progress.left("slide", 0.01), None);
+        assert_eq!(progress.left("slide", 1.0), None);
+        let left = progress.left("finer", 0.5).unwrap();
+        assert!(left < 1.0, "{left}");
+    }
 
     #[test]
     fn durations_are_short() {

@@ -5,11 +5,13 @@ use std::time::Instant;
 
 use asperity::outcome::{ErrorSource, Kernel, Outcome};
 use asperity::quantities::{estimate, inception_in_words};
+use asperity::recording::Recording;
+use asperity::revolved::Extent;
 use asperity::run_file::{self, About};
 use asperity::scene::Scene;
 use asperity::scene_file::read_scene;
-use asperity::simulate::{SimulationError, simulate};
-use asperity::{figures, fracture, numbers, provenance};
+use asperity::simulate::{SimulationError, simulate_recorded};
+use asperity::{figures, fracture, numbers, provenance, vtu};
 use serde_json::json;
 use tables::quantity::Quantity;
 
@@ -21,9 +23,11 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
     outputs::check_output(&arguments.output, &arguments.scene)?;
     outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
+    outputs::check_directory(arguments.vtu.as_deref())?;
     watch_for_interrupt();
     let progress = Progress::new(display);
-    let result = simulate(&scene, &progress);
+    let recording = Recording { slips: arguments.fields_at.clone(), body: arguments.vtu.is_some() };
+    let result = simulate_recorded(&scene, &recording, &progress);
     progress.clear();
     match result {
         Ok(outcome) => report(&scene, &outcome, None, arguments, display),
@@ -36,11 +40,15 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
                 }
             };
             match partial {
-                None => Err(Failure::Run(format!("{reason}; there is nothing to save"))),
+                None => {
+                    Err(Failure::Run(format!("{reason}; the slide had not begun, there is nothing to save")))
+                }
                 Some(outcome) => {
                     report(&scene, &outcome, Some(&reason), arguments, display)?;
                     let output = arguments.output.display();
-                    Err(Failure::Run(format!("{reason}; the steps before are in {output}")))
+                    Err(Failure::Run(format!(
+                        "{reason}; the steps before are in {output}; a run cannot be continued, only repeated"
+                    )))
                 }
             }
         }
@@ -85,6 +93,10 @@ fn report(
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
         figures::run_figure(scene, outcome).save(plot).map_err(Failure::run)?;
+    }
+    if let Some(directory) = &arguments.vtu {
+        let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
+        vtu::write(directory, outcome, extent).map_err(Failure::run)?;
     }
     Ok(())
 }

@@ -36,9 +36,10 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     })?;
     if !tabulation.finished() {
         return Err(Failure::Run(format!(
-            "stopped on request with {} of {} cells done; continue with --resume",
+            "stopped on request with {} of {} cells done; to continue: {}",
             tabulation.cells.iter().flatten().flatten().count(),
             wanted(&tabulation),
+            resuming(&command_line()),
         )));
     }
     let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
@@ -58,6 +59,14 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
             wanted(&tabulation),
             arguments.output.display()
         ))),
+    }
+}
+
+/// The command that continues where the given one stopped.
+fn resuming(command: &str) -> String {
+    match command.split(' ').any(|argument| argument == "--resume") {
+        true => command.to_owned(),
+        false => format!("{command} --resume"),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Materials that come with the program: every constant with its unit and its source.
 //!
-//! One file per material beside this one. To add a material, add its file and its line in
-//! `FILES`; the tests check that it is complete and that every constant names a source.
+//! One file per material beside this one. To add a material, add its file; the tests check that it
+//! is complete and that every constant names a source.
 
 use std::sync::OnceLock;
 
@@ -9,16 +9,8 @@ use toml::{Table, Value};
 
 use crate::scene::TemperatureTable;
 
-/// Name and data of every preset, in the order in which they are listed.
-const FILES: [(&str, &str); 7] = [
-    ("steel-4340", include_str!("steel-4340.toml")),
-    ("steel-1045", include_str!("steel-1045.toml")),
-    ("steel-304", include_str!("steel-304.toml")),
-    ("aluminium-6061", include_str!("aluminium-6061.toml")),
-    ("copper", include_str!("copper.toml")),
-    ("titanium-6al4v", include_str!("titanium-6al4v.toml")),
-    ("carbon-steel-en1993", include_str!("carbon-steel-en1993.toml")),
-];
+// FILES: name and content of each material file, by name; made by build.rs.
+include!(concat!(env!("OUT_DIR"), "/presets.rs"));
 
 /// A number, a list of a law's points, or a property over temperature.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,7 +72,7 @@ impl Preset {
     }
 }
 
-/// All presets.
+/// All presets, by name.
 pub fn all() -> &'static [Preset] {
     static PRESETS: OnceLock<Vec<Preset>> = OnceLock::new();
     PRESETS.get_or_init(|| {
@@ -92,11 +84,18 @@ pub fn all() -> &'static [Preset] {
 }
 
 /// The preset called `name`.
+///
+/// ```
+/// let steel = asperity::presets::find("steel-4340").unwrap();
+/// let strength = steel.constants.iter().find(|constant| constant.key == "yield_strength").unwrap();
+/// assert!(strength.source.contains("Johnson & Cook 1985"));
+/// assert!(asperity::presets::find("unobtainium").is_none());
+/// ```
 pub fn find(name: &str) -> Option<&'static Preset> {
     all().iter().find(|preset| preset.name == name)
 }
 
-/// Names of all presets, in the order in which they are listed.
+/// Names of all presets.
 pub fn names() -> Vec<&'static str> {
     FILES.iter().map(|&(name, _)| name).collect()
 }

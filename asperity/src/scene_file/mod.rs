@@ -27,6 +27,14 @@ use reader::{Origin, Section};
 const SECTIONS: [&str; 6] = ["material", "asperity", "interface", "loading", "model", "numerics"];
 
 /// Read a scene from a file, with `overrides` (`section.key=value`) laid over it.
+///
+/// ```no_run
+/// use asperity::scene_file::read_scene;
+///
+/// let overrides = ["loading.slip_rate=10".to_owned()];
+/// let scene = read_scene("scene.toml".as_ref(), &overrides)?;
+/// # Ok::<(), asperity::scene_file::SceneFileError>(())
+/// ```
 pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneFileError> {
     parse_scene(&read(path)?, &path.display().to_string(), overrides)
 }
@@ -37,6 +45,21 @@ pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneF
 }
 
 /// Read a scene from text; `file` is the name to use in messages.
+///
+/// ```
+/// use asperity::scene_file::{parse_scene, write_scene};
+///
+/// let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-6\n\
+///             [loading]\ninterference = 5\nslip_rate = 1\n";
+/// let scene = parse_scene(text, "scene.toml", &["loading.slip_rate=10".to_owned()])?;
+/// assert_eq!((scene.radius, scene.loading.slip_rate), (1e-6, 10.0));
+/// // Written out, it has every value, and means the same.
+/// assert_eq!(parse_scene(&write_scene(&scene), "written", &[])?, scene);
+///
+/// let error = parse_scene(text, "scene.toml", &["loading.slip_rte=10".to_owned()]).unwrap_err();
+/// assert!(error.to_string().contains("did you mean slip_rate?"));
+/// # Ok::<(), asperity::scene_file::SceneFileError>(())
+/// ```
 pub fn parse_scene(text: &str, file: &str, overrides: &[String]) -> Result<Scene, SceneFileError> {
     let (document, origin) = parse_document(text, file, overrides)?;
     if let Some(table) = document.get("table") {

@@ -3,6 +3,7 @@
 use super::error::SceneFileError;
 use super::reader::{ACCURACY, NOT_NEGATIVE, Origin, POSITIVE, SHARE, Section};
 use crate::curve::interpolate;
+use crate::friction_law::{Entry, LAWS, Parameter, Value};
 use crate::scene::{
     Control, FrictionLaw, Interface, InterfaceStrength, Kinematics, Loading, Model, Numerics, Softening,
     Switch,
@@ -15,55 +16,46 @@ pub(super) fn radius(root: &mut Section<'_>) -> Result<f64, SceneFileError> {
 
 /// Section `[interface]`.
 pub(super) fn interface(root: &mut Section<'_>) -> Result<Interface, SceneFileError> {
-    #[derive(Clone, Copy, PartialEq)]
-    enum Law {
-        ShearStrength,
-        Coulomb,
-        FullStick,
-        Frictionless,
-    }
-    let known = [
-        "law",
-        "strength",
-        "strength_factor",
-        "heat_partition",
-        "gap_conductance",
-        "taylor_quinney",
-        "friction",
-        "cap",
-    ];
+    let mut known =
+        vec!["law", "strength", "strength_factor", "heat_partition", "gap_conductance", "taylor_quinney"];
+    known.extend(LAWS.iter().flat_map(|entry| entry.parameters).map(|parameter| parameter.key));
     let mut section = root.take_section("interface", &known)?;
-    let laws = [
-        ("shear-strength", Law::ShearStrength),
-        ("coulomb", Law::Coulomb),
-        ("full-stick", Law::FullStick),
-        ("frictionless", Law::Frictionless),
-    ];
-    let law = section.choice("law", &laws, Some(Law::ShearStrength))?;
-    for key in ["friction", "cap"] {
-        // Ignored silently, it would look as if it had been used.
-        if law != Law::Coulomb && section.has(key) {
-            let value = section.take(key).expect("checked");
-            return Err(section.invalid(key, value, "left out unless law = \"coulomb\""));
-        }
-    }
     let strengths = [("initial", InterfaceStrength::Initial), ("current", InterfaceStrength::Current)];
     Ok(Interface {
+        law: friction_law(&mut section)?,
         strength: section.choice("strength", &strengths, Some(InterfaceStrength::Initial))?,
-        law: match law {
-            Law::ShearStrength => FrictionLaw::ShearStrength,
-            Law::Coulomb => FrictionLaw::Coulomb {
-                friction: section.number("friction", "1", NOT_NEGATIVE, Some(0.3))?,
-                cap: section.flag("cap", true)?,
-            },
-            Law::FullStick => FrictionLaw::FullStick,
-            Law::Frictionless => FrictionLaw::Frictionless,
-        },
         strength_factor: section.number("strength_factor", "1", POSITIVE, Some(1.0))?,
         heat_partition: section.number("heat_partition", "1", SHARE, Some(0.5))?,
         gap_conductance: section.number("gap_conductance", "W/(m2 K)", NOT_NEGATIVE, Some(0.0))?,
         taylor_quinney: section.number("taylor_quinney", "1", SHARE, Some(0.9))?,
     })
+}
+
+/// The law and its parameters; those of other laws are refused, as ignored silently they would look
+/// as if they had been used.
+fn friction_law(section: &mut Section<'_>) -> Result<FrictionLaw, SceneFileError> {
+    let names: Vec<(&str, usize)> = LAWS.iter().enumerate().map(|(n, entry)| (entry.name, n)).collect();
+    let entry = &LAWS[section.choice("law", &names, Some(0))?];
+    let takes = |entry: &Entry, key: &str| entry.parameters.iter().any(|parameter| parameter.key == key);
+    for parameter in LAWS.iter().flat_map(|other| other.parameters) {
+        let key = parameter.key;
+        if !takes(entry, key)
+            && let Some(value) = section.take(key)
+        {
+            let takers = LAWS.iter().filter(|entry| takes(entry, key));
+            let takers: Vec<String> = takers.map(|entry| format!("law = {:?}", entry.name)).collect();
+            return Err(section.invalid(key, value, format!("left out unless {}", takers.join(" or "))));
+        }
+    }
+    let value = |parameter: &Parameter| match parameter.default {
+        Value::Flag(default) => section.flag(parameter.key, default).map(Value::Flag),
+        Value::Number(default) => {
+            let default = (!default.is_nan()).then_some(default);
+            section.number(parameter.key, parameter.unit, NOT_NEGATIVE, default).map(Value::Number)
+        }
+    };
+    let values: Result<Vec<Value>, SceneFileError> = entry.parameters.iter().map(value).collect();
+    Ok(entry.build(&values?))
 }
 
 /// Section `[loading]`; a request has interference and slip rate in `[table]` instead, whose

@@ -131,13 +131,18 @@ fn another_law_replaces_that_of_the_preset() {
 
 #[test]
 fn written_scene_reads_back_the_same() {
-    let cases: [&[&str]; 13] = [
+    let cases: [&[&str]; 14] = [
         &[],
         &["material.hardening={law=\"linear\", modulus=1.234567890123e9}"],
         &["material.hardening={law=\"johnson-cook\", modulus=510e6, exponent=0.26}"],
         &["material.hardening={law=\"table\", plastic_strain=[0, 0.1, 1], factor=[1, 1.1, 1.3]}"],
         &["material.softening={law=\"table\", temperature=[293, 1473], factor=[1, 0]}"],
         &["interface.law=coulomb", "interface.friction=0.1", "interface.cap=false"],
+        &[
+            "interface.law=briscoe-tabor",
+            "interface.film_strength=1e8",
+            "interface.pressure_coefficient=0.05",
+        ],
         &["interface.law=full-stick", "loading.control=load", "model.kinematics=finite"],
         &["interface.law=frictionless", "asperity.radius=1e-8", "model.heat=off"],
         &["interface.strength=current"],

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use super::request::Request;
+use crate::friction_law::Value;
 use crate::scene::{
-    Control, FractureData, FrictionLaw, Hardening, InterfaceStrength, Kinematics, Scene, Softening, Switch,
+    Control, FractureData, Hardening, InterfaceStrength, Kinematics, Scene, Softening, Switch,
     TemperatureTable,
 };
 
@@ -68,10 +69,15 @@ fn sections(scene: &Scene, point: &str) -> String {
     line("\n[asperity]", String::new());
     line("radius", number(scene.radius));
     line("\n[interface]", String::new());
-    line("law", law(&interface.law));
-    if let FrictionLaw::Coulomb { friction, cap } = interface.law {
-        line("friction", number(friction));
-        line("cap", cap.to_string());
+    line("law", quoted(interface.law.name()));
+    for (parameter, value) in interface.law.parameters() {
+        line(
+            parameter.key,
+            match value {
+                Value::Number(value) => number(value),
+                Value::Flag(flag) => flag.to_string(),
+            },
+        );
     }
     line("strength", strength(interface.strength));
     line("strength_factor", number(interface.strength_factor));
@@ -159,15 +165,6 @@ fn softening(law: &Softening) -> String {
 
 fn quoted(name: &str) -> String {
     format!("\"{name}\"")
-}
-
-fn law(law: &FrictionLaw) -> String {
-    quoted(match law {
-        FrictionLaw::ShearStrength => "shear-strength",
-        FrictionLaw::Coulomb { .. } => "coulomb",
-        FrictionLaw::FullStick => "full-stick",
-        FrictionLaw::Frictionless => "frictionless",
-    })
 }
 
 fn strength(strength: InterfaceStrength) -> String {

@@ -184,6 +184,27 @@ impl Simulator for FiniteElements {
 /// tolerance, those that have to be added for it.
 ///
 /// The journal remains; remove it once the table is written.
+///
+/// ```
+/// use asperity::scene_file::parse_request;
+/// use asperity::simulate::Unwatched;
+/// use asperity::tabulate::{Options, tabulate};
+/// use tables::law::AsperityLaw;
+///
+/// let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+///             [loading]\nslip_distance = 0.02\n[table]\ninterference = [2, 4]\nslip_rate = [0]\n\
+///             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+/// let request = parse_request(text, "this example", &[])?;
+/// let journal = std::env::temp_dir().join(format!("asperity-example-{}.part", std::process::id()));
+/// let options = Options { jobs: 1, journal: &journal, resume: false, shard: None };
+/// let (tabulation, journal) = tabulate(&request, &options, &Unwatched)?;
+/// let table = tabulation.table("an example".to_owned())?;
+/// journal.remove()?;
+/// // Read at another radius, between the cells, after 1 nm of slip.
+/// let response = table.response(1e-4, 3.0, 0.0, 1e-9)?;
+/// assert!(response.load.value > 0.0 && response.friction.value > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn tabulate(
     request: &Request,
     options: &Options<'_>,

@@ -9,7 +9,6 @@ use super::{Index, Tabulation};
 use crate::fracture::fracture_energy;
 use crate::numbers::plain;
 use crate::provenance::{FINGERPRINT, SOURCE};
-use crate::scene::FrictionLaw;
 use crate::scene_file::write_request;
 
 impl Tabulation {
@@ -79,10 +78,7 @@ impl Tabulation {
             contact_modulus,
             poisson_ratio: material.poisson_ratio,
             yield_strength: material.yield_strength,
-            strength_factor: match interface.law {
-                FrictionLaw::ShearStrength => Some(interface.strength_factor),
-                FrictionLaw::Coulomb { .. } | FrictionLaw::FullStick | FrictionLaw::Frictionless => None,
-            },
+            strength_factor: interface.law.is_material_strength().then_some(interface.strength_factor),
             temperature: scene.loading.temperature,
             heat_partition: interface.heat_partition,
             gap_conductance: interface.gap_conductance,

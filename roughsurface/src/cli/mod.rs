@@ -5,8 +5,25 @@ pub mod common;
 pub mod predict;
 pub mod sample;
 
+use roughsurface::heights::{DISTRIBUTIONS, Entry};
+
 /// What every command that reads a surface file says about it.
-pub const AFTER_HELP: &str = "\
+pub fn after_help() -> String {
+    let described = |entry: &Entry| format!("{} ({})", entry.name, entry.keys.join(", "));
+    let entries: Vec<String> = DISTRIBUTIONS.iter().map(described).collect();
+    // As wide as the lines around it.
+    let mut lines = vec![String::new()];
+    for entry in entries.join(", ").split_inclusive(", ") {
+        match lines.last_mut() {
+            Some(line) if line.len() + entry.len() < 86 => line.push_str(entry),
+            _ => lines.push(entry.to_owned()),
+        }
+    }
+    let lines: Vec<&str> = lines.iter().map(|line| line.trim_end()).collect();
+    AFTER_HELP.replace("{distributions}", &lines.join("\n"))
+}
+
+const AFTER_HELP: &str = "\
 A surface file, surface.toml:
 
     [surface]
@@ -18,9 +35,10 @@ A surface file, surface.toml:
     slip_rate = [0.1, 1, 10]    # m/s
     hold = \"load\"               # or \"separation\"
 
-Heights: gaussian, exponential, uniform (std); truncated-gaussian (std, lower, upper);
-weibull, lognormal (std, shape); sample (file of heights in metres); histogram (file of lower
-edges of bins in metres and counts, a last line with the upper edge alone).
+Heights, with their keys:
+{distributions}
+Lengths in metres; a sample is a file of heights, a histogram one of lower edges of bins and counts,
+with a last line of the upper edge alone.
 Radii that differ: radii = { distribution = \"lognormal\", std = 30e-6 } beside asperity_radius,
 their mean, or radii = { distribution = \"classes\", radius = [..], share = [..] } without it.
 Uncertain parameters, by standard deviation, are propagated to the results:

@@ -1,12 +1,13 @@
 //! Distributions of summit heights.
 //!
-//! To add a distribution: write its file here, implement [`Heights`] and add a
-//! line to [`DISTRIBUTIONS`]; the surface file, the integrals, the sampling and
-//! the battery of tests below pick it up from there.
+//! To add a distribution: write its file here, implement [`Heights`], name it above
+//! [`DISTRIBUTIONS`] and add its entry there; the surface file, its help and its messages, the
+//! integrals and the sampling pick it up from there. The battery of tests wants an example.
 
 mod exponential;
 mod gaussian;
 mod histogram;
+mod inverted_chi_squared;
 mod lognormal;
 mod sample;
 mod truncated_gaussian;
@@ -17,6 +18,7 @@ mod weibull;
 pub use exponential::Exponential;
 pub use gaussian::Gaussian;
 pub use histogram::Histogram;
+pub use inverted_chi_squared::InvertedChiSquared;
 pub use lognormal::LogNormal;
 pub use sample::Sample;
 pub use truncated_gaussian::TruncatedGaussian;
@@ -80,7 +82,7 @@ pub struct HeightsKeys {
     pub distribution: String,
     /// Standard deviation of the heights, m.
     pub std: Option<f64>,
-    /// Shape parameter, 1.
+    /// Shape parameter or degrees of freedom, 1.
     pub shape: Option<f64>,
     /// Lowest height, m.
     pub lower: Option<f64>,
@@ -166,6 +168,14 @@ pub const DISTRIBUTIONS: &[Entry] = &[
         },
     },
     Entry {
+        name: "inverted-chi-squared",
+        keys: &["std", "shape"],
+        build: |keys, _| {
+            let degrees = within("shape", keys.shape, 4.0, 1000.0)?;
+            Ok(Box::new(InvertedChiSquared::new(positive("std", keys.std)?, degrees)))
+        },
+    },
+    Entry {
         name: "sample",
         keys: &["file"],
         build: |keys, folder| {
@@ -185,6 +195,15 @@ pub const DISTRIBUTIONS: &[Entry] = &[
 
 /// Builds the distribution that the keys describe; a relative `file` is looked
 /// for in `folder`.
+///
+/// ```
+/// use roughsurface::heights::{HeightsKeys, build};
+///
+/// let keys = HeightsKeys { distribution: "weibull".into(), std: Some(1e-6), shape: Some(10.0), ..Default::default() };
+/// let heights = build(&keys, ".".as_ref())?;
+/// assert_eq!(heights.standard_deviation(), 1e-6);
+/// # Ok::<(), roughsurface::heights::HeightsError>(())
+/// ```
 pub fn build(keys: &HeightsKeys, folder: &Path) -> Built {
     let names: Vec<&str> = DISTRIBUTIONS.iter().map(|entry| entry.name).collect();
     let Some(entry) = DISTRIBUTIONS.iter().find(|entry| entry.name == keys.distribution) else {

@@ -9,6 +9,7 @@ fn all() -> Vec<(&'static str, Box<dyn Heights>)> {
         ("gaussian", Box::new(Gaussian::new(2e-6))),
         ("exponential", Box::new(Exponential::new(2e-6))),
         ("uniform", Box::new(Uniform::new(2e-6))),
+        ("inverted-chi-squared", Box::new(InvertedChiSquared::new(2e-6, 8.0))),
         ("truncated-gaussian", Box::new(TruncatedGaussian::new(2e-6, -5e-6, 1e-6).unwrap())),
         ("weibull", Box::new(Weibull::new(2e-6, 2.5))),
         ("lognormal", Box::new(LogNormal::new(2e-6, 0.5))),
@@ -61,6 +62,15 @@ fn densities_are_normalised_and_have_the_stated_spread() {
         assert!((zeroth - 1.0).abs() < 1e-9, "{name}: {zeroth}");
         let variance = second - first * first;
         assert!((variance - 1.0).abs() < 1e-7, "{name}: {variance}");
+    }
+}
+
+/// No distribution without an example in this battery; a sample has no density.
+#[test]
+fn every_distribution_is_tested() {
+    let tested: Vec<&str> = all().iter().map(|(name, _)| *name).collect();
+    for entry in DISTRIBUTIONS.iter().filter(|entry| entry.name != "sample") {
+        assert!(tested.iter().any(|name| name.starts_with(entry.name)), "{}: {tested:?}", entry.name);
     }
 }
 
@@ -145,11 +155,15 @@ fn errors_name_key_value_and_what_is_allowed() {
         shape,
         ..Default::default()
     };
+    let names: Vec<&str> = DISTRIBUTIONS.iter().map(|entry| entry.name).collect();
+    assert!(names.contains(&"gaussian") && names.contains(&"histogram"));
     let message = |keys: HeightsKeys| build(&keys, Path::new(".")).unwrap_err().to_string();
     assert_eq!(
         message(keys("gausian", Some(1e-6), None)),
-        "distribution = \"gausian\": must be one of gaussian, exponential, uniform, \
-         truncated-gaussian, weibull, lognormal, sample, histogram (did you mean \"gaussian\"?)"
+        format!(
+            "distribution = \"gausian\": must be one of {} (did you mean \"gaussian\"?)",
+            names.join(", ")
+        )
     );
     assert_eq!(message(keys("gaussian", None, None)), "std: is missing; the gaussian distribution takes std");
     assert_eq!(

@@ -76,7 +76,7 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
         (
             "\"gaussian\"",
             "\"gausian\"",
-            "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, sample, histogram (did you mean \"gaussian\"?)",
+            "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, inverted-chi-squared, sample, histogram (did you mean \"gaussian\"?)",
         ),
     ] {
         assert_eq!(message(from, to), expected);

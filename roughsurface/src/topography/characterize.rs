@@ -60,6 +60,27 @@ const SKEWED: f64 = 0.5;
 const HEAVY_TAILED: f64 = 1.0;
 
 /// Moments and summits of `topography`, or what is wrong with the cut-off.
+///
+/// ```
+/// use roughsurface::topography::Topography;
+/// use roughsurface::topography::characterize::{Options, characterize};
+///
+/// // Waves 10 µm long and 0.1 µm high along both directions: crests of curvature k²·0.1 µm.
+/// let k = 2.0 * std::f64::consts::PI / 10e-6;
+/// let height = |n: usize| 0.1e-6 * ((n % 64) as f64 * 0.5e-6 * k).cos() + 0.1e-6 * ((n / 64) as f64 * 0.5e-6 * k).cos();
+/// let topography = Topography {
+///     rows: 64,
+///     row_step: 0.5e-6,
+///     columns: 64,
+///     column_step: 0.5e-6,
+///     heights: (0..64 * 64).map(height).collect(),
+///     periodic: false,
+///     remarks: Vec::new(),
+/// };
+/// let found = characterize(topography, &Options { cutoff: Some(2e-6), ..Options::default() })?;
+/// assert!((found.rms_height / 0.1e-6 - 1.0).abs() < 0.1, "{:e}", found.rms_height);
+/// # Ok::<(), String>(())
+/// ```
 pub fn characterize(mut topography: Topography, options: &Options) -> Result<Characterization, String> {
     options.detrend.take_off(&mut topography);
     let count = topography.heights.len() as f64;

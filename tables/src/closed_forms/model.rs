@@ -132,6 +132,19 @@ pub struct ClosedForm {
 /// ([`constant_shear`](super::partial_slip::constant_shear)), the strength being the final
 /// force over the area. Errors are reported as zero: how far the fits are from the truth is not
 /// known to them.
+///
+/// ```
+/// use tables::closed_forms::{ElasticPlastic, closed_form};
+///
+/// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
+/// let law = closed_form("jackson-green", &steel)?;
+/// // 20 ω_c of a sphere of 1 mm, after 10 µm of slip at any slip rate.
+/// let response = law.response(1e-3, 20.0, 0.0, 10e-6)?;
+/// let mu = response.friction.value / response.load.value;
+/// assert!(mu > 0.2 && mu < 0.3, "{mu}");
+/// assert!(closed_form("herz", &steel).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn closed_form(name: &str, material: &ElasticPlastic) -> Result<Box<dyn AsperityLaw>, UnknownClosedForm> {
     ClosedForm::new(name, material).map(|law| Box::new(law) as Box<dyn AsperityLaw>)
 }

@@ -138,10 +138,10 @@ fn power_of_ten() -> TickFormat {
         if (0.009..=1001.0).contains(&value) {
             return format!("{}", (value * 1e6).round() / 1e6);
         }
-        let exponent = value.abs().log10().round();
-        let mantissa = value / 10f64.powf(exponent);
+        let exponent = (value.abs().log10() + 1e-9).floor();
+        let mantissa = (value / 10f64.powf(exponent) * 1e6).round() / 1e6;
         let superscript: String = format!("{exponent}").chars().map(raised).collect();
-        if (mantissa - 1.0).abs() < 1e-6 { format!("10{superscript}") } else { format!("{value:e}") }
+        if mantissa == 1.0 { format!("10{superscript}") } else { format!("{mantissa}·10{superscript}") }
     }))
 }
 
@@ -210,6 +210,13 @@ fn draw_curve(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ticks_are_powers_of_ten_and_their_multiples() {
+        let TickFormat::Custom(format) = power_of_ten() else { panic!() };
+        let shown = [1e-12, 5e-3, 0.02, 1.0, 1000.0, 2e6, 1e8].map(|value| format(value));
+        assert_eq!(shown, ["10⁻¹²", "5·10⁻³", "0.02", "1", "1000", "2·10⁶", "10⁸"]);
+    }
 
     #[test]
     fn logarithmic_axes_end_at_the_data() {

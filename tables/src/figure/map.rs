@@ -56,7 +56,7 @@ impl Map {
     }
 }
 
-fn dark_for_high() -> ColorMap {
+pub(super) fn dark_for_high() -> ColorMap {
     ColorMap::Custom(std::sync::Arc::new(|share: f64| {
         // Of Cividis, which is even in lightness for all kinds of sight, without its darkest part:
         // black lines must stand out.
@@ -102,7 +102,7 @@ mod tests {
         };
         let svg = |map: &Map| {
             let drawings = vec![super::super::Drawing::Map(map.clone())];
-            super::super::Sheet { title: String::new(), drawings }.svg()
+            super::super::Sheet { drawings, ..Default::default() }.svg()
         };
         assert!(svg(&map).contains("temperature (K)"));
         let flat = Map { values: vec![vec![1.0; 4]; 5], ..map };

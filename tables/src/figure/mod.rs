@@ -4,17 +4,32 @@
 //! and marker, so that they can be told apart in grey as well. No fonts of the system are used;
 //! the same figure gives the same bytes.
 
+mod cells;
 mod draw;
 mod map;
 mod sheet;
 
 use std::path::Path;
 
+pub use cells::{Cell, Cells, Scale};
 pub use map::Map;
 pub use sheet::{Drawing, Sheet};
 
 /// A sheet of panels, two in a row.
 #[derive(Clone, Debug, Default, PartialEq)]
+/// ```
+/// use tables::figure::{Axis, Curve, Figure, Panel};
+///
+/// let curve = Curve::new("a curve", vec![0.1, 1.0, 10.0], vec![0.3, 0.25, 0.2]).with_error(vec![0.01; 3]);
+/// let panel = Panel {
+///     title: "Friction".into(),
+///     x: Axis::logarithmic("slip rate (m/s)"),
+///     y: Axis::linear("friction coefficient"),
+///     curves: vec![curve],
+/// };
+/// let svg = Figure { title: String::new(), panels: vec![panel] }.svg();
+/// assert!(svg.contains("slip rate (m/s)"));
+/// ```
 pub struct Figure {
     pub title: String,
     pub panels: Vec<Panel>,
@@ -121,7 +136,7 @@ impl Figure {
 
     fn sheet(&self) -> Sheet {
         let panels = self.panels.iter().cloned().map(Drawing::Curves).collect();
-        Sheet { title: self.title.clone(), drawings: panels }
+        Sheet::new(self.title.clone(), panels)
     }
 }
 

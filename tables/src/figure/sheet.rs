@@ -1,4 +1,4 @@
-//! A sheet of panels of any kind, two in a row, as a file.
+//! A sheet of panels of any kind, in rows, as a file.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use kuva::backend::svg::SvgBackend;
 use kuva::render::figure::Figure as Drawn;
 
 use super::draw::Medium;
-use super::{Extension, FigureError, Map, PIXELS, Panel, extension};
+use super::{Cells, Extension, FigureError, Map, PIXELS, Panel, extension};
 
 /// Width and height of a panel, in points.
 const PANEL_SIZE: (f64, f64) = (560.0, 380.0);
@@ -17,16 +17,24 @@ const PANEL_SIZE: (f64, f64) = (560.0, 380.0);
 pub enum Drawing {
     Curves(Panel),
     Map(Map),
+    Cells(Cells),
 }
 
-/// Panels of curves and maps, two in a row.
+/// Panels of curves, maps and cells, in rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sheet {
     pub title: String,
     pub drawings: Vec<Drawing>,
+    /// Panels in a row, at least one.
+    pub columns: usize,
 }
 
 impl Sheet {
+    /// Two panels in a row.
+    pub fn new(title: impl Into<String>, drawings: Vec<Drawing>) -> Self {
+        Self { title: title.into(), drawings, columns: 2 }
+    }
+
     /// Draws the sheet into a file, which appears whole or not at all.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
         let failed = |reason: String| FigureError::Write { path: path.display().to_string(), reason };
@@ -53,21 +61,18 @@ impl Sheet {
 
     fn drawn(&self, medium: Medium) -> Drawn {
         let number = self.drawings.len();
-        let columns = number.clamp(1, 2);
+        let columns = number.clamp(1, self.columns.max(1));
         let rows = number.div_ceil(columns).max(1);
         let draw = |drawing: &Drawing| match drawing {
             Drawing::Curves(panel) => panel.draw(medium),
             Drawing::Map(map) => map.draw(),
+            Drawing::Cells(cells) => cells.draw(),
         };
         let (plots, layouts): (Vec<_>, Vec<_>) = self.drawings.iter().map(draw).unzip();
-        // The last row may have one panel only; it then takes the whole width.
-        let mut cells: Vec<Vec<usize>> = (0..number).map(|cell| vec![cell]).collect();
-        if number < rows * columns {
-            if let Some(last) = cells.last_mut() {
-                last.push(number);
-            } else {
-                cells.push(vec![0]);
-            }
+        // The last panel takes what is left of its row.
+        let mut cells: Vec<Vec<usize>> = (0..number.max(1)).map(|cell| vec![cell]).collect();
+        if let Some(last) = cells.last_mut() {
+            last.extend(number.max(1)..rows * columns);
         }
         let mut sheet = Drawn::new(rows, columns)
             .with_structure(cells)

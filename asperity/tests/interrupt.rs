@@ -1,0 +1,98 @@
+//! An interrupt (Ctrl-C) from outside: what is there is saved, and the message says how to go on.
+
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+use tables::dataset::DatasetReader;
+
+const MATERIAL: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
+const NUMERICS: &str = "[numerics]\nelements_per_radius = 8\nsectors = 8\n";
+
+/// The program with progress on stderr.
+fn start(directory: &Path, arguments: &str) -> Child {
+    Command::new(env!("CARGO_BIN_EXE_asperity"))
+        .args(arguments.split(' '))
+        .arg("--progress")
+        .current_dir(directory)
+        .env("HDF5_USE_FILE_LOCKING", "FALSE")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+/// Sends the signal once a line of progress is seen; yields the exit status and what was said after.
+fn interrupt_at(mut child: Child, signal: &str, seen: impl Fn(&str) -> bool) -> (Option<i32>, String) {
+    let mut stderr = BufReader::new(child.stderr.take().unwrap());
+    let mut line = String::new();
+    loop {
+        line.clear();
+        assert!(stderr.read_line(&mut line).unwrap() > 0, "it ended before it could be interrupted");
+        if seen(&line) {
+            break;
+        }
+    }
+    let kill = Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    let mut said = String::new();
+    stderr.read_to_string(&mut said).unwrap();
+    (child.wait().unwrap().code(), said)
+}
+
+#[test]
+fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
+    let directory = tempfile::tempdir().unwrap();
+    let scene = format!("{MATERIAL}[loading]\ninterference = 20\nslip_rate = 1\n{NUMERICS}");
+    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    for signal in ["-INT", "-TERM"] {
+        let child = start(directory.path(), "run scene.toml -o run.nc --plot run.svg --vtu body");
+        let (status, said) =
+            interrupt_at(child, signal, |line| line.contains("% ") && line.contains("step "));
+        assert_eq!(status, Some(1), "{said}");
+        let last = said.lines().last().unwrap();
+        for part in ["error: stopped on request", "run.nc", "cannot be continued"] {
+            assert!(last.contains(part), "{said}");
+        }
+        let path = directory.path().join("run.nc");
+        let file = DatasetReader::open(&path).unwrap();
+        assert_eq!(file.attribute_text("completion").unwrap(), "incomplete: stopped on request");
+        let steps = file.shape("slip").unwrap()[0];
+        let slip = file.reals("slip", &[steps]).unwrap();
+        let radius = file.reals("contact_radius", &[]).unwrap()[0];
+        // The slide would have gone on to 2 a₀.
+        assert!(steps > 2 && slip[steps - 1] > 0.0 && slip[steps - 1] < 1.9 * radius, "{slip:?}");
+        for name in ["run.svg", "body/body.pvd", "body/body-001.vtu"] {
+            assert!(directory.path().join(name).exists(), "{name}");
+        }
+        std::fs::remove_file(path).unwrap();
+    }
+}
+
+#[test]
+fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
+    let directory = tempfile::tempdir().unwrap();
+    let request = format!(
+        "{MATERIAL}[table]\ninterference = [1, 2, 20]\nslip_rate = [1]\n[numerics]\nelements_per_radius = 6\nsectors = 4\n"
+    );
+    std::fs::write(directory.path().join("request.toml"), request).unwrap();
+    let child = start(directory.path(), "tabulate request.toml -o table.nc --jobs 1");
+    let (status, said) = interrupt_at(child, "-INT", |line| line.contains("1 of 3 cells"));
+    assert_eq!(status, Some(1), "{said}");
+    assert!(!directory.path().join("table.nc").exists());
+    assert!(directory.path().join("table.nc.part").exists());
+    let (_, command) = said.lines().last().unwrap().split_once("to continue: asperity ").unwrap();
+    assert!(command.contains("--resume"), "{command}");
+    let output = Command::new(env!("CARGO_BIN_EXE_asperity"))
+        .args(command.split(' '))
+        .arg("-v")
+        .current_dir(directory.path())
+        .env("HDF5_USE_FILE_LOCKING", "FALSE")
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    assert!(!said.contains("0 cells were taken") && said.contains("cells were taken"), "{said}");
+    assert!(directory.path().join("table.nc").exists());
+    assert!(!directory.path().join("table.nc.part").exists());
+}

@@ -1,0 +1,153 @@
+//! `asperity run --vtu`: what is in the files for ParaView, read back.
+//!
+//! Problem: a 4340 steel asperity on a coarse mesh. The files must agree with `run.nc` and with the
+//! flat that the asperity was pressed against.
+
+use std::path::Path;
+use std::process::Command;
+use std::sync::OnceLock;
+
+use tables::dataset::DatasetReader;
+use vtkio::model::{Attribute, DataSet, Piece, UnstructuredGridPiece, Vtk};
+
+const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                     [loading]\ninterference = 20\nslip_rate = 1\nslip_distance = 0.2\n\
+                     [numerics]\nelements_per_radius = 8\nsectors = 4\n";
+
+/// A directory with run.nc, half/ and whole/; made once.
+fn results() -> &'static Path {
+    static DIRECTORY: OnceLock<tempfile::TempDir> = OnceLock::new();
+    DIRECTORY
+        .get_or_init(|| {
+            let directory = tempfile::tempdir().unwrap();
+            std::fs::write(directory.path().join("scene.toml"), SCENE).unwrap();
+            for options in ["--vtu half --fields-at 0.05,0.1", "--vtu whole --vtu-whole"] {
+                let output = Command::new(env!("CARGO_BIN_EXE_asperity"))
+                    .args("run scene.toml -o run.nc".split(' ').chain(options.split(' ')))
+                    .current_dir(directory.path())
+                    .env("HDF5_USE_FILE_LOCKING", "FALSE")
+                    .output()
+                    .unwrap();
+                assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            }
+            directory
+        })
+        .path()
+}
+
+/// (slip in a₀, file) of a collection.
+fn collection(folder: &str) -> Vec<(f64, String)> {
+    let text = std::fs::read_to_string(results().join(folder).join("body.pvd")).unwrap();
+    let attribute = |line: &str, name: &str| {
+        line.split_once(&format!("{name}=\"")).unwrap().1.split_once('"').unwrap().0.to_owned()
+    };
+    let lines = text.lines().filter(|line| line.contains("<DataSet"));
+    lines.map(|line| (attribute(line, "timestep").parse().unwrap(), attribute(line, "file"))).collect()
+}
+
+fn grid(folder: &str, file: &str) -> UnstructuredGridPiece {
+    let vtk = Vtk::import(results().join(folder).join(file)).unwrap();
+    let DataSet::UnstructuredGrid { mut pieces, .. } = vtk.data else { panic!("no grid") };
+    let Piece::Inline(piece) = pieces.remove(0) else { panic!("no piece") };
+    *piece
+}
+
+fn points(grid: &UnstructuredGridPiece) -> Vec<[f64; 3]> {
+    let values: Vec<f64> = grid.points.cast_into().unwrap();
+    values.chunks_exact(3).map(|point| [point[0], point[1], point[2]]).collect()
+}
+
+fn values(grid: &UnstructuredGridPiece, name: &str) -> Vec<f64> {
+    let of = |attribute: &Attribute| match attribute {
+        Attribute::DataArray(array) if array.name == name => array.data.cast_into(),
+        _ => None,
+    };
+    grid.data.point.iter().find_map(of).unwrap_or_else(|| panic!("no {name}"))
+}
+
+fn highest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(f64::NEG_INFINITY, f64::max)
+}
+
+#[test]
+fn fields_are_those_of_the_run_and_lie_on_the_flat() {
+    let run = DatasetReader::open(&results().join("run.nc")).unwrap();
+    let steps = run.shape("slip").unwrap()[0];
+    let of = |name: &str| run.reals(name, &[steps]).unwrap();
+    let scalar = |name: &str| run.reals(name, &[]).unwrap()[0];
+    let (slips, interferences) = (of("slip"), of("interference"));
+    let steps = collection("half");
+    // Before, half-way to full slip, full slip, two that were asked for, the end.
+    assert_eq!(steps.len(), 6);
+    assert!(steps.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    for (slip, file) in &steps {
+        let grid = grid("half", file);
+        let step = (0..slips.len())
+            .min_by(|a, b| {
+                let off = |n: usize| (slips[n] / scalar("contact_radius") - slip).abs();
+                off(*a).total_cmp(&off(*b))
+            })
+            .unwrap();
+        let depth = interferences[step] * scalar("critical_interference");
+        let displacement = values(&grid, "displacement");
+        let heights = points(&grid).into_iter().zip(displacement.chunks_exact(3)).map(|(x, u)| x[2] + u[2]);
+        // Springs hold the surface on the flat, a few per mille of the interference below its plane.
+        assert!((highest(heights) / -depth - 1.0).abs() < 0.02, "{file}");
+        // The base is clamped.
+        let base = points(&grid).into_iter().zip(displacement.chunks_exact(3));
+        assert!(base.filter(|(x, _)| x[2] < -0.999e-3).all(|(_, u)| u.iter().all(|u| u.abs() < 1e-15)));
+        let temperature = highest(values(&grid, "temperature"));
+        // Harmonics may rise a little above the values that they go through.
+        assert!((temperature / of("temperature_max")[step] - 1.0).abs() < 2e-3, "{file}: {temperature}");
+        // At nodes, as means over the elements around them.
+        let strain = highest(values(&grid, "plastic_strain"));
+        let largest = of("plastic_strain_max")[step];
+        assert!(strain <= largest && strain > 0.5 * largest, "{file}: {strain} {largest}");
+        // Johnson & Cook's 4340: 792 MPa and hardening of 510 MPa ε^0.26, cold.
+        let strength = 792e6 + 510e6 * largest.powf(0.26);
+        let mises = highest(values(&grid, "von_mises_stress"));
+        assert!(mises > 700e6 && mises < 1.05 * strength, "{file}: {mises:e} {strength:e}");
+    }
+}
+
+#[test]
+fn the_stress_on_the_axis_carries_the_pressure_of_the_contact_centre() {
+    let run = DatasetReader::open(&results().join("run.nc")).unwrap();
+    let pressure = run.reals("pressure", &run.shape("pressure").unwrap()).unwrap();
+    let grid = grid("whole", &collection("whole")[0].1);
+    let apex = points(&grid).iter().position(|x| x.iter().all(|x| *x == 0.0)).unwrap();
+    let axial = values(&grid, "stress")[6 * apex + 2];
+    // The mean over the element below the apex is not yet the value at the surface.
+    assert!((axial / -pressure[0] - 1.0).abs() < 0.1, "{axial:e} {:e}", pressure[0]);
+}
+
+#[test]
+fn the_whole_body_is_the_half_and_its_mirror_image() {
+    let ((_, half), (_, whole)) = (&collection("half")[0], &collection("whole")[0]);
+    let (half, whole) = (grid("half", half), grid("whole", whole));
+    assert_eq!(whole.cells.num_cells(), 2 * half.cells.num_cells());
+    let range = |grid: &UnstructuredGridPiece| {
+        let of_y = || points(grid).into_iter().map(|x| x[1]);
+        (highest(of_y()), -highest(of_y().map(|y| -y)))
+    };
+    let ((half_high, half_low), (high, low)) = (range(&half), range(&whole));
+    assert!(half_low.abs() < 1e-15 && (half_high - high).abs() < 1e-12 && (high + low).abs() < 1e-12);
+}
+
+/// With another reader, where Python has it.
+#[test]
+fn meshio_reads_the_files() {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/read_body.py");
+    let python = |arguments: &[&str]| Command::new("python3").args(arguments).output();
+    if !python(&["-c", "import meshio"]).is_ok_and(|output| output.status.success()) {
+        println!("skipped: python3 with meshio is not there");
+        return;
+    }
+    let folder = results().join("half");
+    let output = python(&[script.to_str().unwrap(), folder.join("body.pvd").to_str().unwrap()]).unwrap();
+    let (said, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{errors}");
+    // A line of titles and one for each instant.
+    assert_eq!(said.lines().count(), 7, "{said}");
+    assert!(said.lines().last().unwrap().starts_with("0.200"), "{said}");
+}

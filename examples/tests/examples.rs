@@ -1,0 +1,103 @@
+//! Every example runs, and says what it is about to say.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+
+/// Where the examples are, built by the same profile as this test.
+fn examples() -> &'static Path {
+    static BUILT: OnceLock<PathBuf> = OnceLock::new();
+    BUILT.get_or_init(|| {
+        // target/<profile>/deps/<this test>
+        let test = std::env::current_exe().unwrap();
+        let folder = test.parent().and_then(Path::parent).unwrap();
+        let profile = match folder.file_name().and_then(|name| name.to_str()) {
+            Some("debug") | None => "dev",
+            Some(profile) => profile,
+        };
+        // The whole workspace: for a part of it, cargo compiles dependencies anew.
+        let status = Command::new(env!("CARGO"))
+            .args(["build", "--quiet", "--offline", "--workspace", "--examples", "--profile", profile])
+            .arg("--target-dir")
+            .arg(folder.parent().unwrap())
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .status()
+            .unwrap();
+        assert!(status.success(), "the examples could not be built");
+        folder.join("examples")
+    })
+}
+
+/// What an example prints.
+fn printed(name: &str, folder: &Path, arguments: &[&str]) -> String {
+    let built = examples().join(name);
+    let output = Command::new(&built)
+        .args(arguments)
+        .current_dir(folder)
+        .env("HDF5_USE_FILE_LOCKING", "FALSE")
+        .output()
+        .unwrap_or_else(|error| panic!("{}: {error}", built.display()));
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{name}: {errors}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The number that stands at a place of a line.
+fn number(line: &str, place: usize) -> f64 {
+    let word = line.split_whitespace().nth(place).unwrap_or_else(|| panic!("{line}"));
+    word.parse().unwrap_or_else(|_| panic!("{word} in {line}"))
+}
+
+#[test]
+fn ten_lines_give_friction_with_its_error() {
+    let text = printed("ten_lines", Path::new("."), &[]);
+    let [fixed, sliding] = ["static", "sliding"]
+        .map(|name| number(text.lines().find(|line| line.starts_with(name)).unwrap(), 1));
+    // As the same scene at its accuracy of 2 %: 0.2565 and 0.2350.
+    assert!((fixed - 0.2565).abs() < 0.01 && (sliding - 0.2350).abs() < 0.01, "{text}");
+}
+
+#[test]
+fn a_press_lies_near_jackson_and_green() {
+    let text = printed("hertz_to_slide", Path::new("."), &[]);
+    let load = |name: &str| {
+        let line = text.lines().find(|line| line.trim_start().starts_with(name)).unwrap();
+        let (_, load) = line.split_once("P = ").unwrap();
+        number(load, 0)
+    };
+    // 4340 steel hardens, theirs does not.
+    let (run, reference) = (load("this run"), load("jackson-green"));
+    assert!(run > 0.98 * reference && run < 1.3 * reference, "{text}");
+    assert!(load("hertz") > 1.2 * run, "{text}");
+}
+
+#[test]
+fn friction_of_a_rough_surface_from_a_closed_form_hardly_depends_on_pressure() {
+    let text = printed("rough_surface", Path::new("."), &[]);
+    let rows: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("pressure")).skip(1).collect();
+    let mu: Vec<f64> = rows.iter().filter(|row| !row.contains("warning")).map(|row| number(row, 3)).collect();
+    assert_eq!(mu.len(), 9, "{text}");
+    assert!(mu.iter().all(|mu| (0.15..0.4).contains(mu)), "{text}");
+}
+
+#[test]
+fn the_study_compares_two_surfaces_and_is_not_computed_twice() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = printed("worn_surface", folder.path(), &["study"]);
+    for name in ["table.nc", "fresh.nc", "worn.nc", "figure.svg"] {
+        assert!(folder.path().join("study").join(name).exists(), "{name}");
+    }
+    let rows: Vec<&str> = text.lines().filter(|line| line.ends_with('%')).collect();
+    assert_eq!(rows.len(), 15, "{text}");
+    for row in &rows {
+        let [fresh, worn] = [2, 3].map(|place| number(row, place));
+        assert!((0.1..0.6).contains(&fresh) && (0.1..0.6).contains(&worn), "{row}");
+    }
+    // Faster is hotter is weaker: at each pressure from 0.1 to 10 m/s.
+    for row in rows.chunks(5) {
+        assert!(number(row[4], 2) < number(row[0], 2) && number(row[4], 3) < number(row[0], 3), "{text}");
+    }
+    let begun = std::time::Instant::now();
+    assert_eq!(printed("worn_surface", folder.path(), &["study"]), text);
+    assert!(begun.elapsed().as_secs_f64() < 60.0);
+}
