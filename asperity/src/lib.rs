@@ -34,6 +34,7 @@ mod error_budget;
 mod fake;
 pub mod figures;
 pub mod fracture;
+pub mod hard_cases;
 mod harmonic;
 mod lanes;
 mod material;

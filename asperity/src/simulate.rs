@@ -2,7 +2,8 @@
 //!
 //! Each run has companions on a coarser mesh, from which its errors are estimated (see
 //! [`crate::error_budget`]); where they are larger than asked, and the scene leaves the choice, it
-//! is repeated more finely. The companions run beside it if there are threads for them.
+//! is repeated more finely. The companions run beside it if there are threads for them. Where the
+//! contact grows past the fine mesh, all is repeated on meshes with more room.
 
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant as Clock;
@@ -57,7 +58,6 @@ pub enum SimulationError {
 
 /// The pressed asperity on one mesh.
 struct PressedMesh {
-    elements_per_radius: usize,
     press_increments: usize,
     size: MeshSize,
     /// Axisymmetric state at the end of the press.
@@ -122,7 +122,8 @@ impl Pressed {
     fn mesh(&self, resolution: &Resolution, watch: &dyn Watch) -> Result<Arc<PressedMesh>, SimulationError> {
         let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
         let known = meshes.iter().find(|mesh| {
-            mesh.elements_per_radius == resolution.elements_per_radius
+            mesh.size.elements_per_radius == resolution.elements_per_radius
+                && mesh.size.growth_zone == resolution.growth_zone
                 && mesh.press_increments == resolution.press_increments
         });
         if let Some(mesh) = known {
@@ -144,21 +145,33 @@ fn press_mesh(
     /// Offset of the edge from its place between two rings, in ring spacings, that is good enough.
     const CLOSE_ENOUGH: f64 = 0.25;
     const LAYOUTS: usize = 2;
+    /// The same where the contact reaches the rim of the mesh: its radius is then not known yet.
+    const LAYOUTS_PAST_RIM: usize = 8;
     let elements_per_radius = resolution.elements_per_radius;
     for layout in 1.. {
         if watch.cancelled() {
             return Err(SimulationError::Cancelled { partial: None });
         }
-        let size = MeshSize { contact_radius: radius, elements_per_radius };
+        let size =
+            MeshSize { contact_radius: radius, elements_per_radius, growth_zone: resolution.growth_zone };
+        if !size.fits() {
+            return Err(too_deep(problem, radius));
+        }
         let (mechanics, increments) =
             press::press_on(problem, size, resolution.press_increments).map_err(press_error)?;
+        if mechanics.contact.at_rim(&mechanics.contact.committed) {
+            if layout == LAYOUTS_PAST_RIM {
+                return Err(too_deep(problem, radius));
+            }
+            radius *= resolution.growth_zone;
+            continue;
+        }
         let reached = mechanics.contact.radius(&mechanics.contact.committed);
         let spacing = EDGE_SIZE / elements_per_radius as f64;
-        if (reached / radius - 1.0).abs() <= CLOSE_ENOUGH * spacing || layout == LAYOUTS {
+        if (reached / radius - 1.0).abs() <= CLOSE_ENOUGH * spacing || layout >= LAYOUTS {
             let effort = mechanics.effort;
             let (body, contact, displacement) = mechanics.into_parts();
             return Ok(PressedMesh {
-                elements_per_radius,
                 press_increments: resolution.press_increments,
                 size,
                 body,
@@ -173,6 +186,16 @@ fn press_mesh(
     unreachable!("the last layout is always taken")
 }
 
+/// The contact is so large that its mesh does not fit into the hemisphere.
+fn too_deep(problem: &Problem, radius: f64) -> SimulationError {
+    SimulationError::Unsupported(format!(
+        "an interference of {:.4} omega_c presses the asperity by {:.2} of its radius, to a contact radius \
+         of about {radius:.2} of it: the model needs a contact that is small beside the asperity",
+        problem.interference / problem.critical_interference,
+        problem.interference,
+    ))
+}
+
 fn press_error(failure: PressFailure) -> SimulationError {
     let (at, reason) = match failure {
         PressFailure::Factor(error) => ("the elastic stiffness".into(), error.to_string()),
@@ -181,6 +204,19 @@ fn press_error(failure: PressFailure) -> SimulationError {
         }
     };
     SimulationError::NotConverged { stage: "press", at, reason, partial: None }
+}
+
+/// A slide and the pressed mesh that it started on.
+type Run = (Arc<PressedMesh>, Slid);
+
+impl Slid {
+    /// Growth of the contact, relative to its radius after the press, at which it left the mesh.
+    fn outgrown(&self) -> Option<f64> {
+        match self.failure {
+            Some(SlideFailure::OutgrewMesh { growth }) => Some(growth),
+            _ => None,
+        }
+    }
 }
 
 /// Where the contact points are.
@@ -211,11 +247,7 @@ struct Task<'a> {
 }
 
 impl Task<'_> {
-    fn slide(
-        &self,
-        resolution: &Resolution,
-        mut progress: impl FnMut(f64),
-    ) -> Result<(Arc<PressedMesh>, Slid), SimulationError> {
+    fn slide(&self, resolution: &Resolution, mut progress: impl FnMut(f64)) -> Result<Run, SimulationError> {
         let problem = &self.pressed.problem;
         let pressed = self.pressed.mesh(resolution, self.watch)?;
         let discretisation = Discretisation::new(problem, pressed.size, Sectors::full(resolution.sectors))
@@ -261,6 +293,52 @@ impl Task<'_> {
         Ok((pressed, slid))
     }
 
+    /// The run at `resolution` and its companions.
+    ///
+    /// The resolution gets more room where the contact outgrows the mesh, for all of them alike, as
+    /// long as there is any; what was done about it is added to `notes`.
+    fn with_companions(
+        &self,
+        resolution: &mut Resolution,
+        notes: &mut Vec<String>,
+        progress: impl Fn(f64) + Sync,
+    ) -> Result<Vec<Run>, SimulationError> {
+        loop {
+            let coarse = resolution.coarse();
+            let (sectors, steps) = (coarse.other_sectors(), coarse.longer_steps());
+            let plan = [*resolution, coarse, sectors, steps, coarse.looser_solver()];
+            let runs: Vec<_> = plan
+                .par_iter()
+                .enumerate()
+                .map(|(i, resolution)| {
+                    self.slide(resolution, |done| {
+                        if i == 0 {
+                            progress(done);
+                        }
+                    })
+                })
+                .collect();
+            let runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
+            let growth = runs.iter().filter_map(|(_, slid)| slid.outgrown()).fold(0.0, f64::max);
+            let wider = resolution.wider();
+            if growth == 0.0 || !self.fits(&wider) {
+                return Ok(runs);
+            }
+            notes.push(format!(
+                "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine \
+                 mesh, which now has room for {:.2} times",
+                wider.growth_zone
+            ));
+            *resolution = wider;
+        }
+    }
+
+    /// Whether the hemisphere has room for the mesh.
+    fn fits(&self, resolution: &Resolution) -> bool {
+        let Resolution { elements_per_radius, growth_zone, .. } = *resolution;
+        MeshSize { contact_radius: self.pressed.contact_radius, elements_per_radius, growth_zone }.fits()
+    }
+
     fn scalars(&self, mesh: &PressedMesh, slid: &Slid) -> Scalars {
         Scalars::new(&self.pressed.problem, &self.pressed.scene, &mesh.increments, &slid.history)
     }
@@ -281,20 +359,8 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
     let task = Task { pressed, speed: slip_rate / units.speed(), heat, watch };
 
     let mut resolution = pressed.resolution;
-    let coarse = resolution.coarse();
-    let plan = [resolution, coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
-    let runs: Vec<_> = plan
-        .par_iter()
-        .enumerate()
-        .map(|(i, resolution)| {
-            task.slide(resolution, |done| {
-                if i == 0 {
-                    watch.progress("slide", FIRST_SHARE * done, "");
-                }
-            })
-        })
-        .collect();
-    let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
+    let shown = |done| watch.progress("slide", FIRST_SHARE * done, "");
+    let mut runs = task.with_companions(&mut resolution, &mut notes, shown)?.into_iter();
     let (mut mesh, mut fine) = runs.next().expect("planned");
     let companions: Vec<_> = runs.collect();
     let mut cutbacks = fine.cutbacks;
@@ -307,7 +373,8 @@ pub fn slide(pressed: &Pressed, slip_rate: f64, watch: &dyn Watch) -> Result<Out
             let (mesh, slid) = &companions[i];
             task.scalars(mesh, slid)
         });
-        let refinement = resolution.elements_per_radius as f64 / plan[1].elements_per_radius as f64;
+        let refinement =
+            resolution.elements_per_radius as f64 / resolution.coarse().elements_per_radius as f64;
         let companions = Companions {
             coarse: &coarse,
             other_sectors: &sectors,

@@ -221,6 +221,7 @@ impl<'a> Slide<'a> {
                 if left < 1.5 * advance { if left <= advance { left } else { 0.5 * left } } else { advance };
             let next = if left <= increment { distance } else { slip + increment };
             let committed = self.mechanics.displacement.clone();
+            let cover = self.mechanics.contact.cover.clone();
             let start = extrapolate(&before, &committed, slip_before, slip, next);
             match self.step(slip, next, start) {
                 Ok(()) => {
@@ -234,7 +235,7 @@ impl<'a> Slide<'a> {
                 Err(
                     failure @ (SlideFailure::Step(_) | SlideFailure::Heat(HeatError::NotConverged { .. })),
                 ) => {
-                    self.mechanics.displacement = committed;
+                    self.mechanics.restore(committed, cover);
                     self.cutbacks += 1;
                     advance = 0.5 * increment;
                     if advance < 1e-6 * elastic {
@@ -311,12 +312,10 @@ impl<'a> Slide<'a> {
         if let Some(error) = failure {
             return Err(error.into());
         }
-        let outermost = self.mechanics.contact.outermost().unwrap_or(0);
-        if outermost + 2 >= self.mechanics.contact.radii.len() {
+        let contact = &self.mechanics.contact;
+        if contact.at_rim(&contact.trial) {
             let start = (self.history[0].area / std::f64::consts::PI).sqrt();
-            return Err(SlideFailure::OutgrewMesh {
-                growth: self.mechanics.contact.radii[outermost] / start,
-            });
+            return Err(SlideFailure::OutgrewMesh { growth: contact.radius(&contact.trial) / start });
         }
         let mut instant = self.instant(to, *self.history.last().expect("starts with the press"));
         let old = Flat { interference: self.interference, displacement: from };

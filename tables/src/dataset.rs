@@ -155,7 +155,11 @@ impl DatasetWriter {
         if let Some(file) = self.file.take() {
             file.close().map_err(|error| self.failed(error))?;
         }
-        std::fs::rename(&self.temporary, &self.path).map_err(|error| self.failed(error))
+        // On the disk before it has its name: a name without content would be a damaged file.
+        let written = std::fs::File::open(&self.temporary).and_then(|file| file.sync_all());
+        written
+            .and_then(|()| std::fs::rename(&self.temporary, &self.path))
+            .map_err(|error| self.failed(error))
     }
 
     fn variable<T: netcdf::NcTypeDescriptor + Copy>(

@@ -1,5 +1,6 @@
 //! The command line: arguments, exit status, and one module per subcommand.
 
+mod hard;
 mod materials;
 mod merge;
 mod outputs;
@@ -133,6 +134,9 @@ enum Command {
     /// Describe, compare, plot or export tables
     #[command(subcommand, after_help = TABLE_EXAMPLE)]
     Table(table::TableCommand),
+    /// Run the suite of hard cases and say how each ended
+    #[command(after_help = hard::EXAMPLES)]
+    Hard(hard::HardArguments),
     /// List the material presets, or print the constants of one with their sources
     Materials {
         /// Name of a preset
@@ -224,6 +228,7 @@ pub fn main() -> ExitCode {
         Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
         Command::Merge(arguments) => merge::merge(arguments, display),
         Command::Table(command) => table::table(command, display),
+        Command::Hard(arguments) => hard::hard(arguments, display),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
     let (status, reason) = match std::panic::catch_unwind(work) {
