@@ -85,6 +85,9 @@ pub struct Slide<'a> {
     pub fields: Vec<Fields>,
     pub cutbacks: usize,
     increments: Increments,
+    /// So many attempts at a step are still to be counted, and every other one of them rejected.
+    #[cfg(test)]
+    rejecting: usize,
 }
 
 /// Heat of friction: flow f_h τ_c(θ) v where the contact slips, less what the gap takes.
@@ -193,6 +196,8 @@ impl<'a> Slide<'a> {
             fields: Vec::new(),
             cutbacks: 0,
             increments,
+            #[cfg(test)]
+            rejecting: 0,
         };
         let start = slide.instant(0.0, Instant::default());
         slide.history.push(start);
@@ -312,6 +317,13 @@ impl<'a> Slide<'a> {
         if let Some(error) = failure {
             return Err(error.into());
         }
+        #[cfg(test)]
+        if self.rejecting > 0 {
+            self.rejecting -= 1;
+            if self.rejecting % 2 == 1 {
+                return Err(StepFailure::NotFinite.into());
+            }
+        }
         let contact = &self.mechanics.contact;
         if contact.at_rim(&contact.trial) {
             let start = (self.history[0].area / std::f64::consts::PI).sqrt();
@@ -423,3 +435,6 @@ fn contact_rise(contact: &Contact, rise: &[f64]) -> (f64, f64) {
     }
     (largest, if area > 0.0 { sum / area } else { 0.0 })
 }
+
+#[cfg(test)]
+mod tests;
