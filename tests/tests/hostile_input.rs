@@ -148,6 +148,9 @@ fn table() -> Table {
 fn read(kind: &str, bytes: &[u8], folder: &Path) -> bool {
     let text = || String::from_utf8_lossy(bytes).into_owned();
     let path = folder.join("input");
+    // A new file each time: the HDF5 library may still have the last one open after an error, and
+    // would take an old file of the same name and number for it.
+    let _ = std::fs::remove_file(&path);
     match kind {
         "scene" => parse_scene(&text(), "input", &[]).is_ok(),
         "request" => parse_request(&text(), "input", &[]).is_ok(),
