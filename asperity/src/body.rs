@@ -169,6 +169,11 @@ impl Body {
         self.committed.copy_from(&self.trial);
     }
 
+    /// Back to the history, after a step that failed.
+    pub fn restore(&mut self) {
+        self.trial.copy_from(&self.committed);
+    }
+
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {

@@ -38,6 +38,7 @@ mod error_budget;
 mod fake;
 pub mod figures;
 pub mod fracture;
+pub mod hard_cases;
 mod harmonic;
 pub mod honesty;
 mod kinematics;
