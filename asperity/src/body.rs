@@ -329,9 +329,10 @@ impl Body {
                 self.trial.accumulated[scalar + l] = strain + increment;
                 self.trial.strength[scalar + l] = strength;
                 self.tangent.coefficients[coefficient(0) + l] = two_shear * (1.0 - ratio);
-                // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive.
+                // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive. A strength that falls counts
+                // as constant, so that the tangent stays definite.
                 self.tangent.coefficients[coefficient(1) + l] =
-                    6.0 * shear * shear * (increment / trial - 1.0 / (3.0 * shear + slope));
+                    6.0 * shear * shear * (increment / trial - 1.0 / (3.0 * shear + slope.max(0.0)));
                 let norm = trial * (2.0f64 / 3.0).sqrt();
                 for i in 0..TENSOR {
                     let direction = stress[i][l] / norm;

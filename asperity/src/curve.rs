@@ -12,8 +12,15 @@ pub struct Curve {
 
 impl Curve {
     /// Through the points (knots, values); knots do not fall.
-    pub fn new(knots: Vec<f64>, values: Vec<f64>) -> Self {
+    pub fn new(mut knots: Vec<f64>, mut values: Vec<f64>) -> Self {
         assert!(knots.len() == values.len() && !knots.is_empty(), "a curve has points");
+        // A knot at 0, so that integrals over however little from there have no rounding error of more.
+        let after = knots.partition_point(|&knot| knot <= 0.0);
+        if after == 0 || knots[after - 1] < 0.0 {
+            let value = interpolate(&knots, &values, 0.0).0;
+            knots.insert(after, 0.0);
+            values.insert(after, value);
+        }
         let mut integrals = vec![0.0];
         for i in 1..knots.len() {
             let area = 0.5 * (values[i - 1] + values[i]) * (knots[i] - knots[i - 1]);
@@ -89,6 +96,18 @@ mod tests {
             assert!((curve.integral(x) - area).abs() < 1e-14, "{x}");
         }
         assert_eq!((curve.value(2.0), curve.value(1.5), curve.value(-9.0)), (4.0, 1.75, 1.0));
+    }
+
+    #[test]
+    fn small_integrals_are_as_exact_as_large_ones() {
+        for knots in [vec![-70.0, 30.0], vec![-70.0, -30.0], vec![30.0, 70.0]] {
+            let curve = Curve::new(knots, vec![1.0, 3.0]);
+            for x in [1e-12, 1e-9, -1e-9] {
+                let area = curve.integral(x);
+                assert!((area / (x * curve.value(0.0)) - 1.0).abs() < 1e-9, "{x}");
+                assert!((curve.inverse_integral(area) / x - 1.0).abs() < 1e-14, "{x}");
+            }
+        }
     }
 
     #[test]

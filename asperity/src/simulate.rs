@@ -383,7 +383,8 @@ impl<'a> Task<'a> {
     /// The run at `resolution` and its companions; `probe` is the coarse one of them, if that was made.
     ///
     /// The resolution gets more room where the contact outgrows the mesh, for all of them alike, as
-    /// long as there is any; what was done about it is added to `notes`.
+    /// long as there is any; what was done about it is added to `notes`. Where the coarse run failed
+    /// errors are unknown, and the others are not needed.
     fn with_companions(
         &self,
         resolution: &mut Resolution,
@@ -411,10 +412,12 @@ impl<'a> Task<'a> {
             let coarse = resolution.coarse();
             let (sectors, steps) = (coarse.other_sectors(), coarse.longer_steps());
             let plan = [*resolution, coarse, sectors, steps, coarse.looser_solver()];
+            let hopeless = probe.as_ref().is_some_and(|probe| !probe.complete());
+            let needed = |i: usize| i == 0 || (!hopeless && (i != COARSE || probe.is_none()));
             let runs: Vec<_> = plan
                 .par_iter()
                 .enumerate()
-                .filter(|(i, _)| *i != COARSE || probe.is_none())
+                .filter(|(i, _)| needed(*i))
                 .map(|(i, resolution)| {
                     self.slide(resolution, |done| {
                         if i == 0 {
