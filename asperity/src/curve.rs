@@ -26,10 +26,9 @@ impl Curve {
             let area = 0.5 * (values[i - 1] + values[i]) * (knots[i] - knots[i - 1]);
             integrals.push(integrals[i - 1] + area);
         }
-        let mut curve = Self { knots, values, integrals };
-        let origin = curve.integral(0.0);
-        curve.integrals.iter_mut().for_each(|integral| *integral -= origin);
-        curve
+        let origin = integrals[knots.partition_point(|&knot| knot < 0.0)];
+        integrals.iter_mut().for_each(|integral| *integral -= origin);
+        Self { knots, values, integrals }
     }
 
     pub fn constant(value: f64) -> Self {
@@ -40,9 +39,10 @@ impl Curve {
         interpolate(&self.knots, &self.values, x).0
     }
 
-    /// ∫₀ˣ.
+    /// ∫₀ˣ, reckoned from the end of the segment that is nearer to 0.
     pub fn integral(&self, x: f64) -> f64 {
-        let at = self.knots.partition_point(|&knot| knot <= x).saturating_sub(1);
+        let after = self.knots.partition_point(|&knot| knot <= x);
+        let at = if x < 0.0 { after } else { after.saturating_sub(1) };
         let slope = interpolate(&self.knots, &self.values, x).1;
         let d = x - self.knots[at];
         self.integrals[at] + d * (self.values[at] + 0.5 * slope * d)
@@ -51,11 +51,11 @@ impl Curve {
     /// The x at which ∫₀ˣ is `integral`; the curve must be positive.
     pub fn inverse_integral(&self, integral: f64) -> f64 {
         let after = self.integrals.partition_point(|&known| known <= integral);
-        let at = after.saturating_sub(1);
+        let at = if integral < 0.0 { after } else { after.saturating_sub(1) };
         let (value, excess) = (self.values[at], integral - self.integrals[at]);
         let slope = match after {
             inner if inner > 0 && inner < self.knots.len() => {
-                (self.values[inner] - value) / (self.knots[inner] - self.knots[at])
+                (self.values[inner] - self.values[inner - 1]) / (self.knots[inner] - self.knots[inner - 1])
             }
             _ => 0.0,
         };

@@ -4,7 +4,7 @@
 //! The cases are data, `cases.toml`: what each changes of the scene `base.toml`. Nothing is tuned
 //! for any of them.
 
-use std::time::Instant as Clock;
+use std::time::{Duration, Instant as Clock};
 
 use serde::Deserialize;
 use tables::quantity::Quantity;
@@ -24,6 +24,9 @@ const CASES: &str = include_str!("cases.toml");
 const LEDGER: f64 = 1e-3;
 /// Rise above the melting point, relative to the range of softening, that a step may overshoot by.
 const OVERSHOOT: f64 = 0.01;
+
+/// A case that is not done by then is stopped; those that converge take seconds.
+const TIME_LIMIT: Duration = Duration::from_secs(300);
 
 /// One case.
 #[derive(Clone, Debug, Deserialize)]
@@ -84,7 +87,7 @@ impl HardCase {
     pub fn run(&self, watch: &dyn Watch) -> Option<HardResult> {
         let clock = Clock::now();
         let scene = self.scene().expect("checked by the tests");
-        let (verdict, outcome) = match simulate(&scene, watch) {
+        let (verdict, outcome) = match simulate(&scene, &Limited { watch, since: clock }) {
             Ok(outcome) => {
                 let wrong = contradictions(&scene, &outcome);
                 let verdict = match (wrong.is_empty(), &self.refused) {
@@ -94,7 +97,10 @@ impl HardCase {
                 };
                 (verdict, Some(Box::new(outcome)))
             }
-            Err(SimulationError::Cancelled { .. }) => return None,
+            Err(SimulationError::Cancelled { .. }) if watch.cancelled() => return None,
+            Err(SimulationError::Cancelled { partial }) => {
+                (Verdict::Failed(format!("stopped: not done after {} s", TIME_LIMIT.as_secs())), partial)
+            }
             Err(error) => {
                 let message = error.to_string();
                 let verdict = match &self.refused {
@@ -109,6 +115,22 @@ impl HardCase {
             }
         };
         Some(HardResult { scene, verdict, outcome, wall_time: clock.elapsed().as_secs_f64() })
+    }
+}
+
+/// Stops what takes too long.
+struct Limited<'a> {
+    watch: &'a dyn Watch,
+    since: Clock,
+}
+
+impl Watch for Limited<'_> {
+    fn progress(&self, stage: &'static str, done: f64, detail: &str) {
+        self.watch.progress(stage, done, detail);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.watch.cancelled() || self.since.elapsed() > TIME_LIMIT
     }
 }
 
