@@ -57,6 +57,7 @@ impl Kernels {
         let size = MeshSize {
             contact_radius: problem.expected_contact_radius(),
             elements_per_radius: resolution.elements_per_radius,
+            growth_zone: resolution.growth_zone,
         };
         let (pressed, _) = press_on(&problem, size, resolution.press_increments).expect("a press that works");
         let radius = pressed.contact.radius(&pressed.contact.committed);

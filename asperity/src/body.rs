@@ -171,6 +171,11 @@ impl Body {
         self.committed.copy_from(&self.trial);
     }
 
+    /// Back to the history, after a step that failed.
+    pub fn restore(&mut self) {
+        self.trial.copy_from(&self.committed);
+    }
+
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
@@ -326,9 +331,10 @@ impl Body {
                 self.trial.accumulated[scalar + l] = strain + increment;
                 self.trial.strength[scalar + l] = strength;
                 self.tangent.coefficients[coefficient(0) + l] = two_shear * (1.0 - ratio);
-                // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive.
+                // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive. A strength that falls counts
+                // as constant, so that the tangent stays definite.
                 self.tangent.coefficients[coefficient(1) + l] =
-                    6.0 * shear * shear * (increment / trial - 1.0 / (3.0 * shear + slope));
+                    6.0 * shear * shear * (increment / trial - 1.0 / (3.0 * shear + slope.max(0.0)));
                 let norm = trial * (2.0f64 / 3.0).sqrt();
                 for i in 0..TENSOR {
                     let direction = stress[i][l] / norm;

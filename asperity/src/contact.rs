@@ -328,9 +328,11 @@ impl Contact {
         }
     }
 
-    /// Outermost ring in contact.
-    pub fn outermost(&self) -> Option<usize> {
-        (0..self.len()).rev().find(|&i| self.trial.status[i] != Status::Open).map(|i| i / self.columns)
+    /// Whether the contact has come so near the rim of the mesh that its edge cannot be told.
+    pub fn at_rim(&self, state: &ContactState) -> bool {
+        let touching = |i: &usize| state.status[*i] != Status::Open;
+        let outermost = (0..self.len()).rev().find(touching).map_or(0, |i| i / self.columns);
+        outermost + 2 >= self.radii.len()
     }
 
     pub fn commit(&mut self) {
@@ -420,7 +422,7 @@ mod tests {
     use crate::mesh::{MeridianMesh, MeshSize};
 
     pub(super) fn contact() -> (RevolvedMesh, Contact) {
-        let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: 4 });
+        let meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
         let mesh = RevolvedMesh::new(meridian, Sectors::full(4));
         let contact = Contact::new(&mesh, 500.0);
         (mesh, contact)

@@ -12,17 +12,23 @@ pub struct Curve {
 
 impl Curve {
     /// Through the points (knots, values); knots do not fall.
-    pub fn new(knots: Vec<f64>, values: Vec<f64>) -> Self {
+    pub fn new(mut knots: Vec<f64>, mut values: Vec<f64>) -> Self {
         assert!(knots.len() == values.len() && !knots.is_empty(), "a curve has points");
+        // A knot at 0, so that integrals over however little from there have no rounding error of more.
+        let after = knots.partition_point(|&knot| knot <= 0.0);
+        if after == 0 || knots[after - 1] < 0.0 {
+            let value = interpolate(&knots, &values, 0.0).0;
+            knots.insert(after, 0.0);
+            values.insert(after, value);
+        }
         let mut integrals = vec![0.0];
         for i in 1..knots.len() {
             let area = 0.5 * (values[i - 1] + values[i]) * (knots[i] - knots[i - 1]);
             integrals.push(integrals[i - 1] + area);
         }
-        let mut curve = Self { knots, values, integrals };
-        let origin = curve.integral(0.0);
-        curve.integrals.iter_mut().for_each(|integral| *integral -= origin);
-        curve
+        let origin = integrals[knots.partition_point(|&knot| knot < 0.0)];
+        integrals.iter_mut().for_each(|integral| *integral -= origin);
+        Self { knots, values, integrals }
     }
 
     pub fn constant(value: f64) -> Self {
@@ -33,9 +39,10 @@ impl Curve {
         interpolate(&self.knots, &self.values, x).0
     }
 
-    /// ∫₀ˣ.
+    /// ∫₀ˣ, reckoned from the end of the segment that is nearer to 0.
     pub fn integral(&self, x: f64) -> f64 {
-        let at = self.knots.partition_point(|&knot| knot <= x).saturating_sub(1);
+        let after = self.knots.partition_point(|&knot| knot <= x);
+        let at = if x < 0.0 { after } else { after.saturating_sub(1) };
         let slope = interpolate(&self.knots, &self.values, x).1;
         let d = x - self.knots[at];
         self.integrals[at] + d * (self.values[at] + 0.5 * slope * d)
@@ -44,11 +51,11 @@ impl Curve {
     /// The x at which ∫₀ˣ is `integral`; the curve must be positive.
     pub fn inverse_integral(&self, integral: f64) -> f64 {
         let after = self.integrals.partition_point(|&known| known <= integral);
-        let at = after.saturating_sub(1);
+        let at = if integral < 0.0 { after } else { after.saturating_sub(1) };
         let (value, excess) = (self.values[at], integral - self.integrals[at]);
         let slope = match after {
             inner if inner > 0 && inner < self.knots.len() => {
-                (self.values[inner] - value) / (self.knots[inner] - self.knots[at])
+                (self.values[inner] - self.values[inner - 1]) / (self.knots[inner] - self.knots[inner - 1])
             }
             _ => 0.0,
         };
@@ -89,6 +96,18 @@ mod tests {
             assert!((curve.integral(x) - area).abs() < 1e-14, "{x}");
         }
         assert_eq!((curve.value(2.0), curve.value(1.5), curve.value(-9.0)), (4.0, 1.75, 1.0));
+    }
+
+    #[test]
+    fn small_integrals_are_as_exact_as_large_ones() {
+        for knots in [vec![-70.0, 30.0], vec![-70.0, -30.0], vec![30.0, 70.0]] {
+            let curve = Curve::new(knots, vec![1.0, 3.0]);
+            for x in [1e-12, 1e-9, -1e-9] {
+                let area = curve.integral(x);
+                assert!((area / (x * curve.value(0.0)) - 1.0).abs() < 1e-9, "{x}");
+                assert!((curve.inverse_integral(area) / x - 1.0).abs() < 1e-14, "{x}");
+            }
+        }
     }
 
     #[test]

@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn harmonic_solver_agrees_with_a_plain_sparse_factorisation() {
         for count in [4, 8] {
-            let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
+            let meridian = MeridianMesh::new(MeshSize::new(0.1, 4));
             let mesh = RevolvedMesh::new(meridian, Sectors::full(count));
             let moduli = Moduli::new(500.0, 0.3);
             let angles = mesh.sectors.angles();

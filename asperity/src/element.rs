@@ -311,7 +311,7 @@ mod tests {
     use crate::sectors::VECTOR_PARITY;
 
     fn mesh(sectors: Sectors) -> RevolvedMesh {
-        let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: 4 });
+        let meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
         RevolvedMesh::new(meridian, sectors)
     }
 

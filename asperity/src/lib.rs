@@ -89,6 +89,7 @@ mod fake;
 pub mod figures;
 pub mod fracture;
 pub mod friction_law;
+pub mod hard_cases;
 mod harmonic;
 pub mod honesty;
 mod kinematics;

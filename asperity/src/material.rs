@@ -169,7 +169,9 @@ impl Solid {
         if excess <= 0.0 {
             return Return { increment: 0.0, strength, slope: factor * self.hardened(strain).1 };
         }
-        let (mut low, mut high) = (0.0, excess / stiffness);
+        // A hardening that falls lets the increment be larger than that at the present strength.
+        let most = if let Hardening::Table { .. } = self.hardening { trial } else { excess };
+        let (mut low, mut high) = (0.0, most / stiffness);
         let mut x = match &self.hardening {
             _ if guess > 0.0 && guess < high => guess,
             Hardening::JohnsonCook { modulus, exponent } if strain <= 0.0 && factor > 0.0 => {
@@ -236,6 +238,7 @@ mod tests {
             Hardening::Linear { modulus: 2e9 },
             Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 },
             Hardening::Table { plastic_strain: vec![0.0, 0.01, 0.3], factor: vec![1.0, 1.2, 1.5] },
+            Hardening::Table { plastic_strain: vec![0.0, 0.01, 0.3], factor: vec![1.0, 0.9, 0.1] },
         ];
         for law in laws {
             let solid = steel(law);

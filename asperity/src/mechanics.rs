@@ -334,6 +334,15 @@ impl Mechanics {
         Ok(())
     }
 
+    /// Back to the state before a step that failed, with the displacement and the cover of that
+    /// state: nothing of the attempt may guide the next one.
+    pub fn restore(&mut self, displacement: Vec<f64>, cover: Vec<f64>) {
+        self.body.restore();
+        self.contact.trial.clone_from(&self.contact.committed);
+        self.contact.cover = cover;
+        self.displacement = displacement;
+    }
+
     /// Body, contact and displacement.
     pub fn into_parts(self) -> (Body, Contact, Vec<f64>) {
         (self.body, self.contact, self.displacement)

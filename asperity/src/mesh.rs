@@ -7,7 +7,7 @@
 //!   z
 //!   |  apex
 //!   o--+--+-+-+--+---.          block: fine elements around the contact,
-//!   +--+--+-+-+--+     `-.             r < 1.6 a, thin layers under the surface
+//!   +--+--+-+-+--+     `-.             r < 1.6 a (or more), thin layers under the surface
 //!   +--+--+-+-+--+--.     \     fan: shells of growing thickness, the block's
 //!   |  :  : : :  :\   `.   \         outline swelling to the base and the sphere
 //!   |   shells     \    \  |
@@ -21,6 +21,27 @@ pub struct MeshSize {
     pub contact_radius: f64,
     /// n_c, elements per contact radius.
     pub elements_per_radius: usize,
+    /// The rings keep their edge size up to here, in contact radii: the contact grows while it slides.
+    pub growth_zone: f64,
+}
+
+impl MeshSize {
+    /// With the room for growth that most slides need.
+    #[cfg(test)]
+    pub fn new(contact_radius: f64, elements_per_radius: usize) -> Self {
+        Self { contact_radius, elements_per_radius, growth_zone: GROWTH_ZONE }
+    }
+
+    /// Whether the mesh fits into the hemisphere: the fine block does, and the elements around it
+    /// are not squeezed out of shape.
+    pub fn fits(&self) -> bool {
+        let block = self.contact_radius * (self.growth_zone + RIM);
+        if block > LARGEST_BLOCK {
+            return false;
+        }
+        let mesh = MeridianMesh::new(*self);
+        mesh.quads.iter().all(|quad| mesh.corner_quality(quad) > WORST_CORNER)
+    }
 }
 
 /// Nodes and quadrilaterals of the meridian.
@@ -45,16 +66,20 @@ pub fn sphere_height(r: f64) -> f64 {
 pub const EDGE_SIZE: f64 = 1.0 / 3.0;
 const CENTRE_SIZE: f64 = 1.6;
 const SURFACE_LAYER: f64 = 0.5;
-/// The rings keep their edge size up to here (in a): the contact grows while it slides.
-const GROWTH_ZONE: f64 = 1.25;
-/// Outer radius and depth of the fine block, in a.
-const BLOCK_RADIUS: f64 = 1.6;
+/// Growth that a mesh has room for unless more is asked.
+pub const GROWTH_ZONE: f64 = 1.25;
+/// Width of the coarser rim of the fine block beyond that, and its depth, in a.
+const RIM: f64 = 0.35;
 const BLOCK_DEPTH: f64 = 1.3;
+/// Outer radius of the block at most, in R: the last ring lies a little beyond its rim.
+const LARGEST_BLOCK: f64 = 0.9;
+/// Least Jacobian at a corner, relative to the mean over the element.
+const WORST_CORNER: f64 = 0.1;
 
 impl MeridianMesh {
     pub fn new(size: MeshSize) -> Self {
         let a = size.contact_radius;
-        let rings: Vec<f64> = ring_radii(size.elements_per_radius).iter().map(|r| r * a).collect();
+        let rings: Vec<f64> = ring_radii(size).iter().map(|r| r * a).collect();
         let depths: Vec<f64> = layer_depths(size.elements_per_radius).iter().map(|d| d * a).collect();
         let columns = rings.len() - 1;
         let layers = depths.len() - 1;
@@ -77,7 +102,7 @@ impl MeridianMesh {
         let mut outline: Vec<u32> = (0..=columns).map(|i| block(i, layers)).collect();
         outline.extend((0..layers).rev().map(|k| block(columns, k)));
         let growth = 1.0 + 3.0 / size.elements_per_radius as f64;
-        let block_size = BLOCK_RADIUS * a;
+        let block_size = (size.growth_zone + RIM) * a;
         let shells = ((1.0 / block_size).ln() / growth.ln()).ceil().max(2.0) as usize;
         let (start, last) = (outline.clone(), outline.len() - 1);
         let mut previous = outline;
@@ -112,6 +137,21 @@ impl MeridianMesh {
     /// Radii of the rings that can come into contact.
     pub fn contact_radii(&self) -> Vec<f64> {
         self.contact.iter().map(|&n| self.nodes[n as usize][0]).collect()
+    }
+
+    /// Smallest Jacobian over the corners of a quadrilateral, relative to its mean; not positive
+    /// unless it is convex.
+    fn corner_quality(&self, quad: &[u32; 4]) -> f64 {
+        let p: Vec<[f64; 2]> = quad.iter().map(|&n| self.nodes[n as usize]).collect();
+        let jacobians: Vec<f64> = (0..4)
+            .map(|i| {
+                let (a, b, c) = (p[(i + 3) % 4], p[i], p[(i + 1) % 4]);
+                (c[0] - b[0]) * (a[1] - b[1]) - (c[1] - b[1]) * (a[0] - b[0])
+            })
+            .collect();
+        let mean = jacobians.iter().sum::<f64>() / 4.0;
+        let least = jacobians.iter().fold(f64::INFINITY, |least, &jacobian| least.min(jacobian));
+        if mean > 0.0 { least / mean } else { f64::NEG_INFINITY }
     }
 
     pub fn on_axis(&self, node: usize) -> bool {
@@ -154,7 +194,8 @@ fn base_distance(scaled_angle: f64, surface_angle: impl Fn(f64) -> f64) -> f64 {
 ///
 /// The size shrinks linearly from the centre to the edge, stays as it is where the contact may
 /// grow, and grows again towards the rim of the block.
-fn ring_radii(n: usize) -> Vec<f64> {
+fn ring_radii(size: MeshSize) -> Vec<f64> {
+    let n = size.elements_per_radius;
     let edge = EDGE_SIZE / n as f64;
     let inner = 1.0 - 0.5 * edge;
     // Sizes in arithmetic progression from about CENTRE_SIZE to EDGE_SIZE whose sum is `inner`.
@@ -166,15 +207,15 @@ fn ring_radii(n: usize) -> Vec<f64> {
         r += centre + (edge - centre) * i as f64 / (count - 1) as f64;
         radii.push(r);
     }
-    while r < GROWTH_ZONE {
+    while r < size.growth_zone {
         r += edge;
         radii.push(r);
     }
-    let mut size = edge;
+    let mut width = edge;
     let growth = 1.0 + 3.0 / n as f64;
-    while r < BLOCK_RADIUS {
-        size *= growth;
-        r += size;
+    while r < size.growth_zone + RIM {
+        width *= growth;
+        r += width;
         radii.push(r);
     }
     radii
@@ -214,27 +255,35 @@ pub(crate) fn revolved_volume(mesh: &MeridianMesh) -> f64 {
 mod tests {
     use super::*;
 
-    /// Smallest Jacobian over the corners of a quadrilateral, relative to its mean.
-    fn corner_quality(mesh: &MeridianMesh, quad: &[u32; 4]) -> f64 {
-        let p: Vec<[f64; 2]> = quad.iter().map(|&n| mesh.nodes[n as usize]).collect();
-        let jacobians: Vec<f64> = (0..4)
-            .map(|i| {
-                let (a, b, c) = (p[(i + 3) % 4], p[i], p[(i + 1) % 4]);
-                (c[0] - b[0]) * (a[1] - b[1]) - (c[1] - b[1]) * (a[0] - b[0])
-            })
-            .collect();
-        let mean = jacobians.iter().sum::<f64>() / 4.0;
-        assert!(mean > 0.0);
-        jacobians.iter().fold(f64::INFINITY, |m, &j| m.min(j / mean))
-    }
-
     #[test]
     fn elements_are_convex_for_small_and_large_contacts() {
         for a in [1e-4, 1e-2, 0.13, 0.3] {
             for n in [4, 8, 16] {
-                let mesh = MeridianMesh::new(MeshSize { contact_radius: a, elements_per_radius: n });
-                let worst = mesh.quads.iter().map(|q| corner_quality(&mesh, q)).fold(f64::INFINITY, f64::min);
+                let mesh = MeridianMesh::new(MeshSize::new(a, n));
+                let worst = mesh.quads.iter().map(|q| mesh.corner_quality(q)).fold(f64::INFINITY, f64::min);
                 assert!(worst > 0.1, "a = {a}, n_c = {n}: {worst}");
+            }
+        }
+    }
+
+    /// A mesh that fits is one that can be used, however large the contact and its room to grow.
+    #[test]
+    fn a_mesh_is_refused_before_its_elements_fold() {
+        let size = |contact_radius: f64, growth_zone: f64| MeshSize {
+            contact_radius,
+            elements_per_radius: 6,
+            growth_zone,
+        };
+        assert!(size(0.3, GROWTH_ZONE).fits() && size(0.1, 4.0).fits());
+        assert!(!size(0.6, GROWTH_ZONE).fits() && !size(0.3, 4.0).fits() && !size(40.0, GROWTH_ZONE).fits());
+        for k in 1..60 {
+            for growth_zone in [1.25, 1.9, 4.0] {
+                let size = size(0.01 * f64::from(k), growth_zone);
+                if size.fits() {
+                    let mesh = MeridianMesh::new(size);
+                    assert!(mesh.quads.iter().all(|quad| mesh.corner_quality(quad) > 0.0));
+                    crate::element::RevolvedMesh::new(mesh, crate::sectors::Sectors::full(4));
+                }
             }
         }
     }
@@ -243,7 +292,7 @@ mod tests {
     fn volume_approaches_the_hemisphere_at_second_order() {
         let exact = 2.0 / 3.0 * std::f64::consts::PI;
         let error = |n: usize| {
-            let mesh = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: n });
+            let mesh = MeridianMesh::new(MeshSize::new(0.05, n));
             (revolved_volume(&mesh) / exact - 1.0).abs()
         };
         assert!(error(16) < 0.02);
@@ -253,7 +302,7 @@ mod tests {
     #[test]
     fn the_edge_lies_midway_between_two_rings() {
         for n in [6, 8, 12, 16, 32] {
-            let radii = ring_radii(n);
+            let radii = ring_radii(MeshSize::new(1.0, n));
             let after = radii.iter().position(|&r| r > 1.0).unwrap();
             let middle = 0.5 * (radii[after - 1] + radii[after]);
             assert!((middle - 1.0).abs() < 1e-12);

@@ -55,6 +55,7 @@ pub fn press_on(
         let interference = problem.interference * next * next;
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
+        let cover = mechanics.contact.cover.clone();
         let flat = Flat { interference, displacement: 0.0 };
         let outcome = mechanics.solve(flat, Hold::Interference, start, |_, contact, iteration| {
             if problem.finite_strain {
@@ -79,7 +80,7 @@ pub fn press_on(
                 advance = (1.5 * advance).min(1.0 / count);
             }
             Err(failure) => {
-                mechanics.displacement = committed;
+                mechanics.restore(committed, cover);
                 advance *= 0.5;
                 if advance < 1e-4 / count {
                     return Err(PressFailure::Step {

@@ -1,6 +1,7 @@
 //! What the asked accuracy means for mesh, sectors, increments and heat.
 
 use crate::error_budget::RelativeParts;
+use crate::mesh::GROWTH_ZONE;
 use crate::problem::SHEAR_RATIO;
 use crate::scene::{Numerics, Scene, Softening, Switch};
 use crate::slide::Increments;
@@ -19,6 +20,8 @@ const MOST_PRESS_INCREMENTS: usize = 64;
 /// Finest resolution that an accuracy can ask for.
 const MOST_ELEMENTS: usize = 48;
 const MOST_SECTORS: usize = 16;
+/// By how much more room is given to a contact that outgrows its mesh.
+const WIDER: f64 = 1.5;
 
 /// How finely a run is divided, in each direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +30,8 @@ pub struct Resolution {
     pub elements_per_radius: usize,
     /// N_θ.
     pub sectors: usize,
+    /// Room of the mesh for the contact to grow, see [`crate::mesh::MeshSize`].
+    pub growth_zone: f64,
     pub press_increments: usize,
     pub increments: Increments,
     /// Relative residual at which a step counts as solved.
@@ -48,6 +53,7 @@ impl Resolution {
         Self {
             elements_per_radius,
             sectors,
+            growth_zone: GROWTH_ZONE,
             press_increments: (PRESS_INCREMENTS * elements_per_radius).min(MOST_PRESS_INCREMENTS),
             increments: Increments { growth, coupling_limit: COUPLING_LIMIT },
             tolerance: NEWTON_TOLERANCE,
@@ -58,7 +64,13 @@ impl Resolution {
     pub fn coarse(&self) -> Self {
         let coarse = Self::new((self.elements_per_radius / 2).max(4), self.sectors, self.increments.growth);
         // No finer than this one, where this is as coarse as can be.
-        Self { elements_per_radius: coarse.elements_per_radius.min(self.elements_per_radius), ..coarse }
+        let elements_per_radius = coarse.elements_per_radius.min(self.elements_per_radius);
+        Self { elements_per_radius, growth_zone: self.growth_zone, ..coarse }
+    }
+
+    /// The same with more room for the contact to grow.
+    pub fn wider(&self) -> Self {
+        Self { growth_zone: WIDER * self.growth_zone, ..*self }
     }
 
     /// The same with another N_θ: the next finer where this is the coarsest.
@@ -80,7 +92,8 @@ impl Resolution {
 
     /// On a mesh `factor` times as fine, all else alike.
     pub fn finer_mesh(&self, factor: usize) -> Self {
-        Self::new(factor * self.elements_per_radius, self.sectors, self.increments.growth)
+        let finer = Self::new(factor * self.elements_per_radius, self.sectors, self.increments.growth);
+        Self { growth_zone: self.growth_zone, ..finer }
     }
 
     /// The same in increments of press and slide `factor` times shorter.
@@ -115,7 +128,7 @@ impl Resolution {
             elements = (wanted.ceil() as usize).clamp(elements + 2, 2 * elements).next_multiple_of(2);
             elements = elements.min(MOST_ELEMENTS).max(self.elements_per_radius);
         }
-        let finer = Self::new(elements, sectors, growth);
+        let finer = Self { growth_zone: self.growth_zone, ..Self::new(elements, sectors, growth) };
         (finer != *self).then_some(finer)
     }
 

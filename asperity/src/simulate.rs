@@ -2,7 +2,8 @@
 //!
 //! Each run has companions on a coarser mesh, from which its errors are estimated (see
 //! `error_budget`); where they are larger than asked, and the scene leaves the choice, it
-//! is repeated more finely. The companions run beside it if there are threads for them.
+//! is repeated more finely. The companions run beside it if there are threads for them. Where the
+//! contact grows past the fine mesh, all is repeated on meshes with more room.
 
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant as Clock;
@@ -94,7 +95,6 @@ pub enum SimulationError {
 
 /// The pressed asperity on one mesh.
 struct PressedMesh {
-    elements_per_radius: usize,
     press_increments: usize,
     size: MeshSize,
     /// Axisymmetric state at the end of the press.
@@ -252,7 +252,8 @@ impl Pressed {
     fn mesh(&self, resolution: &Resolution, watch: &dyn Watch) -> Result<Arc<PressedMesh>, SimulationError> {
         let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
         let known = meshes.iter().find(|mesh| {
-            mesh.elements_per_radius == resolution.elements_per_radius
+            mesh.size.elements_per_radius == resolution.elements_per_radius
+                && mesh.size.growth_zone == resolution.growth_zone
                 && mesh.press_increments == resolution.press_increments
         });
         if let Some(mesh) = known {
@@ -279,23 +280,34 @@ fn press_mesh(
     expected_radius: f64,
     watch: &dyn Watch,
 ) -> Result<PressedMesh, SimulationError> {
+    /// Layouts that may be tried where the contact reaches the rim of the mesh: its radius is then
+    /// not known yet.
+    const LAYOUTS_PAST_RIM: usize = 8;
     let clock = Clock::now();
-    let Resolution { elements_per_radius, press_increments, .. } = *resolution;
-    let on = |contact_radius: f64| {
-        if watch.cancelled() {
-            return Err(SimulationError::Cancelled { partial: None });
+    let Resolution { elements_per_radius, press_increments, growth_zone, .. } = *resolution;
+    let on = |mut contact_radius: f64| {
+        for _ in 0..LAYOUTS_PAST_RIM {
+            if watch.cancelled() {
+                return Err(SimulationError::Cancelled { partial: None });
+            }
+            let size = MeshSize { contact_radius, elements_per_radius, growth_zone };
+            if !size.fits() {
+                break;
+            }
+            let (mechanics, increments) =
+                press::press_on(problem, size, press_increments).map_err(press_error)?;
+            if !mechanics.contact.at_rim(&mechanics.contact.committed) {
+                return Ok((size, mechanics, increments));
+            }
+            contact_radius *= growth_zone;
         }
-        let size = MeshSize { contact_radius, elements_per_radius };
-        let (mechanics, increments) =
-            press::press_on(problem, size, press_increments).map_err(press_error)?;
-        Ok((size, mechanics, increments))
+        Err(too_deep(problem, contact_radius))
     };
     let (_, first, _) = on(expected_radius)?;
     let (size, mechanics, increments) = on(first.contact.radius(&first.contact.committed))?;
     let effort = mechanics.effort;
     let (body, contact, displacement) = mechanics.into_parts();
     Ok(PressedMesh {
-        elements_per_radius,
         press_increments,
         size,
         body,
@@ -307,6 +319,16 @@ fn press_mesh(
     })
 }
 
+/// The contact is so large that its mesh does not fit into the hemisphere.
+fn too_deep(problem: &Problem, radius: f64) -> SimulationError {
+    SimulationError::Unsupported(format!(
+        "an interference of {:.4} omega_c presses the asperity by {:.2} of its radius, to a contact radius \
+         of about {radius:.2} of it: the model needs a contact that is small beside the asperity",
+        problem.interference / problem.critical_interference,
+        problem.interference,
+    ))
+}
+
 fn press_error(failure: PressFailure) -> SimulationError {
     let (at, reason) = match failure {
         PressFailure::Factor(error) => ("the elastic stiffness".into(), error.to_string()),
@@ -315,6 +337,19 @@ fn press_error(failure: PressFailure) -> SimulationError {
         }
     };
     SimulationError::NotConverged { stage: "press", at, reason, partial: None }
+}
+
+/// A slide and the pressed mesh that it started on.
+type Run = (Arc<PressedMesh>, Slid);
+
+impl Slid {
+    /// Growth of the contact, relative to its radius after the press, at which it left the mesh.
+    fn outgrown(&self) -> Option<f64> {
+        match self.failure {
+            Some(SlideFailure::OutgrewMesh { growth }) => Some(growth),
+            _ => None,
+        }
+    }
 }
 
 /// Where the contact points are.
@@ -358,7 +393,7 @@ impl<'a> Task<'a> {
         &self,
         resolution: &Resolution,
         mut progress: impl FnMut(f64, &str),
-    ) -> Result<(Arc<PressedMesh>, Slid), SimulationError> {
+    ) -> Result<Run, SimulationError> {
         let problem = &self.pressed.problem;
         let pressed = self.pressed.mesh(resolution, self.watch)?;
         let clock = Clock::now();
@@ -410,6 +445,71 @@ impl<'a> Task<'a> {
             failure,
         };
         Ok((pressed, slid))
+    }
+
+    /// The run at `resolution` and its companions; `probe` is the coarse one of them, if that was made.
+    ///
+    /// The resolution gets more room where the contact outgrows the mesh, for all of them alike, as
+    /// long as there is any; what was done about it is added to `notes`. Where the coarse run failed
+    /// errors are unknown, and the others are not needed.
+    fn with_companions(
+        &self,
+        resolution: &mut Resolution,
+        mut probe: Option<Probe>,
+        notes: &mut Vec<String>,
+        progress: impl Fn(f64, &str) + Sync,
+    ) -> Result<Vec<Run>, SimulationError> {
+        /// Place of the coarse run in the plan.
+        const COARSE: usize = 1;
+        let note = |growth: f64, wider: &Resolution| {
+            format!(
+                "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine \
+                 mesh, which now has room for {:.2} times",
+                wider.growth_zone
+            )
+        };
+        loop {
+            let wider = resolution.wider();
+            let room = self.fits(&wider);
+            if let Some(growth) = probe.as_ref().and_then(|probe| probe.slid.outgrown()).filter(|_| room) {
+                notes.push(note(growth, &wider));
+                (*resolution, probe) = (wider, None);
+                continue;
+            }
+            let coarse = resolution.coarse();
+            let (sectors, steps) = (coarse.other_sectors(), coarse.longer_steps());
+            let plan = [*resolution, coarse, sectors, steps, coarse.looser_solver()];
+            let hopeless = probe.as_ref().is_some_and(|probe| !probe.complete());
+            let needed = |i: usize| i == 0 || (!hopeless && (i != COARSE || probe.is_none()));
+            let runs: Vec<_> = plan
+                .par_iter()
+                .enumerate()
+                .filter(|(i, _)| needed(*i))
+                .map(|(i, resolution)| {
+                    self.slide(resolution, |done, standing| {
+                        if i == 0 {
+                            progress(done, standing);
+                        }
+                    })
+                })
+                .collect();
+            let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
+            if let Some(Probe { mesh, slid, .. }) = probe.take() {
+                runs.insert(COARSE, (mesh, slid));
+            }
+            let growth = runs.iter().filter_map(|(_, slid)| slid.outgrown()).fold(0.0, f64::max);
+            if growth == 0.0 || !room {
+                return Ok(runs);
+            }
+            notes.push(note(growth, &wider));
+            *resolution = wider;
+        }
+    }
+
+    /// Whether the hemisphere has room for the mesh.
+    fn fits(&self, resolution: &Resolution) -> bool {
+        let Resolution { elements_per_radius, growth_zone, .. } = *resolution;
+        MeshSize { contact_radius: self.pressed.contact_radius, elements_per_radius, growth_zone }.fits()
     }
 
     fn scalars(&self, mesh: &PressedMesh, slid: &Slid) -> Scalars {
@@ -484,28 +584,9 @@ pub(crate) fn slide_refined(
     let task = Task::new(pressed, slip_rate, watch, &mut notes);
 
     let mut resolution = pressed.resolution;
+    let shown = |done: f64, standing: &str| watch.progress("slide", FIRST_SHARE * done, standing);
+    let mut runs = task.with_companions(&mut resolution, probe, &mut notes, shown)?.into_iter();
     let coarser = resolution.coarse();
-    let plan =
-        [resolution, coarser, coarser.other_sectors(), coarser.longer_steps(), coarser.looser_solver()];
-    /// Place of the coarse run in the plan.
-    const COARSE: usize = 1;
-    let runs: Vec<_> = plan
-        .par_iter()
-        .enumerate()
-        .filter(|(i, _)| *i != COARSE || probe.is_none())
-        .map(|(i, resolution)| {
-            task.slide(resolution, |done, standing| {
-                if i == 0 {
-                    watch.progress("slide", FIRST_SHARE * done, standing);
-                }
-            })
-        })
-        .collect();
-    let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
-    if let Some(Probe { mesh, slid, .. }) = probe {
-        runs.insert(COARSE, (mesh, slid));
-    }
-    let mut runs = runs.into_iter();
     let (mut mesh, mut fine) = runs.next().expect("planned");
     let companions: Vec<_> = runs.collect();
     let slide_time = |slid: &Slid| slid.timings.total() - slid.timings.of(Kernel::Press);

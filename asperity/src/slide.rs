@@ -87,6 +87,9 @@ pub struct Slide<'a> {
     pub recorder: Recorder,
     pub cutbacks: usize,
     increments: Increments,
+    /// So many attempts at a step are still to be counted, and every other one of them rejected.
+    #[cfg(test)]
+    rejecting: usize,
 }
 
 /// Heat of friction: flow f_h τ_c(θ) v where the contact slips, less what the gap takes.
@@ -190,6 +193,8 @@ impl<'a> Slide<'a> {
             recorder: Recorder::default(),
             cutbacks: 0,
             increments,
+            #[cfg(test)]
+            rejecting: 0,
         };
         let start = slide.instant(0.0, Instant::default());
         slide.history.push(start);
@@ -226,6 +231,7 @@ impl<'a> Slide<'a> {
                 if left < 1.5 * advance { if left <= advance { left } else { 0.5 * left } } else { advance };
             let next = if left <= increment { distance } else { slip + increment };
             let committed = self.mechanics.displacement.clone();
+            let cover = self.mechanics.contact.cover.clone();
             let start = extrapolate(&before, &committed, slip_before, slip, next);
             let interference = self.interference;
             let sunk = extrapolate(&[interference_before], &[interference], slip_before, slip, next)[0];
@@ -245,7 +251,7 @@ impl<'a> Slide<'a> {
                 Err(
                     failure @ (SlideFailure::Step(_) | SlideFailure::Heat(HeatError::NotConverged { .. })),
                 ) => {
-                    self.mechanics.displacement = committed;
+                    self.mechanics.restore(committed, cover);
                     self.cutbacks += 1;
                     advance = 0.5 * increment;
                     if advance < 1e-6 * elastic {
@@ -338,12 +344,17 @@ impl<'a> Slide<'a> {
         if let Some(error) = failure {
             return Err(error.into());
         }
-        let outermost = self.mechanics.contact.outermost().unwrap_or(0);
-        if outermost + 2 >= self.mechanics.contact.radii.len() {
+        #[cfg(test)]
+        if self.rejecting > 0 {
+            self.rejecting -= 1;
+            if self.rejecting % 2 == 1 {
+                return Err(StepFailure::NotFinite.into());
+            }
+        }
+        let contact = &self.mechanics.contact;
+        if contact.at_rim(&contact.trial) {
             let start = (self.history[0].area / std::f64::consts::PI).sqrt();
-            return Err(SlideFailure::OutgrewMesh {
-                growth: self.mechanics.contact.radii[outermost] / start,
-            });
+            return Err(SlideFailure::OutgrewMesh { growth: contact.radius(&contact.trial) / start });
         }
         let mut instant = self.instant(to, *self.history.last().expect("starts with the press"));
         instant.interference = flat.interference;
@@ -444,3 +455,6 @@ fn contact_rise(contact: &Contact, rise: &[f64]) -> (f64, f64) {
     }
     (largest, if area > 0.0 { sum / area } else { 0.0 })
 }
+
+#[cfg(test)]
+mod tests;

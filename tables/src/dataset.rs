@@ -172,7 +172,11 @@ impl DatasetWriter {
         if let Some(file) = self.file.take() {
             file.close().map_err(|error| self.failed(error))?;
         }
-        std::fs::rename(&self.temporary, &self.path).map_err(|error| self.failed(error))
+        // On the disk before it has its name: a name without content would be a damaged file.
+        let written = std::fs::File::open(&self.temporary).and_then(|file| file.sync_all());
+        written
+            .and_then(|()| std::fs::rename(&self.temporary, &self.path))
+            .map_err(|error| self.failed(error))
     }
 
     fn variable<T: netcdf::NcTypeDescriptor + Copy>(
@@ -242,17 +246,24 @@ impl Drop for DatasetWriter {
 pub struct DatasetReader {
     path: String,
     file: netcdf::File,
+    /// Values that a variable can have at most: a file cannot hold more.
+    most_values: usize,
 }
+
+/// Compressed data are at most this many times larger than the file (the limit of deflate is 1032).
+const MOST_EXPANSION: u64 = 1100;
 
 impl DatasetReader {
     pub fn open(path: &Path) -> Result<Self, DatasetError> {
         let shown = path.display().to_string();
         let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };
         // The library's own message for a missing file does not always say so.
-        std::fs::File::open(path).map_err(|error| failed(error.to_string()))?;
+        let size = std::fs::File::open(path).and_then(|file| file.metadata());
+        let size = size.map_err(|error| failed(error.to_string()))?.len();
         silence_hdf5();
         let file = netcdf::open(path).map_err(|error| failed(error.to_string()))?;
-        Ok(Self { path: shown, file })
+        let most_values = usize::try_from(size.saturating_mul(MOST_EXPANSION) / 8).unwrap_or(usize::MAX);
+        Ok(Self { path: shown, file, most_values })
     }
 
     /// Global attribute that is a text.
@@ -364,6 +375,12 @@ impl DatasetReader {
         let variable = self.variable(name)?;
         let lengths = variable.dimensions().iter().map(|dimension| dimension.len());
         let found: Vec<usize> = lengths.collect();
+        // Dimensions cost nothing in a file: they may promise more than any memory holds.
+        let values = found.iter().try_fold(1usize, |product, length| product.checked_mul(*length));
+        if values.is_none_or(|values| values > self.most_values) {
+            let what = format!("variable \"{name}\" has shape {found:?}, more than the file can hold");
+            return Err(self.content(what));
+        }
         if found == shape {
             return Ok(variable);
         }

@@ -36,7 +36,7 @@ fn body_with(hardening: Hardening, sectors: Sectors, dependence: TemperatureDepe
         fracture: None,
         dependence,
     };
-    let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
+    let meridian = MeridianMesh::new(MeshSize::new(0.1, 4));
     let mesh = RevolvedMesh::new(meridian, sectors);
     Body::new(mesh, Solid::new(&material, 298.0))
 }

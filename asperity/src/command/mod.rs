@@ -1,6 +1,7 @@
 //! The command line: arguments, exit status, and one module per subcommand.
 
 mod convergence;
+mod hard;
 mod honesty;
 mod materials;
 mod merge;
@@ -98,9 +99,14 @@ Example:
   asperity convergence scene.toml -o report.nc --plot report.png";
 
 const VERIFY_EXAMPLE: &str = "\
+A hard case counts as solved if it converged, all its numbers are finite, its ledgers of energy and
+heat close, and no contact is above its melting point. At least 95 % of the cases have to be solved,
+or refused for a reason that the suite expects; exit status 1 otherwise.
+
 Examples:
   asperity verify --quick
-  asperity verify --json > verification.json";
+  asperity verify --json > verification.json
+  asperity verify --hard --only rate --save runs";
 
 const HONESTY_EXAMPLE: &str = "\
 Each scene takes some minutes of processor time; the study may be interrupted and continued.
@@ -263,9 +269,18 @@ const FINEST: u16 = asperity::convergence::FINEST as u16;
 
 #[derive(Args)]
 struct VerifyArguments {
-    /// A case of each group, coarsely: under a minute
+    /// A case of each group, coarsely: under a minute; with --hard, the few that the tests run
     #[arg(long)]
     quick: bool,
+    /// Run the suite of hard cases instead, and say how each ended
+    #[arg(long)]
+    hard: bool,
+    /// Only the hard cases whose name has TEXT in it
+    #[arg(long, value_name = "TEXT", requires = "hard")]
+    only: Option<String>,
+    /// Write every hard case, the failed ones as far as they came, to DIRECTORY/NAME.nc
+    #[arg(long, value_name = "DIRECTORY", requires = "hard")]
+    save: Option<PathBuf>,
 }
 
 #[derive(Args)]

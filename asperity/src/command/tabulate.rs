@@ -31,7 +31,9 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     let result = tabulate::tabulate(&request, &options, &progress);
     progress.clear();
     let (tabulation, journal) = result.map_err(|error| match error {
-        TabulateError::Journal(JournalError::Io { .. }) => Failure::run(error),
+        TabulateError::Journal(
+            JournalError::Io { .. } | JournalError::NoRoom { .. } | JournalError::Vanished { .. },
+        ) => Failure::run(error),
         error => Failure::input(error),
     })?;
     if !tabulation.finished() {

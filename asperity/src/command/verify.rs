@@ -10,6 +10,9 @@ use super::{Display, Failure, VerifyArguments, print};
 
 /// Run the cases and print a row for each.
 pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Failure> {
+    if arguments.hard {
+        return super::hard::hard(arguments, display);
+    }
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     watch_for_interrupt();
     let progress = Progress::new(display);

@@ -32,7 +32,7 @@ fn disc_source(
     expected: impl Fn(f64) -> f64,
     closure: f64,
 ) {
-    let size = MeshSize { contact_radius: 0.01, elements_per_radius: 16 };
+    let size = MeshSize::new(0.01, 16);
     let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
     let areas = mesh.contact_areas();
     // The heated disc ends between two rings: its radius from its discrete area.
@@ -108,7 +108,7 @@ fn constant_tables_agree_with_constant_properties() {
 }
 
 fn small_mesh() -> RevolvedMesh {
-    let size = MeshSize { contact_radius: 0.01, elements_per_radius: 6 };
+    let size = MeshSize::new(0.01, 6);
     RevolvedMesh::new(MeridianMesh::new(size), Sectors::full(4))
 }
 
@@ -267,7 +267,7 @@ fn isothermal_disc_conducts_four_k_a() {
     }
     let varying = ThermalProperties { specific_heat: Curve::constant(3.0), conductivity: growing() };
     for (properties, potential) in [(None, 1.0), (Some(varying), 1.5)] {
-        let size = MeshSize { contact_radius: 0.01, elements_per_radius: 16 };
+        let size = MeshSize::new(0.01, 16);
         let mesh = RevolvedMesh::new(MeridianMesh::new(size), Sectors::axisymmetric());
         let areas = mesh.contact_areas();
         let radii = mesh.meridian.contact_radii();

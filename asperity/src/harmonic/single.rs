@@ -333,7 +333,7 @@ mod tests {
     use crate::sectors::Sectors;
 
     fn factors(sectors: usize) -> HarmonicFactors {
-        let meridian = MeridianMesh::new(MeshSize { contact_radius: 0.05, elements_per_radius: 4 });
+        let meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
         let mesh = RevolvedMesh::new(meridian, Sectors::full(sectors));
         let moduli = Moduli::new(250.0, 0.3);
         let pattern = HarmonicPattern::new(&mesh, FieldKind::Vector).unwrap();

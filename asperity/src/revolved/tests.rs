@@ -4,7 +4,7 @@ use crate::sectors::Sectors;
 
 /// A uniform deformation of a body of radius 1, in the cylindrical components of the simulation.
 fn body(count: usize) -> BodyFields {
-    let mesh = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
+    let mesh = MeridianMesh::new(MeshSize::new(0.1, 4));
     let angles = Sectors::full(count).angles();
     let (mut displacement, mut stress, mut temperature) = (Vec::new(), Vec::new(), Vec::new());
     for &[r, z] in &mesh.nodes {
@@ -84,7 +84,7 @@ fn plastic_strain_is_that_of_the_nearest_angle_on_the_symmetry_plane() {
 fn cells_are_turned_as_vtk_expects_and_fill_the_body() {
     for (extent, share) in [(Extent::Half, 0.5), (Extent::Whole, 1.0)] {
         let body = body(16);
-        let mesh = MeridianMesh::new(MeshSize { contact_radius: 0.1, elements_per_radius: 4 });
+        let mesh = MeridianMesh::new(MeshSize::new(0.1, 4));
         let revolved = RevolvedBody::new(&body, extent);
         let tetrahedron = |corners: [usize; 4]| {
             let [a, b, c, d] = corners.map(|n| revolved.points[n]);

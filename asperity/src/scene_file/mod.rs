@@ -101,10 +101,18 @@ fn scene(root: &mut Section<'_>, point: Option<(f64, f64)>) -> Result<Scene, Sce
 }
 
 fn read(path: &Path) -> Result<String, SceneFileError> {
-    std::fs::read_to_string(path).map_err(|error| SceneFileError::Unreadable {
-        file: path.display().to_string(),
-        reason: error.to_string(),
-    })
+    use std::io::Read;
+
+    /// Far more than anyone writes, and less than a device that never ends.
+    const MOST: u64 = 16 << 20;
+    let unreadable = |reason: String| SceneFileError::Unreadable { file: path.display().to_string(), reason };
+    let mut text = String::new();
+    let file = std::fs::File::open(path).map_err(|error| unreadable(error.to_string()))?;
+    file.take(MOST + 1).read_to_string(&mut text).map_err(|error| unreadable(error.to_string()))?;
+    match text.len() as u64 > MOST {
+        true => Err(unreadable(format!("is longer than {} MB", MOST >> 20))),
+        false => Ok(text),
+    }
 }
 
 fn parse_document(text: &str, file: &str, overrides: &[String]) -> Result<(Table, Origin), SceneFileError> {

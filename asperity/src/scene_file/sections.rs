@@ -85,7 +85,13 @@ pub(super) fn loading(root: &mut Section<'_>, point: Option<(f64, f64)>) -> Resu
             NOT_NEGATIVE,
             point.map(|(_, slip_rate)| slip_rate),
         )?,
-        slip_distance: section.number("slip_distance", "contact radii", POSITIVE, Some(2.0))?,
+        // A table needs a slide for its histories, a single run does not.
+        slip_distance: section.number(
+            "slip_distance",
+            "contact radii",
+            if point.is_some() { POSITIVE } else { NOT_NEGATIVE },
+            Some(2.0),
+        )?,
         control: section.choice("control", &controls, Some(Control::Interference))?,
         temperature: section.number("temperature", "K", POSITIVE, Some(298.0))?,
     })

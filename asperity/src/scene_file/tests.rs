@@ -234,7 +234,6 @@ fn numbers_out_of_range_are_refused() {
         "asperity.radius",
         "interface.strength_factor",
         "loading.interference",
-        "loading.slip_distance",
         "loading.temperature",
     ] {
         for value in ["0", "-1.0", "nan", "inf", "-inf", "text", "[1]", "true"] {
@@ -255,6 +254,7 @@ fn numbers_out_of_range_are_refused() {
     for value in ["0", "2", "6", "-4", "16.0"] {
         refused(&[&format!("numerics.sectors={value}")], &["a multiple of 4"]);
     }
+    refused(&["loading.slip_distance=-1"], &["loading.slip_distance", "-1", "zero or a positive"]);
     refused(&["loading.slip_rate=-1"], &["loading.slip_rate", "-1", "zero or a positive"]);
     refused(&["interface.heat_partition=1.1"], &["from 0 to 1"]);
     refused(&["interface.gap_conductance=-1"], &["gap_conductance"]);

@@ -110,6 +110,7 @@ pub fn run<S: Simulator>(
             None => {}
         }
     }
+    ledger.journal.reserve(cases.len() - finished.len())?;
     ledger.forecast = Forecast::new(model, cases, work.jobs);
     finished.into_iter().for_each(|k| ledger.forecast.finished(k, 0.0));
     let grid = &grid;

@@ -3,9 +3,12 @@
 //!
 //! A line is the CRC-32 of the rest, a space, and JSON. The first line is the request. A
 //! line that was cut off or damaged is passed over and its cell computed again.
+//!
+//! The journal is locked while it is open: two programs that make the same table would undo each
+//! other's work.
 
-use std::fs::{File, OpenOptions};
-use std::io::{self, Write};
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -49,6 +52,30 @@ pub enum JournalError {
         /// What differs.
         reason: String,
     },
+    /// Another program is at it.
+    #[error("{path}: another program is making this table")]
+    InUse {
+        /// The journal.
+        path: String,
+    },
+    /// Results would be written to a file that no name leads to any more.
+    #[error("{path}: was removed or replaced while the table was being made")]
+    Vanished {
+        /// The journal.
+        path: String,
+    },
+    /// There is not enough room on the disk for the results.
+    #[error("{path}: no room for {cells} results, about {kilobytes} kB: {source}")]
+    NoRoom {
+        /// The journal.
+        path: String,
+        /// That are to come.
+        cells: usize,
+        /// That they need at most.
+        kilobytes: usize,
+        /// What the system said.
+        source: io::Error,
+    },
     /// The system refused.
     #[error("{path}: {source}")]
     Io {
@@ -91,7 +118,12 @@ struct Record {
 pub struct Journal {
     path: PathBuf,
     file: File,
+    /// The last line was not written to its end.
+    torn: bool,
 }
+
+/// Room for a result with its warnings; one without is some 5 kB.
+const MOST_OF_A_LINE: usize = 8 << 10;
 
 impl Journal {
     /// Open the journal at `path` for a `shard` of `request`: a new one, or with `resume` the one
@@ -110,12 +142,13 @@ impl Journal {
             shard: shard.map(|shard| shard.to_string()),
             request: request.into(),
         };
-        let text = match std::fs::read(path) {
-            Ok(_) if !resume => return Err(JournalError::Exists { path: shown() }),
-            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(io(error)),
-        };
+        if !resume && path.exists() {
+            return Err(JournalError::Exists { path: shown() });
+        }
+        let mut file = open_locked(path)?;
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).map_err(io)?;
+        let text = String::from_utf8_lossy(&bytes);
         let mut lines = text.lines();
         let found = lines.next().and_then(decode::<Header>);
         if let Some(found) = &found
@@ -124,23 +157,55 @@ impl Journal {
             let reason = differences(found, &header);
             return Err(JournalError::Foreign { path: shown(), reason });
         }
-        let mut options = OpenOptions::new();
-        // Without a readable header nothing in the file can be trusted.
-        let options = match found {
-            Some(_) => options.append(true),
-            None => options.write(true).create(true).truncate(true),
-        };
-        let mut journal = Self { path: path.to_owned(), file: options.open(path).map_err(io)? };
+        let cells: Vec<_> = lines.filter_map(|line| decode::<Record>(line)?.into_cell()).collect();
+        // Keep the next line apart from one that was cut off.
+        let torn = !text.is_empty() && !text.ends_with('\n');
+        let mut journal = Self { path: path.to_owned(), file, torn };
         if found.is_none() {
+            if !cells.is_empty() {
+                let reason = format!(
+                    "its first line, the request, is damaged, and nothing else says what the {} results \
+                     below it are of; delete it to start anew",
+                    cells.len()
+                );
+                return Err(JournalError::Foreign { path: shown(), reason });
+            }
+            journal.file.set_len(0).map_err(io)?;
+            journal.torn = false;
             journal.append(&header)?;
-            return Ok((journal, Vec::new()));
         }
-        if !text.ends_with('\n') {
-            // Keep the next line apart from the one that was cut off.
-            journal.file.write_all(b"\n").map_err(io)?;
-        }
-        let cells = lines.filter_map(|line| decode::<Record>(line)?.into_cell()).collect();
         Ok((journal, cells))
+    }
+
+    /// Makes sure that there is room on the disk for so many more cells, where the system can: a
+    /// result that took hours shall not be lost for want of a few kilobytes.
+    pub fn reserve(&self, cells: usize) -> Result<(), JournalError> {
+        #[cfg(target_os = "linux")]
+        {
+            use rustix::fs::{FallocateFlags, fallocate};
+            use rustix::io::Errno;
+
+            let end = self.file.metadata().map_or(0, |data| data.len());
+            let bytes = cells * MOST_OF_A_LINE;
+            if bytes == 0 {
+                return Ok(());
+            }
+            match fallocate(&self.file, FallocateFlags::KEEP_SIZE, end, bytes as u64) {
+                Err(error @ (Errno::NOSPC | Errno::DQUOT)) => Err(JournalError::NoRoom {
+                    path: self.path.display().to_string(),
+                    cells,
+                    kilobytes: bytes >> 10,
+                    source: error.into(),
+                }),
+                // Not every file system can.
+                _ => Ok(()),
+            }
+        }
+        #[cfg(not(target_os = "linux"))]
+        {
+            let _ = cells;
+            Ok(())
+        }
     }
 
     /// Write a finished cell through to the disk.
@@ -156,12 +221,49 @@ impl Journal {
 
     fn append(&mut self, value: &impl Serialize) -> Result<(), JournalError> {
         let json = serde_json::to_string(value).expect("plain data");
-        let line = format!("{:08x} {json}\n", crc32fast::hash(json.as_bytes()));
-        self.file
-            .write_all(line.as_bytes())
-            .and_then(|()| self.file.sync_data())
-            .map_err(|source| JournalError::Io { path: self.path.display().to_string(), source })
+        let start = if self.torn { "\n" } else { "" };
+        let line = format!("{start}{:08x} {json}\n", crc32fast::hash(json.as_bytes()));
+        if !leads_to(&self.path, &self.file) {
+            return Err(JournalError::Vanished { path: self.path.display().to_string() });
+        }
+        let written = self.file.write_all(line.as_bytes()).and_then(|()| self.file.sync_data());
+        self.torn = written.is_err();
+        written.map_err(|source| JournalError::Io { path: self.path.display().to_string(), source })
     }
+}
+
+/// The file at `path`, made if need be, which no other program has open as a journal.
+fn open_locked(path: &Path) -> Result<File, JournalError> {
+    let shown = || path.display().to_string();
+    let io = |source| JournalError::Io { path: shown(), source };
+    loop {
+        let file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(io)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(JournalError::InUse { path: shown() }),
+            // Some network file systems have no locks: better without than not at all.
+            Err(TryLockError::Error(_)) => {}
+        }
+        // Whoever had it before may have finished the table and removed the file in between.
+        if leads_to(path, &file) {
+            return Ok(file);
+        }
+    }
+}
+
+/// Whether the name still leads to the open file.
+#[cfg(unix)]
+fn leads_to(path: &Path, file: &File) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    match (std::fs::metadata(path), file.metadata()) {
+        (Ok(named), Ok(open)) => (named.dev(), named.ino()) == (open.dev(), open.ino()),
+        _ => false,
+    }
+}
+
+#[cfg(not(unix))]
+fn leads_to(path: &Path, _file: &File) -> bool {
+    path.exists()
 }
 
 fn decode<T: for<'a> Deserialize<'a>>(line: &str) -> Option<T> {
@@ -264,113 +366,4 @@ fn from_hexadecimal(text: &str) -> Option<Vec<f64>> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::fake::{self, Fake};
-    use crate::tabulate::cell::slip_grid;
-
-    fn at(interference: f64, slip_rate: f64) -> Point {
-        Point { interference, slip_rate }
-    }
-
-    fn finished() -> Finished {
-        let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
-        outcome.summary.mu.error = f64::NAN;
-        outcome.account.wall_time = 0.1 + 0.2;
-        Finished::new(&outcome, &slip_grid(2.0), 298.0)
-    }
-
-    #[test]
-    fn cells_come_back_bit_for_bit() {
-        let directory = tempfile::tempdir().unwrap();
-        let path = directory.path().join("table.nc.part");
-        let (mut journal, found) = Journal::open(&path, "a = 1\n", None, false).unwrap();
-        assert!(found.is_empty());
-        journal.record(at(0.1 + 0.2, 2e-7), &Ok(finished())).unwrap();
-        journal.record(at(100.0, 0.0), &Err("did not\nconverge".into())).unwrap();
-        let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
-        assert_eq!(found.len(), 2);
-        assert_eq!(found[0].0, at(0.1 + 0.2, 2e-7));
-        let cell = found[0].1.as_ref().unwrap();
-        assert_eq!(cell, &finished());
-        assert_eq!(numbers(&cell.cell), numbers(&finished().cell));
-        assert_eq!(found[1], (at(100.0, 0.0), Err("did not\nconverge".into())));
-    }
-
-    #[test]
-    fn a_cut_or_damaged_line_loses_only_its_cell() {
-        let directory = tempfile::tempdir().unwrap();
-        let path = directory.path().join("table.nc.part");
-        let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
-        for k in 0..3 {
-            journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
-        }
-        let whole = std::fs::read_to_string(&path).unwrap();
-        std::fs::write(&path, &whole[..whole.len() - 5]).unwrap();
-        let (mut journal, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
-        assert_eq!(found.len(), 2);
-        journal.record(at(2.0, 0.0), &Err("again".into())).unwrap();
-        let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
-        assert_eq!(found[2], (at(2.0, 0.0), Err("again".into())));
-
-        std::fs::write(&path, whole.replace("reason 1", "reason 7")).unwrap();
-        let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
-        let points: Vec<Point> = found.iter().map(|(point, _)| *point).collect();
-        assert_eq!(points, [at(0.0, 0.0), at(2.0, 0.0)]);
-    }
-
-    #[test]
-    fn other_requests_and_unasked_continuations_are_refused() {
-        let directory = tempfile::tempdir().unwrap();
-        let path = directory.path().join("table.nc.part");
-        Journal::open(&path, "a = 1\nb = 2\n", None, false).unwrap();
-        let refused = |request: &str, resume: bool| {
-            let error = Journal::open(&path, request, None, resume).err().unwrap();
-            error.to_string()
-        };
-        assert!(refused("a = 1\nb = 2\n", false).contains("--resume"));
-        assert!(refused("a = 1\nb = 3\n", true).contains("\"b = 2\""));
-        let shard = "2/3".parse().ok();
-        let error = Journal::open(&path, "a = 1\nb = 2\n", shard, true).err().unwrap().to_string();
-        assert!(error.contains("it is of the whole table, not of shard 2/3"), "{error}");
-    }
-
-    #[test]
-    fn a_journal_of_another_build_is_refused() {
-        let directory = tempfile::tempdir().unwrap();
-        let path = directory.path().join("table.nc.part");
-        let refused = |header: &Header| {
-            let json = serde_json::to_string(header).unwrap();
-            std::fs::write(&path, format!("{:08x} {json}\n", crc32fast::hash(json.as_bytes()))).unwrap();
-            match Journal::open(&path, "a = 1\n", None, true) {
-                Ok(_) => String::new(),
-                Err(error) => error.to_string(),
-            }
-        };
-        let mut header = Header {
-            source: SOURCE.into(),
-            fingerprint: FINGERPRINT.into(),
-            shard: None,
-            request: "a = 1\n".into(),
-        };
-        assert_eq!(refused(&header), "");
-        header.fingerprint = "0123456789abcdef".into();
-        let message = refused(&header);
-        assert!(message.contains("another build") && message.contains(FINGERPRINT), "{message}");
-        header.fingerprint = String::new();
-        assert!(refused(&header).contains("another build"));
-        header.source = "asperity 0.0.9".into();
-        assert!(refused(&header).contains("asperity 0.0.9"));
-    }
-
-    #[test]
-    fn resuming_without_a_journal_starts_one() {
-        let directory = tempfile::tempdir().unwrap();
-        let path = directory.path().join("table.nc.part");
-        assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
-        // The header itself was cut off.
-        std::fs::write(&path, "0123").unwrap();
-        assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
-        assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
-    }
-}
+mod tests;

@@ -1,0 +1,175 @@
+//! Journals that were cut off, damaged, of others, or in use.
+
+use super::*;
+use crate::fake::{self, Fake};
+use crate::tabulate::cell::slip_grid;
+
+fn at(interference: f64, slip_rate: f64) -> Point {
+    Point { interference, slip_rate }
+}
+
+fn finished() -> Finished {
+    let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+    outcome.summary.mu.error = f64::NAN;
+    outcome.account.wall_time = 0.1 + 0.2;
+    Finished::new(&outcome, &slip_grid(2.0), 298.0)
+}
+
+#[test]
+fn cells_come_back_bit_for_bit() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    let (mut journal, found) = Journal::open(&path, "a = 1\n", None, false).unwrap();
+    assert!(found.is_empty());
+    journal.record(at(0.1 + 0.2, 2e-7), &Ok(finished())).unwrap();
+    journal.record(at(100.0, 0.0), &Err("did not\nconverge".into())).unwrap();
+    drop(journal);
+    let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    assert_eq!(found.len(), 2);
+    assert_eq!(found[0].0, at(0.1 + 0.2, 2e-7));
+    let cell = found[0].1.as_ref().unwrap();
+    assert_eq!(cell, &finished());
+    assert_eq!(numbers(&cell.cell), numbers(&finished().cell));
+    assert_eq!(found[1], (at(100.0, 0.0), Err("did not\nconverge".into())));
+}
+
+#[test]
+fn a_cut_or_damaged_line_loses_only_its_cell() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
+    for k in 0..3 {
+        journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
+    }
+    drop(journal);
+    let whole = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, &whole[..whole.len() - 5]).unwrap();
+    let (mut journal, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    assert_eq!(found.len(), 2);
+    journal.record(at(2.0, 0.0), &Err("again".into())).unwrap();
+    drop(journal);
+    let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    assert_eq!(found[2], (at(2.0, 0.0), Err("again".into())));
+
+    std::fs::write(&path, whole.replace("reason 1", "reason 7")).unwrap();
+    let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    let points: Vec<Point> = found.iter().map(|(point, _)| *point).collect();
+    assert_eq!(points, [at(0.0, 0.0), at(2.0, 0.0)]);
+}
+
+#[test]
+fn other_requests_and_unasked_continuations_are_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    Journal::open(&path, "a = 1\nb = 2\n", None, false).unwrap();
+    let refused = |request: &str, resume: bool| {
+        let error = Journal::open(&path, request, None, resume).err().unwrap();
+        error.to_string()
+    };
+    assert!(refused("a = 1\nb = 2\n", false).contains("--resume"));
+    assert!(refused("a = 1\nb = 3\n", true).contains("\"b = 2\""));
+    let shard = "2/3".parse().ok();
+    let error = Journal::open(&path, "a = 1\nb = 2\n", shard, true).err().unwrap().to_string();
+    assert!(error.contains("it is of the whole table, not of shard 2/3"), "{error}");
+}
+
+#[test]
+fn a_journal_of_another_build_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    let refused = |header: &Header| {
+        let json = serde_json::to_string(header).unwrap();
+        std::fs::write(&path, format!("{:08x} {json}\n", crc32fast::hash(json.as_bytes()))).unwrap();
+        match Journal::open(&path, "a = 1\n", None, true) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        }
+    };
+    let mut header = Header {
+        source: SOURCE.into(),
+        fingerprint: FINGERPRINT.into(),
+        shard: None,
+        request: "a = 1\n".into(),
+    };
+    assert_eq!(refused(&header), "");
+    header.fingerprint = "0123456789abcdef".into();
+    let message = refused(&header);
+    assert!(message.contains("another build") && message.contains(FINGERPRINT), "{message}");
+    header.fingerprint = String::new();
+    assert!(refused(&header).contains("another build"));
+    header.source = "asperity 0.0.9".into();
+    assert!(refused(&header).contains("asperity 0.0.9"));
+}
+
+#[test]
+fn resuming_without_a_journal_starts_one() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
+    // The header itself was cut off.
+    std::fs::write(&path, "0123").unwrap();
+    assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
+    assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
+}
+
+/// Wherever a crash cuts the file, what is whole before the cut is found, and the next result is kept.
+#[test]
+fn a_journal_cut_anywhere_loses_no_whole_line() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
+    for k in 0..3 {
+        journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
+    }
+    drop(journal);
+    let whole = std::fs::read(&path).unwrap();
+    for length in 0..=whole.len() {
+        let cut = &whole[..length];
+        std::fs::write(&path, cut).unwrap();
+        let (mut journal, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+        // A line may lack nothing but its end.
+        let complete = cut.iter().chain(whole.get(length)).filter(|&&byte| byte == b'\n').count();
+        assert_eq!(found.len(), complete.saturating_sub(1), "cut at {length}");
+        journal.record(at(9.0, 0.0), &Err("next".into())).unwrap();
+        drop(journal);
+        let (_, again) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+        assert_eq!(again.len(), found.len() + 1, "cut at {length}");
+        assert_eq!(again.last(), Some(&(at(9.0, 0.0), Err("next".into()))));
+    }
+}
+
+/// Without the request nobody knows what the results are of, but they are not thrown away.
+#[test]
+fn results_below_a_damaged_request_are_kept() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
+    journal.record(at(1.0, 0.0), &Err("reason".into())).unwrap();
+    drop(journal);
+    let damaged = std::fs::read_to_string(&path).unwrap().replacen("asperity", "asparity", 1);
+    std::fs::write(&path, &damaged).unwrap();
+    let error = Journal::open(&path, "a = 1\n", None, true).err().unwrap().to_string();
+    assert!(error.contains("1 results below it"), "{error}");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), damaged);
+}
+
+#[test]
+fn a_journal_in_use_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    let (journal, _) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    let error = Journal::open(&path, "a = 1\n", None, true).err().unwrap().to_string();
+    assert!(error.contains("another program"), "{error}");
+    drop(journal);
+    assert!(Journal::open(&path, "a = 1\n", None, true).is_ok());
+}
+
+#[test]
+fn a_journal_that_was_removed_takes_no_results() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc.part");
+    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    let error = journal.record(at(1.0, 0.0), &Err("reason".into())).unwrap_err().to_string();
+    assert!(error.contains("removed or replaced"), "{error}");
+}

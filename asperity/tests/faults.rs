@@ -1,0 +1,220 @@
+//! What may befall a long tabulation, done to the real program: killed at any moment, a full disk,
+//! a directory that goes away or cannot be written, two programs at one table. What is finished is
+//! kept, and the table in the end is that of an undisturbed run.
+#![cfg(target_os = "linux")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::{Mutex, MutexGuard, OnceLock};
+use std::time::Duration;
+
+use tables::table::{Status, Table};
+
+const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                       [loading]\nslip_distance = 0.02\n\
+                       [table]\ninterference = [0.5, 1, 2]\nslip_rate = [0, 1]\n\
+                       [numerics]\nelements_per_radius = 4\nsectors = 4\naccuracy = 0.5\n";
+const CELLS: usize = 6;
+const JOBS: usize = 2;
+
+fn tabulate(directory: &Path, more: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    command.args(["tabulate", "request.toml", "-o", "table.nc", "--jobs", "2"]).args(more);
+    command.current_dir(directory).stdout(Stdio::null()).stderr(Stdio::piped());
+    command
+}
+
+/// One test at a time: children would inherit the files that the HDF5 library has open here.
+fn alone() -> MutexGuard<'static, ()> {
+    static ALONE: Mutex<()> = Mutex::new(());
+    ALONE.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
+    folder
+}
+
+fn message(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// All of a table but the wall times.
+fn content(table: &Path) -> String {
+    let table = Table::read(table).unwrap();
+    let (rows, columns) = table.shape();
+    let mut text = String::new();
+    for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+        text += &match table.status(i, j) {
+            Status::Done(cell) => {
+                let mut cell = (**cell).clone();
+                cell.wall_time = 0.0;
+                format!("{cell:?}\n")
+            }
+            other => format!("{other:?}\n"),
+        };
+    }
+    text
+}
+
+/// Content of the table of a run that nothing disturbed.
+fn undisturbed() -> &'static str {
+    static CONTENT: OnceLock<String> = OnceLock::new();
+    CONTENT.get_or_init(|| {
+        let folder = folder();
+        let output = tabulate(folder.path(), &[]).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+        content(&folder.path().join("table.nc"))
+    })
+}
+
+/// Results in the journal.
+fn journalled(directory: &Path) -> usize {
+    let text = std::fs::read_to_string(directory.join("table.nc.part")).unwrap_or_default();
+    text.split_inclusive('\n').filter(|line| line.ends_with('\n')).count().saturating_sub(1)
+}
+
+fn assert_undisturbed(directory: &Path) {
+    assert_eq!(content(&directory.join("table.nc")), undisturbed());
+    assert!(!directory.join("table.nc.part").exists());
+}
+
+/// SIGKILL at moments all over the run, again and again until one run lasts to the end.
+#[test]
+fn killed_at_any_moment_it_continues() {
+    let _alone = alone();
+    let folder = folder();
+    let mut kills = 0u32;
+    // Moments that are spread out evenly whatever the speed of the machine (golden section).
+    let mut share = 0.5;
+    loop {
+        let before = journalled(folder.path());
+        let mut child: Child = tabulate(folder.path(), &["--resume"]).spawn().unwrap();
+        share = (share + 0.618_034) % 1.0;
+        // Later and later, so that there is an end to it.
+        let longest = 200.0 + 100.0 * f64::from(kills);
+        std::thread::sleep(Duration::from_millis(30 + (longest * share) as u64));
+        // Does nothing if it has ended.
+        child.kill().unwrap();
+        let output = child.wait_with_output().unwrap();
+        if output.status.code() == Some(0) {
+            break;
+        }
+        assert_eq!(output.status.code(), None, "{}", message(&output));
+        kills += 1;
+        assert!(journalled(folder.path()) >= before, "a result was lost");
+        assert!(kills < 200, "no progress");
+    }
+    assert!(kills > 0, "never killed");
+    assert_undisturbed(folder.path());
+}
+
+/// Killed as soon as there are results: at most those in flight are done again.
+#[test]
+fn only_cells_in_flight_are_done_again() {
+    let _alone = alone();
+    let folder = folder();
+    let mut child = tabulate(folder.path(), &[]).spawn().unwrap();
+    while journalled(folder.path()) < 2 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let kept = journalled(folder.path());
+    let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    let taken = format!("{kept} cells were taken from the interrupted run");
+    assert!(kept == CELLS || message(&output).contains(&taken), "{}", message(&output));
+    assert!(kept + JOBS <= CELLS, "all done before it could be killed");
+    assert_undisturbed(folder.path());
+}
+
+/// Runs a shell script as root of a mount namespace of its own; nothing where that is not allowed.
+fn in_namespace(directory: &Path, script: &str) -> Option<Output> {
+    let allowed = Command::new("unshare").args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"]).output();
+    if !allowed.is_ok_and(|output| output.status.success()) {
+        eprintln!("skipped: no mount namespaces here");
+        return None;
+    }
+    let mut command = Command::new("unshare");
+    command.args(["-rm", "sh", "-c", script]).current_dir(directory);
+    command.env("ASPERITY", env!("CARGO_BIN_EXE_asperity"));
+    Some(command.output().unwrap())
+}
+
+/// A disk with so many kilobytes left: a table, or a clear error and then, with room, the same table.
+#[test]
+fn a_full_disk_loses_nothing() {
+    let _alone = alone();
+    for kilobytes in [0, 4, 24, 48, 64, 80, 120] {
+        let folder = folder();
+        let script = format!(
+            "set -e; mkdir disk; mount -t tmpfs -o size=1m tmpfs disk; cp request.toml disk; cd disk
+             dd if=/dev/zero of=filler bs=1k count=$((1024 - 4 - {kilobytes})) 2>/dev/null
+             run() {{ $ASPERITY tabulate request.toml -o table.nc --jobs 2 --quiet $1; }}
+             status=0; run || status=$?; echo \"first $status\"
+             if [ $status != 0 ]; then rm filler; run --resume; fi
+             cp table.nc ..; ls -A > ../left"
+        );
+        let Some(output) = in_namespace(folder.path(), &script) else { return };
+        let said = format!("{}{}", String::from_utf8_lossy(&output.stdout), message(&output));
+        assert_eq!(output.status.code(), Some(0), "{kilobytes} kB: {said}");
+        if !said.contains("first 0") {
+            assert!(said.contains("error: ") && !said.contains("panicked"), "{kilobytes} kB: {said}");
+            assert!(said.contains("No space left") || said.contains("cannot"), "{kilobytes} kB: {said}");
+        }
+        assert_eq!(content(&folder.path().join("table.nc")), undisturbed(), "{kilobytes} kB");
+        let left = std::fs::read_to_string(folder.path().join("left")).unwrap();
+        let strays: Vec<&str> =
+            left.lines().filter(|name| !["filler", "request.toml", "table.nc"].contains(name)).collect();
+        assert!(strays.is_empty(), "{kilobytes} kB: {strays:?}");
+    }
+}
+
+#[test]
+fn a_directory_that_cannot_be_written_is_refused_at_once() {
+    let _alone = alone();
+    let folder = folder();
+    let script = "mkdir disk; mount -t tmpfs tmpfs disk; cp request.toml disk; mount -o remount,ro disk
+                  cd disk; exec $ASPERITY tabulate request.toml -o table.nc";
+    let Some(output) = in_namespace(folder.path(), script) else { return };
+    assert_eq!(output.status.code(), Some(2), "{}", message(&output));
+    assert!(message(&output).contains("Read-only file system"), "{}", message(&output));
+}
+
+/// The directory of the table is removed while it is being made.
+#[test]
+fn a_directory_that_vanishes_ends_the_run() {
+    let _alone = alone();
+    let folder = folder();
+    let place: PathBuf = folder.path().join("place");
+    std::fs::create_dir(&place).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    command.args(["tabulate", "request.toml", "-o", "place/table.nc", "--jobs", "2", "--quiet"]);
+    let child = command.current_dir(folder.path()).stderr(Stdio::piped()).spawn().unwrap();
+    while journalled(&place) < 1 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    std::fs::remove_dir_all(&place).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", message(&output));
+    assert!(message(&output).contains("table.nc"), "{}", message(&output));
+}
+
+/// Two programs at one table: one makes it, the other is told so.
+#[test]
+fn two_programs_do_not_disturb_each_other() {
+    let _alone = alone();
+    let folder = folder();
+    let first = tabulate(folder.path(), &["--resume"]).spawn().unwrap();
+    let second = tabulate(folder.path(), &["--resume"]).spawn().unwrap();
+    let outputs = [first, second].map(|child| child.wait_with_output().unwrap());
+    let codes = outputs.each_ref().map(|output| output.status.code());
+    assert!(codes.contains(&Some(0)), "{codes:?}");
+    for output in outputs.iter().filter(|output| output.status.code() != Some(0)) {
+        assert_eq!(output.status.code(), Some(2));
+        assert!(message(output).contains("another program is making this table"), "{}", message(output));
+    }
+    assert_undisturbed(folder.path());
+}
