@@ -217,3 +217,64 @@ fn mesh_share(refinement: f64) -> f64 {
     // Meshes that hardly differ tell hardly anything.
     1.0 / (refinement.powf(ORDER) - 1.0).max(0.5)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Numerics;
+
+    fn numerics() -> Numerics {
+        Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None }
+    }
+
+    /// 3 + 2 n^-1.5 on n elements, and first order in the increments of the press.
+    #[test]
+    fn errors_of_a_press_of_known_orders_are_found() {
+        let run = Resolution::choose(&numerics());
+        let coarser = run.coarse();
+        let value =
+            |elements: usize, increments: f64| 3.0 + 2.0 * (elements as f64).powf(-1.5) + 0.4 / increments;
+        let of = |r: &Resolution| value(r.elements_per_radius, r.press_increments as f64);
+        let longer = coarser.longer_steps();
+        let [_, steps] = of_press([of(&run), of(&coarser), of(&longer)], &run, &coarser, 0.0);
+        let change = 0.4 / longer.press_increments as f64 - 0.4 / coarser.press_increments as f64;
+        let share = coarser.press_increments as f64 / run.press_increments as f64;
+        assert!((steps - share * change).abs() < 1e-12);
+        let elements = |r: &Resolution| value(r.elements_per_radius, f64::INFINITY);
+        let values = [elements(&run), elements(&coarser), elements(&coarser)];
+        let [mesh, steps] = of_press(values, &run, &coarser, 0.0);
+        assert_eq!(steps, 0.0);
+        assert!((mesh / (values[0] - 3.0) - 1.0).abs() < 1e-9, "{mesh}");
+        // The place of the edge adds its own to what depends on the radius.
+        let [with_edge, _] = of_press(values, &run, &coarser, 2.0);
+        let edge = 2.0 * edge_share(run.elements_per_radius as f64) * values[0];
+        assert!((with_edge - mesh - edge).abs() < 1e-12);
+    }
+
+    #[test]
+    fn meshes_that_hardly_differ_do_not_blow_the_estimate_up() {
+        assert!((mesh_share(2.0) - 1.0 / (2f64.powf(1.5) - 1.0)).abs() < 1e-12);
+        assert_eq!(mesh_share(1.01), 2.0);
+    }
+
+    #[test]
+    fn a_run_is_refined_in_what_it_lacks() {
+        let run = Resolution::choose(&numerics());
+        let with = |mesh: f64, sectors: f64, steps: f64| {
+            run.refine(&numerics(), &RelativeParts { mesh, sectors, steps, solver: 0.0 })
+        };
+        assert!(with(0.01, 0.005, 0.004).is_none());
+        let finer = with(0.04, 0.0, 0.0).unwrap();
+        assert!(finer.elements_per_radius as f64 >= run.elements_per_radius as f64 * 2f64.powf(1.0 / 1.5));
+        assert_eq!((finer.sectors, finer.increments.growth), (run.sectors, run.increments.growth));
+        let finer = with(0.0, 0.03, 0.0).unwrap();
+        assert_eq!((finer.sectors, finer.elements_per_radius), (2 * run.sectors, run.elements_per_radius));
+        let finer = with(0.0, 0.0, 0.03).unwrap();
+        assert_eq!((finer.increments.growth, finer.sectors), (0.5 * run.increments.growth, run.sectors));
+        // What the scene fixes stays.
+        let fixed = Numerics { elements_per_radius: Some(8), ..numerics() };
+        let run = Resolution::choose(&fixed);
+        let parts = RelativeParts { mesh: 0.04, ..Default::default() };
+        assert!(run.refine(&fixed, &parts).is_none());
+    }
+}

@@ -1,0 +1,269 @@
+//! The press, on as many meshes as slides ask for.
+
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant as Clock;
+
+use rayon::prelude::*;
+use tables::law::Estimate;
+
+use super::{SimulationError, Watch};
+use crate::body::Body;
+use crate::contact::Contact;
+use crate::error_budget;
+use crate::mechanics::Effort;
+use crate::mesh::MeshSize;
+use crate::press::{self, Increment, PressFailure};
+use crate::problem::Problem;
+use crate::recording::Recording;
+use crate::resolution::Resolution;
+use crate::scene::Scene;
+
+/// The pressed asperity on one mesh.
+pub(super) struct PressedMesh {
+    pub(super) press_increments: usize,
+    pub(super) size: MeshSize,
+    /// Axisymmetric state at the end of the press.
+    pub(super) body: Body,
+    pub(super) contact: Contact,
+    pub(super) displacement: Vec<f64>,
+    pub(super) increments: Vec<Increment>,
+    pub(super) effort: Effort,
+    /// Time that it took, s.
+    pub(super) seconds: f64,
+}
+
+/// Asperity after the press, in full stick: start of slides at any slip rate.
+pub struct Pressed {
+    pub(crate) scene: Scene,
+    pub(super) problem: Problem,
+    pub(super) resolution: Resolution,
+    /// Contact radius over R that meshes are laid out for.
+    pub(super) contact_radius: f64,
+    /// Meshes pressed so far; more are added where a slide needs a finer one.
+    pub(super) meshes: Mutex<Vec<Arc<PressedMesh>>>,
+    /// The same at finite strain, where a slide asked for that.
+    pub(crate) finite: Mutex<Option<Arc<Pressed>>>,
+    pub(super) recording: Recording,
+    pub(super) wall_time: f64,
+}
+
+/// Press on the coarse mesh alone: what [`sample`] starts from.
+pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
+    let clock = Clock::now();
+    let problem = Problem::new(scene);
+    let resolution = Resolution::choose(&scene.numerics);
+    let expected = problem.expected_contact_radius();
+    let mesh = press_mesh(&problem, &resolution.coarse(), expected, watch)?;
+    let contact_radius = mesh.contact.radius(&mesh.contact.committed);
+    Ok(Pressed {
+        scene: scene.clone(),
+        problem,
+        resolution,
+        contact_radius,
+        meshes: Mutex::new(vec![Arc::new(mesh)]),
+        finite: Mutex::new(None),
+        recording: Recording::default(),
+        wall_time: clock.elapsed().as_secs_f64(),
+    })
+}
+
+/// Press the asperity to the interference of the scene, in full stick and without heat.
+///
+/// ```
+/// use asperity::scene_file::parse_scene;
+/// use asperity::simulate::{Unwatched, press, slide};
+///
+/// let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+///             [loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 0.02\n\
+///             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+/// let scene = parse_scene(text, "this example", &[])?;
+/// // One press serves slides at any slip rate.
+/// let pressed = press(&scene, &Unwatched)?;
+/// let [slow, fast] = [0.1, 10.0].map(|rate| slide(&pressed, rate, &Unwatched));
+/// assert_eq!(slow?.summary.load_press, fast?.summary.load_press);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
+    let clock = Clock::now();
+    let problem = Problem::new(scene);
+    let fine = Resolution::choose(&scene.numerics);
+    let coarse = fine.coarse();
+    watch.progress("press", 0.0, "coarse mesh");
+    let expected = problem.expected_contact_radius();
+    let first = press_mesh(&problem, &coarse, expected, watch)?;
+    let contact_radius = first.contact.radius(&first.contact.committed);
+    let mut meshes = vec![Arc::new(first)];
+    watch.progress("press", 0.2, "fine mesh");
+    let others = [fine, coarse.longer_steps()];
+    let pressed: Vec<_> =
+        others.par_iter().map(|resolution| press_mesh(&problem, resolution, contact_radius, watch)).collect();
+    for mesh in pressed {
+        meshes.push(Arc::new(mesh?));
+    }
+    watch.progress("press", 1.0, "");
+    Ok(Pressed {
+        scene: scene.clone(),
+        problem,
+        resolution: fine,
+        contact_radius,
+        meshes: Mutex::new(meshes),
+        finite: Mutex::new(None),
+        recording: Recording::default(),
+        wall_time: clock.elapsed().as_secs_f64(),
+    })
+}
+
+/// The contact at the end of the press, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PressedContact {
+    /// P, N.
+    pub load: Estimate,
+    /// Part of the load's error that is of the increments, N.
+    pub load_error_of_steps: f64,
+    /// A, m².
+    pub area: Estimate,
+    /// Of the Hertzian distribution with the same mean over the inner half of the contact, Pa: the
+    /// apex itself is alone in its ring.
+    pub peak_pressure: Estimate,
+    pub plastic_strain_max: f64,
+}
+
+/// p₀ of p₀√(1 − r²/a²) from the mean over the points within a/2: over r < sa that is
+/// p₀ 2(1 − (1 − s²)^{3/2})/(3s²).
+pub(super) fn peak_pressure(contact: &Contact) -> f64 {
+    let radius = contact.radius(&contact.committed);
+    let inner = contact.radii.iter().take_while(|&&r| r < 0.5 * radius).count();
+    // One angle; areas are those of the half body.
+    let area: f64 = contact.areas[..inner].iter().sum();
+    let pairs = contact.areas.iter().zip(&contact.committed.pressure).take(inner);
+    let load: f64 = pairs.map(|(area, pressure)| area * pressure).sum();
+    let share = 2.0 * area / (std::f64::consts::PI * radius * radius);
+    load / area * 1.5 * share / (1.0 - (1.0 - share).powf(1.5))
+}
+
+impl Pressed {
+    /// The contact, with errors as those of runs.
+    pub fn contact(&self) -> PressedContact {
+        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        let [coarse, fine, longer] = [0, 1, 2].map(|i| &meshes[i]);
+        let (run, coarser) = (&self.resolution, &self.resolution.coarse());
+        let units = self.problem.units;
+        let estimate = |unit: f64, edge_power: f64, of: fn(&Contact) -> f64| {
+            let values = [fine, coarse, longer].map(|mesh| unit * of(&mesh.contact));
+            let [mesh, steps] = error_budget::of_press(values, run, coarser, edge_power);
+            (Estimate { value: values[0], error: mesh + steps }, steps)
+        };
+        let (load, load_error_of_steps) =
+            estimate(units.force(), 0.0, |contact| contact.load(&contact.committed));
+        PressedContact {
+            load,
+            load_error_of_steps,
+            area: estimate(units.area(), 2.0, |contact| contact.area(&contact.committed)).0,
+            peak_pressure: estimate(units.stress, 0.0, peak_pressure).0,
+            plastic_strain_max: fine.body.committed.largest_plastic_strain(),
+        }
+    }
+
+    /// The same, with slides that keep fields as `recording` says.
+    pub fn recording(self, recording: Recording) -> Self {
+        Self { recording, finite: Mutex::new(None), ..self }
+    }
+
+    pub(crate) fn what_is_recorded(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// The pressed mesh of a resolution, made now if it is not there.
+    pub(super) fn mesh(
+        &self,
+        resolution: &Resolution,
+        watch: &dyn Watch,
+    ) -> Result<Arc<PressedMesh>, SimulationError> {
+        let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = meshes.iter().find(|mesh| {
+            mesh.size.elements_per_radius == resolution.elements_per_radius
+                && mesh.size.growth_zone == resolution.growth_zone
+                && mesh.press_increments == resolution.press_increments
+        });
+        if let Some(mesh) = known {
+            return Ok(mesh.clone());
+        }
+        let mesh = Arc::new(press_mesh(&self.problem, resolution, self.contact_radius, watch)?);
+        meshes.push(mesh.clone());
+        Ok(mesh)
+    }
+
+    /// Time spent on pressed meshes other than `mesh`, s.
+    pub(super) fn seconds_beside(&self, mesh: &Arc<PressedMesh>) -> f64 {
+        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        meshes.iter().filter(|other| !Arc::ptr_eq(other, mesh)).map(|other| other.seconds).sum()
+    }
+}
+
+/// Presses on a mesh laid out for the contact radius, and again on one laid out for the radius that
+/// was reached, so that the edge lies close to where the mesh expects it. Always twice: results
+/// change smoothly with the scene.
+pub(super) fn press_mesh(
+    problem: &Problem,
+    resolution: &Resolution,
+    expected_radius: f64,
+    watch: &dyn Watch,
+) -> Result<PressedMesh, SimulationError> {
+    /// Layouts that may be tried where the contact reaches the rim of the mesh: its radius is then
+    /// not known yet.
+    const LAYOUTS_PAST_RIM: usize = 8;
+    let clock = Clock::now();
+    let Resolution { elements_per_radius, press_increments, growth_zone, .. } = *resolution;
+    let on = |mut contact_radius: f64| {
+        for _ in 0..LAYOUTS_PAST_RIM {
+            if watch.cancelled() {
+                return Err(SimulationError::Cancelled { partial: None });
+            }
+            let size = MeshSize { contact_radius, elements_per_radius, growth_zone };
+            if !size.fits() {
+                break;
+            }
+            let (mechanics, increments) =
+                press::press_on(problem, size, press_increments).map_err(press_error)?;
+            if !mechanics.contact.at_rim(&mechanics.contact.committed) {
+                return Ok((size, mechanics, increments));
+            }
+            contact_radius *= growth_zone;
+        }
+        Err(too_deep(problem, contact_radius))
+    };
+    let (_, first, _) = on(expected_radius)?;
+    let (size, mechanics, increments) = on(first.contact.radius(&first.contact.committed))?;
+    let effort = mechanics.effort;
+    let (body, contact, displacement) = mechanics.into_parts();
+    Ok(PressedMesh {
+        press_increments,
+        size,
+        body,
+        contact,
+        displacement,
+        increments,
+        effort,
+        seconds: clock.elapsed().as_secs_f64(),
+    })
+}
+
+/// The contact is so large that its mesh does not fit into the hemisphere.
+pub(super) fn too_deep(problem: &Problem, radius: f64) -> SimulationError {
+    SimulationError::Unsupported(format!(
+        "an interference of {:.4} omega_c presses the asperity by {:.2} of its radius, to a contact radius \
+         of about {radius:.2} of it: the model needs a contact that is small beside the asperity",
+        problem.interference / problem.critical_interference,
+        problem.interference,
+    ))
+}
+
+pub(super) fn press_error(failure: PressFailure) -> SimulationError {
+    let (at, reason) = match failure {
+        PressFailure::Factor(error) => ("the elastic stiffness".into(), error.to_string()),
+        PressFailure::Step { interference, failure } => {
+            (format!("interference {interference:.4} omega_c"), failure.to_string())
+        }
+    };
+    SimulationError::NotConverged { stage: "press", at, reason, partial: None }
+}

@@ -1,0 +1,206 @@
+//! One slide on one mesh, and with its companions.
+
+use std::sync::Arc;
+use std::time::Instant as Clock;
+
+use rayon::prelude::*;
+
+use super::pressed::{PressedMesh, press_error};
+use super::{Pressed, Probe, SimulationError, Watch};
+use crate::body::Body;
+use crate::body_fields::BodyFields;
+use crate::conduction::Conduction;
+use crate::contact::Contact;
+use crate::mechanics::{Effort, Mechanics};
+use crate::mesh::MeshSize;
+use crate::problem::Discretisation;
+use crate::recording::{Fields, Recorder};
+use crate::resolution::{Resolution, choose_heat, softening_number};
+use crate::scalars::Scalars;
+use crate::sectors::Sectors;
+use crate::slide::{Slide, SlideFailure};
+use crate::standing;
+use crate::timings::{Kernel, Timings};
+
+/// A slide and the pressed mesh that it started on.
+pub(super) type Run = (Arc<PressedMesh>, Slid);
+
+impl Slid {
+    /// Growth of the contact, relative to its radius after the press, at which it left the mesh.
+    pub(super) fn outgrown(&self) -> Option<f64> {
+        match self.failure {
+            Some(SlideFailure::OutgrewMesh { growth }) => Some(growth),
+            _ => None,
+        }
+    }
+}
+
+/// Where the contact points are.
+pub struct ContactPoints {
+    /// Over R.
+    pub radii: Vec<f64>,
+    pub angles: Vec<f64>,
+}
+
+/// One slide on one mesh, as far as it came.
+pub struct Slid {
+    pub history: Vec<crate::slide::Instant>,
+    pub fields: Vec<Fields>,
+    pub body: Option<BodyFields>,
+    pub grid: ContactPoints,
+    pub(super) unknowns: usize,
+    pub(super) effort: Effort,
+    pub(super) timings: Timings,
+    pub(super) cutbacks: usize,
+    pub(super) failure: Option<SlideFailure>,
+}
+
+/// What all slides at one slip rate share.
+pub(super) struct Task<'a> {
+    pub(super) pressed: &'a Pressed,
+    /// VR/κ.
+    pub(super) speed: f64,
+    pub(super) heat: bool,
+    pub(super) watch: &'a dyn Watch,
+}
+
+impl<'a> Task<'a> {
+    pub(super) fn new(
+        pressed: &'a Pressed,
+        slip_rate: f64,
+        watch: &'a dyn Watch,
+        notes: &mut Vec<String>,
+    ) -> Self {
+        let units = pressed.problem.units;
+        let number = softening_number(&pressed.scene, slip_rate, pressed.contact_radius * units.length);
+        let heat = choose_heat(&pressed.scene, slip_rate, number, notes);
+        Self { pressed, speed: slip_rate / units.speed(), heat, watch }
+    }
+
+    pub(super) fn slide(
+        &self,
+        resolution: &Resolution,
+        mut progress: impl FnMut(f64, &str),
+    ) -> Result<Run, SimulationError> {
+        let problem = &self.pressed.problem;
+        let pressed = self.pressed.mesh(resolution, self.watch)?;
+        let clock = Clock::now();
+        let discretisation = Discretisation::new(problem, pressed.size, Sectors::full(resolution.sectors))
+            .map_err(|e| press_error(e.into()))?;
+        let mesh = &discretisation.mesh;
+        let body = Body::revolve(&pressed.body, mesh.clone());
+        let contact = Contact::revolve(&pressed.contact, mesh, problem.contact_modulus);
+        let displacement = mesh.sectors.spread(&pressed.displacement);
+        let factors = discretisation.factors.clone();
+        let mechanics = Mechanics::new(body, contact, factors, displacement, resolution.tolerance);
+        let conduction = if self.heat {
+            let conduction =
+                Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
+            Some(conduction.with_properties(problem.thermal_properties.clone()))
+        } else {
+            None
+        };
+        let speed = if self.heat { self.speed } else { 0.0 };
+        let mut slide = Slide::new(problem, mechanics, conduction, speed, resolution.increments);
+        slide.mechanics.timings.since(Kernel::Setup, clock);
+        // Each mesh slides as far in units of its own contact radius.
+        let radius = pressed.contact.radius(&pressed.contact.committed);
+        let distance = self.pressed.scene.loading.slip_distance * radius;
+        slide.recorder = Recorder::new(&self.pressed.recording, radius, &slide.history[0]);
+        slide.record_fields();
+        let failure = slide
+            .run(distance, |done, history| {
+                progress(done, &standing::in_words(&problem.units, history));
+                !self.watch.cancelled()
+            })
+            .err();
+        slide.record_fields();
+        let mut timings = slide.mechanics.timings;
+        timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - timings.total());
+        timings.add(Kernel::Press, pressed.seconds);
+        let slid = Slid {
+            effort: slide.mechanics.effort,
+            timings,
+            history: slide.history,
+            fields: slide.recorder.contact,
+            body: BodyFields::new(mesh, &slide.recorder.bodies, &problem.units),
+            grid: ContactPoints {
+                radii: slide.mechanics.contact.radii.clone(),
+                angles: mesh.sectors.angles(),
+            },
+            unknowns: mesh.field_length(3),
+            cutbacks: slide.cutbacks,
+            failure,
+        };
+        Ok((pressed, slid))
+    }
+
+    /// The run at `resolution` and its companions; `probe` is the coarse one of them, if that was made.
+    ///
+    /// The resolution gets more room where the contact outgrows the mesh, for all of them alike, as
+    /// long as there is any; what was done about it is added to `notes`. Where the coarse run failed
+    /// errors are unknown, and the others are not needed.
+    pub(super) fn with_companions(
+        &self,
+        resolution: &mut Resolution,
+        mut probe: Option<Probe>,
+        notes: &mut Vec<String>,
+        progress: impl Fn(f64, &str) + Sync,
+    ) -> Result<Vec<Run>, SimulationError> {
+        /// Place of the coarse run in the plan.
+        const COARSE: usize = 1;
+        let note = |growth: f64, wider: &Resolution| {
+            format!(
+                "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine \
+                 mesh, which now has room for {:.2} times",
+                wider.growth_zone
+            )
+        };
+        loop {
+            let wider = resolution.wider();
+            let room = self.fits(&wider);
+            if let Some(growth) = probe.as_ref().and_then(|probe| probe.slid.outgrown()).filter(|_| room) {
+                notes.push(note(growth, &wider));
+                (*resolution, probe) = (wider, None);
+                continue;
+            }
+            let coarse = resolution.coarse();
+            let (sectors, steps) = (coarse.other_sectors(), coarse.longer_steps());
+            let plan = [*resolution, coarse, sectors, steps, coarse.looser_solver()];
+            let hopeless = probe.as_ref().is_some_and(|probe| !probe.complete());
+            let needed = |i: usize| i == 0 || (!hopeless && (i != COARSE || probe.is_none()));
+            let runs: Vec<_> = plan
+                .par_iter()
+                .enumerate()
+                .filter(|(i, _)| needed(*i))
+                .map(|(i, resolution)| {
+                    self.slide(resolution, |done, standing| {
+                        if i == 0 {
+                            progress(done, standing);
+                        }
+                    })
+                })
+                .collect();
+            let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
+            if let Some(Probe { mesh, slid, .. }) = probe.take() {
+                runs.insert(COARSE, (mesh, slid));
+            }
+            let growth = runs.iter().filter_map(|(_, slid)| slid.outgrown()).fold(0.0, f64::max);
+            if growth == 0.0 || !room {
+                return Ok(runs);
+            }
+            notes.push(note(growth, &wider));
+            *resolution = wider;
+        }
+    }
+
+    /// Whether the hemisphere has room for the mesh.
+    pub(super) fn fits(&self, resolution: &Resolution) -> bool {
+        let Resolution { elements_per_radius, growth_zone, .. } = *resolution;
+        MeshSize { contact_radius: self.pressed.contact_radius, elements_per_radius, growth_zone }.fits()
+    }
+
+    pub(super) fn scalars(&self, mesh: &PressedMesh, slid: &Slid) -> Scalars {
+        Scalars::new(&self.pressed.problem, &self.pressed.scene, &mesh.increments, &slid.history)
+    }
+}
