@@ -189,6 +189,26 @@ impl<const W: usize> PointFrame<W> {
     }
 }
 
+/// Places of ∂²J/∂F∂F, each with row and column of F and the sign of the two permutations.
+const CURVATURE: [(usize, usize, usize, f64); 18] = {
+    let mut places = [(0, 0, 0, 0.0); 18];
+    let (mut place, mut at) = (0, 0);
+    while at < 27 {
+        // (i, k) is a pair of rows, i < k, m the third row; j and n are columns, o the third one.
+        let (i, k) = [(0, 1), (0, 2), (1, 2)][at / 9];
+        let (j, n) = ((at / 3) % 3, at % 3);
+        if n != j {
+            let (m, o) = (3 - i - k, 3 - j - n);
+            // ε_ikm for i < k: negative for (r, z) alone.
+            let sign = if (k == after(i)) == (n == after(j)) { 1.0 } else { -1.0 };
+            places[place] = (entry(3 * i + j, 3 * k + n), m, o, sign);
+            place += 1;
+        }
+        at += 1;
+    }
+    places
+};
+
 /// Adds `factor`·∂²J/∂F∂F, which is F itself with the signs of two permutations.
 #[inline(always)]
 pub fn add_volume_curvature<const W: usize>(
@@ -196,20 +216,9 @@ pub fn add_volume_curvature<const W: usize>(
     f: &TwoPoint<W>,
     tangent: &mut [Lanes<W>; ENTRIES],
 ) {
-    for i in 0..3 {
-        for k in i + 1..3 {
-            // ε_ikm for i < k: negative for (r, z) alone.
-            let m = 3 - i - k;
-            for j in 0..3 {
-                for n in (0..3).filter(|&n| n != j) {
-                    let o = 3 - j - n;
-                    let sign = if (k == after(i)) == (n == after(j)) { 1.0 } else { -1.0 };
-                    let target = &mut tangent[entry(3 * i + j, 3 * k + n)];
-                    for l in 0..W {
-                        target[l] += sign * factor[l] * f[m][o][l];
-                    }
-                }
-            }
+    for (place, m, o, sign) in CURVATURE {
+        for l in 0..W {
+            tangent[place][l] += sign * factor[l] * f[m][o][l];
         }
     }
 }
