@@ -180,7 +180,7 @@ impl Body {
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
         if self.finite.is_some() {
-            by_lanes!(self.finite_force(u, rise, force));
+            self.finite_force(u, rise, force);
         } else if self.solid.stiffness_varies() {
             by_lanes!(self.internal_force_varying(u, rise, force));
         } else {

@@ -52,7 +52,18 @@ impl FiniteTangent {
 
 impl Body {
     /// As [`Body::internal_force`]. Where a point is turned inside out, the force is not a number.
-    pub(super) fn finite_force<const W: usize>(
+    pub(super) fn finite_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+        // Points beside angles: the spectral decomposition is a long chain of roots and quotients, of
+        // which the machine works on several at once.
+        match self.mesh.sectors.columns() {
+            1 => self.finite_force_lanes::<1, 4, 4>(u, rise, force),
+            n if n % 8 == 0 => self.finite_force_lanes::<8, 2, 16>(u, rise, force),
+            _ => self.finite_force_lanes::<4, 2, 8>(u, rise, force),
+        }
+    }
+
+    /// W angles and P points at a time, L = WP lanes.
+    fn finite_force_lanes<const W: usize, const P: usize, const L: usize>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
@@ -67,7 +78,8 @@ impl Body {
             for first in (0..lanes).step_by(W) {
                 let displacement =
                     self.mesh.gather_vector::<W>(u, &self.slope, &self.mesh.elements[e], first);
-                let nodal_force = self.finite_element_force(e, first, &displacement, rise, &mut tangent);
+                let nodal_force =
+                    self.finite_element_force::<W, P, L>(e, first, &displacement, rise, &mut tangent);
                 let element = &self.mesh.elements[e];
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
@@ -77,7 +89,7 @@ impl Body {
     }
 
     #[inline(always)]
-    fn finite_element_force<const W: usize>(
+    fn finite_element_force<const W: usize, const P: usize, const L: usize>(
         &mut self,
         e: usize,
         first: usize,
@@ -111,59 +123,76 @@ impl Body {
             pressure[l] = mean / ratio;
             tangent.volumetric[at + l] = (bulk - mean) / (volume * ratio * ratio);
         }
+        let pressure: Lanes<L> = join::<W, L>(|_, l| pressure[l]);
+        let stiffness: Lanes<W> = std::array::from_fn(|l| heat.stiffness.map_or(1.0, |factor| factor[l]));
         let mut force = [[[0.0; W]; VALUES]; CORNERS];
-        for q in 0..POINTS {
-            let f = deformation_gradient(&gradients[q]);
-            let spectral = Spectral::new(&cauchy_green_excess(&gradients[q]));
+        for chunk in (0..POINTS).step_by(P) {
+            let gradient: TwoPoint<L> = std::array::from_fn(|i| {
+                std::array::from_fn(|j| join::<W, L>(|p, l| gradients[chunk + p][i][j][l]))
+            });
+            let f = deformation_gradient(&gradient);
+            let spectral = Spectral::new(&cauchy_green_excess(&gradient));
             let mut deviator = spectral.log_strain();
-            for l in 0..W {
+            for l in 0..L {
                 let third = (spectral.strain[0][l] + spectral.strain[1][l] + spectral.strain[2][l]) / 3.0;
                 for component in &mut deviator[..3] {
                     component[l] -= third;
                 }
             }
-            let (log_stress, flows) = self.point_stress::<W>(e, q, first, &deviator, heat.at_point(q));
+            let mut log_stress = [[0.0; L]; TENSOR];
+            let mut flows = false;
+            for p in 0..P {
+                let of_point = deviator.map(|component| part::<W, L>(&component, p));
+                let (stress, flowing) =
+                    self.point_stress::<W>(e, chunk + p, first, &of_point, heat.at_point(chunk + p));
+                flows |= flowing;
+                for (joined, component) in log_stress.iter_mut().zip(&stress) {
+                    joined[p * W..][..W].copy_from_slice(component);
+                }
+            }
             let frame = PointFrame::new(spectral, &f, &log_stress);
             let cofactors = cofactors(&f);
-            let mut stress = frame.first_piola();
-            let mut moduli = frame.tangent(&self.log_moduli(e, q, first, flows, heat.stiffness.as_ref()));
+            let stress = frame.first_piola();
+            let coefficient =
+                |i: usize| join::<W, L>(|p, l| self.coefficient::<W>(e, chunk + p, i, first)[l]);
+            let scaled = |i: usize| {
+                join::<W, L>(|p, l| stiffness[l] * self.coefficient::<W>(e, chunk + p, i, first)[l])
+            };
+            let moduli = LogModuli {
+                shear: scaled(0),
+                radial: scaled(1),
+                // Stale where nothing flows, and its factor zero.
+                direction: flows.then(|| std::array::from_fn(|i| coefficient(2 + i))),
+            };
+            let mut moduli = frame.tangent(&moduli);
             add_volume_curvature(&pressure, &f, &mut moduli);
-            for i in 0..3 {
-                for j in 0..3 {
-                    for l in 0..W {
-                        let sum = fma(pressure[l], cofactors[i][j][l], stress[i][j][l]);
-                        stress[i][j][l] = weight[q] * sum;
+            for p in 0..P {
+                let q = chunk + p;
+                let mut keep = |i: usize, value: &Lanes<L>| {
+                    let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
+                    let target = &mut tangent.point[place..place + W];
+                    (0..W).for_each(|l| target[l] = weight[q] * value[p * W + l]);
+                };
+                for i in 0..ENTRIES {
+                    keep(i, &moduli[i]);
+                }
+                for i in 0..9 {
+                    keep(ENTRIES + i, &cofactors[i / 3][i % 3]);
+                }
+                let mut of_point = [[[0.0; W]; 3]; 3];
+                for i in 0..3 {
+                    for j in 0..3 {
+                        let (deviatoric, cofactor) = (&stress[i][j][p * W..], &cofactors[i][j][p * W..]);
+                        for l in 0..W {
+                            let sum = fma(pressure[l], cofactor[l], deviatoric[l]);
+                            of_point[i][j][l] = weight[q] * sum;
+                        }
                     }
                 }
+                add_stress_force(&self.mesh.elements[e].shape[q], &of_point, &mut force);
             }
-            let values = moduli.iter().chain(cofactors.iter().flatten());
-            for (i, value) in values.enumerate() {
-                let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
-                for (target, value) in tangent.point[place..place + W].iter_mut().zip(value) {
-                    *target = weight[q] * value;
-                }
-            }
-            add_stress_force(&self.mesh.elements[e].shape[q], &stress, &mut force);
         }
         force
-    }
-
-    /// Consistent moduli that [`Body::point_stress`] has left.
-    #[inline(always)]
-    fn log_moduli<const W: usize>(
-        &self,
-        e: usize,
-        q: usize,
-        first: usize,
-        flows: bool,
-        stiffness: Option<&Lanes<W>>,
-    ) -> LogModuli<'_, W> {
-        let [shear, radial, direction @ ..]: [&[f64]; 2 + TENSOR] =
-            std::array::from_fn(|i| self.coefficient::<W>(e, q, i, first));
-        let scaled = |values: &[f64]| -> Lanes<W> {
-            std::array::from_fn(|l| stiffness.map_or(1.0, |factor| factor[l]) * values[l])
-        };
-        LogModuli { shear: scaled(shear), radial: scaled(radial), direction: flows.then_some(direction) }
     }
 
     /// As [`Body::tangent_product`].
@@ -186,8 +215,8 @@ impl Body {
                 for q in 0..POINTS {
                     let gradient: TwoPoint<W> = displacement_gradient(&element.shape[q], &displacement);
                     stresses[q] = symmetric_product(|i| value(q, i), &gradient);
-                    for (i, component) in gradient.iter().flatten().enumerate() {
-                        let cofactor = value(q, ENTRIES + i);
+                    for i in 0..9 {
+                        let (cofactor, component) = (value(q, ENTRIES + i), &gradient[i / 3][i % 3]);
                         for l in 0..W {
                             growth[l] = fma(cofactor[l], component[l], growth[l]);
                         }
@@ -198,8 +227,8 @@ impl Body {
                 }
                 let mut nodal_force = [[[0.0; W]; VALUES]; CORNERS];
                 for q in 0..POINTS {
-                    for (i, component) in stresses[q].iter_mut().flatten().enumerate() {
-                        let cofactor = value(q, ENTRIES + i);
+                    for i in 0..9 {
+                        let (cofactor, component) = (value(q, ENTRIES + i), &mut stresses[q][i / 3][i % 3]);
                         for l in 0..W {
                             component[l] = fma(cofactor[l], growth[l], component[l]);
                         }
@@ -211,6 +240,18 @@ impl Body {
         }
         self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
     }
+}
+
+/// Lanes of several points, W angles each, side by side.
+#[inline(always)]
+fn join<const W: usize, const L: usize>(value: impl Fn(usize, usize) -> f64) -> Lanes<L> {
+    std::array::from_fn(|lane| value(lane / W, lane % W))
+}
+
+/// The lanes of point p of those side by side.
+#[inline(always)]
+fn part<const W: usize, const L: usize>(joined: &Lanes<L>, p: usize) -> Lanes<W> {
+    std::array::from_fn(|l| joined[p * W + l])
 }
 
 #[cfg(test)]

@@ -5,18 +5,18 @@
 //! S_ab = 2f[a,b] T_ab and dS = (4 f f D + second derivative of E along T):½dC; P = FS.
 
 use super::gradient::{TwoPoint, after};
-use super::spectral::{PAIR, Spectral, into_frame, triple};
+use super::spectral::{PAIR, PLACE, Spectral, into_frame, triple};
 use crate::lanes::{Lanes, add_scaled, fma};
 
 /// Independent entries of the symmetric ∂P/∂F: 9·10/2, row by row.
 pub const ENTRIES: usize = 45;
 
 /// Moduli in logarithmic strain: c₀·dev + c₁ n⊗n.
-pub struct LogModuli<'a, const W: usize> {
+pub struct LogModuli<const W: usize> {
     pub shear: Lanes<W>,
     pub radial: Lanes<W>,
     /// n by pairs, if anything flows.
-    pub direction: Option<[&'a [f64]; 6]>,
+    pub direction: Option<[Lanes<W>; 6]>,
 }
 
 /// Place of row i, column j ≥ i of a symmetric 9 × 9 matrix.
@@ -81,7 +81,7 @@ impl<const W: usize> PointFrame<W> {
 
     /// ∂P/∂F of the deviatoric part.
     #[inline(always)]
-    pub fn tangent(&self, moduli: &LogModuli<'_, W>) -> [Lanes<W>; ENTRIES] {
+    pub fn tangent(&self, moduli: &LogModuli<W>) -> [Lanes<W>; ENTRIES] {
         let material = self.material_moduli(moduli);
         let frame = &self.spectral.frame;
         // X_ab = ½dC_ab = weights·dF, twice that for a ≠ b, so that both places of a shear count.
@@ -141,21 +141,12 @@ impl<const W: usize> PointFrame<W> {
 
     /// ∂S/∂(½C) in the frame, by pairs.
     #[inline(always)]
-    fn material_moduli(&self, moduli: &LogModuli<'_, W>) -> [[Lanes<W>; 6]; 6] {
+    fn material_moduli(&self, moduli: &LogModuli<W>) -> [[Lanes<W>; 6]; 6] {
         let (first, second) = (&self.spectral.first, &self.spectral.second);
-        let direction = moduli.direction.map(|n| {
-            let n: [Lanes<W>; 6] = n.map(|component| std::array::from_fn(|l| component[l]));
-            into_frame(&self.spectral.frame, &n)
-        });
-        let stress = |a: usize, b: usize| {
-            let pair = PAIR.iter().position(|&pair| pair == (a, b) || pair == (b, a));
-            &self.log_stress[pair.expect("one of the six")]
-        };
+        let direction = moduli.direction.as_ref().map(|n| into_frame(&self.spectral.frame, n));
         let mut material = [[[0.0; W]; 6]; 6];
         for v in 0..6 {
-            let (p, q) = PAIR[v];
             for w in v..6 {
-                let (r, s) = PAIR[w];
                 let deviatoric = match (v < 3, w < 3) {
                     (true, true) if v == w => 2.0 / 3.0,
                     (true, true) => -1.0 / 3.0,
@@ -167,27 +158,49 @@ impl<const W: usize> PointFrame<W> {
                     let flow = direction.as_ref().map_or(0.0, |n| moduli.radial[l] * n[v][l] * n[w][l]);
                     sum[l] = 4.0 * first[v][l] * first[w][l] * (deviatoric * moduli.shear[l] + flow);
                 }
-                // T:d²E[X, Y] with X = e_p e_q and Y = e_r e_s, made symmetric in each.
-                for (equal, f, t) in [
-                    (q == r, triple(p, q, s), (p, s)),
-                    (p == r, triple(q, p, s), (q, s)),
-                    (q == s, triple(p, q, r), (p, r)),
-                    (p == s, triple(q, p, r), (q, r)),
-                ] {
-                    if equal {
-                        let stress = stress(t.0, t.1);
-                        for l in 0..W {
-                            sum[l] = fma(2.0 * second[f][l], stress[l], sum[l]);
-                        }
-                    }
-                }
                 material[v][w] = sum;
-                material[w][v] = sum;
+            }
+        }
+        for (v, w, f, t) in SECOND_DERIVATIVE {
+            for l in 0..W {
+                material[v][w][l] = fma(2.0 * second[f][l], self.log_stress[t][l], material[v][w][l]);
+            }
+        }
+        for v in 0..6 {
+            for w in 0..v {
+                material[v][w] = material[w][v];
             }
         }
         material
     }
 }
+
+/// Terms of T:d²E[X, Y] with X = e_p e_q and Y = e_r e_s, made symmetric in each: pair of X, that of
+/// Y, not before it, and the places of the second difference and of the stress.
+const SECOND_DERIVATIVE: [(usize, usize, usize, usize); SECOND_TERMS] = {
+    let mut terms = [(0, 0, 0, 0); SECOND_TERMS];
+    let (mut count, mut at) = (0, 0);
+    while at < 36 * 4 {
+        let (v, w) = (at / 24, at / 4 % 6);
+        let ((p, q), (r, s)) = (PAIR[v], PAIR[w]);
+        // The index that X and Y share, and the two others.
+        let (equal, a, b, c) = match at % 4 {
+            0 => (q == r, p, q, s),
+            1 => (p == r, q, p, s),
+            2 => (q == s, p, q, r),
+            _ => (p == s, q, p, r),
+        };
+        if v <= w && equal {
+            terms[count] = (v, w, triple(a, b, c), PLACE[a][c]);
+            count += 1;
+        }
+        at += 1;
+    }
+    assert!(count == SECOND_TERMS);
+    terms
+};
+/// Of 21 pairs of pairs those that share an index, once for each way they do (asserted above).
+const SECOND_TERMS: usize = 33;
 
 /// Places of ∂²J/∂F∂F, each with row and column of F and the sign of the two permutations.
 const CURVATURE: [(usize, usize, usize, f64); 18] = {

@@ -7,10 +7,13 @@
 //! Miehe & Lambrecht 2001, Commun. Numer. Meth. Engng 17, 337, who list the cases of equal
 //! eigenvalues that divided differences need not tell apart).
 
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, fma};
 
 /// Tensor components of the six that are stored: (rr, θθ, zz, rθ, θz, zr).
 pub const PAIR: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
+
+/// Place in [`PAIR`] of two indices.
+pub const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
 /// Sorted triples of eigenvalues.
 const TRIPLES: usize = 10;
@@ -45,46 +48,59 @@ impl<const W: usize> Spectral<W> {
         let (values, frame) = eigen(*excess);
         let mut spectral =
             Self { frame, strain: [[0.0; W]; 3], first: [[0.0; W]; 6], second: [[0.0; W]; TRIPLES] };
-        // Nearly always: then no lane needs a branch of its own.
-        if (0..W).all(|l| close([values[0][l], values[1][l], values[2][l]])) {
-            for a in 0..3 {
-                for l in 0..W {
-                    spectral.strain[a][l] = half_log(values[a][l]);
-                }
-            }
-            for (v, &(a, b)) in PAIR.iter().enumerate() {
-                for l in 0..W {
-                    spectral.first[v][l] = first_of_close(values[a][l], values[b][l]);
-                }
-            }
-            for a in 0..3 {
-                for b in a..3 {
-                    for c in b..3 {
-                        spectral.second[triple(a, b, c)] = second_of_close([values[a], values[b], values[c]]);
-                    }
-                }
-            }
-            return spectral;
-        }
+        spectral.set_close(&values);
         for l in 0..W {
             let excess = [values[0][l], values[1][l], values[2][l]];
-            let strain = excess.map(|x| 0.5 * x.ln_1p());
-            let divided = Divided { excess, strain };
-            for a in 0..3 {
-                spectral.strain[a][l] = strain[a];
-            }
-            for (v, &(a, b)) in PAIR.iter().enumerate() {
-                spectral.first[v][l] = divided.first(a, b);
-            }
-            for a in 0..3 {
-                for b in a..3 {
-                    for c in b..3 {
-                        spectral.second[triple(a, b, c)][l] = divided.second(a, b, c);
-                    }
-                }
+            if !close(excess) {
+                spectral.set_lane(l, excess);
             }
         }
         spectral
+    }
+
+    /// By the series that hold where [`close`] says so, which is nearly everywhere: all lanes at once.
+    #[inline(always)]
+    fn set_close(&mut self, excess: &[Lanes<W>; 3]) {
+        for a in 0..3 {
+            for l in 0..W {
+                let x = excess[a][l];
+                let inverse = 0.5 / (1.0 + x);
+                self.strain[a][l] = half_log(x);
+                self.first[a][l] = inverse;
+                self.second[triple(a, a, a)][l] = -inverse * inverse;
+            }
+        }
+        for (v, &(a, b)) in PAIR.iter().enumerate().skip(3) {
+            let (a_a_b, a_b_b) = (triple(a, a, b), triple(a, b, b));
+            for l in 0..W {
+                let inverse = 1.0 / (2.0 + excess[a][l] + excess[b][l]);
+                let d = (excess[b][l] - excess[a][l]) * inverse;
+                self.first[v][l] = inverse * artanh_over(d);
+                let (even, odd) = second_of_two(d);
+                self.second[a_a_b][l] = -inverse * inverse * (even + odd);
+                self.second[a_b_b][l] = -inverse * inverse * (even - odd);
+            }
+        }
+        self.second[triple(0, 1, 2)] = second_of_close(*excess);
+    }
+
+    /// One lane, whatever the eigenvalues.
+    fn set_lane(&mut self, l: usize, excess: [f64; 3]) {
+        let strain = excess.map(|x| 0.5 * x.ln_1p());
+        let divided = Divided { excess, strain };
+        for a in 0..3 {
+            self.strain[a][l] = strain[a];
+        }
+        for (v, &(a, b)) in PAIR.iter().enumerate() {
+            self.first[v][l] = divided.first(a, b);
+        }
+        for a in 0..3 {
+            for b in a..3 {
+                for c in b..3 {
+                    self.second[triple(a, b, c)][l] = divided.second(a, b, c);
+                }
+            }
+        }
     }
 
     /// E itself, by pairs.
@@ -105,7 +121,6 @@ impl<const W: usize> Spectral<W> {
 /// A symmetric tensor in the frame of the eigenvectors: NᵀAN, by pairs.
 #[inline(always)]
 pub fn into_frame<const W: usize>(frame: &Frame<W>, tensor: &[Lanes<W>; 6]) -> [Lanes<W>; 6] {
-    const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
     let mut turned = [[0.0; W]; 6];
     for a in 0..3 {
         // A·N_a.
@@ -205,9 +220,10 @@ fn rotate<
     }
 }
 
-/// Spread of the eigenvalues relative to their mean up to which the series below are exact to
-/// rounding; quotients of differences lose digits there.
-const CLOSE: f64 = 0.08;
+/// Spread of the eigenvalues relative to their mean up to which the series below are exact, to
+/// rounding in strain and stress and to 1e-10 in the second differences, of which the tangent alone
+/// is made; quotients of differences lose digits there.
+const CLOSE: f64 = 0.3;
 
 /// Whether the series hold for eigenvalues 1 + `excess`, and for the strain itself.
 #[inline(always)]
@@ -215,11 +231,30 @@ fn close(excess: [f64; 3]) -> bool {
     excess.iter().all(|x| x.abs() < 0.5 * CLOSE)
 }
 
-/// artanh(d)/d for |d| ≤ CLOSE/2.
+/// Terms of the series of artanh.
+const ARTANH_TERMS: usize = 10;
+
+/// artanh(d)/d for |d| ≤ CLOSE/2 or a little more.
 #[inline(always)]
 fn artanh_over(d: f64) -> f64 {
     let x = d * d;
-    1.0 + x * (1.0 / 3.0 + x * (1.0 / 5.0 + x * (1.0 / 7.0 + x * (1.0 / 9.0 + x / 11.0))))
+    let mut sum = 0.0;
+    for k in (0..ARTANH_TERMS).rev() {
+        sum = fma(sum, x, 1.0 / (2 * k + 1) as f64);
+    }
+    sum
+}
+
+/// f[λ_a, λ_a, λ_b] of f = ½ ln λ is −(even + odd)/(λ_a + λ_b)², with d = (λ_b − λ_a)/(λ_b + λ_a):
+/// (f[λ_a, λ_b] − f'(λ_a))/(λ_b − λ_a) by the series of both.
+#[inline(always)]
+fn second_of_two(d: f64) -> (f64, f64) {
+    let x = d * d;
+    let mut odd = 0.0;
+    for k in (0..ARTANH_TERMS).rev() {
+        odd = fma(odd, x, (2 * k + 2) as f64 / (2 * k + 3) as f64);
+    }
+    (1.0 / (1.0 - x), d * odd)
 }
 
 /// ½ ln(1 + excess) = artanh(excess/(2 + excess)).
@@ -242,7 +277,7 @@ fn first_of_close(a: f64, b: f64) -> f64 {
 #[inline(always)]
 fn second_of_close<const W: usize>(excess: [Lanes<W>; 3]) -> Lanes<W> {
     /// |x| is at most 2/3 CLOSE.
-    const TERMS: usize = 12;
+    const TERMS: usize = 15;
     let [mut x, mut y, mut z] = excess;
     let mut scale = [0.0; W];
     for l in 0..W {
