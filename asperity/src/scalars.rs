@@ -8,11 +8,8 @@ use crate::outcome::InceptionCriterion;
 use crate::press::Increment;
 use crate::problem::Problem;
 use crate::scene::Scene;
-use crate::slide::Instant;
+use crate::slide::{Instant, NO_STICK};
 
-/// Sticking share of the contact that counts as none: points that have just touched stick until
-/// they have slipped once.
-const NO_STICK: f64 = 0.01;
 /// Sliding has begun when dQ/ds is below this share of its first value.
 const STIFFNESS_SHARE: f64 = 0.01;
 /// Relative change of μ over the last quarter of the slide below which it has levelled off.

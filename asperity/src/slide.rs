@@ -19,8 +19,11 @@ const LIMIT_TOLERANCE: f64 = 3e-5;
 const AREA_TOLERANCE: f64 = 1e-4;
 /// First increment in units of the elastic displacement at gross slip.
 const FIRST_INCREMENT: f64 = 0.1;
-/// Share of the sticking area that begins to slip in an increment, at most.
-const INCEPTION_SHARE: f64 = 0.4;
+/// Sticking share of the contact that counts as none: points that have just touched stick until
+/// they have slipped once.
+pub const NO_STICK: f64 = 0.01;
+/// Width of the increment in which sliding begins, relative to the slip, over the largest increment.
+const INCEPTION_WIDTH: f64 = 0.05;
 /// Number of increments at least.
 const LEAST_INCREMENTS: f64 = 24.0;
 
@@ -72,6 +75,20 @@ pub struct Increments {
     pub coupling_limit: usize,
 }
 
+/// What came of the attempt at an increment.
+enum Attempt {
+    Taken,
+    /// Solved, but sliding begins somewhere on the way: nothing is kept of it.
+    PastInception(Beyond),
+}
+
+/// A state that sliding has begun before.
+struct Beyond {
+    slip: f64,
+    displacement: Vec<f64>,
+    interference: f64,
+}
+
 pub struct Slide<'a> {
     problem: &'a Problem,
     pub mechanics: Mechanics,
@@ -81,7 +98,7 @@ pub struct Slide<'a> {
     interference: f64,
     hold: Hold,
     /// Whether the contact has once slipped everywhere.
-    all_slipped: bool,
+    has_begun: bool,
     sources: HeatSources,
     pub history: Vec<Instant>,
     pub recorder: Recorder,
@@ -183,7 +200,7 @@ impl<'a> Slide<'a> {
         let mut slide = Self {
             interference: problem.interference,
             hold: Hold::Interference,
-            all_slipped: false,
+            has_begun: false,
             problem,
             mechanics,
             conduction,
@@ -217,10 +234,15 @@ impl<'a> Slide<'a> {
         let elastic = self.problem.strength_factor.min(10.0) * SHEAR_RATIO * radius / shear;
         let mut advance =
             (FIRST_INCREMENT * increments.growth / 0.15 * elastic).min(distance / LEAST_INCREMENTS);
+        let least = FIRST_INCREMENT * increments.growth / 0.15 * elastic;
         let mut before = self.mechanics.displacement.clone();
         let mut interference_before = self.interference;
         let mut slip_before = 0.0;
         let mut slip = 0.0;
+        // Sliding inception is enclosed between two states, by halving the increment that leaps it;
+        // the increments before it are taken up again after it.
+        let mut beyond: Option<Beyond> = None;
+        let mut usual = advance;
         while slip < distance * (1.0 - 1e-9) {
             if !watch(slip / distance, &self.history) {
                 return Err(SlideFailure::Cancelled);
@@ -232,27 +254,49 @@ impl<'a> Slide<'a> {
             let next = if left <= increment { distance } else { slip + increment };
             let committed = self.mechanics.displacement.clone();
             let cover = self.mechanics.contact.cover.clone();
-            let start = extrapolate(&before, &committed, slip_before, slip, next);
             let interference = self.interference;
-            let sunk = extrapolate(&[interference_before], &[interference], slip_before, slip, next)[0];
+            let (start, sunk) = match &beyond {
+                None => (
+                    extrapolate(&before, &committed, slip_before, slip, next),
+                    extrapolate(&[interference_before], &[interference], slip_before, slip, next)[0],
+                ),
+                Some(beyond) => (
+                    extrapolate(&committed, &beyond.displacement, slip, beyond.slip, next),
+                    extrapolate(&[interference], &[beyond.interference], slip, beyond.slip, next)[0],
+                ),
+            };
             match self.step(slip, next, start, sunk) {
-                Ok(()) => {
+                Ok(Attempt::Taken) => {
                     (before, slip_before, slip) = (committed, slip, next);
                     interference_before = interference;
-                    let least = FIRST_INCREMENT * increments.growth / 0.15 * elastic;
-                    let most = (increments.growth * slip)
-                        .max(least)
-                        .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
-                    advance = (2.0 * advance).min(most).min(self.to_less_stick(least));
+                    beyond = beyond.filter(|beyond| beyond.slip > slip);
+                    advance = match &beyond {
+                        Some(beyond) => self.towards(slip, beyond),
+                        None => {
+                            let most = (increments.growth * slip)
+                                .max(least)
+                                .min(distance / LEAST_INCREMENTS * increments.growth / 0.15);
+                            (2.0 * advance.max(usual)).min(most)
+                        }
+                    };
                     if self.recorder.is_due(self.history.last().expect("stepped")) {
                         self.record_fields();
                     }
+                }
+                Ok(Attempt::PastInception(state)) => {
+                    self.mechanics.restore(committed, cover);
+                    if beyond.is_none() {
+                        usual = 0.5 * increment;
+                    }
+                    advance = self.towards(slip, &state);
+                    beyond = Some(state);
                 }
                 Err(
                     failure @ (SlideFailure::Step(_) | SlideFailure::Heat(HeatError::NotConverged { .. })),
                 ) => {
                     self.mechanics.restore(committed, cover);
                     self.cutbacks += 1;
+                    usual = 0.0;
                     advance = 0.5 * increment;
                     if advance < 1e-6 * elastic {
                         return Err(failure);
@@ -265,20 +309,21 @@ impl<'a> Slide<'a> {
         Ok(())
     }
 
-    /// Increment over which, at the present rate, a share of what sticks begins to slip: sliding
-    /// inception, where nothing sticks any more, is approached in ever smaller increments.
-    fn to_less_stick(&self, least: f64) -> f64 {
-        let [.., before, now] = self.history[..] else { return f64::INFINITY };
-        let rate = (before.stick_fraction - now.stick_fraction) / (now.slip - before.slip);
-        if self.all_slipped || now.stick_fraction <= 0.0 || rate <= 0.0 {
-            return f64::INFINITY;
-        }
-        (INCEPTION_SHARE * self.increments.growth / 0.15 * now.stick_fraction / rate).max(0.2 * least)
+    /// Next increment towards a state that sliding has begun before: half of the way, or all of it
+    /// once that is narrow enough.
+    fn towards(&self, slip: f64, beyond: &Beyond) -> f64 {
+        let left = beyond.slip - slip;
+        if left <= self.inception_width(beyond.slip) { left } else { 0.5 * left }
+    }
+
+    /// Width of the increment in which sliding begins.
+    fn inception_width(&self, slip: f64) -> f64 {
+        INCEPTION_WIDTH * self.increments.growth * slip
     }
 
     /// One increment from slip to slip; `start` and `sunk` are first guesses of the displacements and
     /// the interference.
-    fn step(&mut self, from: f64, to: f64, start: Vec<f64>, sunk: f64) -> Result<(), SlideFailure> {
+    fn step(&mut self, from: f64, to: f64, start: Vec<f64>, sunk: f64) -> Result<Attempt, SlideFailure> {
         let dt = if self.speed > 0.0 { (to - from) / self.speed } else { 0.0 };
         let flat = Flat { interference: sunk, displacement: to };
         let problem = self.problem;
@@ -357,6 +402,12 @@ impl<'a> Slide<'a> {
             return Err(SlideFailure::OutgrewMesh { growth: contact.radius(&contact.trial) / start });
         }
         let mut instant = self.instant(to, *self.history.last().expect("starts with the press"));
+        let begins = !self.has_begun && instant.stick_fraction < NO_STICK;
+        if begins && to - from > self.inception_width(to) * (1.0 + 1e-9) {
+            let displacement = self.mechanics.displacement.clone();
+            let interference = flat.interference;
+            return Ok(Attempt::PastInception(Beyond { slip: to, displacement, interference }));
+        }
         instant.interference = flat.interference;
         let old = Flat { interference: self.interference, displacement: from };
         let interface = self.mechanics.contact.step_work(old, flat);
@@ -382,9 +433,9 @@ impl<'a> Slide<'a> {
         self.mechanics.contact.commit();
         self.sources = sources;
         self.interference = flat.interference;
-        self.all_slipped |= instant.stick_fraction <= 0.0;
+        self.has_begun |= begins;
         self.history.push(instant);
-        Ok(())
+        Ok(Attempt::Taken)
     }
 
     /// Present state with the totals of `previous`.
