@@ -48,11 +48,13 @@ const QUANTITIES: usize = Quantity::ALL.len();
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 4],
+    /// What the increment in which sliding begins leaves open: of the steps, too.
+    brackets: [f64; QUANTITIES],
 }
 
 impl Default for ErrorBudget {
     fn default() -> Self {
-        Self { parts: [[0.0; QUANTITIES]; 4] }
+        Self { parts: [[0.0; QUANTITIES]; 4], brackets: [0.0; QUANTITIES] }
     }
 }
 
@@ -86,26 +88,31 @@ pub struct Companions<'a> {
 impl ErrorBudget {
     /// Of the run `fine` at one resolution, its companions on the mesh of another.
     pub fn new(fine: &Scalars, companions: &Companions<'_>, run: &Resolution, coarser: &Resolution) -> Self {
-        let Companions { coarse, other_sectors, longer_steps, looser_solver } = *companions;
-        let difference = |a: &Scalars, b: &Scalars| Quantity::ALL.map(|q| (a.value(q) - b.value(q)).abs());
-        let mut budget = Self {
-            parts: [
-                [0.0; QUANTITIES],
-                difference(coarse, other_sectors),
-                difference(coarse, longer_steps),
-                difference(coarse, looser_solver),
-            ],
-        };
-        budget.set_mesh(fine, coarse, run, coarser);
-        let press = coarser.press_increments as f64 / run.press_increments as f64;
-        for quantity in Quantity::ALL {
-            let steps = &mut budget.parts[ErrorSource::Steps as usize][quantity as usize];
-            *steps = steps_share(quantity, press) * *steps + fine.bracket(quantity);
-        }
+        let mut budget = Self::beside_mesh(companions, run, coarser);
+        budget.set_mesh(fine, companions.coarse, run, coarser);
         budget
     }
 
-    /// The mesh's part anew, from a run and one on a coarser mesh.
+    /// All but the mesh's part, which a run at the resolution `run` is needed for.
+    pub fn beside_mesh(companions: &Companions<'_>, run: &Resolution, coarser: &Resolution) -> Self {
+        let Companions { coarse, other_sectors, longer_steps, looser_solver } = *companions;
+        let difference = |other: &Scalars, share: &dyn Fn(Quantity) -> f64| {
+            Quantity::ALL.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
+        };
+        let sectors = sectors_share(run.sectors, coarser.other_sectors().sectors);
+        let press = coarser.press_increments as f64 / run.press_increments as f64;
+        Self {
+            parts: [
+                [0.0; QUANTITIES],
+                difference(other_sectors, &|_| sectors),
+                difference(longer_steps, &|quantity| steps_share(quantity, press)),
+                difference(looser_solver, &|_| 1.0),
+            ],
+            brackets: [0.0; QUANTITIES],
+        }
+    }
+
+    /// The mesh's part, from a run and one on a coarser mesh with as many sectors.
     pub fn set_mesh(&mut self, fine: &Scalars, coarse: &Scalars, run: &Resolution, coarser: &Resolution) {
         let elements = run.elements_per_radius as f64;
         let share = mesh_share(elements / coarser.elements_per_radius as f64);
@@ -113,13 +120,18 @@ impl ErrorBudget {
             let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
             share * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
         });
+        self.brackets = Quantity::ALL.map(|quantity| fine.bracket(quantity));
     }
 
-    /// After a refinement by which a source's error should have fallen.
-    pub fn scale(&mut self, source: ErrorSource, factor: f64) {
-        for part in &mut self.parts[source as usize] {
-            *part *= factor;
+    /// After a refinement in sectors and increments: second order in θ at least, first in the
+    /// increments.
+    pub fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
+        let sectors = (from.sectors as f64 / to.sectors as f64).powi(2);
+        let steps = to.increments.growth / from.increments.growth;
+        for (source, factor) in [(ErrorSource::Sectors, sectors), (ErrorSource::Steps, steps)] {
+            self.parts[source as usize].iter_mut().for_each(|part| *part *= factor);
         }
+        self
     }
 
     /// Nothing is known: errors as large as the values.
@@ -130,7 +142,8 @@ impl ErrorBudget {
     }
 
     pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
-        self.parts[source as usize][quantity as usize]
+        let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
+        self.parts[source as usize][quantity as usize] + bracket
     }
 
     pub fn total(&self, quantity: Quantity) -> f64 {
@@ -204,11 +217,14 @@ fn steps_share(quantity: Quantity, press: f64) -> f64 {
     match quantity {
         // First order in the increments of the press, of which the run has more.
         LoadPress | AreaPress | ContactRadius => press,
-        // Interpolated between increments, and energies by the trapezoidal rule: second order.
-        InceptionSlip | EnergyRelease => 1.0 / 3.0,
         // First order in the increments of the slide, and what is left of the press.
         _ => 0.5 * (1.0 + press),
     }
+}
+
+/// Error with N_θ sectors over the difference to that with others: second order.
+fn sectors_share(sectors: usize, others: usize) -> f64 {
+    1.0 / ((sectors as f64 / others as f64).powi(2) - 1.0).abs().max(0.5)
 }
 
 /// Error of the finer of two runs over their difference.

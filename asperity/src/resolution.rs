@@ -15,11 +15,12 @@ pub const NEWTON_TOLERANCE: f64 = 2e-7;
 /// Updates of temperature and contact edge in a step.
 const COUPLING_LIMIT: usize = 4;
 /// Increments of the press for each element per contact radius, and at most in all.
-const PRESS_INCREMENTS: usize = 4;
-const MOST_PRESS_INCREMENTS: usize = 64;
+const PRESS_INCREMENTS: usize = 8;
+const MOST_PRESS_INCREMENTS: usize = 128;
 /// Finest resolution that an accuracy can ask for.
 const MOST_ELEMENTS: usize = 48;
 const MOST_SECTORS: usize = 16;
+const LEAST_GROWTH: f64 = 0.05;
 /// By how much more room is given to a contact that outgrows its mesh.
 const WIDER: f64 = 1.5;
 
@@ -103,6 +104,20 @@ impl Resolution {
         Self { press_increments: factor * self.press_increments, increments, ..*self }
     }
 
+    /// With more sectors and shorter increments where those alone would make too large a part
+    /// (relative) of the error.
+    pub fn refine_beside_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {
+        const SHARE: f64 = 0.4;
+        let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
+        if parts.sectors > SHARE * numerics.accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
+            sectors *= 2;
+        }
+        if parts.steps > SHARE * numerics.accuracy && growth > LEAST_GROWTH {
+            growth *= 0.5;
+        }
+        Self { growth_zone: self.growth_zone, ..Self::new(self.elements_per_radius, sectors, growth) }
+    }
+
     /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
     /// nothing if that is met or the scene and the limits leave no choice.
     pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
@@ -116,7 +131,7 @@ impl Resolution {
             sectors *= 2;
             others -= 0.75 * parts.sectors;
         }
-        if parts.steps > 0.25 * accuracy && growth > 0.05 {
+        if parts.steps > 0.25 * accuracy && growth > LEAST_GROWTH {
             growth *= 0.5;
             others -= 0.5 * parts.steps;
         }

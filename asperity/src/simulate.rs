@@ -2,15 +2,16 @@
 //!
 //! Each run has companions on a coarser mesh, from which its errors are estimated (see
 //! `error_budget`); where they are larger than asked, and the scene leaves the choice, it
-//! is repeated more finely. The companions run beside it if there are threads for them. Where the
-//! contact grows past the fine mesh, all is repeated on meshes with more room.
+//! is repeated more finely. The companions run before it, side by side if there are threads for them,
+//! and tell how many sectors and increments it needs. Where the contact grows past the fine mesh, all
+//! is repeated on meshes with more room.
 
 use std::sync::Arc;
 use std::time::Instant as Clock;
 
 use tables::quantity::Quantity;
 
-use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
+use crate::error_budget::ErrorBudget;
 use crate::kinematics::slide_as_strained;
 use crate::outcome::{Account, Outcome};
 use crate::press::Increment;
@@ -22,9 +23,11 @@ use crate::slide::SlideFailure;
 use crate::summary;
 use crate::timings::Kernel;
 
+mod first_run;
 mod pressed;
 mod task;
 
+use first_run::FirstRun;
 use pressed::PressedMesh;
 pub(crate) use pressed::press_coarsely;
 pub use pressed::{Pressed, PressedContact, press};
@@ -150,43 +153,24 @@ pub(crate) fn slide_refined(
     probe: Option<Probe>,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
-    /// Share of a run's progress until its companions are done.
-    const FIRST_SHARE: f64 = 0.6;
+    /// Share of a run's progress until it may have to be repeated.
+    const FIRST_SHARE: f64 = 0.7;
     let clock = Clock::now();
     let (problem, scene) = (&pressed.problem, &pressed.scene);
     let mut notes = Vec::new();
     let task = Task::new(pressed, slip_rate, watch, &mut notes);
-
-    let mut resolution = pressed.resolution;
-    let shown = |done: f64, standing: &str| watch.progress("slide", FIRST_SHARE * done, standing);
-    let mut runs = task.with_companions(&mut resolution, probe, &mut notes, shown)?.into_iter();
-    let coarser = resolution.coarse();
-    let (mut mesh, mut fine) = runs.next().expect("planned");
-    let companions: Vec<_> = runs.collect();
+    let first =
+        task.first_run(probe, |done, standing| watch.progress("slide", FIRST_SHARE * done, standing))?;
+    let FirstRun { companions, mut resolution, mut mesh, mut fine, mut scalars, budget, notes: remeshed } =
+        first;
+    notes.extend(remeshed);
     let slide_time = |slid: &Slid| slid.timings.total() - slid.timings.of(Kernel::Press);
     let mut beside: f64 = companions.iter().map(|(_, slid)| slide_time(slid)).sum();
     let mut cutbacks = fine.cutbacks;
     let mut warnings = Vec::new();
-    let mut scalars = task.scalars(&mesh, &fine);
-    let complete = |slid: &Slid| slid.failure.is_none();
-    let known = complete(&fine) && companions.iter().all(|(_, slid)| complete(slid));
-    let mut budget = if known {
-        let [coarse, sectors, steps, solver] = [0, 1, 2, 3].map(|i| {
-            let (mesh, slid) = &companions[i];
-            task.scalars(mesh, slid)
-        });
-        let companions = Companions {
-            coarse: &coarse,
-            other_sectors: &sectors,
-            longer_steps: &steps,
-            looser_solver: &solver,
-        };
-        ErrorBudget::new(&scalars, &companions, &resolution, &coarser)
-    } else {
-        warnings.push("a companion run did not finish: errors are unknown and given as the values".into());
-        ErrorBudget::unknown(&scalars)
-    };
     let mut stopped = false;
+    let known = budget.is_some();
+    let mut budget = budget.unwrap_or_else(|| ErrorBudget::unknown(&scalars));
     if known {
         for _ in 0..refinements {
             let (_, parts) = budget.worst(&scalars);
@@ -205,7 +189,7 @@ pub(crate) fn slide_refined(
                 result => result?,
             };
             cutbacks += next.cutbacks;
-            if !complete(&next) {
+            if next.failure.is_some() {
                 stopped = matches!(next.failure, Some(SlideFailure::Cancelled));
                 beside += slide_time(&next);
                 break;
@@ -215,9 +199,7 @@ pub(crate) fn slide_refined(
             if finer.elements_per_radius > resolution.elements_per_radius {
                 budget.set_mesh(&next_scalars, &scalars, &finer, &resolution);
             }
-            // Second order in θ at least, first in the increments.
-            budget.scale(ErrorSource::Sectors, (resolution.sectors as f64 / finer.sectors as f64).powi(2));
-            budget.scale(ErrorSource::Steps, finer.increments.growth / resolution.increments.growth);
+            budget = budget.refined(&resolution, &finer);
             (mesh, fine, scalars, resolution) = (next_mesh, next, next_scalars, finer);
         }
         let (quantity, parts) = budget.worst(&scalars);
@@ -229,6 +211,8 @@ pub(crate) fn slide_refined(
                 100.0 * scene.numerics.accuracy
             ));
         }
+    } else {
+        warnings.push("a run or companion did not finish: errors are unknown and given as the values".into());
     }
     watch.progress("slide", 1.0, "");
 

@@ -213,8 +213,10 @@ pub(super) fn press_mesh(
     /// not known yet.
     const LAYOUTS_PAST_RIM: usize = 8;
     let clock = Clock::now();
+    /// Increments that find the radius, over those of the press that counts.
+    const TO_FIND_RADIUS: usize = 4;
     let Resolution { elements_per_radius, press_increments, growth_zone, .. } = *resolution;
-    let on = |mut contact_radius: f64| {
+    let on = |mut contact_radius: f64, increments: usize| {
         for _ in 0..LAYOUTS_PAST_RIM {
             if watch.cancelled() {
                 return Err(SimulationError::Cancelled { partial: None });
@@ -223,8 +225,7 @@ pub(super) fn press_mesh(
             if !size.fits() {
                 break;
             }
-            let (mechanics, increments) =
-                press::press_on(problem, size, press_increments).map_err(press_error)?;
+            let (mechanics, increments) = press::press_on(problem, size, increments).map_err(press_error)?;
             if !mechanics.contact.at_rim(&mechanics.contact.committed) {
                 return Ok((size, mechanics, increments));
             }
@@ -232,8 +233,9 @@ pub(super) fn press_mesh(
         }
         Err(too_deep(problem, contact_radius))
     };
-    let (_, first, _) = on(expected_radius)?;
-    let (size, mechanics, increments) = on(first.contact.radius(&first.contact.committed))?;
+    let (_, first, _) = on(expected_radius, (press_increments / TO_FIND_RADIUS).max(1))?;
+    let radius = first.contact.radius(&first.contact.committed);
+    let (size, mechanics, increments) = on(radius, press_increments)?;
     let effort = mechanics.effort;
     let (body, contact, displacement) = mechanics.into_parts();
     Ok(PressedMesh {

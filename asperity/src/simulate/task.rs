@@ -135,63 +135,34 @@ impl<'a> Task<'a> {
         Ok((pressed, slid))
     }
 
-    /// The run at `resolution` and its companions; `probe` is the coarse one of them, if that was made.
-    ///
-    /// The resolution gets more room where the contact outgrows the mesh, for all of them alike, as
-    /// long as there is any; what was done about it is added to `notes`. Where the coarse run failed
-    /// errors are unknown, and the others are not needed.
-    pub(super) fn with_companions(
+    /// The companions of a run at `resolution`; `probe` is the first of them, if that was made. Where
+    /// it failed errors are unknown, and the others are not needed.
+    pub(super) fn companions(
         &self,
-        resolution: &mut Resolution,
-        mut probe: Option<Probe>,
-        notes: &mut Vec<String>,
+        resolution: &Resolution,
+        probe: Option<Probe>,
         progress: impl Fn(f64, &str) + Sync,
     ) -> Result<Vec<Run>, SimulationError> {
-        /// Place of the coarse run in the plan.
-        const COARSE: usize = 1;
-        let note = |growth: f64, wider: &Resolution| {
-            format!(
-                "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine \
-                 mesh, which now has room for {:.2} times",
-                wider.growth_zone
-            )
-        };
-        loop {
-            let wider = resolution.wider();
-            let room = self.fits(&wider);
-            if let Some(growth) = probe.as_ref().and_then(|probe| probe.slid.outgrown()).filter(|_| room) {
-                notes.push(note(growth, &wider));
-                (*resolution, probe) = (wider, None);
-                continue;
-            }
-            let coarse = resolution.coarse();
-            let (sectors, steps) = (coarse.other_sectors(), coarse.longer_steps());
-            let plan = [*resolution, coarse, sectors, steps, coarse.looser_solver()];
-            let hopeless = probe.as_ref().is_some_and(|probe| !probe.complete());
-            let needed = |i: usize| i == 0 || (!hopeless && (i != COARSE || probe.is_none()));
-            let runs: Vec<_> = plan
-                .par_iter()
-                .enumerate()
-                .filter(|(i, _)| needed(*i))
-                .map(|(i, resolution)| {
-                    self.slide(resolution, |done, standing| {
-                        if i == 0 {
-                            progress(done, standing);
-                        }
-                    })
+        let coarse = resolution.coarse();
+        let others = [coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
+        let hopeless = probe.as_ref().is_some_and(|probe| !probe.complete());
+        let first = probe.map(|Probe { mesh, slid, .. }| (mesh, slid));
+        let missing = if first.is_none() { Some(coarse) } else { None };
+        let plan: Vec<Resolution> =
+            missing.into_iter().chain(others).take(if hopeless { 0 } else { 4 }).collect();
+        let runs: Vec<_> = plan
+            .par_iter()
+            .enumerate()
+            .map(|(i, resolution)| {
+                self.slide(resolution, |done, standing| {
+                    if i == 0 {
+                        progress(done, standing);
+                    }
                 })
-                .collect();
-            let mut runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
-            if let Some(Probe { mesh, slid, .. }) = probe.take() {
-                runs.insert(COARSE, (mesh, slid));
-            }
-            let growth = runs.iter().filter_map(|(_, slid)| slid.outgrown()).fold(0.0, f64::max);
-            if growth == 0.0 || !room {
-                return Ok(runs);
-            }
-            notes.push(note(growth, &wider));
-            *resolution = wider;
-        }
+            })
+            .collect();
+        let runs = runs.into_iter().collect::<Result<Vec<_>, _>>()?;
+        Ok(first.into_iter().chain(runs).collect())
     }
 
     /// Whether the hemisphere has room for the mesh.
