@@ -195,7 +195,8 @@ pub fn edge_share(elements_per_radius: f64) -> f64 {
 
 /// Of a quantity, relative: the edge's place is as uncertain after the slide as after the press
 /// (half of that leaves more true errors above 1.5 times the estimate, 2.5 times as much makes the
-/// estimates three times the errors: `asperity honesty`).
+/// estimates three times the errors: chosen among these three by the same scenes that
+/// `asperity honesty` judges the estimates by).
 fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
     use Quantity::*;
     let edge = edge_share(elements_per_radius);

@@ -1,10 +1,8 @@
 //! Finds the asperity law that `--table` names.
 
-use std::path::Path;
 use tables::closed_forms::{ElasticPlastic, UnknownClosedForm, closed_form};
-use tables::dataset::DatasetError;
 use tables::law::AsperityLaw;
-use tables::table::Table;
+use tables::shipped::{self, TableSourceError};
 
 /// Why there is no such law.
 #[derive(Debug, thiserror::Error)]
@@ -16,11 +14,11 @@ pub enum LawSourceError {
     )]
     NoMaterial { name: String },
     #[error("--table: {0}")]
-    Table(DatasetError),
+    Table(TableSourceError),
 }
 
-/// The law called `asked`: `model:NAME` is a closed form for `material`, anything
-/// else the file of a table.
+/// The law called `asked`: `model:NAME` is a closed form for `material`, anything else the file of a
+/// table or the name of a shipped one.
 ///
 /// ```
 /// use roughsurface::law_source::asperity_law;
@@ -29,6 +27,7 @@ pub enum LawSourceError {
 /// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
 /// assert!(asperity_law("model:kogut-etsion", Some(&steel)).is_ok());
 /// assert!(asperity_law("model:kogut-etsion", None).is_err());
+/// assert!(asperity_law("steel-4340", None).is_ok());
 /// assert!(asperity_law("no-such-table.nc", None).is_err());
 /// ```
 pub fn asperity_law(
@@ -42,7 +41,7 @@ pub fn asperity_law(
         };
         return closed_form(name, material).map_err(unknown);
     }
-    match Table::read(Path::new(asked)) {
+    match shipped::table(asked) {
         Ok(table) => Ok(Box::new(table)),
         Err(error) => Err(LawSourceError::Table(error)),
     }
@@ -62,7 +61,7 @@ pub fn background(asked: &str, material: Option<&ElasticPlastic>) -> Background 
     if asked.starts_with("model:") {
         return Background { material: material.copied(), melting_temperature: None };
     }
-    let Ok(table) = Table::read(Path::new(asked)) else {
+    let Ok(table) = shipped::table(asked) else {
         return Background::default();
     };
     let metadata = table.metadata();
@@ -100,7 +99,7 @@ pub fn asperity_law_without_gaps(
     if asked.starts_with("model:") {
         return Ok((asperity_law(asked, material)?, None));
     }
-    let (table, filled) = Table::read(Path::new(asked)).map_err(LawSourceError::Table)?.bridged();
+    let (table, filled) = shipped::table(asked).map_err(LawSourceError::Table)?.bridged();
     let labels: Vec<String> = filled.iter().map(|(i, j)| table.label(*i, *j)).collect();
     let warning = (!labels.is_empty())
         .then(|| format!("cells without results, interpolated around: {}", labels.join("; ")));

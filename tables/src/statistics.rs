@@ -32,13 +32,18 @@ impl Table {
         let validation = self.cross_validation();
         let of = |quantity: Quantity| {
             let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
+            /// Of the largest value: what is smaller is a rounding error.
+            const NOTHING: f64 = 1e-9;
             let known = self.grid().filter_map(|at| Some((at, self.cell(at.0, at.1)?[quantity])));
+            let known: Vec<_> = known.filter(|(_, estimate)| estimate.value.is_finite()).collect();
+            let size = |value: f64| (value - base).abs();
+            let scale = known.iter().map(|(_, estimate)| size(estimate.value)).fold(0.0, f64::max);
             let (mut errors, mut range) = (Vec::new(), (f64::INFINITY, f64::NEG_INFINITY));
-            for (at, estimate) in known.filter(|(_, estimate)| estimate.value.is_finite()) {
+            for (at, estimate) in known {
                 range = (range.0.min(estimate.value), range.1.max(estimate.value));
-                let size = (estimate.value - base).abs();
                 // Nothing is off nothing: the temperature of a cell without heat.
-                errors.push((if size == 0.0 { 0.0 } else { estimate.error / size }, at));
+                let nothing = size(estimate.value) <= NOTHING * scale;
+                errors.push((if nothing { 0.0 } else { estimate.error / size(estimate.value) }, at));
             }
             errors.sort_by(|a, b| a.0.total_cmp(&b.0));
             let (largest, largest_at) = *errors.last()?;

@@ -18,7 +18,8 @@ Example:
 pub struct Sample {
     /// Surface file (TOML): summits, heights, pressures, slip rates
     surface: PathBuf,
-    /// Table of one asperity: a file, or model:NAME for a closed form
+    /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
+    /// aluminium-6061, copper, titanium-6al4v), or model:NAME for a closed form
     #[arg(long, value_name = "TABLE")]
     table: String,
     /// Asperities of one surface, in contact or not

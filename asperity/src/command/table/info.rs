@@ -1,26 +1,66 @@
 //! `asperity table info`.
 
 use std::fmt::Write;
-use std::path::Path;
 
 use asperity::numbers::plain;
 use serde_json::{Value, json};
+use tables::quantity::Quantity;
 use tables::schema::SCHEMA_VERSION;
+use tables::shipped;
 use tables::statistics::{Counts, ErrorStatistics};
 use tables::table::{Status, Table};
 
-use crate::command::{Display, print};
+use crate::command::{Display, Failure, print};
 
 /// Print what a table holds.
-pub fn info(table: &Table, path: &Path, display: &Display) {
+pub fn info(table: &Table, asked: &str, display: &Display) {
     if display.json {
-        print(&format!("{:#}\n", as_json(table, path)));
+        print(&format!("{:#}\n", as_json(table, asked)));
     } else if !display.quiet {
-        print(&text(table, path, display.verbose));
+        print(&text(table, asked, display.verbose));
     }
 }
 
-fn text(table: &Table, path: &Path, verbose: bool) -> String {
+/// Print the shipped tables, a line each.
+pub fn list(display: &Display) -> Result<(), Failure> {
+    let mut rows = Vec::new();
+    for name in shipped::names() {
+        let table = shipped::table(name).map_err(Failure::run)?;
+        let worst = |quantity: Quantity| {
+            let statistics = table.error_statistics();
+            statistics.iter().find(|of| of.quantity == quantity).map_or(f64::NAN, |of| of.largest)
+        };
+        let [mu_static, mu] = [Quantity::MuStatic, Quantity::Mu].map(worst);
+        rows.push((name, table.axes().clone(), mu_static, mu));
+    }
+    if display.json {
+        let json: Vec<Value> = (rows.iter())
+            .map(|(name, axes, mu_static, mu)| {
+                json!({
+                    "name": name,
+                    "interference": axes.interference,
+                    "slip_rate": axes.slip_rate,
+                    "mu_static_relative_error_largest": mu_static,
+                    "mu_relative_error_largest": mu,
+                })
+            })
+            .collect();
+        print(&format!("{:#}\n", Value::from(json)));
+        return Ok(());
+    }
+    for (name, axes, mu_static, mu) in rows {
+        print(&format!(
+            "{name:16} {}, {}; largest error of mu_static {}, of mu {}\n",
+            range(&axes.interference, "omega_c"),
+            range(&axes.slip_rate, "m/s"),
+            percent(mu_static),
+            percent(mu),
+        ));
+    }
+    Ok(())
+}
+
+fn text(table: &Table, asked: &str, verbose: bool) -> String {
     let (axes, metadata) = (table.axes(), table.metadata());
     let counts = table.counts();
     let mut text = String::new();
@@ -28,7 +68,7 @@ fn text(table: &Table, path: &Path, verbose: bool) -> String {
     let mut line = |name: &str, value: String| {
         let _ = writeln!(text, "{name:13} {value}");
     };
-    line("table", path.display().to_string());
+    line("table", asked.to_owned());
     line("title", metadata.title.clone());
     line("interference", range(&axes.interference, "omega_c"));
     line("slip rate", range(&axes.slip_rate, "m/s"));
@@ -115,7 +155,7 @@ fn failures(table: &Table) -> Vec<(String, String)> {
     failed.collect()
 }
 
-fn as_json(table: &Table, path: &Path) -> Value {
+fn as_json(table: &Table, asked: &str) -> Value {
     let (axes, metadata) = (table.axes(), table.metadata());
     let counts = table.counts();
     let quantity = |statistics: ErrorStatistics| {
@@ -135,7 +175,7 @@ fn as_json(table: &Table, path: &Path) -> Value {
     let failures: Vec<Value> =
         (failures(table).into_iter()).map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
     json!({
-        "table": path.display().to_string(),
+        "table": asked.to_owned(),
         "title": metadata.title,
         "schema_version": SCHEMA_VERSION,
         "checksum": table.checksum(),

@@ -1,5 +1,6 @@
-//! `asperity table`: what is in a table, how two differ, figures, other formats.
+//! `asperity table`: what is in a table, how two differ, whether it is true, figures, other formats.
 
+mod check;
 mod diff;
 mod info;
 
@@ -8,6 +9,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
+use tables::shipped;
 use tables::table::Table;
 
 use super::{Display, Failure, outputs};
@@ -16,26 +18,30 @@ use super::{Display, Failure, outputs};
 pub enum TableCommand {
     /// Range, errors, provenance and cost of a table
     Info {
-        /// Table to describe; its checksum is verified
-        #[arg(value_name = "TABLE.nc")]
-        table: PathBuf,
+        /// Table to describe, or name of a shipped one; its checksum is verified
+        #[arg(value_name = "TABLE.nc|NAME")]
+        table: String,
     },
+    /// Names of the shipped tables, with their largest errors
+    List,
+    /// Some cells computed again: fails where a number differs by more than the errors
+    Check(CheckArguments),
     /// Differences between two tables, where they have points in common
     Diff(DiffArguments),
     /// Maps and curves of mu, Q/A, G and the highest temperature
     Plot {
-        /// Table to plot
-        #[arg(value_name = "TABLE.nc")]
-        table: PathBuf,
+        /// Table to plot, or name of a shipped one
+        #[arg(value_name = "TABLE.nc|NAME")]
+        table: String,
         /// File to write
         #[arg(short, long, value_name = "FILE.svg|png")]
         output: PathBuf,
     },
     /// The table as comma-separated values, a line for each cell
     Export {
-        /// Table to export
-        #[arg(value_name = "TABLE.nc")]
-        table: PathBuf,
+        /// Table to export, or name of a shipped one
+        #[arg(value_name = "TABLE.nc|NAME")]
+        table: String,
         /// File to write
         #[arg(short, long, value_name = "FILE.csv")]
         output: PathBuf,
@@ -47,16 +53,29 @@ pub enum TableCommand {
 
 #[derive(Args)]
 pub struct DiffArguments {
-    /// First table
-    #[arg(value_name = "A.nc")]
-    here: PathBuf,
+    /// First table, or name of a shipped one
+    #[arg(value_name = "A.nc|NAME")]
+    here: String,
     /// Second table
-    #[arg(value_name = "B.nc")]
-    there: PathBuf,
+    #[arg(value_name = "B.nc|NAME")]
+    there: String,
     /// Largest relative difference allowed; if one is larger, or a cell is done in one of the tables
     /// only, exit with status 1
     #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
+}
+
+#[derive(Args)]
+pub struct CheckArguments {
+    /// Table to check, or name of a shipped one
+    #[arg(value_name = "TABLE.nc|NAME")]
+    table: String,
+    /// Cells to compute again
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    cells: usize,
+    /// Which ones: another seed, other cells
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -73,20 +92,22 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
             info::info(&read(table)?, table, display);
             Ok(())
         }
+        TableCommand::List => info::list(display),
+        TableCommand::Check(arguments) => check::check(arguments, display),
         TableCommand::Diff(arguments) => diff::diff(arguments, display),
         TableCommand::Plot { table, output } => {
-            outputs::check_plot(Some(output), table)?;
+            outputs::check_plot(Some(output), Path::new(table))?;
             read(table)?.maps().save(output).map_err(Failure::run)
         }
         TableCommand::Export { table, output, histories } => {
-            outputs::check_output(output, table)?;
+            outputs::check_output(output, Path::new(table))?;
             export(&read(table)?, output, *histories)
         }
     }
 }
 
-fn read(path: &Path) -> Result<Table, Failure> {
-    Table::read(path).map_err(Failure::input)
+fn read(asked: &str) -> Result<Table, Failure> {
+    shipped::table(asked).map_err(Failure::input)
 }
 
 /// Under a temporary name first: nobody shall find half a file.

@@ -1,0 +1,109 @@
+//! Tables that come with the crate, used by name.
+//!
+//! Each was made by `asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc`; the file itself
+//! records request, version, cost and errors (`asperity table info NAME -v`), and `asperity table check
+//! NAME` computes some of its cells again.
+
+use std::io::Write;
+use std::path::Path;
+
+use crate::dataset::DatasetError;
+use crate::table::Table;
+
+macro_rules! shipped {
+    ($($name:literal),*) => {
+        [$(($name, include_bytes!(concat!("../data/", $name, ".nc")) as &[u8])),*]
+    };
+}
+
+const SHIPPED: [(&str, &[u8]); 6] =
+    shipped!["steel-4340", "steel-1045", "steel-304", "aluminium-6061", "copper", "titanium-6al4v"];
+
+/// Names of the shipped tables.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    SHIPPED.iter().map(|(name, _)| *name)
+}
+
+/// Why a table is not to be had.
+#[derive(Debug, thiserror::Error)]
+pub enum TableSourceError {
+    /// Neither a file nor shipped.
+    #[error("{asked}: there is no such file, nor is a table of that name shipped ({shipped})")]
+    Unknown {
+        /// What was asked for.
+        asked: String,
+        /// What is shipped.
+        shipped: String,
+    },
+    /// The file is no table.
+    #[error(transparent)]
+    File(#[from] DatasetError),
+    /// A shipped table could not be unpacked.
+    #[error("{name}: cannot be unpacked into a temporary file: {reason}")]
+    Unpacked {
+        /// Of the shipped table.
+        name: &'static str,
+        /// What the system said.
+        reason: std::io::Error,
+    },
+}
+
+/// The table in the file `asked`, or the shipped one of that name.
+///
+/// ```
+/// use tables::shipped::table;
+///
+/// let steel = table("steel-4340")?;
+/// assert_eq!(steel.metadata().asperity_radius, 1e-3);
+/// assert!(table("unobtainium").unwrap_err().to_string().contains("steel-4340"));
+/// # Ok::<(), tables::shipped::TableSourceError>(())
+/// ```
+pub fn table(asked: &str) -> Result<Table, TableSourceError> {
+    if Path::new(asked).exists() {
+        return Ok(Table::read(Path::new(asked))?);
+    }
+    match SHIPPED.iter().find(|(name, _)| *name == asked) {
+        Some((name, bytes)) => unpacked(name, bytes),
+        // The library knows better what is wrong with something that looks like a file.
+        None if asked.contains(['/', '.']) => Ok(Table::read(Path::new(asked))?),
+        None => Err(TableSourceError::Unknown {
+            asked: asked.to_owned(),
+            shipped: names().collect::<Vec<_>>().join(", "),
+        }),
+    }
+}
+
+/// The libraries read files only.
+fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Table, TableSourceError> {
+    let unpack = || {
+        let mut file = tempfile::Builder::new().prefix(name).suffix(".nc").tempfile()?;
+        file.write_all(bytes)?;
+        file.flush()?;
+        Ok(file)
+    };
+    let file = unpack().map_err(|reason| TableSourceError::Unpacked { name, reason })?;
+    Ok(Table::read(file.path())?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each is whole, of default accuracy, and of the material that its name says.
+    #[test]
+    fn shipped_tables_are_whole() {
+        for name in names() {
+            let table = table(name).unwrap();
+            let axes = table.axes();
+            assert_eq!((axes.interference.len(), axes.slip_rate.len()), (8, 7), "{name}");
+            assert_eq!((axes.interference[0], axes.slip_rate[0]), (0.1, 0.0), "{name}");
+            for i in 0..axes.interference.len() {
+                for j in 0..axes.slip_rate.len() {
+                    assert!(table.cell(i, j).is_some(), "{name}: {}", table.label(i, j));
+                }
+            }
+            let request = std::fs::read_to_string(format!("data/{name}.toml")).unwrap();
+            assert!(request.contains(&format!("preset = \"{name}\"")), "{request}");
+        }
+    }
+}
