@@ -17,10 +17,12 @@ use crate::sectors::VECTOR_PARITY;
 
 mod energies;
 mod heat;
+mod mises;
 mod nodal;
 mod surface;
 
 use heat::PointHeat;
+pub use mises::LargestMises;
 pub use nodal::NODAL;
 
 /// History of all Gauss points: element by element, point by point, component by component,

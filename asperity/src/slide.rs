@@ -24,6 +24,11 @@ const FIRST_INCREMENT: f64 = 0.1;
 pub const NO_STICK: f64 = 0.01;
 /// Width of the increment in which sliding begins, relative to the slip, over the largest increment.
 const INCEPTION_WIDTH: f64 = 0.05;
+/// Plastic strain at which the body is taken to shear in place of the interface, if so large a share of
+/// the contact still sticks. Interfaces no stronger than the body stick to that share up to a strain of
+/// 0.03 (20 omega_c); under stronger ones a layer of elements shears without end.
+const MOST_STRAIN_IN_STICK: f64 = 0.5;
+const STILL_STICKING: f64 = 0.5;
 /// Number of increments at least.
 const LEAST_INCREMENTS: f64 = 24.0;
 
@@ -35,6 +40,13 @@ pub enum SlideFailure {
     Step(#[from] StepFailure),
     #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
     OutgrewMesh { growth: f64 },
+    #[error(
+        "the interface holds where the asperity does not: {:.0} % of the contact stick, while the elements \
+         below have sheared by a plastic strain of {strain:.2}, where the mesh decides what comes next. To \
+         slide, the interface has to be weaker than the metal below it",
+        100.0 * .stick_fraction
+    )]
+    Distorted { strain: f64, stick_fraction: f64 },
     #[error("stopped on request")]
     Cancelled,
 }
@@ -402,6 +414,10 @@ impl<'a> Slide<'a> {
             return Err(SlideFailure::OutgrewMesh { growth: contact.radius(&contact.trial) / start });
         }
         let mut instant = self.instant(to, *self.history.last().expect("starts with the press"));
+        let (strain, stick_fraction) = (instant.plastic_strain_max, instant.stick_fraction);
+        if strain > MOST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
+            return Err(SlideFailure::Distorted { strain, stick_fraction });
+        }
         let begins = !self.has_begun && instant.stick_fraction < NO_STICK;
         if begins && to - from > self.inception_width(to) * (1.0 + 1e-9) {
             let displacement = self.mechanics.displacement.clone();

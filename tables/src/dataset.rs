@@ -1,12 +1,15 @@
 //! CF netCDF files, written whole or not at all and read with errors that say what is missing.
 //!
 //! The three file kinds of the project (`run.nc`, `table.nc`, `friction.nc`) go through here.
-//! Bytes are the same for the same content.
+//! Bytes are the same for the same content, and sealed (see `seal`): damage is found before the
+//! netCDF library, which crashes on some, sees the file.
 
 use std::path::{Path, PathBuf};
 
 pub use netcdf::AttributeValue;
 use netcdf::FileMut;
+
+use crate::seal;
 
 /// CF version written to the attribute `Conventions`.
 pub const CONVENTIONS: &str = "CF-1.11";
@@ -173,8 +176,7 @@ impl DatasetWriter {
             file.close().map_err(|error| self.failed(error))?;
         }
         // On the disk before it has its name: a name without content would be a damaged file.
-        let written = std::fs::File::open(&self.temporary).and_then(|file| file.sync_all());
-        written
+        seal::seal(&self.temporary)
             .and_then(|()| std::fs::rename(&self.temporary, &self.path))
             .map_err(|error| self.failed(error))
     }
@@ -258,8 +260,14 @@ impl DatasetReader {
         let shown = path.display().to_string();
         let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };
         // The library's own message for a missing file does not always say so.
-        let size = std::fs::File::open(path).and_then(|file| file.metadata());
-        let size = size.map_err(|error| failed(error.to_string()))?.len();
+        let opened = std::fs::File::open(path).and_then(|mut file| {
+            let size = file.metadata()?.len();
+            Ok((size, seal::damage(&mut file)?))
+        });
+        let (size, damage) = opened.map_err(|error| failed(error.to_string()))?;
+        if let Some(damage) = damage {
+            return Err(failed(damage));
+        }
         silence_hdf5();
         let file = netcdf::open(path).map_err(|error| failed(error.to_string()))?;
         let most_values = usize::try_from(size.saturating_mul(MOST_EXPANSION) / 8).unwrap_or(usize::MAX);

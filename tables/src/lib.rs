@@ -26,6 +26,7 @@ mod overview;
 pub mod quantity;
 pub mod refinement;
 pub mod schema;
+mod seal;
 pub mod shipped;
 pub mod statistics;
 pub mod steffen;

@@ -77,7 +77,7 @@ fn save(arguments: &VerifyArguments, case: &HardCase, result: &HardResult) -> Re
 
 fn header() -> String {
     format!(
-        "{:32}{:>8}{:>6}{:>6}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n",
+        "{:40}{:>8}{:>6}{:>6}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n",
         "case", "", "steps", "cuts", "Newton", "Krylov", "error %", "mu", "T_max", "time s"
     )
 }
@@ -91,7 +91,7 @@ fn word(verdict: &Verdict) -> &'static str {
 }
 
 fn line(case: &HardCase, result: &HardResult) -> String {
-    let mut text = format!("{:32}{:>8}", case.name, word(&result.verdict));
+    let mut text = format!("{:40}{:>8}", case.name, word(&result.verdict));
     if let Some(outcome) = &result.outcome {
         let account = &outcome.account;
         text += &format!(

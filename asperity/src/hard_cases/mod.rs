@@ -41,6 +41,8 @@ pub struct HardCase {
     pub quick: bool,
     /// Part of the message with which it has to be refused, if it is beyond the model.
     pub refused: Option<String>,
+    /// Temperature that the contact has to pass for the case to be what it says, K.
+    pub hotter_than: Option<f64>,
 }
 
 #[derive(Deserialize)]
@@ -89,7 +91,8 @@ impl HardCase {
         let scene = self.scene().expect("checked by the tests");
         let (verdict, outcome) = match simulate(&scene, &Limited { watch, since: clock }) {
             Ok(outcome) => {
-                let wrong = contradictions(&scene, &outcome);
+                let mut wrong = contradictions(&scene, &outcome);
+                wrong.extend(self.hotter_than.and_then(|least| colder(&outcome, least)));
                 let verdict = match (wrong.is_empty(), &self.refused) {
                     (false, _) => Verdict::Failed(wrong.join("; ")),
                     (true, None) => Verdict::Solved,
@@ -191,6 +194,12 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
     wrong
 }
 
+/// That the contact does not get as hot as the case is about, if so.
+fn colder(outcome: &Outcome, least: f64) -> Option<String> {
+    let hottest = outcome.slide.iter().map(|step| step.temperature_max).fold(0.0, f64::max);
+    (hottest <= least).then(|| format!("the contact reaches {hottest:.0} K and was to pass {least:.0} K"))
+}
+
 fn relative(difference: f64, parts: &[f64]) -> f64 {
     let scale = parts.iter().fold(0.0f64, |most, part| most.max(part.abs()));
     if scale > 0.0 { difference.abs() / scale } else { difference.abs() }
@@ -237,6 +246,15 @@ mod tests {
                 (verdict, _) => panic!("{}: {verdict:?}", case.name),
             }
         }
+    }
+
+    #[test]
+    fn a_case_that_stays_too_cold_is_not_solved() {
+        let case = all().into_iter().find(|case| case.name == "slide-0").unwrap();
+        let run = |hotter_than| HardCase { hotter_than, ..case.clone() }.run(&Unwatched).unwrap().verdict;
+        assert_eq!(run(Some(297.0)), Verdict::Solved);
+        let Verdict::Failed(why) = run(Some(298.0)) else { panic!("solved") };
+        assert_eq!(why, "the contact reaches 298 K and was to pass 298 K");
     }
 
     /// The checks find what they are there for.

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use tables::law::Estimate;
 
 use super::{SimulationError, Watch};
-use crate::body::Body;
+use crate::body::{Body, LargestMises};
 use crate::contact::Contact;
 use crate::error_budget;
 use crate::mechanics::Effort;
@@ -164,6 +164,12 @@ impl Pressed {
         }
     }
 
+    /// How near to yield the press on the coarse and on the fine mesh comes.
+    pub(crate) fn largest_mises(&self) -> [LargestMises; 2] {
+        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        [0, 1].map(|i| meshes[i].body.largest_mises(&meshes[i].body.committed))
+    }
+
     /// The same, with slides that keep fields as `recording` says.
     pub fn recording(self, recording: Recording) -> Self {
         Self { recording, finite: Mutex::new(None), ..self }
@@ -216,12 +222,13 @@ pub(super) fn press_mesh(
     /// Increments that find the radius, over those of the press that counts.
     const TO_FIND_RADIUS: usize = 4;
     let Resolution { elements_per_radius, press_increments, growth_zone, .. } = *resolution;
+    let size_for = |contact_radius: f64| MeshSize { contact_radius, elements_per_radius, growth_zone };
     let on = |mut contact_radius: f64, increments: usize| {
         for _ in 0..LAYOUTS_PAST_RIM {
             if watch.cancelled() {
                 return Err(SimulationError::Cancelled { partial: None });
             }
-            let size = MeshSize { contact_radius, elements_per_radius, growth_zone };
+            let size = size_for(contact_radius);
             if !size.fits() {
                 break;
             }
@@ -231,7 +238,7 @@ pub(super) fn press_mesh(
             }
             contact_radius *= growth_zone;
         }
-        Err(too_deep(problem, contact_radius))
+        Err(too_deep(problem, contact_radius, |radius| size_for(radius).fits()))
     };
     let (_, first, _) = on(expected_radius, (press_increments / TO_FIND_RADIUS).max(1))?;
     let radius = first.contact.radius(&first.contact.committed);
@@ -251,13 +258,29 @@ pub(super) fn press_mesh(
 }
 
 /// The contact is so large that its mesh does not fit into the hemisphere.
-pub(super) fn too_deep(problem: &Problem, radius: f64) -> SimulationError {
+fn too_deep(problem: &Problem, radius: f64, fits: impl Fn(f64) -> bool) -> SimulationError {
     SimulationError::Unsupported(format!(
         "an interference of {:.4} omega_c presses the asperity by {:.2} of its radius, to a contact radius \
-         of about {radius:.2} of it: the model needs a contact that is small beside the asperity",
+         of about {radius:.2} of it: the model needs a contact that is small beside the asperity, and with \
+         this material and mesh goes to about {:.2} omega_c",
         problem.interference / problem.critical_interference,
         problem.interference,
+        deepest(problem, fits),
     ))
+}
+
+/// Interference, in ω_c, up to which a mesh laid out for the contact radius to expect fits.
+fn deepest(problem: &Problem, fits: impl Fn(f64) -> bool) -> f64 {
+    const HALVINGS: usize = 12;
+    let asked = problem.interference / problem.critical_interference;
+    let (mut fitting, mut folding) = (0.0, asked);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (fitting + folding);
+        let interference = middle * problem.critical_interference;
+        let there = Problem { interference, ..problem.clone() };
+        if fits(there.expected_contact_radius()) { fitting = middle } else { folding = middle }
+    }
+    fitting
 }
 
 pub(super) fn press_error(failure: PressFailure) -> SimulationError {

@@ -1,0 +1,143 @@
+//! A checksum over all bytes of a file, behind what netCDF sees of it.
+//!
+//! The checksum in the attributes of a table (see `schema`) can be asked for only once the HDF5 library
+//! has opened the file, and some damage makes that library crash, or write where it should not. So
+//! every file ends with a line of its own, which is verified before the library sees any of it.
+//!
+//! HDF5 states in its first bytes where its data end, and ignores what follows: to other programs a
+//! sealed file is an ordinary one. A program that changes the file drops the line, as HDF5 cuts
+//! the file off where its data end. What has neither a seal nor the length that HDF5 states is damaged.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+const MARK: &[u8] = b"\nsha256 of all before this line: ";
+const DIGITS: usize = 64;
+const LENGTH: usize = MARK.len() + DIGITS + 1;
+
+/// Of HDF5 since version 1.8, which has the place where the data end at a fixed place, after its own.
+const SUPERBLOCK: &[u8] = b"\x89HDF\r\n\x1a\n";
+const SUPERBLOCK_VERSIONS: [u8; 2] = [2, 3];
+const BYTES_OF_PLACES: u8 = 8;
+const END_OF_DATA: usize = 28;
+const HEAD: usize = END_OF_DATA + 8;
+
+/// Seals a file that is complete, and sees to it that it is on the disk.
+pub(crate) fn seal(path: &Path) -> io::Result<()> {
+    let mut file = File::options().read(true).write(true).open(path)?;
+    let length = file.metadata()?.len();
+    let line = line(&mut file, length)?;
+    file.seek(SeekFrom::End(0))?;
+    file.write_all(&line)?;
+    file.sync_all()
+}
+
+/// What is wrong with the bytes of a file, if anything is. A file that was never sealed is not
+/// suspected, as long as it has the length that it states.
+pub(crate) fn damage(file: &mut File) -> io::Result<Option<String>> {
+    let length = file.metadata()?.len();
+    let mut head = [0; HEAD];
+    let read = read_up_to(file, 0, &mut head)?;
+    let before = length.saturating_sub(LENGTH as u64);
+    let mut end = [0; LENGTH];
+    let found = read_up_to(file, before, &mut end)?;
+    if found == LENGTH && end.starts_with(MARK) {
+        let whole = line(file, before)? == end;
+        return Ok((!whole).then(|| "damaged: its bytes do not agree with their checksum".to_string()));
+    }
+    Ok(stated_length(&head[..read]).filter(|stated| *stated != length).map(|stated| {
+        format!("damaged: it has {length} bytes and no seal, and states that its data end at {stated}")
+    }))
+}
+
+/// The line that seals the first `length` bytes.
+fn line(file: &mut File, length: u64) -> io::Result<Vec<u8>> {
+    file.seek(SeekFrom::Start(0))?;
+    let mut digest = Sha256::new();
+    io::copy(&mut file.take(length), &mut digest)?;
+    let mut line = MARK.to_vec();
+    for byte in digest.finalize() {
+        write!(line, "{byte:02x}")?;
+    }
+    line.push(b'\n');
+    Ok(line)
+}
+
+/// Where the data end, if this is the beginning of an HDF5 file as netCDF writes them.
+fn stated_length(head: &[u8]) -> Option<u64> {
+    let known = head.starts_with(SUPERBLOCK)
+        && SUPERBLOCK_VERSIONS.contains(head.get(SUPERBLOCK.len())?)
+        && *head.get(SUPERBLOCK.len() + 1)? == BYTES_OF_PLACES;
+    let stated = head.get(END_OF_DATA..HEAD)?;
+    known.then(|| u64::from_le_bytes(stated.try_into().expect("eight bytes")))
+}
+
+fn read_up_to(file: &mut File, from: u64, buffer: &mut [u8]) -> io::Result<usize> {
+    file.seek(SeekFrom::Start(from))?;
+    let mut filled = 0;
+    while filled < buffer.len() {
+        match file.read(&mut buffer[filled..])? {
+            0 => break,
+            some => filled += some,
+        }
+    }
+    Ok(filled)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dataset::{DatasetReader, DatasetWriter};
+
+    /// A small file as this crate writes it, and where its data end.
+    fn sealed(directory: &Path) -> (std::path::PathBuf, Vec<u8>, usize) {
+        let path = directory.join("sealed.nc");
+        let mut file = DatasetWriter::create(&path, "sealed").unwrap();
+        file.coordinate("x", &[0.0, 1.0, 2.0], &[]).unwrap();
+        file.finish().unwrap();
+        let bytes = std::fs::read(&path).unwrap();
+        let end = bytes.len() - LENGTH;
+        (path, bytes, end)
+    }
+
+    fn refused(path: &Path, bytes: &[u8]) -> Option<String> {
+        std::fs::remove_file(path).unwrap();
+        std::fs::write(path, bytes).unwrap();
+        DatasetReader::open(path).err().map(|error| error.to_string())
+    }
+
+    /// Whatever bit is changed, and wherever the file is cut off: but for the cut that takes the
+    /// whole seal, and no more, after which it is a file like any other.
+    #[test]
+    fn any_single_damage_is_found_before_the_library_sees_it() {
+        let directory = std::env::temp_dir().join(format!("seal-{}", std::process::id()));
+        std::fs::create_dir_all(&directory).unwrap();
+        let (path, bytes, end) = sealed(&directory);
+        assert_eq!(stated_length(&bytes), Some(end as u64));
+        assert_eq!(refused(&path, &bytes), None);
+        for at in 0..bytes.len() {
+            let mut changed = bytes.clone();
+            changed[at] ^= 1 << (at % 8);
+            let message = refused(&path, &changed).unwrap_or_else(|| panic!("byte {at} of {}", bytes.len()));
+            assert!(message.contains("damaged: "), "{at}: {message}");
+            let message = refused(&path, &bytes[..at]);
+            assert_eq!(message.is_none(), at == end, "cut off at {at}: {message:?}");
+        }
+        assert!(refused(&path, &[&bytes[..], b"more"].concat()).unwrap().contains("no seal"));
+        std::fs::remove_dir_all(&directory).unwrap();
+    }
+
+    #[test]
+    fn a_file_that_another_program_changed_is_read() {
+        let directory = std::env::temp_dir().join(format!("seal-changed-{}", std::process::id()));
+        std::fs::create_dir_all(&directory).unwrap();
+        let (path, bytes, _) = sealed(&directory);
+        netcdf::append(&path).unwrap().add_attribute("note", "added").unwrap();
+        assert!(!std::fs::read(&path).unwrap().ends_with(&bytes[bytes.len() - LENGTH..]));
+        assert_eq!(DatasetReader::open(&path).unwrap().attribute_text("note").unwrap(), "added");
+        std::fs::remove_dir_all(&directory).unwrap();
+    }
+}
