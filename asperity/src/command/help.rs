@@ -37,18 +37,18 @@ A scene (SI units, kelvin). Values of optional sections and keys are those taken
   control = \"interference\"       # optional: held during the slide; or \"load\"
   temperature = 298.0            # optional: K
   [interface]                    # optional
-  law = \"shear-strength\"         # slip at strength_factor * sigma_Y(T)/sqrt(3); or \"coulomb\" (friction,
-                                 # cap), \"briscoe-tabor\" (film_strength, pressure_coefficient, cap),
-                                 # \"full-stick\", \"frictionless\"
-  strength = \"initial\"           # sigma_Y of the virgin material; or \"current\": of the hardened one
+  law = \"shear-strength\"         # slip at strength_factor * sigma_Y(T)/sqrt(3); or \"coulomb\"
+                                 # (friction, cap), \"briscoe-tabor\" (film_strength,
+                                 # pressure_coefficient, cap), \"full-stick\", \"frictionless\"
+  strength = \"initial\"           # sigma_Y of the virgin material; \"current\": of the hardened
   strength_factor = 1.0
   heat_partition = 0.5           # share of the frictional heat that enters the asperity
   gap_conductance = 0.0          # W/(m2 K)
   taylor_quinney = 0.9           # share of the plastic work that becomes heat
   [model]                        # optional
   heat = \"auto\"                  # or \"on\", \"off\"
-  kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic strain of
-                                 # a coarse slide exceeds the accuracy asked for
+  kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic
+                                 # strain of a coarse slide exceeds the accuracy asked for
   [numerics]                     # optional
   accuracy = 0.02                # relative; elements_per_radius and sectors fix what it else chooses
 
