@@ -2,7 +2,7 @@
 # Builds the book: target/book/index.html.
 #
 # With the mdbook that is in the PATH, if it is of the version below; else with one that is installed to
-# target/mdbook first (three minutes of processor time).
+# target/mdbook first (150 s of processor time).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
