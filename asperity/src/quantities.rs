@@ -5,6 +5,17 @@ use tables::quantity::Quantity;
 
 use crate::outcome::{InceptionCriterion, Summary};
 
+/// Those by which a run is judged: the others follow from them, or are of the press alone.
+pub const MAIN: [Quantity; 7] = [
+    Quantity::Mu,
+    Quantity::MuStatic,
+    Quantity::Friction,
+    Quantity::Load,
+    Quantity::Area,
+    Quantity::EnergyRelease,
+    Quantity::TemperatureMax,
+];
+
 /// The estimate of `quantity` in a summary.
 pub fn estimate(summary: &Summary, quantity: Quantity) -> Estimate {
     match quantity {

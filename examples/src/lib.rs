@@ -24,3 +24,8 @@ pub fn scene(name: &str) -> PathBuf {
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 struct Readme;
+
+/// Runs the code of the book's chapter on the libraries.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/src/library.md")]
+struct Library;

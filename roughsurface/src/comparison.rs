@@ -30,6 +30,24 @@ pub fn description(model: &str) -> &'static str {
 }
 
 /// Predicts with each of the `models` for spheres of `material`; unknown names are passed over.
+///
+/// ```
+/// use roughsurface::comparison::compare;
+/// use roughsurface::friction::Settings;
+/// use roughsurface::surface_file::SurfaceFile;
+///
+/// let text = "surface = { asperity_density = 1e10, asperity_radius = 1e-4, \
+///             heights = { distribution = \"gaussian\", std = 5e-7 } }\n\
+///             query = { pressure = [1e6], slip_rate = [1.0] }\n\
+///             material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 400e6 }";
+/// let file = SurfaceFile::parse("an example".as_ref(), text.into())?;
+/// let models = ["hertz", "brizmer"].map(String::from);
+/// let material = file.material.as_ref().unwrap();
+/// let [elastic, full_stick] =
+///     &compare(&models, material, &file.surface, &file.query, &Settings::default())?[..] else { panic!() };
+/// assert!(full_stick.friction[0].mu_static.value > elastic.friction[0].mu_static.value);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn compare(
     models: &[String],
     material: &ElasticPlastic,

@@ -4,12 +4,12 @@ mod cli;
 
 use clap::{Parser, Subcommand};
 use cli::common::Failure;
-use cli::{after_help, characterize, predict, sample};
+use cli::{EXAMPLES, after_help, characterize, predict, sample};
 use std::process::ExitCode;
 
 /// Friction of a rough surface from the friction of one asperity
 #[derive(Parser)]
-#[command(version, after_long_help = after_help(), arg_required_else_help = true)]
+#[command(version, after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", after_help()), arg_required_else_help = true)]
 struct Cli {
     #[command(subcommand)]
     command: Command,

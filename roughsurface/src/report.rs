@@ -37,6 +37,25 @@ const CITATIONS: [&str; 4] = [
 ];
 
 /// The report of a prediction.
+///
+/// ```
+/// use roughsurface::friction::{Settings, predict};
+/// use roughsurface::friction_file::Origin;
+/// use roughsurface::surface_file::SurfaceFile;
+/// use tables::closed_forms::closed_form;
+///
+/// let text = "surface = { asperity_density = 1e10, asperity_radius = 1e-4, \
+///             heights = { distribution = \"gaussian\", std = 5e-7 } }\n\
+///             query = { pressure = [1e6], slip_rate = [1.0] }\n\
+///             material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 400e6 }";
+/// let file = SurfaceFile::parse("an example".as_ref(), text.into())?;
+/// let law = closed_form("jackson-green", file.material.as_ref().unwrap())?;
+/// let prediction = predict(law.as_ref(), &file.surface, &file.query, &Settings::default(), &|_, _| ())?;
+/// let origin = Origin { surface: text, table: "model:jackson-green", command: "an example" };
+/// let page = roughsurface::report::html(&prediction, &origin);
+/// assert!(page.contains("<svg") && page.contains("asperity_density"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn html(prediction: &Prediction, origin: &Origin) -> String {
     let mut page = String::new();
     let hold = match prediction.query.hold {

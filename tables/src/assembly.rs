@@ -8,6 +8,14 @@ impl Table {
         (self.grid()).filter(|(i, j)| *self.status(*i, *j) == Status::NotRun).collect()
     }
 
+    /// Grid points that failed, by their [`label`](Self::label), and why.
+    pub fn failures(&self) -> impl Iterator<Item = (String, &str)> {
+        self.grid().filter_map(|(i, j)| match self.status(i, j) {
+            Status::Failed(reason) => Some((self.label(i, j), reason.as_str())),
+            _ => None,
+        })
+    }
+
     /// Takes over from `other` what is done there and not here, or failed there and not run
     /// here. Request, axes and program must be the same, and so must be what both have done,
     /// but for the wall times.

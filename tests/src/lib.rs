@@ -5,6 +5,8 @@
 //! and properties that follow from the equations alone. What can be tested on one module is
 //! tested beside it.
 
+pub mod programs;
+
 use asperity::outcome::Outcome;
 use asperity::scene::Scene;
 use asperity::simulate::{Unwatched, simulate};

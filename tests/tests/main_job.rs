@@ -8,10 +8,10 @@
 //! 300 (1966), doi 10.1098/rspa.1966.0242: the integrals over exp(−z/σ) all scale with
 //! exp(−d/σ)); otherwise the contract of the command line.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 use std::sync::OnceLock;
 use tables::dataset::DatasetReader;
+use tests::programs::{execute, stderr};
 
 const REQUEST: &str = r#"
 [material]
@@ -36,45 +36,6 @@ fn surface(pressures: &str, std: f64) -> String {
          heights = {{ distribution = \"exponential\", std = {std:e} }}\n\
          [query]\npressure = {pressures}\nslip_rate = [0.1, 10.0]\n"
     )
-}
-
-/// The program `name`, built by the same profile as this test.
-fn program(name: &str) -> PathBuf {
-    static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    // target/<profile>/deps/<this test>
-    let folder = BUILT.get_or_init(|| {
-        let test = std::env::current_exe().unwrap();
-        let folder = test.parent().and_then(Path::parent).unwrap().to_path_buf();
-        let profile = match folder.file_name().and_then(|name| name.to_str()) {
-            Some("debug") => "dev",
-            Some(profile) => profile,
-            None => "dev",
-        };
-        let status = Command::new(env!("CARGO"))
-            .args(["build", "--quiet", "--offline", "--workspace", "--bins", "--profile", profile])
-            .arg("--target-dir")
-            .arg(folder.parent().unwrap())
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .status()
-            .unwrap();
-        assert!(status.success(), "the programs could not be built");
-        folder
-    });
-    folder.join(name)
-}
-
-fn execute(name: &str, folder: &Path, arguments: &str) -> Output {
-    Command::new(program(name))
-        .args(arguments.split_whitespace())
-        .current_dir(folder)
-        // A program started at the same time may have inherited the lock of a file being written.
-        .env("HDF5_USE_FILE_LOCKING", "FALSE")
-        .output()
-        .unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 /// A folder with request.toml and the table made from it; made once.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::provenance;
 use serde_json::json;
-use tables::table::{Metadata, Status, Table};
+use tables::table::{Metadata, Table};
 
 use super::{Display, Failure, MergeArguments, command_line, outputs, print};
 
@@ -28,7 +28,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
     if let Some(plot) = &arguments.plot {
         table.figure().save(plot).map_err(Failure::run)?;
     }
-    let failed = failures(&table);
+    let failed: Vec<(String, &str)> = table.failures().collect();
     if !display.quiet {
         for (label, reason) in &failed {
             eprintln!("failed: {label}: {reason}");
@@ -67,14 +67,4 @@ fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
     }
     table.set_metadata(metadata);
     Ok(table)
-}
-
-fn failures(table: &Table) -> Vec<(String, String)> {
-    let (rows, columns) = table.shape();
-    let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-    let failed = cells.filter_map(|(i, j)| match table.status(i, j) {
-        Status::Failed(reason) => Some((table.label(i, j), reason.clone())),
-        _ => None,
-    });
-    failed.collect()
 }

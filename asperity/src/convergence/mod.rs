@@ -15,20 +15,12 @@ pub use words::{in_words, table};
 
 use crate::error_budget::CONTROLLED;
 use crate::outcome::Summary;
-use crate::quantities::estimate;
+use crate::quantities::{MAIN, estimate};
 use crate::scene::{Kinematics, Scene};
 use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined};
 
 /// Quantities whose convergence is shown.
-pub const SHOWN: [Quantity; 7] = [
-    Quantity::Mu,
-    Quantity::MuStatic,
-    Quantity::Friction,
-    Quantity::Load,
-    Quantity::Area,
-    Quantity::EnergyRelease,
-    Quantity::TemperatureMax,
-];
+pub const SHOWN: [Quantity; 7] = MAIN;
 /// n_c of the finest mesh is a multiple of this: the others are 1/4, 1/3, 1/2 and 2/3 of it.
 pub const DIVISOR: usize = 12;
 /// Finest n_c unless asked otherwise.
@@ -81,6 +73,14 @@ pub struct Convergence {
 impl Convergence {
     /// Runs the scene on meshes up to `finest` elements per radius, a multiple of [`DIVISOR`], and
     /// as it is.
+    ///
+    /// ```no_run
+    /// use asperity::convergence::{Convergence, FINEST, in_words};
+    ///
+    /// let scene = asperity::read_scene("scene.toml".as_ref(), &[])?;
+    /// println!("{}", in_words(&Convergence::sweep(&scene, FINEST, &asperity::Unwatched)?));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn sweep(scene: &Scene, finest: usize, watch: &dyn Watch) -> Result<Self, SimulationError> {
         let mut runs = Vec::new();
         let mut finite_strain = false;

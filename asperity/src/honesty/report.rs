@@ -7,20 +7,13 @@ use tables::quantity::Quantity;
 use super::{Record, Role, WORKING_ELEMENTS, scenes};
 use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
 use crate::problem::Problem;
+use crate::quantities::MAIN;
 use crate::resolution::Resolution;
 use crate::scalars::Scalars;
 use crate::scene::Scene;
 
 /// Quantities that are judged.
-pub const JUDGED: [Quantity; 7] = [
-    Quantity::Mu,
-    Quantity::MuStatic,
-    Quantity::Friction,
-    Quantity::Load,
-    Quantity::Area,
-    Quantity::EnergyRelease,
-    Quantity::TemperatureMax,
-];
+pub const JUDGED: [Quantity; 7] = MAIN;
 /// True error over its estimate that counts as honest.
 pub const HONEST: (f64, f64) = (0.2, 1.5);
 /// Relative to the value (to the rise, for temperatures): below this an error is no concern, and

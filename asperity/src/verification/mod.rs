@@ -114,6 +114,15 @@ pub const GROUPS: [Group; 7] = [
 
 impl Group {
     /// Its rows; the error is of a run that did not converge or was cancelled.
+    ///
+    /// ```no_run
+    /// use asperity::verification::{Extent, GROUPS};
+    ///
+    /// for row in GROUPS[0].rows(Extent::Quick, &asperity::Unwatched)? {
+    ///     println!("{}: {} beside {} of {}", row.quantity, row.computed, row.reference, row.source);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn rows(&self, extent: Extent, watch: &dyn Watch) -> Rows {
         (self.run)(extent, watch)
     }

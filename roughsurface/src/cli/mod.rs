@@ -7,6 +7,20 @@ pub mod sample;
 
 use roughsurface::heights::{DISTRIBUTIONS, Entry};
 
+/// What the program is for, by example.
+pub const EXAMPLES: &str = "\
+From a topography to the friction of its surface:
+
+  Summits of a measured map, of which the instrument resolves 2 um
+    roughsurface characterize map.x3p --cutoff 2um -o surface.toml
+  Friction without a simulation, after a closed form; [material] in surface.toml says of what
+    roughsurface predict surface.toml --table model:jackson-green -o friction.nc
+  Friction with heat: a table of the material first, by the other program
+    asperity tabulate request.toml -o table.nc
+    roughsurface predict surface.toml --table table.nc -o friction.nc --plot friction.png
+  How much specimens of 1000 summits scatter
+    roughsurface sample surface.toml --table table.nc --asperities 1000 -o scatter.nc";
+
 /// What every command that reads a surface file says about it.
 pub fn after_help() -> String {
     let described = |entry: &Entry| format!("{} ({})", entry.name, entry.keys.join(", "));

@@ -24,18 +24,22 @@ Examples:
   [material] with youngs_modulus, poisson_ratio and yield_strength:
     roughsurface predict surface.toml --table model:kogut-etsion -o friction.nc
   The same beside the models of the literature, with a report for the browser:
-    roughsurface predict surface.toml --table table.nc -o friction.nc --compare all --report friction.html
+    roughsurface predict surface.toml --table table.nc -o friction.nc --compare all \\
+        --report friction.html
   Summary for a script:
     roughsurface predict surface.toml --table table.nc -o friction.nc --json | jq .friction
 
-Worked through, with what each leaves out, in examples/scenes and the documentation of the library:
-  a brake disc, a bearing steel contact, a granite fault with flash heating:
-    roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc --compare all
-    roughsurface predict examples/scenes/bearing-steel.toml --table model:jackson-green -o bearing.nc --compare all
-    roughsurface predict examples/scenes/granite-fault.toml --table granite-table.nc -o granite.nc --report granite.html
+Worked through, with what each leaves out, in examples/scenes and in the book: a brake disc,
+a bearing steel contact, a granite fault with flash heating:
+    roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green \\
+        -o brake.nc --compare all
+    roughsurface predict examples/scenes/bearing-steel.toml --table model:jackson-green \\
+        -o bearing.nc --compare all
+    roughsurface predict examples/scenes/granite-fault.toml --table granite-table.nc \\
+        -o granite.nc --report granite.html
 
-What is left out: asperities do not feel each other, no adhesion, no wear, no third body (debris, gouge,
-oxide, lubricant); the counter-face is smooth and rigid.
+What is left out: asperities do not feel each other, no adhesion, no wear, no third body
+(debris, gouge, oxide, lubricant); the counter-face is smooth and rigid.
 
 A pressure so high that the table's range carries less than 99.9 % of the load is refused
 unless --extrapolate holds friction and mean pressure at the table's last interference.";

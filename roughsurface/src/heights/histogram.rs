@@ -1,6 +1,12 @@
+use super::text_file::TextFile;
 use super::{Heights, HeightsError, Random};
 use rand::RngExt;
 use std::path::Path;
+
+/// What a line of a file is, and the whole.
+const LINE: &str = "not the lower edge of a bin (m) and its count, or after the last bin its upper edge";
+const FILE: &str = "must hold ascending edges in metres with counts that are not negative, and a last line with \
+                    the upper edge alone";
 
 /// Heights counted in bins, evenly spread within each.
 #[derive(Clone, Debug)]
@@ -49,17 +55,9 @@ impl Histogram {
     /// and a last line with the upper edge alone; white space or a comma between columns, `#`
     /// starts a comment.
     pub fn read(file: &Path) -> Result<Self, HeightsError> {
-        let error = |allowed: String| HeightsError {
-            key: "file",
-            value: Some(format!("\"{}\"", file.display())),
-            allowed,
-        };
-        let text =
-            std::fs::read_to_string(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;
+        let file = TextFile::read(file)?;
         let (mut edges, mut counts) = (Vec::new(), Vec::new());
-        for (index, line) in text.lines().enumerate() {
-            let content = line.split('#').next().unwrap_or_default();
-            let words = content.split([' ', '\t', ',']).filter(|word| !word.is_empty());
+        for (index, line, words) in file.lines() {
             let numbers: Result<Vec<f64>, _> = words.map(str::parse).collect();
             match numbers.as_deref() {
                 Ok([]) => {}
@@ -68,18 +66,10 @@ impl Histogram {
                     edges.push(*edge);
                     counts.extend(rest);
                 }
-                _ => {
-                    return Err(error(format!(
-                        "line {}: \"{}\" is not the lower edge of a bin (m) and its count, or after the last bin its upper edge",
-                        index + 1,
-                        line.trim()
-                    )));
-                }
+                _ => return Err(file.error_in(index, line, LINE)),
             }
         }
-        Self::new(edges, &counts).ok_or_else(|| {
-            error("must hold ascending edges in metres with counts that are not negative, and a last line with the upper edge alone".into())
-        })
+        Self::new(edges, &counts).ok_or_else(|| file.error(FILE))
     }
 
     /// Bin of a height within the support.

@@ -10,6 +10,7 @@ mod histogram;
 mod inverted_chi_squared;
 mod lognormal;
 mod sample;
+mod text_file;
 mod truncated_gaussian;
 mod uniform;
 mod vector_exp;

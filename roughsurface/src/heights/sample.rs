@@ -1,3 +1,4 @@
+use super::text_file::TextFile;
 use super::{Heights, HeightsError, Random};
 use rand::RngExt;
 use std::path::Path;
@@ -28,29 +29,17 @@ impl Sample {
 
     /// Reads heights in metres, separated by white space or commas; `#` starts a comment.
     pub fn read(file: &Path) -> Result<Self, HeightsError> {
-        let error = |allowed: String| HeightsError {
-            key: "file",
-            value: Some(format!("\"{}\"", file.display())),
-            allowed,
-        };
-        let text =
-            std::fs::read_to_string(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;
+        let file = TextFile::read(file)?;
         let mut heights = Vec::new();
-        for (index, line) in text.lines().enumerate() {
-            let content = line.split('#').next().unwrap_or_default();
-            for word in content.split([' ', '\t', ',']).filter(|word| !word.is_empty()) {
+        for (index, _, words) in file.lines() {
+            for word in words {
                 match word.parse::<f64>() {
                     Ok(height) if height.is_finite() => heights.push(height),
-                    _ => {
-                        return Err(error(format!(
-                            "line {}: \"{word}\" is not a height in metres",
-                            index + 1
-                        )));
-                    }
+                    _ => return Err(file.error_in(index, word, "not a height in metres")),
                 }
             }
         }
-        Self::new(heights).ok_or_else(|| error("must hold at least two different heights in metres".into()))
+        Self::new(heights).ok_or_else(|| file.error("must hold at least two different heights in metres"))
     }
 }
 

@@ -8,6 +8,15 @@
 //! Symbols: ω* = ω/ω_c; P_c, A_c load and area of first yield; H = 2.8 σ_Y.
 //! The published pieces do not join: at ω* = 6 the load jumps by 1.7 % and the area by 2.9 %,
 //! at ω* = 110 the load by 8 %.
+//!
+//! ```
+//! use tables::closed_forms::kogut_etsion::{area, load, static_friction};
+//!
+//! assert!((load(2.0, 0.3) - 1.03 * 2f64.powf(1.425)).abs() < 1e-12);
+//! assert!((area(2.0) - 0.93 * 2f64.powf(1.136)).abs() < 1e-12);
+//! // Deeper than 6 ω_c the sphere shears below its surface before it slides.
+//! assert!(static_friction(2.0) > 0.3 && static_friction(7.0) == 0.0);
+//! ```
 
 use super::hertz::yield_coefficient;
 

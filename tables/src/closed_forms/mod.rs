@@ -7,10 +7,12 @@
 pub mod brizmer;
 pub mod chang_etsion_bogy;
 mod crossings;
+mod elastic_plastic;
 pub mod hertz;
 pub mod jackson_green;
 pub mod kogut_etsion;
 mod model;
 pub mod partial_slip;
 
-pub use model::{ClosedForm, ElasticPlastic, NAMES, UnknownClosedForm, closed_form};
+pub use elastic_plastic::ElasticPlastic;
+pub use model::{ClosedForm, NAMES, UnknownClosedForm, closed_form};

@@ -105,20 +105,21 @@ pub(super) fn styled(layout: Layout, title: &str, x: &Axis, y: &Axis) -> Layout 
         .with_y_label_offset(-8.0, 0.0)
 }
 
-/// Logarithmic axes, with the range that they shall have: left to itself the library ends them at
-/// the decades around the data.
+/// Ticks; of logarithmic axes also the range that they shall have: left to itself the library ends
+/// them at the decades around the data.
 pub(super) fn axes(mut layout: Layout, x: (&Axis, (f64, f64)), y: (&Axis, (f64, f64))) -> Layout {
-    if let (Axis { log: true, .. }, (from, to)) = x {
-        layout = (layout.with_log_x().with_x_tick_format(power_of_ten()))
-            .with_x_axis_min(from)
-            .with_x_axis_max(to);
+    layout = match x {
+        (Axis { log: true, .. }, (from, to)) => {
+            (layout.with_log_x().with_x_tick_format(power_of_ten())).with_x_axis_min(from).with_x_axis_max(to)
+        }
+        _ => layout.with_x_tick_format(plain()),
+    };
+    match y {
+        (Axis { log: true, .. }, (from, to)) => {
+            (layout.with_log_y().with_y_tick_format(power_of_ten())).with_y_axis_min(from).with_y_axis_max(to)
+        }
+        _ => layout.with_y_tick_format(plain()),
     }
-    if let (Axis { log: true, .. }, (from, to)) = y {
-        layout = (layout.with_log_y().with_y_tick_format(power_of_ten()))
-            .with_y_axis_min(from)
-            .with_y_axis_max(to);
-    }
-    layout
 }
 
 /// The range of positive values and a little more, so that markers are not cut.
@@ -132,17 +133,29 @@ fn logarithmic_range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (from / margin, to * margin)
 }
 
+/// Ticks of a linear axis with all their digits: 0.0175 is not 0.018.
+fn plain() -> TickFormat {
+    TickFormat::Custom(std::sync::Arc::new(|value: f64| match value.abs() {
+        // Rounding of the steps from tick to tick.
+        ..1e-9 => "0".into(),
+        1e-4..1e6 => format!("{}", (value * 1e6).round() / 1e6),
+        _ => scientific(value),
+    }))
+}
+
 /// Decades as powers, other ticks as they are.
 fn power_of_ten() -> TickFormat {
-    TickFormat::Custom(std::sync::Arc::new(|value: f64| {
-        if (0.009..=1001.0).contains(&value) {
-            return format!("{}", (value * 1e6).round() / 1e6);
-        }
-        let exponent = (value.abs().log10() + 1e-9).floor();
-        let mantissa = (value / 10f64.powf(exponent) * 1e6).round() / 1e6;
-        let superscript: String = format!("{exponent}").chars().map(raised).collect();
-        if mantissa == 1.0 { format!("10{superscript}") } else { format!("{mantissa}·10{superscript}") }
+    TickFormat::Custom(std::sync::Arc::new(|value: f64| match value {
+        0.009..=1001.0 => format!("{}", (value * 1e6).round() / 1e6),
+        _ => scientific(value),
     }))
+}
+
+fn scientific(value: f64) -> String {
+    let exponent = (value.abs().log10() + 1e-9).floor();
+    let mantissa = (value / 10f64.powf(exponent) * 1e6).round() / 1e6;
+    let superscript: String = format!("{exponent}").chars().map(raised).collect();
+    if mantissa == 1.0 { format!("10{superscript}") } else { format!("{mantissa}·10{superscript}") }
 }
 
 fn raised(digit: char) -> char {
@@ -210,6 +223,16 @@ fn draw_curve(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ticks_of_linear_axes_keep_their_digits() {
+        let label = |value: f64| plain().format(value);
+        for (value, expected) in
+            [(0.0175, "0.0175"), (2.0, "2"), (-1.5, "-1.5"), (3e-17, "0"), (0.1 + 0.2, "0.3"), (2e7, "2·10⁷")]
+        {
+            assert_eq!(label(value), expected);
+        }
+    }
 
     #[test]
     fn ticks_are_powers_of_ten_and_their_multiples() {

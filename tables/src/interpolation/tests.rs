@@ -279,7 +279,7 @@ fn overview_is_drawn() {
     assert!(svg.contains("Sliding friction") && svg.contains("slip rate V (m/s)"));
 }
 
-/// Run by hand for the time of a call: `cargo test --release -p tables -- --ignored --nocapture`.
+/// Run by hand for the time of a call: `cargo test --release -p asperity-tables -- --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement"]
 fn time_per_call() {

@@ -8,7 +8,7 @@ use tables::quantity::Quantity;
 use tables::schema::SCHEMA_VERSION;
 use tables::shipped;
 use tables::statistics::{Counts, ErrorStatistics};
-use tables::table::{Status, Table};
+use tables::table::Table;
 
 use crate::command::{Display, Failure, print};
 
@@ -89,7 +89,7 @@ fn text(table: &Table, asked: &str, verbose: bool) -> String {
     for warning in metadata.comment.lines() {
         line("warning", warning.to_string());
     }
-    for (label, reason) in failures(table) {
+    for (label, reason) in table.failures() {
         line("failed", format!("{label}: {reason}"));
     }
     let _ = write!(text, "\n{}", errors(table));
@@ -145,16 +145,6 @@ fn percent(share: f64) -> String {
     }
 }
 
-fn failures(table: &Table) -> Vec<(String, String)> {
-    let (rows, columns) = table.shape();
-    let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-    let failed = cells.filter_map(|(i, j)| match table.status(i, j) {
-        Status::Failed(reason) => Some((table.label(i, j), reason.clone())),
-        _ => None,
-    });
-    failed.collect()
-}
-
 fn as_json(table: &Table, asked: &str) -> Value {
     let (axes, metadata) = (table.axes(), table.metadata());
     let counts = table.counts();
@@ -173,7 +163,7 @@ fn as_json(table: &Table, asked: &str) -> Value {
     let quantities: serde_json::Map<String, Value> =
         table.error_statistics().into_iter().map(quantity).collect();
     let failures: Vec<Value> =
-        (failures(table).into_iter()).map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
+        table.failures().map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
     json!({
         "table": asked.to_owned(),
         "title": metadata.title,

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Builds the book: target/book/index.html.
+#
+# With the mdbook that is in the PATH, if it is of the version below; else with one that is installed to
+# target/mdbook first (150 s of processor time).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+mkdir -p target
+version=0.5.4
+mdbook=mdbook
+if [ "$($mdbook --version 2>/dev/null)" != "mdbook v$version" ]; then
+    mdbook=target/mdbook/bin/mdbook
+    if [ "$($mdbook --version 2>/dev/null)" != "mdbook v$version" ]; then
+        # Without search and server, which bring half of its dependencies.
+        cargo install mdbook --locked --version $version --no-default-features --root target/mdbook
+    fi
+fi
+# A warning is a link or an include that leads nowhere.
+$mdbook build docs 2>&1 | tee target/book.log
+if grep -qE 'WARN|ERROR' target/book.log; then
+    echo "error: the book does not build without warnings" >&2
+    exit 1
+fi

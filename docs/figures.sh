@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Makes the figures of the book and of the README anew: docs/src/figures/.
+#
+#   docs/figures.sh [friction] [run] [convergence] [bearing]      default: all of them
+#
+# friction      examples/friction-of-steel.sh, the main job: friction.png, table.svg
+# run           asperity run examples/scenes/single-asperity.toml --plot: run.png
+# convergence   asperity convergence examples/scenes/single-asperity.toml --plot: convergence.svg
+# bearing       roughsurface predict examples/scenes/bearing-steel.toml --compare all --plot: bearing.svg
+#
+# What they are drawn from is kept in target/figures. Processor time: run 22 s, convergence 165 s, friction one
+# minute, bearing 1 s, and that of the build.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+figures=docs/src/figures
+data=target/figures
+scenes=examples/scenes
+mkdir -p "$data"
+[ $# -gt 0 ] || set -- friction run convergence bearing
+
+cargo build --locked --release --workspace
+asperity=target/release/asperity
+roughsurface=target/release/roughsurface
+
+for figure; do
+    begun=$SECONDS
+    case $figure in
+    friction)
+        # From the beginning: the journal of an interrupted run would be continued.
+        rm -rf "$data/friction-of-steel"
+        examples/friction-of-steel.sh "$data/friction-of-steel"
+        cp "$data/friction-of-steel/friction.png" "$figures/"
+        $asperity table plot "$data/friction-of-steel/table.nc" -o "$figures/table.svg"
+        ;;
+    run)
+        $asperity run $scenes/single-asperity.toml -o "$data/run.nc" --plot "$figures/run.png"
+        ;;
+    convergence)
+        $asperity convergence $scenes/single-asperity.toml -o "$data/report.nc" --plot "$figures/convergence.svg"
+        ;;
+    bearing)
+        $roughsurface predict $scenes/bearing-steel.toml --table model:jackson-green --compare all \
+            -o "$data/bearing.nc" --plot "$figures/bearing.svg"
+        ;;
+    *)
+        sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2
+        exit 2
+        ;;
+    esac
+    echo "== $figure: $((SECONDS - begun)) s"
+done

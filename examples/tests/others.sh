@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Runs the examples that are not in Rust, coarsely: Python, Snakemake, the job array (one task after the
+# other), and the table of costs. Not the comparison with other codes in examples/peers, which needs these.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+if ! python3 -c 'import ensurepip' 2>/dev/null; then
+    as_root=()
+    [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+    "${as_root[@]}" apt-get update -q
+    "${as_root[@]}" apt-get install -q -y --no-install-recommends python3-venv
+fi
+[ -x target/python/bin/snakemake ] || {
+    python3 -m venv target/python
+    target/python/bin/pip install -q meshio xarray netCDF4 matplotlib snakemake
+}
+cargo build --locked --release --workspace
+PATH=$PWD/target/release:$PWD/target/python/bin:$PATH
+output=$(mktemp -d)
+trap 'rm -rf "$output"' EXIT
+
+coarse=(--set numerics.elements_per_radius=4 --set numerics.sectors=4 --set loading.slip_distance=0.1)
+asperity run examples/scenes/single-asperity.toml -o "$output/run.nc" "${coarse[@]}" --vtu "$output/fields" --quiet
+python examples/read_body.py "$output/fields/body.pvd"
+
+examples/snakemake/two-jobs.sh "$output/snakemake"
+python examples/friction_against_rate.py "$output/snakemake/table.nc" "$output/figure.png"
+test -s "$output/figure.png"
+
+for task in 1 2; do
+    SLURM_ARRAY_TASK_ID=$task SLURM_ARRAY_TASK_COUNT=2 \
+        examples/snakemake/slurm-array.sh examples/snakemake/small-request.toml "$output/table.nc"
+done
+asperity merge "$output"/table.nc.shards/*.nc -o "$output/table.nc" --quiet
+asperity table diff "$output/table.nc" "$output/snakemake/table.nc" --tolerance 0
+
+python examples/scaling.py --set loading.slip_distance=0.1 4

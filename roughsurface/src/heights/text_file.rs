@@ -1,0 +1,39 @@
+//! Text files of numbers, and what is wrong with them.
+
+use super::HeightsError;
+use std::path::Path;
+
+/// A text file that the key `file` names.
+pub(super) struct TextFile<'a> {
+    path: &'a Path,
+    text: String,
+}
+
+impl<'a> TextFile<'a> {
+    pub fn read(path: &'a Path) -> Result<Self, HeightsError> {
+        let text = std::fs::read_to_string(path)
+            .map_err(|reason| error(path, format!("cannot be read: {reason}")))?;
+        Ok(Self { path, text })
+    }
+
+    /// Lines with what is in them: words with white space or commas between; `#` starts a comment.
+    pub fn lines(&self) -> impl Iterator<Item = (usize, &str, impl Iterator<Item = &str>)> {
+        self.text.lines().enumerate().map(|(index, line)| {
+            let content = line.split('#').next().unwrap_or_default();
+            (index, line.trim(), content.split([' ', '\t', ',']).filter(|word| !word.is_empty()))
+        })
+    }
+
+    pub fn error(&self, allowed: impl Into<String>) -> HeightsError {
+        error(self.path, allowed.into())
+    }
+
+    /// Something in the line with this index is `what`.
+    pub fn error_in(&self, index: usize, word: &str, what: &str) -> HeightsError {
+        self.error(format!("line {}: \"{word}\" is {what}", index + 1))
+    }
+}
+
+fn error(path: &Path, allowed: String) -> HeightsError {
+    HeightsError { key: "file", value: Some(format!("\"{}\"", path.display())), allowed }
+}

@@ -1,0 +1,298 @@
+//! The book, the README and what stands beside them: links lead somewhere, input files are valid, keys,
+//! variables and options are those of the programs.
+
+use std::collections::BTreeSet;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use asperity::friction_law::LAWS;
+use asperity::scene_file::{parse_request, parse_scene, write_request, write_scene};
+use roughsurface::heights::DISTRIBUTIONS;
+use roughsurface::surface_file::SurfaceFile;
+use tests::programs::{execute, stderr};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
+}
+
+/// Files below `folder` whose name ends so.
+fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap().flatten() {
+        let path = entry.path();
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if path.is_dir() && name != "target" && !name.starts_with('.') {
+            found.extend(files(&path, extension));
+        } else if name.ends_with(extension) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// A chapter with what it includes.
+fn chapter(name: &str) -> String {
+    let path = root().join("docs/src").join(name);
+    let line = |line: &str| match line.strip_prefix("{{#include ").and_then(|rest| rest.strip_suffix("}}")) {
+        Some(included) => read(&path.parent().unwrap().join(included)),
+        None => line.to_owned(),
+    };
+    read(&path).lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// Lines outside and inside of code blocks; of the latter with the language.
+fn split(text: &str) -> (Vec<&str>, Vec<(&str, String)>) {
+    let (mut prose, mut blocks) = (Vec::new(), Vec::new());
+    let mut block: Option<(&str, String)> = None;
+    for line in text.lines() {
+        match (line.strip_prefix("```"), &mut block) {
+            (Some(_), Some(_)) => blocks.extend(block.take()),
+            (Some(language), None) => block = Some((language, String::new())),
+            (None, Some((_, code))) => code.extend([line, "\n"]),
+            (None, None) => prose.push(line),
+        }
+    }
+    assert!(block.is_none(), "a code block without end");
+    (prose, blocks)
+}
+
+/// What a heading is called in links, on the pages of the book and of forges alike.
+fn anchor(heading: &str) -> String {
+    let kept = heading.trim().to_lowercase();
+    let kept = kept.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+/// Targets of the links and pictures of a text.
+fn links(text: &str) -> Vec<String> {
+    let (prose, _) = split(text);
+    let prose = prose.join("\n");
+    // Code spans may hold anything.
+    let plain: Vec<&str> = prose.split('`').step_by(2).collect();
+    let joined = plain.join("");
+    let targets = joined.split("](").skip(1);
+    targets.map(|rest| rest.split_once(')').expect("a link without end").0.to_owned()).collect()
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let mut wrong = Vec::new();
+    let mut count = 0;
+    for path in files(&root(), ".md") {
+        let text = read(&path);
+        for link in links(&text) {
+            count += 1;
+            if let Some(outside) = link.strip_prefix("https://") {
+                let host = outside.split('/').next().unwrap();
+                if !host.contains('.') || link.contains(char::is_whitespace) {
+                    wrong.push(format!("{}: {link}", path.display()));
+                }
+                continue;
+            }
+            let (file, heading) = link.split_once('#').unwrap_or((&link, ""));
+            let target = if file.is_empty() { path.clone() } else { path.parent().unwrap().join(file) };
+            let found = match target.metadata() {
+                Ok(metadata) if metadata.is_file() && heading.is_empty() => metadata.len() > 0,
+                Ok(metadata) if metadata.is_file() => {
+                    let text = read(&target);
+                    let (prose, _) = split(&text);
+                    let mut headings = prose.iter().filter(|line| line.starts_with('#'));
+                    headings.any(|line| anchor(line.trim_start_matches('#')) == heading)
+                }
+                Ok(_) => heading.is_empty(),
+                Err(_) => false,
+            };
+            if !found {
+                wrong.push(format!("{}: {link}", path.display()));
+            }
+        }
+    }
+    assert!(count > 100, "{count} links");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn summary_has_every_chapter_and_every_figure_is_shown() {
+    let source = root().join("docs/src");
+    let summary = links(&read(&source.join("SUMMARY.md")));
+    let mut shown = BTreeSet::<OsString>::new();
+    for path in files(&source, ".md") {
+        let name = path.strip_prefix(&source).unwrap().to_str().unwrap().to_owned();
+        assert!(name == "SUMMARY.md" || summary.contains(&name), "{name}");
+        shown.extend(
+            links(&read(&path)).iter().filter_map(|link| Path::new(link).file_name().map(Into::into)),
+        );
+    }
+    for figure in std::fs::read_dir(source.join("figures")).unwrap().flatten() {
+        assert!(shown.contains(&figure.file_name()), "{figure:?}");
+    }
+}
+
+#[test]
+fn input_files_are_valid() {
+    let mut kinds = BTreeSet::new();
+    for path in files(&root().join("docs/src"), ".md") {
+        let text = read(&path);
+        for (_, code) in split(&text).1.iter().filter(|(language, _)| *language == "toml") {
+            let name = path.to_str().unwrap();
+            let kind = code.lines().next().unwrap();
+            let error = match kind {
+                "# scene" => parse_scene(code, name, &[]).err().map(|error| error.to_string()),
+                "# request" => parse_request(code, name, &[]).err().map(|error| error.to_string()),
+                "# surface" => SurfaceFile::parse(&path, code.clone()).err().map(|error| error.to_string()),
+                // Pieces of such files.
+                _ => code.parse::<toml::Table>().err().map(|error| error.to_string()),
+            };
+            assert!(error.is_none(), "{}: {}", path.display(), error.unwrap());
+            kinds.insert(kind.to_owned());
+        }
+    }
+    for kind in ["# scene", "# request", "# surface"] {
+        assert!(kinds.contains(kind), "{kind}");
+    }
+}
+
+/// Keys of a TOML text, of all levels.
+fn keys(table: &toml::Table) -> BTreeSet<String> {
+    let mut all = BTreeSet::new();
+    for (key, value) in table {
+        all.insert(key.clone());
+        if let toml::Value::Table(inner) = value {
+            all.extend(keys(inner));
+        }
+    }
+    all
+}
+
+#[test]
+fn keys_are_documented() {
+    let text = chapter("files/scene.md");
+    let scene = parse_scene(
+        "[material]\npreset = \"carbon-steel-en1993\"\nfracture_toughness_mode_ii = 1e7\n\
+         hardening = { law = \"johnson-cook\", modulus = 1e8, exponent = 0.3 }\n\
+         softening = { law = \"johnson-cook\", reference = 298, melting = 1800, exponent = 1 }\n\
+         [asperity]\nradius = 1e-3\n[loading]\ninterference = 1\nslip_rate = 1\n\
+         [numerics]\nelements_per_radius = 8\nsectors = 4\n",
+        "scene",
+        &[],
+    )
+    .unwrap();
+    let mut wanted = keys(&write_scene(&scene).parse().unwrap());
+    for entry in LAWS {
+        wanted.insert(entry.name.to_owned());
+        wanted.extend(entry.parameters.iter().map(|parameter| parameter.key.to_owned()));
+    }
+    let missing: Vec<&String> = wanted.iter().filter(|key| !text.contains(key.as_str())).collect();
+    assert!(wanted.len() > 30 && missing.is_empty(), "scene.md: {missing:?}");
+
+    let text = chapter("files/request.md");
+    let request = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+                   [table]\ninterference = [1]\nslip_rate = [1]\ntolerance = 0.1\nmax_cells = 9\n";
+    let request = write_request(&parse_request(request, "request", &[]).unwrap());
+    let request: toml::Table = request.parse().unwrap();
+    for key in keys(request["table"].as_table().unwrap()) {
+        assert!(text.contains(&format!("`{key}`")), "request.md: {key}");
+    }
+
+    let text = chapter("files/surface.md");
+    for entry in DISTRIBUTIONS {
+        for word in entry.keys.iter().chain([&entry.name]) {
+            assert!(text.contains(&format!("`{word}`")), "surface.md: {word}");
+        }
+    }
+}
+
+/// The variables of a file that a chapter does not name. What derives from a name need not be there.
+fn undocumented(file: &Path, name: &str) -> Vec<String> {
+    let text = chapter(name);
+    let spans: BTreeSet<&str> = text.split('`').skip(1).step_by(2).collect();
+    let known = |name: &str| {
+        let sources = ["_mesh", "_sectors", "_steps", "_solver"];
+        let base = sources.iter().find_map(|source| name.strip_suffix(source)).unwrap_or(name);
+        let base = base.strip_suffix("_error").unwrap_or(base);
+        let statistics = ["_mean", "_mean_error", "_std", "_lower", "_upper"];
+        let derived = ["_end", "_press", "_real_area", "_parameter_std", "_parameter_change", "_history"];
+        let mut bases = derived.iter().chain(&statistics).filter_map(|ending| {
+            let said = spans.contains(ending) || spans.contains(format!("NAME{ending}").as_str());
+            said.then(|| base.strip_suffix(ending)).flatten()
+        });
+        spans.contains(name) || spans.contains(base) || bases.any(|base| spans.contains(base))
+    };
+    let file = netcdf::open(file).unwrap();
+    let names = file.variables().map(|variable| variable.name());
+    names.filter(|name| !known(name)).collect()
+}
+
+#[test]
+fn variables_are_documented() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "[material]\npreset = \"steel-4340\"\nfracture_toughness_mode_ii = 1e8\n\
+                 [asperity]\nradius = 1e-3\n[loading]\nslip_distance = 0.05\n\
+                 [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+    let run = scene.replace("slip_distance", "interference = 2\nslip_rate = 1\nslip_distance");
+    std::fs::write(folder.path().join("scene.toml"), run).unwrap();
+    let request = format!("{scene}[table]\ninterference = [1, 4]\nslip_rate = [0.1, 10]\n");
+    std::fs::write(folder.path().join("request.toml"), request).unwrap();
+    let surface = root().join("examples/scenes/bearing-steel.toml");
+    let surface = surface.display();
+    for (program, arguments, chapter) in [
+        ("asperity", "run scene.toml -o run.nc".to_owned(), "files/run.md"),
+        ("asperity", "tabulate request.toml -o table.nc".to_owned(), "files/table.md"),
+        (
+            "roughsurface",
+            format!("predict {surface} --table model:jackson-green --compare all -o friction.nc"),
+            "files/friction.md",
+        ),
+        (
+            "roughsurface",
+            format!("sample {surface} --table model:hertz --asperities 50 --realizations 4 -o mc.nc"),
+            "files/others.md",
+        ),
+    ] {
+        let output = execute(program, folder.path(), &arguments);
+        assert!(output.status.success(), "{program} {arguments}: {}", stderr(&output));
+        let missing = undocumented(&folder.path().join(arguments.split(' ').next_back().unwrap()), chapter);
+        assert!(missing.is_empty(), "{chapter} lacks {missing:?}");
+    }
+}
+
+#[test]
+fn commands_have_the_options_that_the_book_gives_them() {
+    let mut texts: Vec<PathBuf> = files(&root().join("docs/src"), ".md");
+    texts.push(root().join("README.md"));
+    texts.push(root().join("roughsurface/src/worked_examples.md"));
+    let mut count = 0;
+    for path in texts {
+        let text = read(&path);
+        let blocks = split(&text).1;
+        let shells =
+            blocks.iter().filter(|(language, _)| *language == "sh").flat_map(|(_, code)| code.lines());
+        for line in shells {
+            let line = line.split('#').next().unwrap();
+            for file in line.split_whitespace().filter(|word| word.starts_with("examples/")) {
+                assert!(root().join(file).exists(), "{}: {file}", path.display());
+            }
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let [program @ ("asperity" | "roughsurface"), command, rest @ ..] = &words[..] else {
+                continue;
+            };
+            count += 1;
+            let command = match (*command, rest) {
+                ("table", [inner, ..]) => format!("table {inner}"),
+                (command, _) => command.to_owned(),
+            };
+            let help = execute(program, &root(), &format!("{command} --help"));
+            assert!(help.status.success(), "{}: {line}", path.display());
+            let help = String::from_utf8(help.stdout).unwrap();
+            for option in rest.iter().filter(|word| word.starts_with('-')) {
+                assert!(help.contains(option), "{}: {option} of {line}", path.display());
+            }
+        }
+    }
+    assert!(count > 15, "{count} commands");
+}
