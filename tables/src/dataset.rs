@@ -4,12 +4,13 @@
 //! Bytes are the same for the same content, and sealed (see `seal`): damage is found before the
 //! netCDF library, which crashes on some, sees the file.
 
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 pub use netcdf::AttributeValue;
 use netcdf::FileMut;
 
-use crate::seal;
+use crate::{classic, seal};
 
 /// CF version written to the attribute `Conventions`.
 pub const CONVENTIONS: &str = "CF-1.11";
@@ -255,6 +256,22 @@ pub struct DatasetReader {
 /// Compressed data are at most this many times larger than the file (the limit of deflate is 1032).
 const MOST_EXPANSION: u64 = 1100;
 
+/// Of a classic netCDF file: other programs write topographies as such.
+fn classic_damage(path: &Path, size: u64) -> std::io::Result<Option<&'static str>> {
+    let mut file = std::fs::File::open(path)?;
+    let mut start = [0; 3];
+    if size < start.len() as u64 {
+        return Ok(None);
+    }
+    file.read_exact(&mut start)?;
+    if &start != b"CDF" {
+        return Ok(None);
+    }
+    let mut bytes = start.to_vec();
+    file.read_to_end(&mut bytes)?;
+    Ok(classic::damage(&bytes))
+}
+
 impl DatasetReader {
     pub fn open(path: &Path) -> Result<Self, DatasetError> {
         let shown = path.display().to_string();
@@ -267,6 +284,9 @@ impl DatasetReader {
         let (size, damage) = opened.map_err(|error| failed(error.to_string()))?;
         if let Some(damage) = damage {
             return Err(failed(damage));
+        }
+        if let Some(damage) = classic_damage(path, size).map_err(|error| failed(error.to_string()))? {
+            return Err(failed(damage.into()));
         }
         silence_hdf5();
         let file = netcdf::open(path).map_err(|error| failed(error.to_string()))?;

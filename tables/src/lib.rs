@@ -12,6 +12,7 @@
 
 mod assembly;
 mod bridging;
+mod classic;
 pub mod closed_forms;
 pub mod comparison;
 pub mod cross_validation;

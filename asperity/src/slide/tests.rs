@@ -76,3 +76,85 @@ fn sliding_inception_is_enclosed() {
     let taken = last.elastic + last.plastic + last.friction_work + last.springs + last.thermal_expansion;
     assert!((last.work - taken).abs() < 1e-6 * last.work, "{} {taken}", last.work);
 }
+
+/// Steps to each of the slips in turn, forwards or backwards.
+fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
+    // Its search would ask for other increments.
+    slide.has_begun = true;
+    for to in slips {
+        let from = slide.history.last().unwrap().slip;
+        let (start, sunk) = (slide.mechanics.displacement.clone(), slide.interference);
+        assert!(matches!(slide.step(from, to, start, sunk), Ok(Attempt::Taken)));
+    }
+}
+
+fn problem_of(changes: &[&str]) -> Problem {
+    let case = hard_cases::all().into_iter().find(|case| case.name == "interference-5").unwrap();
+    let set = case.set.iter().cloned().chain(changes.iter().map(|change| change.to_string())).collect();
+    Problem::new(&hard_cases::HardCase { set, ..case }.scene().unwrap())
+}
+
+/// To and fro in elastic contact, at a shear limit that does not change: friction turns round in full, and
+/// the second half of the loop is the first with the sign changed. (The first loading is not: the press
+/// has left shear at the edge.)
+#[test]
+fn a_reversed_slide_closes_its_loop() {
+    const STEPS: u32 = 20;
+    let problem =
+        problem_of(&["loading.interference=0.5", "interface.strength_factor=0.2", "model.heat=off"]);
+    let mut slide = ready(&problem);
+    (slide.conduction, slide.speed) = (None, 0.0);
+    let radius = (slide.history[0].area / std::f64::consts::PI).sqrt();
+    // Twice the elastic displacement τa/G at gross slip: the contact slips all over, but only towards the end.
+    let far = 2.0 * problem.strength_factor * SHEAR_RATIO * radius / problem.solid.moduli.shear;
+    let branch = |from: f64, to: f64| {
+        (1..=STEPS).map(move |k| from + (to - from) * f64::from(k) / f64::from(STEPS)).collect::<Vec<_>>()
+    };
+    for (from, to) in [(0.0, far), (far, -far), (-far, far)] {
+        go(&mut slide, branch(from, to));
+    }
+    let friction: Vec<f64> = slide.history.iter().map(|instant| instant.friction).collect();
+    let full = friction[STEPS as usize];
+    let (back, forth) = friction[STEPS as usize + 1..].split_at(STEPS as usize);
+    assert!(full > 0.0 && slide.history[STEPS as usize].stick_fraction == 0.0);
+    assert!((back[STEPS as usize - 1] / full + 1.0).abs() < 1e-3 && back[0] < 0.8 * full);
+    for (back, forth) in back.iter().zip(forth) {
+        assert!((back + forth).abs() < 1e-3 * full, "{back} {forth} of {full}");
+    }
+    let lost = [1, 2, 3].map(|branch| slide.history[branch * STEPS as usize].friction_work);
+    assert!(lost[0] > 0.0 && lost[1] > 2.0 * lost[0] && lost[2] > lost[1] + lost[0], "{lost:?}");
+}
+
+/// Slides hot, all but stops for a thousand times as long, and slides on: it cools and sticks, is
+/// stronger when it slips again, heats up as before, and no energy is lost on the way.
+#[test]
+fn a_slide_that_stops_cools_and_restarts() {
+    let problem = problem_of(&[]);
+    let mut slide = ready(&problem);
+    let fast = slide.speed;
+    let step = 0.01 * problem.expected_contact_radius();
+    let from = |slide: &Slide| slide.history.last().unwrap().slip;
+    let run = |slide: &mut Slide| {
+        let at = from(slide);
+        go(slide, (1..=30).map(|k| at + step * f64::from(k)));
+        *slide.history.last().unwrap()
+    };
+    let hot = run(&mut slide);
+    slide.speed = 1e-9 * fast;
+    let at = from(&slide);
+    go(&mut slide, (1..=20).map(|k| at + 1.5e-6 * step * f64::from(k)));
+    let cold = *slide.history.last().unwrap();
+    slide.speed = fast;
+    let again = run(&mut slide);
+    assert!(hot.rise_max > 10.0 && cold.rise_max < 1e-3 * hot.rise_max, "{hot:?} {cold:?}");
+    assert_eq!((hot.stick_fraction, cold.stick_fraction), (0.0, 1.0));
+    let restart = &slide.history[slide.history.len() - 30..];
+    let strongest = restart.iter().map(|instant| instant.friction / instant.area).fold(0.0, f64::max);
+    assert!(strongest > 1.005 * hot.friction / hot.area, "{strongest} {hot:?}");
+    assert!((again.rise_max / hot.rise_max - 1.0).abs() < 0.1, "{hot:?} {again:?}");
+    let off = again.heat_in - again.heat_stored - again.heat_out;
+    assert!(off.abs() < 1e-5 * again.heat_in, "{off} of {}", again.heat_in);
+    let spent = again.elastic + again.plastic + again.friction_work + again.thermal_expansion;
+    let off = again.work - spent - again.moduli_softening - again.springs;
+    assert!(off.abs() < 1e-3 * again.work, "{off} of {}", again.work);
+}
