@@ -22,8 +22,9 @@ const FIRST_INCREMENT: f64 = 0.1;
 /// Sticking share of the contact that counts as none: points that have just touched stick until
 /// they have slipped once.
 pub const NO_STICK: f64 = 0.01;
-/// Width of the increment in which sliding begins, relative to the slip, over the largest increment.
-const INCEPTION_WIDTH: f64 = 0.05;
+/// Width of the increment in which sliding begins, relative to the slip. In shorter ones the last points
+/// let go so suddenly that where heat spreads at once (Fo = 1e6) they get hot for a moment.
+const INCEPTION_WIDTH: f64 = 0.01;
 /// Plastic strain at which the body is taken to shear in place of the interface, if so large a share of
 /// the contact still sticks. Interfaces no stronger than the body stick to that share up to a strain of
 /// 0.03 (20 omega_c); under stronger ones a layer of elements shears without end.
@@ -283,7 +284,7 @@ impl<'a> Slide<'a> {
                     interference_before = interference;
                     beyond = beyond.filter(|beyond| beyond.slip > slip);
                     advance = match &beyond {
-                        Some(beyond) => self.towards(slip, beyond),
+                        Some(beyond) => Self::towards(slip, beyond),
                         None => {
                             let most = (increments.growth * slip)
                                 .max(least)
@@ -300,7 +301,7 @@ impl<'a> Slide<'a> {
                     if beyond.is_none() {
                         usual = 0.5 * increment;
                     }
-                    advance = self.towards(slip, &state);
+                    advance = Self::towards(slip, &state);
                     beyond = Some(state);
                 }
                 Err(
@@ -323,14 +324,9 @@ impl<'a> Slide<'a> {
 
     /// Next increment towards a state that sliding has begun before: half of the way, or all of it
     /// once that is narrow enough.
-    fn towards(&self, slip: f64, beyond: &Beyond) -> f64 {
+    fn towards(slip: f64, beyond: &Beyond) -> f64 {
         let left = beyond.slip - slip;
-        if left <= self.inception_width(beyond.slip) { left } else { 0.5 * left }
-    }
-
-    /// Width of the increment in which sliding begins.
-    fn inception_width(&self, slip: f64) -> f64 {
-        INCEPTION_WIDTH * self.increments.growth * slip
+        if left <= INCEPTION_WIDTH * beyond.slip { left } else { 0.5 * left }
     }
 
     /// One increment from slip to slip; `start` and `sunk` are first guesses of the displacements and
@@ -419,7 +415,7 @@ impl<'a> Slide<'a> {
             return Err(SlideFailure::Distorted { strain, stick_fraction });
         }
         let begins = !self.has_begun && instant.stick_fraction < NO_STICK;
-        if begins && to - from > self.inception_width(to) * (1.0 + 1e-9) {
+        if begins && to - from > INCEPTION_WIDTH * to * (1.0 + 1e-9) {
             let displacement = self.mechanics.displacement.clone();
             let interference = flat.interference;
             return Ok(Attempt::PastInception(Beyond { slip: to, displacement, interference }));

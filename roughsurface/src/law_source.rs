@@ -110,6 +110,7 @@ pub fn asperity_law_without_gaps(
 mod tests {
     use super::*;
     use tables::quantity::Quantity;
+    use tables::table::Table;
 
     #[test]
     fn gaps_of_a_table_are_filled_only_if_asked() {
