@@ -112,6 +112,8 @@ pub struct Slide<'a> {
     hold: Hold,
     /// Whether the contact has once slipped everywhere.
     has_begun: bool,
+    /// Shortest increment in which sliding inception is looked for.
+    finest: f64,
     sources: HeatSources,
     pub history: Vec<Instant>,
     pub recorder: Recorder,
@@ -214,6 +216,7 @@ impl<'a> Slide<'a> {
             interference: problem.interference,
             hold: Hold::Interference,
             has_begun: false,
+            finest: 0.0,
             problem,
             mechanics,
             conduction,
@@ -248,6 +251,7 @@ impl<'a> Slide<'a> {
         let mut advance =
             (FIRST_INCREMENT * increments.growth / 0.15 * elastic).min(distance / LEAST_INCREMENTS);
         let least = FIRST_INCREMENT * increments.growth / 0.15 * elastic;
+        self.finest = (0.1 * least).min(0.1 * advance);
         let mut before = self.mechanics.displacement.clone();
         let mut interference_before = self.interference;
         let mut slip_before = 0.0;
@@ -284,7 +288,7 @@ impl<'a> Slide<'a> {
                     interference_before = interference;
                     beyond = beyond.filter(|beyond| beyond.slip > slip);
                     advance = match &beyond {
-                        Some(beyond) => Self::towards(slip, beyond),
+                        Some(beyond) => self.towards(slip, beyond),
                         None => {
                             let most = (increments.growth * slip)
                                 .max(least)
@@ -301,7 +305,7 @@ impl<'a> Slide<'a> {
                     if beyond.is_none() {
                         usual = 0.5 * increment;
                     }
-                    advance = Self::towards(slip, &state);
+                    advance = self.towards(slip, &state);
                     beyond = Some(state);
                 }
                 Err(
@@ -324,9 +328,9 @@ impl<'a> Slide<'a> {
 
     /// Next increment towards a state that sliding has begun before: half of the way, or all of it
     /// once that is narrow enough.
-    fn towards(slip: f64, beyond: &Beyond) -> f64 {
+    fn towards(&self, slip: f64, beyond: &Beyond) -> f64 {
         let left = beyond.slip - slip;
-        if left <= INCEPTION_WIDTH * beyond.slip { left } else { 0.5 * left }
+        if left <= (INCEPTION_WIDTH * beyond.slip).max(self.finest) { left } else { 0.5 * left }
     }
 
     /// One increment from slip to slip; `start` and `sunk` are first guesses of the displacements and
@@ -415,7 +419,10 @@ impl<'a> Slide<'a> {
             return Err(SlideFailure::Distorted { strain, stick_fraction });
         }
         let begins = !self.has_begun && instant.stick_fraction < NO_STICK;
-        if begins && to - from > INCEPTION_WIDTH * to * (1.0 + 1e-9) {
+        // What has not stuck after the press, or lets go at once, begins to slide at no slip.
+        let stuck = self.history.last().is_some_and(|before| before.stick_fraction >= NO_STICK);
+        let width = (INCEPTION_WIDTH * to).max(self.finest);
+        if begins && stuck && to - from > width * (1.0 + 1e-9) {
             let displacement = self.mechanics.displacement.clone();
             let interference = flat.interference;
             return Ok(Attempt::PastInception(Beyond { slip: to, displacement, interference }));
