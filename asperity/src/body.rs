@@ -69,6 +69,14 @@ pub struct Body {
     on_slope: Vec<f64>,
 }
 
+/// What an internal force is evaluated for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    Force,
+    /// Products with the tangent, too.
+    Tangent,
+}
+
 const TENSOR: usize = 6;
 const COEFFICIENTS: usize = 8;
 
@@ -181,8 +189,20 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+        self.internal_force_for(Purpose::Tangent, u, rise, force);
+    }
+
+    /// The same; at finite strain the tangent costs as much again, and stays what it was if only the
+    /// force is wanted.
+    pub fn internal_force_for(
+        &mut self,
+        purpose: Purpose,
+        u: &[f64],
+        rise: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
         if self.finite.is_some() {
-            self.finite_force(u, rise, force);
+            self.finite_force(u, rise, purpose, force);
         } else if self.solid.stiffness_varies() {
             by_lanes!(self.internal_force_varying(u, rise, force));
         } else {
@@ -396,21 +416,34 @@ impl Body {
         for (e, element) in self.mesh.elements.iter().enumerate() {
             for first in (0..lanes).step_by(W) {
                 let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
-                let mut nodal_force = if self.tangent.flows[e * lanes + first] {
-                    self.plastic_element_force(e, first, &displacement)
-                } else {
-                    crate::elastic::element_force(element, self.solid.moduli, &displacement)
-                };
-                if !self.tangent.stiffness.is_empty() {
-                    let stiffness = &self.tangent.stiffness[e * lanes + first..][..W];
-                    for component in nodal_force.iter_mut().flatten() {
-                        (0..W).for_each(|l| component[l] *= stiffness[l]);
-                    }
-                }
+                let nodal_force = self.small_tangent_force(e, first, &displacement);
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
         }
         self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
+    }
+
+    /// Product of an element's tangent at small strain.
+    #[inline(always)]
+    fn small_tangent_force<const W: usize>(
+        &self,
+        e: usize,
+        first: usize,
+        displacement: &[[Lanes<W>; VALUES]; CORNERS],
+    ) -> [[Lanes<W>; VALUES]; CORNERS] {
+        let at = e * self.mesh.sectors.columns() + first;
+        let mut force = if self.tangent.flows[at] {
+            self.plastic_element_force(e, first, displacement)
+        } else {
+            crate::elastic::element_force(&self.mesh.elements[e], self.solid.moduli, displacement)
+        };
+        if !self.tangent.stiffness.is_empty() {
+            let stiffness = &self.tangent.stiffness[at..][..W];
+            for component in force.iter_mut().flatten() {
+                (0..W).for_each(|l| component[l] *= stiffness[l]);
+            }
+        }
+        force
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use crate::body::Body;
+use crate::body::{Body, Purpose};
 use crate::contact::{Contact, Flat, Status};
 use crate::harmonic::HarmonicFactors;
 use crate::preconditioner::Preconditioner;
@@ -134,7 +134,7 @@ impl Mechanics {
         let mut trial = vec![0.0; n];
         let mut around =
             surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
-        self.internal_force(&u[..size], &around);
+        self.internal_force(Purpose::Tangent, &u[..size], &around);
         let mut last = f64::INFINITY;
         let mut flutter = Flutter::new(self.contact.len());
         for iteration in 0..NEWTON_LIMIT {
@@ -167,20 +167,24 @@ impl Mechanics {
             }
             last = norm / scale;
             self.effort.newton += 1;
-            // Forcing term: no more accuracy than the next Newton step can use, of which temperature
-            // and contact edge undo the most. From 0.1, 1e-3 and 0.05 to these, a slide at 16 elements
-            // per radius took 423 instead of 417 Newton and 3161 instead of 3808 Krylov iterations;
-            // with 0.7 and 1e-2 the energy ledger closes to 2e-6 only.
-            let forcing = (0.3 * self.tolerance * scale / norm).clamp(3e-3, 0.1);
+            // Forcing term: no more accuracy than the next Newton step can use. While temperature and
+            // contact edge still change they undo most of it: a slide at 16 elements per radius took
+            // 548, 545, 554 and 565 Newton and 4007, 3572, 3054 and 2889 Krylov iterations with 3e-3,
+            // 0.01, 0.05 and 0.1 there. Once they are settled, 0.01 took more of both than 3e-3.
+            let least = if around.settled { 3e-3 } else { 0.05 };
+            let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, 0.1);
             self.conjugate_gradients(&residual, &mut direction, forcing);
-            self.line_search(&mut u, &mut trial, &direction, &residual, (flat, hold), &around);
             let near = norm <= REFRESH * scale;
+            // Where the temperature will change at once, so will the tangent.
+            let heats = near && !around.settled && around.rise.is_some();
+            let purpose = if heats { Purpose::Force } else { Purpose::Tangent };
+            self.line_search(&mut u, &mut trial, &direction, &residual, (flat, hold), (&around, purpose));
             if let Some(next) =
                 near.then(|| surroundings(&mut self.body, &mut self.contact, iteration + 1)).flatten()
             {
                 around = next;
                 if around.rise.is_some() {
-                    self.internal_force(&u[..size], &around);
+                    self.internal_force(Purpose::Tangent, &u[..size], &around);
                 }
             }
         }
@@ -191,9 +195,9 @@ impl Mechanics {
     }
 
     /// Of the body at displacement `u`, kept for the residual.
-    fn internal_force(&mut self, u: &[f64], around: &Surroundings) {
+    fn internal_force(&mut self, purpose: Purpose, u: &[f64], around: &Surroundings) {
         let clock = Instant::now();
-        self.body.internal_force(u, around.rise.as_deref(), &mut self.internal);
+        self.body.internal_force_for(purpose, u, around.rise.as_deref(), &mut self.internal);
         self.timings.since(Kernel::InternalForce, clock);
     }
 
@@ -210,7 +214,7 @@ impl Mechanics {
         direction: &[f64],
         residual: &[f64],
         (flat, hold): (Flat, Hold),
-        around: &Surroundings,
+        (around, purpose): (&Surroundings, Purpose),
     ) {
         const ENOUGH: f64 = 0.7;
         const TRIES: usize = 8;
@@ -234,7 +238,7 @@ impl Mechanics {
             for ((t, &x), &d) in trial.iter_mut().zip(u.iter()).zip(direction) {
                 *t = x + step * d;
             }
-            self.internal_force(&trial[..size], around);
+            self.internal_force(purpose, &trial[..size], around);
             let of_body = dot(&self.internal, &direction[..size]);
             let slope = of_body + contact_slope(&mut self.contact, step);
             if slope.abs() <= ENOUGH * initial.abs() || attempt == TRIES {

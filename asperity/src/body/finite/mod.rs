@@ -14,7 +14,8 @@
 //! deviator and mean stress in [`BodyState`] are those that work on E per undeformed volume:
 //! where the principal axes do not turn, Kirchhoff's.
 
-use super::{Body, TENSOR};
+use super::heat::ElementHeat;
+use super::{Body, Purpose, TENSOR};
 use crate::element::{CORNERS, POINTS, VALUES};
 use crate::lanes::{Lanes, fma};
 use crate::sectors::VECTOR_PARITY;
@@ -23,10 +24,12 @@ use gradient::{
     volume_excess,
 };
 use moduli::{ENTRIES, LogModuli, PointFrame, add_volume_curvature, symmetric_product};
-use spectral::Spectral;
+use series::{FEW_TERMS, LogSeries, SMALL, SMALLER, TERMS};
+use spectral::{Spectral, log_1p};
 
 mod gradient;
 mod moduli;
+mod series;
 mod spectral;
 
 /// Values per point: ∂P/∂F and ∂J/∂F, times the point's weight.
@@ -35,8 +38,12 @@ const POINT_VALUES: usize = ENTRIES + 9;
 /// Tangent at the last internal force.
 #[derive(Clone, Debug)]
 pub struct FiniteTangent {
-    /// Point by point, value by value, angles as lanes.
-    point: Vec<f64>,
+    /// Point by point, value by value, angles as lanes. In single precision: the products are bound by
+    /// the memory they read, and Newton's method does not notice.
+    point: Vec<f32>,
+    /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of
+    /// small strain will do. They are as wrong as that is large, which Newton's method does not notice.
+    small: Vec<bool>,
     /// ψ'' over ∫J dV of each element: (K − p)/(V J̄²), p the mean stress.
     volumetric: Vec<f64>,
 }
@@ -45,6 +52,7 @@ impl FiniteTangent {
     pub fn new(elements: usize, lanes: usize) -> Self {
         Self {
             point: vec![0.0; elements * POINTS * POINT_VALUES * lanes],
+            small: vec![false; elements * lanes],
             volumetric: vec![0.0; elements * lanes],
         }
     }
@@ -52,18 +60,32 @@ impl FiniteTangent {
 
 impl Body {
     /// As [`Body::internal_force`]. Where a point is turned inside out, the force is not a number.
-    pub(super) fn finite_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+    pub(super) fn finite_force(
+        &mut self,
+        u: &[f64],
+        rise: Option<&[f64]>,
+        purpose: Purpose,
+        force: &mut [f64],
+    ) {
+        match purpose {
+            Purpose::Tangent => self.finite_force_with::<true>(u, rise, force),
+            Purpose::Force => self.finite_force_with::<false>(u, rise, force),
+        }
+    }
+
+    /// TANGENT: whether that is wanted.
+    fn finite_force_with<const TANGENT: bool>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
         // Points beside angles: the spectral decomposition is a long chain of roots and quotients, of
         // which the machine works on several at once.
         match self.mesh.sectors.columns() {
-            1 => self.finite_force_lanes::<1, 4, 4>(u, rise, force),
-            n if n % 8 == 0 => self.finite_force_lanes::<8, 2, 16>(u, rise, force),
-            _ => self.finite_force_lanes::<4, 2, 8>(u, rise, force),
+            1 => self.finite_force_lanes::<1, 4, 4, TANGENT>(u, rise, force),
+            n if n % 8 == 0 => self.finite_force_lanes::<8, 2, 16, TANGENT>(u, rise, force),
+            _ => self.finite_force_lanes::<4, 2, 8, TANGENT>(u, rise, force),
         }
     }
 
     /// W angles and P points at a time, L = WP lanes.
-    fn finite_force_lanes<const W: usize, const P: usize, const L: usize>(
+    fn finite_force_lanes<const W: usize, const P: usize, const L: usize, const TANGENT: bool>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
@@ -78,8 +100,13 @@ impl Body {
             for first in (0..lanes).step_by(W) {
                 let displacement =
                     self.mesh.gather_vector::<W>(u, &self.slope, &self.mesh.elements[e], first);
-                let nodal_force =
-                    self.finite_element_force::<W, P, L>(e, first, &displacement, rise, &mut tangent);
+                let nodal_force = self.finite_element_force::<W, P, L, TANGENT>(
+                    e,
+                    first,
+                    &displacement,
+                    rise,
+                    &mut tangent,
+                );
                 let element = &self.mesh.elements[e];
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
@@ -89,7 +116,7 @@ impl Body {
     }
 
     #[inline(always)]
-    fn finite_element_force<const W: usize, const P: usize, const L: usize>(
+    fn finite_element_force<const W: usize, const P: usize, const L: usize, const TANGENT: bool>(
         &mut self,
         e: usize,
         first: usize,
@@ -103,6 +130,7 @@ impl Body {
         let (volume, weight) = (self.mesh.elements[e].volume, self.mesh.elements[e].weight);
         let mut gradients = [[[[0.0; W]; 3]; 3]; POINTS];
         let mut excess = [0.0; W];
+        let mut largest = [0.0f64; W];
         for q in 0..POINTS {
             gradients[q] = displacement_gradient(&self.mesh.elements[e].shape[q], displacement);
             let point = volume_excess(&gradients[q]);
@@ -110,75 +138,75 @@ impl Body {
                 let inverted = point[l] <= -1.0;
                 excess[l] += if inverted { f64::NAN } else { weight[q] / volume * point[l] };
             }
+            for component in gradients[q].as_flattened() {
+                for l in 0..W {
+                    largest[l] = largest[l].max(component[l].abs());
+                }
+            }
         }
+        let largest = largest.into_iter().fold(0.0, f64::max);
         // p/J̄, by which ∂J/∂F gives the stress.
         let mut pressure = [0.0; W];
+        let ln_ratio = log_1p(&excess);
         for l in 0..W {
             let stiffness = heat.stiffness.map_or(1.0, |factor| factor[l]);
             let bulk = stiffness * self.solid.moduli.bulk;
-            let mean = bulk * (excess[l].ln_1p() - heat.thermal[l]);
+            let mean = bulk * (ln_ratio[l] - heat.thermal[l]);
             let ratio = 1.0 + excess[l];
             self.trial.mean_stress[at + l] = mean;
             self.trial.rise[at + l] = heat.mean_rise[l];
             pressure[l] = mean / ratio;
             tangent.volumetric[at + l] = (bulk - mean) / (volume * ratio * ratio);
         }
-        let pressure: Lanes<L> = join::<W, L>(|_, l| pressure[l]);
-        let stiffness: Lanes<W> = std::array::from_fn(|l| heat.stiffness.map_or(1.0, |factor| factor[l]));
+        if let Some(stiffness) = &heat.stiffness {
+            self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
+        }
+        let small = largest <= SMALL;
+        if TANGENT {
+            tangent.small[at] = small;
+        }
+        let mut any_flows = false;
         let mut force = [[[0.0; W]; VALUES]; CORNERS];
         for chunk in (0..POINTS).step_by(P) {
             let gradient: TwoPoint<L> = std::array::from_fn(|i| {
                 std::array::from_fn(|j| join::<W, L>(|p, l| gradients[chunk + p][i][j][l]))
             });
             let f = deformation_gradient(&gradient);
-            let spectral = Spectral::new(&cauchy_green_excess(&gradient));
-            let mut deviator = spectral.log_strain();
-            for l in 0..L {
-                let third = (spectral.strain[0][l] + spectral.strain[1][l] + spectral.strain[2][l]) / 3.0;
-                for component in &mut deviator[..3] {
-                    component[l] -= third;
-                }
-            }
-            let mut log_stress = [[0.0; L]; TENSOR];
-            let mut flows = false;
-            for p in 0..P {
-                let of_point = deviator.map(|component| part::<W, L>(&component, p));
-                let (stress, flowing) =
-                    self.point_stress::<W>(e, chunk + p, first, &of_point, heat.at_point(chunk + p));
-                flows |= flowing;
-                for (joined, component) in log_stress.iter_mut().zip(&stress) {
-                    joined[p * W..][..W].copy_from_slice(component);
-                }
-            }
-            let frame = PointFrame::new(spectral, &f, &log_stress);
+            let excess = cauchy_green_excess(&gradient);
             let cofactors = cofactors(&f);
-            let stress = frame.first_piola();
-            let coefficient =
-                |i: usize| join::<W, L>(|p, l| self.coefficient::<W>(e, chunk + p, i, first)[l]);
-            let scaled = |i: usize| {
-                join::<W, L>(|p, l| stiffness[l] * self.coefficient::<W>(e, chunk + p, i, first)[l])
+            let (stress, flows) = if largest <= SMALLER {
+                self.stress_by_series::<W, P, L, FEW_TERMS>(e, chunk, first, &f, &excess, &heat)
+            } else if small {
+                self.stress_by_series::<W, P, L, TERMS>(e, chunk, first, &f, &excess, &heat)
+            } else {
+                let spectral = Spectral::new::<TANGENT>(&excess);
+                let log_strain = spectral.log_strain();
+                let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, log_strain, &heat);
+                let frame = PointFrame::new(spectral, &f, &log_stress);
+                if TANGENT {
+                    let moduli = self.log_moduli::<W, L>(e, chunk, first, flows, heat.stiffness.as_ref());
+                    let mut moduli = frame.tangent(&moduli);
+                    add_volume_curvature(&join::<W, L>(|_, l| pressure[l]), &f, &mut moduli);
+                    for p in 0..P {
+                        let q = chunk + p;
+                        let mut keep = |i: usize, value: &Lanes<L>| {
+                            let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
+                            let target = &mut tangent.point[place..place + W];
+                            (0..W).for_each(|l| target[l] = (weight[q] * value[p * W + l]) as f32);
+                        };
+                        for i in 0..ENTRIES {
+                            keep(i, &moduli[i]);
+                        }
+                        for i in 0..9 {
+                            keep(ENTRIES + i, &cofactors[i / 3][i % 3]);
+                        }
+                    }
+                }
+                (frame.first_piola(), flows)
             };
-            let moduli = LogModuli {
-                shear: scaled(0),
-                radial: scaled(1),
-                // Stale where nothing flows, and its factor zero.
-                direction: flows.then(|| std::array::from_fn(|i| coefficient(2 + i))),
-            };
-            let mut moduli = frame.tangent(&moduli);
-            add_volume_curvature(&pressure, &f, &mut moduli);
+            any_flows |= flows;
             for p in 0..P {
                 let q = chunk + p;
-                let mut keep = |i: usize, value: &Lanes<L>| {
-                    let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
-                    let target = &mut tangent.point[place..place + W];
-                    (0..W).for_each(|l| target[l] = weight[q] * value[p * W + l]);
-                };
-                for i in 0..ENTRIES {
-                    keep(i, &moduli[i]);
-                }
-                for i in 0..9 {
-                    keep(ENTRIES + i, &cofactors[i / 3][i % 3]);
-                }
                 let mut of_point = [[[0.0; W]; 3]; 3];
                 for i in 0..3 {
                     for j in 0..3 {
@@ -192,7 +220,79 @@ impl Body {
                 add_stress_force(&self.mesh.elements[e].shape[q], &of_point, &mut force);
             }
         }
+        self.tangent.flows[at] = any_flows;
         force
+    }
+
+    /// First Piola–Kirchhoff stress, of the deviator, at P points from `chunk` on, and whether any flows.
+    #[inline(always)]
+    fn stress_by_series<const W: usize, const P: usize, const L: usize, const N: usize>(
+        &mut self,
+        e: usize,
+        chunk: usize,
+        first: usize,
+        f: &TwoPoint<L>,
+        excess: &[Lanes<L>; 6],
+        heat: &ElementHeat<W>,
+    ) -> (TwoPoint<L>, bool) {
+        let series = LogSeries::<L, N>::new(excess);
+        let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, series.log_strain(), heat);
+        (series.first_piola(f, &log_stress), flows)
+    }
+
+    /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.
+    #[inline(always)]
+    fn log_stress<const W: usize, const P: usize, const L: usize>(
+        &mut self,
+        e: usize,
+        chunk: usize,
+        first: usize,
+        log_strain: [Lanes<L>; TENSOR],
+        heat: &ElementHeat<W>,
+    ) -> ([Lanes<L>; TENSOR], bool) {
+        let mut deviator = log_strain;
+        for l in 0..L {
+            let third = (log_strain[0][l] + log_strain[1][l] + log_strain[2][l]) / 3.0;
+            for component in &mut deviator[..3] {
+                component[l] -= third;
+            }
+        }
+        let mut log_stress = [[0.0; L]; TENSOR];
+        let mut flows = false;
+        for p in 0..P {
+            let of_point = deviator.map(|component| part::<W, L>(&component, p));
+            let (stress, flowing) =
+                self.point_stress::<W>(e, chunk + p, first, &of_point, heat.at_point(chunk + p));
+            flows |= flowing;
+            for (joined, component) in log_stress.iter_mut().zip(&stress) {
+                joined[p * W..][..W].copy_from_slice(component);
+            }
+        }
+        (log_stress, flows)
+    }
+
+    /// Moduli in logarithmic strain after [`Body::log_stress`].
+    #[inline(always)]
+    fn log_moduli<const W: usize, const L: usize>(
+        &self,
+        e: usize,
+        chunk: usize,
+        first: usize,
+        flows: bool,
+        stiffness: Option<&Lanes<W>>,
+    ) -> LogModuli<L> {
+        let coefficient = |i: usize| join::<W, L>(|p, l| self.coefficient::<W>(e, chunk + p, i, first)[l]);
+        let scaled = |i: usize| {
+            join::<W, L>(|p, l| {
+                stiffness.map_or(1.0, |factor| factor[l]) * self.coefficient::<W>(e, chunk + p, i, first)[l]
+            })
+        };
+        LogModuli {
+            shear: scaled(0),
+            radial: scaled(1),
+            // Stale where nothing flows, and its factor zero.
+            direction: flows.then(|| std::array::from_fn(|i| coefficient(2 + i))),
+        }
     }
 
     /// As [`Body::tangent_product`].
@@ -205,6 +305,11 @@ impl Body {
         for (e, element) in self.mesh.elements.iter().enumerate() {
             for first in (0..lanes).step_by(W) {
                 let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
+                if tangent.small[e * lanes + first] {
+                    let nodal_force = self.small_tangent_force(e, first, &displacement);
+                    self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
+                    continue;
+                }
                 let value = |q: usize, i: usize| {
                     let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
                     &tangent.point[place..place + W]
@@ -218,7 +323,7 @@ impl Body {
                     for i in 0..9 {
                         let (cofactor, component) = (value(q, ENTRIES + i), &gradient[i / 3][i % 3]);
                         for l in 0..W {
-                            growth[l] = fma(cofactor[l], component[l], growth[l]);
+                            growth[l] = fma(f64::from(cofactor[l]), component[l], growth[l]);
                         }
                     }
                 }
@@ -230,7 +335,7 @@ impl Body {
                     for i in 0..9 {
                         let (cofactor, component) = (value(q, ENTRIES + i), &mut stresses[q][i / 3][i % 3]);
                         for l in 0..W {
-                            component[l] = fma(cofactor[l], growth[l], component[l]);
+                            component[l] = fma(f64::from(cofactor[l]), growth[l], component[l]);
                         }
                     }
                     add_stress_force(&element.shape[q], &stresses[q], &mut nodal_force);

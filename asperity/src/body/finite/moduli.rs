@@ -155,8 +155,14 @@ impl<const W: usize> PointFrame<W> {
                 };
                 let mut sum = [0.0; W];
                 for l in 0..W {
-                    let flow = direction.as_ref().map_or(0.0, |n| moduli.radial[l] * n[v][l] * n[w][l]);
-                    sum[l] = 4.0 * first[v][l] * first[w][l] * (deviatoric * moduli.shear[l] + flow);
+                    sum[l] = 4.0 * first[v][l] * first[w][l] * (deviatoric * moduli.shear[l]);
+                }
+                // One test for all lanes: inside the loop it keeps them from the vector units.
+                if let Some(n) = &direction {
+                    for l in 0..W {
+                        let flow = moduli.radial[l] * n[v][l] * n[w][l];
+                        sum[l] = fma(4.0 * first[v][l] * first[w][l], flow, sum[l]);
+                    }
                 }
                 material[v][w] = sum;
             }
@@ -239,13 +245,14 @@ pub fn add_volume_curvature<const W: usize>(
 /// y = A x for a symmetric 9 × 9 matrix, whose entries are `at(place)`.
 #[inline(always)]
 pub fn symmetric_product<'a, const W: usize>(
-    at: impl Fn(usize) -> &'a [f64],
+    at: impl Fn(usize) -> &'a [f32],
     x: &TwoPoint<W>,
 ) -> TwoPoint<W> {
     let mut y = [[[0.0; W]; 3]; 3];
     for i in 0..9 {
         for j in i..9 {
-            let a = at(entry(i, j));
+            let stored = at(entry(i, j));
+            let a: Lanes<W> = std::array::from_fn(|l| f64::from(stored[l]));
             for l in 0..W {
                 y[i / 3][i % 3][l] = fma(a[l], x[j / 3][j % 3][l], y[i / 3][i % 3][l]);
             }
