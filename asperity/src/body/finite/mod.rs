@@ -24,7 +24,7 @@ use gradient::{
     volume_excess,
 };
 use moduli::{ENTRIES, LogModuli, PointFrame, add_volume_curvature, symmetric_product};
-use series::{FEW_TERMS, LogSeries, SMALL, SMALLER, TERMS};
+use series::{LogSeries, SMALL};
 use spectral::{Spectral, log_1p};
 
 mod gradient;
@@ -174,10 +174,11 @@ impl Body {
             let f = deformation_gradient(&gradient);
             let excess = cauchy_green_excess(&gradient);
             let cofactors = cofactors(&f);
-            let (stress, flows) = if largest <= SMALLER {
-                self.stress_by_series::<W, P, L, FEW_TERMS>(e, chunk, first, &f, &excess, &heat)
-            } else if small {
-                self.stress_by_series::<W, P, L, TERMS>(e, chunk, first, &f, &excess, &heat)
+            let (stress, flows) = if small {
+                let series = LogSeries::new(&excess);
+                let log_strain = series.log_strain();
+                let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, log_strain, &heat);
+                (series.first_piola(&f, &log_stress), flows)
             } else {
                 let spectral = Spectral::new::<TANGENT>(&excess);
                 let log_strain = spectral.log_strain();
@@ -222,22 +223,6 @@ impl Body {
         }
         self.tangent.flows[at] = any_flows;
         force
-    }
-
-    /// First Piola–Kirchhoff stress, of the deviator, at P points from `chunk` on, and whether any flows.
-    #[inline(always)]
-    fn stress_by_series<const W: usize, const P: usize, const L: usize, const N: usize>(
-        &mut self,
-        e: usize,
-        chunk: usize,
-        first: usize,
-        f: &TwoPoint<L>,
-        excess: &[Lanes<L>; 6],
-        heat: &ElementHeat<W>,
-    ) -> (TwoPoint<L>, bool) {
-        let series = LogSeries::<L, N>::new(excess);
-        let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, series.log_strain(), heat);
-        (series.first_piola(f, &log_stress), flows)
     }
 
     /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.

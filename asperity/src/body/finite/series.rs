@@ -8,36 +8,39 @@ use super::gradient::TwoPoint;
 use super::spectral::{PAIR, PLACE};
 use crate::lanes::{Lanes, fma};
 
-/// Largest component of the displacement gradient up to which [`LogSeries`] of [`TERMS`] is as exact as
-/// rounding allows, and up to which [`FEW_TERMS`] are: |X| is at most six times as large and a little
-/// more, and the first term left out |X|^N/(N + 1) of the strain.
+/// Largest component of the displacement gradient up to which the series is used: |X| is at most six
+/// times as large and a little more.
 pub const SMALL: f64 = 1e-2;
-pub const TERMS: usize = 11;
-pub const SMALLER: f64 = 2e-3;
-pub const FEW_TERMS: usize = 7;
+/// Terms at [`SMALL`].
+const MOST_TERMS: usize = 11;
+/// Share of the strain in what is left out, |X|^N/(N + 1).
+const LEFT_OUT: f64 = 3e-14;
 
-/// The series of N terms at one point.
-pub struct LogSeries<const W: usize, const N: usize> {
+/// The series at one point.
+pub struct LogSeries<const W: usize> {
     excess: [Lanes<W>; 6],
     /// H_1 to H_N.
-    partial: [[Lanes<W>; 6]; N],
+    partial: [[Lanes<W>; 6]; MOST_TERMS],
+    /// N.
+    terms: usize,
 }
 
-impl<const W: usize, const N: usize> LogSeries<W, N> {
+impl<const W: usize> LogSeries<W> {
     /// Of X, by pairs.
     #[inline(always)]
     pub fn new(excess: &[Lanes<W>; 6]) -> Self {
-        let mut partial = [[[0.0; W]; 6]; N];
-        for k in (0..N).rev() {
+        let terms = terms(excess);
+        let mut partial = [[[0.0; W]; 6]; MOST_TERMS];
+        for k in (0..terms).rev() {
             let coefficient = if k % 2 == 0 { 0.5 } else { -0.5 } / (k + 1) as f64;
-            if k + 1 < N {
+            if k + 1 < terms {
                 partial[k] = commuting_product(excess, &partial[k + 1]);
             }
             for component in &mut partial[k][..3] {
                 component.iter_mut().for_each(|x| *x += coefficient);
             }
         }
-        Self { excess: *excess, partial }
+        Self { excess: *excess, partial, terms }
     }
 
     /// E by pairs.
@@ -50,36 +53,81 @@ impl<const W: usize, const N: usize> LogSeries<W, N> {
     #[inline(always)]
     pub fn first_piola(&self, f: &TwoPoint<W>, log_stress: &[Lanes<W>; 6]) -> TwoPoint<W> {
         let mut sum = [[[0.0; W]; 3]; 3];
-        for k in (0..N).rev() {
-            let mut next = [[[0.0; W]; 3]; 3];
-            for i in 0..3 {
-                for j in 0..3 {
-                    for m in 0..3 {
-                        let (left, stress) = (&self.partial[k][PLACE[i][m]], &log_stress[PLACE[m][j]]);
-                        let (before, right) = (&sum[i][m], &self.excess[PLACE[m][j]]);
-                        for l in 0..W {
-                            next[i][j][l] = fma(left[l], stress[l], next[i][j][l]);
-                            if k + 1 < N {
-                                next[i][j][l] = fma(before[l], right[l], next[i][j][l]);
-                            }
-                        }
-                    }
-                }
+        for (k, partial) in self.partial[..self.terms].iter().enumerate().rev() {
+            if k + 1 < self.terms {
+                sum = after_symmetric(&sum, &self.excess);
             }
-            sum = next;
+            add_product(partial, log_stress, &mut sum);
         }
         let mut piola = [[[0.0; W]; 3]; 3];
         for i in 0..3 {
             for j in 0..3 {
+                let mut value = [0.0; W];
                 for m in 0..3 {
                     for l in 0..W {
-                        piola[i][j][l] = fma(f[i][m][l], sum[m][j][l] + sum[j][m][l], piola[i][j][l]);
+                        value[l] = fma(f[i][m][l], sum[m][j][l] + sum[j][m][l], value[l]);
                     }
                 }
+                piola[i][j] = value;
             }
         }
         piola
     }
+}
+
+/// Number of terms that leave out next to nothing in any lane.
+#[inline(always)]
+fn terms<const W: usize>(excess: &[Lanes<W>; 6]) -> usize {
+    let mut squared = [0.0; W];
+    for (v, component) in excess.iter().enumerate() {
+        let factor = if v < 3 { 1.0 } else { 2.0 };
+        for l in 0..W {
+            squared[l] = fma(factor * component[l], component[l], squared[l]);
+        }
+    }
+    let norm = squared.into_iter().fold(0.0, f64::max).sqrt();
+    let mut power = norm * norm;
+    let mut terms = 2;
+    while power > LEFT_OUT * (terms + 1) as f64 && terms < MOST_TERMS {
+        power *= norm;
+        terms += 1;
+    }
+    terms
+}
+
+/// C += AB of symmetric A and B.
+#[inline(always)]
+fn add_product<const W: usize>(a: &[Lanes<W>; 6], b: &[Lanes<W>; 6], c: &mut TwoPoint<W>) {
+    for i in 0..3 {
+        for j in 0..3 {
+            let mut value = c[i][j];
+            for m in 0..3 {
+                let (x, y) = (&a[PLACE[i][m]], &b[PLACE[m][j]]);
+                for l in 0..W {
+                    value[l] = fma(x[l], y[l], value[l]);
+                }
+            }
+            c[i][j] = value;
+        }
+    }
+}
+
+/// AB of symmetric B.
+#[inline(always)]
+fn after_symmetric<const W: usize>(a: &TwoPoint<W>, b: &[Lanes<W>; 6]) -> TwoPoint<W> {
+    let mut product = [[[0.0; W]; 3]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            let mut value = [0.0; W];
+            for m in 0..3 {
+                for l in 0..W {
+                    value[l] = fma(a[i][m][l], b[PLACE[m][j]][l], value[l]);
+                }
+            }
+            product[i][j] = value;
+        }
+    }
+    product
 }
 
 /// AB of symmetric matrices that commute, which is symmetric, too.
@@ -87,12 +135,14 @@ impl<const W: usize, const N: usize> LogSeries<W, N> {
 fn commuting_product<const W: usize>(a: &[Lanes<W>; 6], b: &[Lanes<W>; 6]) -> [Lanes<W>; 6] {
     let mut product = [[0.0; W]; 6];
     for (v, &(i, j)) in PAIR.iter().enumerate() {
+        let mut value = [0.0; W];
         for k in 0..3 {
             let (x, y) = (&a[PLACE[i][k]], &b[PLACE[k][j]]);
             for l in 0..W {
-                product[v][l] = fma(x[l], y[l], product[v][l]);
+                value[l] = fma(x[l], y[l], value[l]);
             }
         }
+        product[v] = value;
     }
     product
 }
@@ -113,29 +163,24 @@ mod tests {
     /// At the largest gradients, the worst of them with all components alike.
     #[test]
     fn series_and_spectrum_agree_where_the_series_is_used() {
-        fn check<const N: usize>(h: TwoPoint<1>) {
-            let excess = cauchy_green_excess(&h);
-            let f = deformation_gradient(&h);
-            let stress = [[0.7], [-0.4], [0.1], [0.9], [-0.3], [0.5]];
-            let series = LogSeries::<1, N>::new(&excess);
-            let spectral = Spectral::new::<false>(&excess);
-            let (apart, size) = difference(&spectral.log_strain(), &series.log_strain());
-            assert!(apart < 2e-13 * size, "{N} terms, strain: {apart:e} of {size:e}");
-            let exact = PointFrame::new(spectral, &f, &stress).first_piola();
-            let (apart, size) =
-                difference(exact.as_flattened(), series.first_piola(&f, &stress).as_flattened());
-            assert!(apart < 2e-13 * size, "{N} terms, stress: {apart:e} of {size:e}");
-        }
-        for sign in [1.0, -1.0] {
-            check::<TERMS>([[[sign * SMALL]; 3]; 3]);
-            check::<FEW_TERMS>([[[sign * SMALLER]; 3]; 3]);
-            let odd = |size: f64| {
-                std::array::from_fn(|i| {
-                    std::array::from_fn(|j| [sign * size * (1.0 - 0.4 * (i * 2 + j) as f64)])
-                })
-            };
-            check::<TERMS>(odd(SMALL));
-            check::<FEW_TERMS>(odd(SMALLER));
+        for size in [SMALL, 0.2 * SMALL, 0.01 * SMALL] {
+            let alike: TwoPoint<1> = [[[size]; 3]; 3];
+            let against: TwoPoint<1> = [[[-size]; 3]; 3];
+            let odd =
+                std::array::from_fn(|i| std::array::from_fn(|j| [size * (1.0 - 0.25 * (i * 2 + j) as f64)]));
+            for h in [alike, against, odd] {
+                let excess = cauchy_green_excess(&h);
+                let f = deformation_gradient(&h);
+                let stress = [[0.7], [-0.4], [0.1], [0.9], [-0.3], [0.5]];
+                let series = LogSeries::new(&excess);
+                let spectral = Spectral::new::<false>(&excess);
+                let (apart, of) = difference(&spectral.log_strain(), &series.log_strain());
+                assert!(apart < 2e-13 * of, "strain: {apart:e} of {of:e} in {} terms", series.terms);
+                let exact = PointFrame::new(spectral, &f, &stress).first_piola();
+                let found = series.first_piola(&f, &stress);
+                let (apart, of) = difference(exact.as_flattened(), found.as_flattened());
+                assert!(apart < 2e-13 * of, "stress: {apart:e} of {of:e} in {} terms", series.terms);
+            }
         }
     }
 }
