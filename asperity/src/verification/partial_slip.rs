@@ -14,6 +14,7 @@ use super::{Extent, Row, Rows};
 use crate::outcome::Outcome;
 use crate::scene::{FrictionLaw, Scene};
 use crate::simulate::{SimulationError, Watch, simulate};
+use crate::slide::NO_STICK;
 
 const POISSON: f64 = 0.499;
 /// τ₀ = f_τ σ_Y/√3 low enough that the body stays elastic.
@@ -114,11 +115,11 @@ fn shear(elements: usize, watch: &dyn Watch) -> Rows {
     let error = (energies[0] - energies[1]).abs().max(0.547 * (works[0] - works[1]).abs());
     let name = "constant shear: stored energy over its unit";
     rows.push(Row::new(name, energies[0], error, stored, SAVKOOR).allow(DIRECTION, WHY));
+    // Inception counts from where NO_STICK of the area still sticks: c²/a² = 1 − u²/u_s².
     let slip = fine.0.summary.inception_slip;
-    let name = "constant shear: displacement at gross slip";
-    let row = Row::new(name, slip.value, slip.error, gross, SAVKOOR);
-    // Inception counts while up to 1 % of the area sticks: at u_s√(1 − c²/a²) = u_s√0.99.
-    rows.push(row.unit("m").allow(DIRECTION + 0.005, WHY));
+    let name = "constant shear: displacement where a hundredth sticks";
+    let row = Row::new(name, slip.value, slip.error, gross * (1.0 - NO_STICK).sqrt(), SAVKOOR);
+    rows.push(row.unit("m").allow(DIRECTION + 0.5 * ring(elements), RING));
     Ok(rows)
 }
 
@@ -140,7 +141,15 @@ fn coulomb(elements: usize, watch: &dyn Watch) -> Rows {
     let mut rows = curves("Coulomb", runs, force, stick, (elements, MINDLIN));
     let slips = [&fine, &coarse].map(|run| run.0.summary.inception_slip.value / run.2);
     let error = (slips[0] - slips[1]).abs();
-    let row = Row::new("Coulomb: displacement at gross slip over u_s", slips[0], error, 1.0, MINDLIN);
-    rows.push(row.allow(DIRECTION, WHY));
+    // c²/a² = 1 − u/u_s.
+    let name = "Coulomb: displacement where a hundredth sticks over u_s";
+    let row = Row::new(name, slips[0], error, 1.0 - NO_STICK, MINDLIN);
+    rows.push(row.allow(DIRECTION + ring(elements), RING));
     Ok(rows)
+}
+
+/// What half a ring makes of c²/a² where [`NO_STICK`] of the area sticks.
+fn ring(elements: usize) -> f64 {
+    let half = 0.5 / elements as f64;
+    half * (2.0 * NO_STICK.sqrt() + half)
 }
