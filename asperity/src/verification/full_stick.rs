@@ -6,6 +6,7 @@
 
 use super::setup::{mesh, plain_material, scene};
 use super::{Extent, Row, Rows};
+use crate::mesh::EDGE_SIZE;
 use crate::scene::FrictionLaw;
 use crate::simulate::{PressedContact, SimulationError, Watch, press};
 
@@ -24,9 +25,7 @@ pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
     for &(poisson, load, area) in chosen {
         let elements = extent.elements();
         let fine = ratios(poisson, elements, watch)?;
-        let coarser = [elements / 2, 3 * elements / 4].map(|elements| ratios(poisson, elements, watch));
-        let [half, three_quarters] = coarser;
-        let coarser = [half?, three_quarters?];
+        let coarser = [ratios(poisson, elements / 2, watch)?, ratios(poisson, 3 * elements / 4, watch)?];
         // What the two presses have in common cancels: the errors are those of the ratios. They go up and
         // down with the place of the edge between the rings, so two coarser meshes tell more than one.
         // Friction alone makes a press depend on its increments.
@@ -35,7 +34,9 @@ pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
             let quantity = format!("{name} in full stick over frictionless, nu = {poisson}");
             rows.push(Row::new(quantity, of(&fine), apart + floor, reference, SPENCE));
         };
-        row("P", |r| r.load, fine.steps, load);
+        // What friction adds comes with points that touch and hold on from then on: known to a ring.
+        let ring = (fine.load - 1.0).abs() * EDGE_SIZE / elements as f64;
+        row("P", |r| r.load, fine.steps + ring, load);
         row("A", |r| r.area, fine.edge, area);
     }
     Ok(rows)
