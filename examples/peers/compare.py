@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Solves one problem with asperity, CalculiX and GetFEM and prints what each found and took.
 
-    compare.py [--asperity PATH] [--limit SECONDS] [--codes asperity,calculix,getfem] [N_C]...
+    compare.py [--asperity PATH] [--limit SECONDS] [--codes asperity,calculix,getfem] [--rows FILE] [N_C]...
 
 N_C is the number of elements per contact radius, 8 and 16 by default. Each code runs on one thread,
 one after the other; one that has used more processor time than the limit is stopped and shown as
-"more than".
+"more than". What was measured is added to the file given with --rows, one JSON object a line, of which
+chart.py draws error against time.
 """
 
 import argparse
@@ -85,6 +86,7 @@ def main():
     parser.add_argument("--asperity", default="asperity")
     parser.add_argument("--limit", type=int, default=1800, help="processor time of one run, s [1800]")
     parser.add_argument("--codes", default="asperity,calculix,getfem")
+    parser.add_argument("--rows", type=Path, help="file to add the results to")
     arguments = parser.parse_args()
     print("| code | n_c | unknowns | P (N) | Q (N) | A (mm²) | Q/P | processor time (s) | MB |")
     print("|---|---|---|---|---|---|---|---|---|")
@@ -100,6 +102,9 @@ def main():
             row += [cell(found.get("A") if done else None, "{:.4e}"), cell(Q / P if P else None, "{:.4f}")]
             print("| " + " | ".join([*row, time, f"{found['memory']:.0f}"]) + " |")
             sys.stdout.flush()
+            if arguments.rows:
+                with arguments.rows.open("a") as rows:
+                    rows.write(json.dumps({"code": code, "elements": elements, **found}) + "\n")
 
 
 if __name__ == "__main__":

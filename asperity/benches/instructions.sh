@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Instructions that a small case takes, all in all and by function: figures that can be compared between
+# machines and versions, where times cannot.
+#
+#     asperity/benches/instructions.sh            # prints them beside the recorded ones
+#     asperity/benches/instructions.sh --record   # and records them in instructions.txt
+#
+# Needs valgrind, which knows no AVX-512: the program is compiled for x86-64-v3 (AVX2) instead of the
+# machine at hand, into target/instructions.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+record=asperity/benches/instructions.txt
+
+RUSTFLAGS="-C target-cpu=x86-64-v3" cargo build --quiet --locked --release -p asperity \
+    --target-dir target/instructions
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+count() {
+    local strain=$1
+    RAYON_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file="$work/$strain.out" --quiet \
+        target/instructions/release/asperity run examples/scenes/single-asperity.toml \
+        --output "$work/$strain.nc" --quiet --set "model.kinematics=$strain" \
+        --set loading.slip_distance=0.2 --set numerics.elements_per_radius=4 --set numerics.sectors=4
+    printf '%s strain: 20 omega_c, 1 m/s, slide 0.2 a0, 4 elements and angles, with companions\n' "$strain"
+    # Millions of instructions; hashes of symbols are left out.
+    callgrind_annotate --threshold=90 "$work/$strain.out" | awk '
+        /PROGRAM TOTALS/ { gsub(",", "", $1); printf "%10.0f  all\n", $1 / 1e6 }
+        /\([ 0-9.]+%\)/ && !/PROGRAM TOTALS/ {
+            gsub(",", "", $1); millions = $1 / 1e6
+            sub(/^[^:]*:/, ""); sub(/ \[.*/, ""); sub(/::h[0-9a-f]+$/, "")
+            if (millions >= 20) printf "%10.0f  %s\n", millions, $0
+        }'
+}
+
+{ count small; count finite; } > "$work/now.txt"
+if [ "${1-}" = --record ]; then
+    cp "$work/now.txt" "$record"
+fi
+diff --side-by-side --width=200 "$record" "$work/now.txt" || true
