@@ -9,7 +9,7 @@
 //! (2008), eq. (7.120).
 
 use crate::element::{
-    CORNERS, POINTS, RevolvedMesh, VALUES, deviators_and_dilatation, shape_at_points, stress_force,
+    CORNERS, POINTS, RevolvedMesh, deviators_and_dilatation, shape_at_points, stress_force,
 };
 use crate::lanes::Lanes;
 use crate::material::{Return, Solid};
@@ -19,29 +19,14 @@ mod energies;
 mod heat;
 mod mises;
 mod nodal;
+mod state;
 mod surface;
+mod tangent;
 
 use heat::PointHeat;
 pub use mises::LargestMises;
 pub use nodal::NODAL;
-
-/// History of all Gauss points: element by element, point by point, component by component,
-/// angles as lanes.
-#[derive(Clone, Debug)]
-pub struct BodyState {
-    /// Plastic strain (deviatoric), 6 components.
-    plastic_strain: Vec<f64>,
-    /// Deviatoric stress, 6 components.
-    deviator: Vec<f64>,
-    /// Equivalent plastic strain.
-    accumulated: Vec<f64>,
-    /// Strength without softening at that strain, kept to spare its power law.
-    strength: Vec<f64>,
-    /// Mean stress, one per element.
-    mean_stress: Vec<f64>,
-    /// Mean temperature rise, one per element.
-    rise: Vec<f64>,
-}
+pub use state::BodyState;
 
 /// Consistent tangent at points that flow: 2G(1 − softening)·dev − radial·(n:e)n.
 #[derive(Clone, Debug)]
@@ -92,47 +77,6 @@ macro_rules! by_lanes {
 }
 
 mod finite;
-
-impl BodyState {
-    fn new(elements: usize, lanes: usize) -> Self {
-        let points = elements * POINTS * lanes;
-        Self {
-            plastic_strain: vec![0.0; points * TENSOR],
-            deviator: vec![0.0; points * TENSOR],
-            accumulated: vec![0.0; points],
-            strength: vec![1.0; points],
-            mean_stress: vec![0.0; elements * lanes],
-            rise: vec![0.0; elements * lanes],
-        }
-    }
-
-    /// Largest equivalent plastic strain.
-    pub fn largest_plastic_strain(&self) -> f64 {
-        self.accumulated.iter().fold(0.0, |m, &x| m.max(x))
-    }
-
-    /// The same axisymmetric state in each of `lanes` sectors.
-    fn spread(&self, lanes: usize) -> Self {
-        let spread = |v: &[f64]| v.iter().flat_map(|&x| std::iter::repeat_n(x, lanes)).collect();
-        Self {
-            plastic_strain: spread(&self.plastic_strain),
-            deviator: spread(&self.deviator),
-            accumulated: spread(&self.accumulated),
-            strength: spread(&self.strength),
-            mean_stress: spread(&self.mean_stress),
-            rise: spread(&self.rise),
-        }
-    }
-
-    fn copy_from(&mut self, other: &Self) {
-        self.plastic_strain.copy_from_slice(&other.plastic_strain);
-        self.deviator.copy_from_slice(&other.deviator);
-        self.accumulated.copy_from_slice(&other.accumulated);
-        self.strength.copy_from_slice(&other.strength);
-        self.mean_stress.copy_from_slice(&other.mean_stress);
-        self.rise.copy_from_slice(&other.rise);
-    }
-}
 
 impl Body {
     /// Virgin body.
@@ -406,79 +350,6 @@ impl Body {
             return by_lanes!(self.finite_tangent_product(u, force));
         }
         by_lanes!(self.tangent_product_lanes(u, force));
-    }
-
-    fn tangent_product_lanes<const W: usize>(&mut self, u: &[f64], force: &mut [f64]) {
-        force.fill(0.0);
-        self.on_slope.fill(0.0);
-        self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
-        let lanes = self.mesh.sectors.columns();
-        for (e, element) in self.mesh.elements.iter().enumerate() {
-            for first in (0..lanes).step_by(W) {
-                let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
-                let nodal_force = self.small_tangent_force(e, first, &displacement);
-                self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
-            }
-        }
-        self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
-    }
-
-    /// Product of an element's tangent at small strain.
-    #[inline(always)]
-    fn small_tangent_force<const W: usize>(
-        &self,
-        e: usize,
-        first: usize,
-        displacement: &[[Lanes<W>; VALUES]; CORNERS],
-    ) -> [[Lanes<W>; VALUES]; CORNERS] {
-        let at = e * self.mesh.sectors.columns() + first;
-        let mut force = if self.tangent.flows[at] {
-            self.plastic_element_force(e, first, displacement)
-        } else {
-            crate::elastic::element_force(&self.mesh.elements[e], self.solid.moduli, displacement)
-        };
-        if !self.tangent.stiffness.is_empty() {
-            let stiffness = &self.tangent.stiffness[at..][..W];
-            for component in force.iter_mut().flatten() {
-                (0..W).for_each(|l| component[l] *= stiffness[l]);
-            }
-        }
-        force
-    }
-
-    #[inline(always)]
-    fn plastic_element_force<const W: usize>(
-        &self,
-        e: usize,
-        first: usize,
-        displacement: &[[Lanes<W>; VALUES]; CORNERS],
-    ) -> [[Lanes<W>; VALUES]; CORNERS] {
-        let element = &self.mesh.elements[e];
-        let (mut stresses, dilatation) = deviators_and_dilatation(element, displacement);
-        for q in 0..POINTS {
-            let coefficient = |i: usize| self.coefficient::<W>(e, q, i, first);
-            let (shear, radial) = (coefficient(0), coefficient(1));
-            let stress = &mut stresses[q];
-            // n is stale where nothing flows, and its factor zero.
-            let mut projection = [0.0; W];
-            for i in 0..TENSOR {
-                let direction = coefficient(2 + i);
-                let factor = if i < 3 { 1.0 } else { 2.0 };
-                for l in 0..W {
-                    projection[l] += factor * direction[l] * stress[i][l];
-                }
-            }
-            let weight = element.weight[q];
-            for (i, component) in stress.iter_mut().enumerate() {
-                let direction = coefficient(2 + i);
-                for l in 0..W {
-                    let mean = if i < 3 { self.solid.moduli.bulk * dilatation[l] } else { 0.0 };
-                    component[l] =
-                        weight * (shear[l] * component[l] + radial[l] * projection[l] * direction[l] + mean);
-                }
-            }
-        }
-        stress_force(element, &stresses)
     }
 }
 

@@ -5,10 +5,13 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use crate::body::{Body, Purpose};
-use crate::contact::{Contact, Flat, Status};
+use crate::contact::{Contact, Flat};
 use crate::harmonic::HarmonicFactors;
 use crate::preconditioner::Preconditioner;
 use crate::timings::{Kernel, Timings};
+use flutter::Flutter;
+
+mod flutter;
 
 /// Residual below which a state is good enough to ask for its temperature and contact edge.
 const REFRESH: f64 = 3e-2;
@@ -16,8 +19,6 @@ const REFRESH: f64 = 3e-2;
 /// a few at a time: at 0.001 omega_c that took up to 50 iterations, elsewhere fewer than 30.
 const NEWTON_LIMIT: usize = 60;
 const KRYLOV_LIMIT: usize = 400;
-/// Times that a point may touch and lift off in one step before it goes without friction there.
-const FLUTTER_LIMIT: u8 = 2;
 /// Share of the friction that may be gone without so: more than the outermost ring of the coarsest mesh has
 /// is another problem than the one posed. Ordinary slides stay below 0.02; at 0.001 omega_c, with a
 /// shear strength of some twenty times the pressure, all of the friction went.
@@ -382,51 +383,6 @@ pub struct Surroundings {
     pub rise: Option<Vec<f64>>,
     /// Whether they agree with the state that they depend on.
     pub settled: bool,
-}
-
-/// Points that touch and lift off in turn.
-///
-/// The shear traction at the limit does not fall to nothing with the pressure, so it jumps when a
-/// point lifts off, and Newton's method can go to and fro over the jump for ever. Such a point
-/// bears next to no pressure, at the very edge.
-struct Flutter {
-    open: Vec<bool>,
-    changes: Vec<u8>,
-    /// Shear limits that points would have that go without.
-    taken: Vec<f64>,
-}
-
-impl Flutter {
-    fn new(points: usize) -> Self {
-        Self { open: Vec::new(), changes: vec![0; points], taken: vec![0.0; points] }
-    }
-
-    /// Notes the present state, and takes the friction from points that have changed too often.
-    fn damp(&mut self, contact: &Contact, limit: &mut [f64]) -> bool {
-        let open: Vec<bool> = contact.trial.status.iter().map(|&s| s == Status::Open).collect();
-        let mut damped = false;
-        for i in 0..self.open.len() {
-            if open[i] != self.open[i] {
-                self.changes[i] = self.changes[i].saturating_add(1);
-            }
-            if self.changes[i] > FLUTTER_LIMIT && limit[i].is_finite() && limit[i] > 0.0 {
-                self.taken[i] = std::mem::take(&mut limit[i]);
-                damped = true;
-            }
-        }
-        self.open = open;
-        damped
-    }
-
-    /// Of the friction that the points in contact could have, what was taken from them.
-    fn share(&self, contact: &Contact, limit: &[f64]) -> f64 {
-        let (mut taken, mut left) = (0.0, 0.0);
-        for i in (0..limit.len()).filter(|&i| contact.trial.status[i] != Status::Open) {
-            taken += contact.areas[i] * self.taken[i];
-            left += contact.areas[i] * limit[i];
-        }
-        if taken > 0.0 { taken / (taken + left) } else { 0.0 }
-    }
 }
 
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
