@@ -1,14 +1,14 @@
 //! Transient heat conduction in the body, heated at the contact and by plastic work.
 //!
 //! ρcθ̇ = ∇·(k∇θ) + sources for the rise θ above the initial temperature, which the base and the
-//! flat keep. Lumped heat capacity; properties that depend on temperature are in `varying`. Time: the two-stage L-stable SDIRK of
-//! second order (Alexander 1977, SIAM J. Numer. Anal. 14, 1006), whose stages share one
-//! matrix. Heat that depends on the contact's own temperature (softening friction, gap
-//! conductance) is implicit: a small dense problem on the contact's Schur complement.
+//! flat keep. Lumped heat capacity; properties that depend on temperature are in `varying`. Time: the
+//! two-stage L-stable SDIRK of second order (Alexander 1977, SIAM J. Numer. Anal. 14, 1006), whose
+//! stages share one matrix. Heat that depends on the contact's own temperature (softening friction,
+//! gap conductance) is implicit: a small dense problem on the contact's Schur complement.
 
 use std::sync::Arc;
 
-use faer::linalg::solvers::SolveCore;
+use faer::linalg::solvers::{Llt, SolveCore};
 use faer::{Mat, MatMut, Side};
 
 use crate::element::{CORNERS, POINTS, RevolvedMesh, shape_at_points};
@@ -22,7 +22,9 @@ use varying::Varying;
 
 /// 1 − 1/√2.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
-const CONTACT_ITERATIONS: usize = 30;
+const CONTACT_ITERATIONS: usize = 40;
+/// Reduction of the change in one iteration at the contact that is too little for slopes of before.
+const SLOW: f64 = 0.1;
 
 /// Why a step of conduction was not solved.
 #[derive(Debug, thiserror::Error)]
@@ -69,6 +71,20 @@ pub struct Conduction {
     /// None where specific heat and conductivity are constant.
     varying: Option<Varying>,
     pub committed: Vec<f64>,
+}
+
+/// The contact's Schur complement with slopes of the heat flows, factorised.
+struct Chord {
+    slopes: Vec<f64>,
+    factor: Llt<f64>,
+}
+
+/// What the stages of a step share.
+struct Stages<'a> {
+    matrix: &'a StepMatrix,
+    /// γΔt.
+    scale: f64,
+    chord: Option<Chord>,
 }
 
 /// M + γΔt·K.
@@ -167,14 +183,15 @@ impl Conduction {
             rhs[i] = self.mass[i] * self.committed[i] + GAMMA * body[i];
         }
         let mut first = vec![0.0; n];
-        let flow_first = self.stage(matrix, &rhs, GAMMA * dt, heat, &self.committed, &mut first)?;
+        let mut stages = Stages { matrix, scale: GAMMA * dt, chord: None };
+        let flow_first = self.stage(&mut stages, &rhs, heat, &self.committed, &mut first)?;
         let ratio = (1.0 - GAMMA) / GAMMA;
         for i in 0..n {
             let start = self.committed[i] + ratio * (first[i] - self.committed[i]);
             rhs[i] = self.mass[i] * start + GAMMA * body[i];
         }
         let mut last = vec![0.0; n];
-        let flow_last = self.stage(matrix, &rhs, GAMMA * dt, heat, &first, &mut last)?;
+        let flow_last = self.stage(&mut stages, &rhs, heat, &first, &mut last)?;
         let weighted = |a: f64, b: f64| dt * ((1.0 - GAMMA) * a + GAMMA * b);
         let balance = HeatBalance {
             contact: weighted(flow_first.0 + flow_first.1, flow_last.0 + flow_last.1),
@@ -186,15 +203,19 @@ impl Conduction {
     }
 
     /// Solves (M + γΔtK)θ = rhs + γΔt·q(θ) with q at the contact; returns the net flow and the loss.
+    ///
+    /// The dense system takes most of the time, so its factor is kept from iteration to iteration and from
+    /// stage to stage until its slopes are too far off.
     fn stage(
         &self,
-        matrix: &StepMatrix,
+        stages: &mut Stages<'_>,
         rhs: &[f64],
-        scale: f64,
         heat: &dyn ContactHeat,
         guess: &[f64],
         solution: &mut [f64],
     ) -> Result<(f64, f64), HeatError> {
+        let Stages { matrix, scale, chord } = stages;
+        let scale = *scale;
         let factors = &matrix.factors;
         let mut modal = vec![0.0; factors.modal_length()];
         factors.to_modal(rhs, &mut modal);
@@ -207,14 +228,18 @@ impl Conduction {
         let mut rise: Vec<f64> = self.contact_places.iter().map(|&p| guess[p]).collect();
         let mut residual = f64::INFINITY;
         for _ in 0..CONTACT_ITERATIONS {
-            // Newton: (S − γΔt q′)θ = f + γΔt(q − q′θ).
+            // (S − γΔt q₁′)θ = f + γΔt(q − q₁′θ), with slopes q₁′ of now or of before.
             let flows: Vec<(f64, f64)> = (0..rise.len()).map(|i| heat.flow(i, rise[i])).collect();
-            let jacobian = self.contact_jacobian(matrix, scale, |point| flows[point].1);
+            let Chord { slopes, factor } = chord.get_or_insert_with(|| {
+                let slopes: Vec<f64> = flows.iter().map(|flow| flow.1).collect();
+                let jacobian = self.contact_jacobian(matrix, scale, |point| slopes[point]);
+                let factor = jacobian.llt(Side::Lower).expect("heat flow falls with temperature");
+                Chord { slopes, factor }
+            });
             contact.copy_from_slice(&free);
             for ring in 0..size / columns {
-                let points = &flows[ring * columns..(ring + 1) * columns];
-                let load: Vec<f64> = (0..columns)
-                    .map(|j| scale * (points[j].0 - points[j].1 * rise[ring * columns + j]))
+                let load: Vec<f64> = (ring * columns..(ring + 1) * columns)
+                    .map(|point| scale * (flows[point].0 - slopes[point] * rise[point]))
                     .collect();
                 // The apex has the mean alone.
                 let harmonics = if self.is_apex(ring) { 1 } else { columns };
@@ -224,7 +249,6 @@ impl Conduction {
                     }
                 }
             }
-            let factor = jacobian.llt(Side::Lower).expect("heat flow falls with temperature");
             factor.solve_in_place_with_conj(
                 faer::Conj::No,
                 MatMut::from_column_major_slice_mut(contact, size, 1),
@@ -241,9 +265,12 @@ impl Conduction {
                     rise[ring * columns + j] = value;
                 }
             }
-            residual = change / largest;
+            let before = std::mem::replace(&mut residual, change / largest);
             if residual <= 1e-11 {
                 break;
+            }
+            if residual > SLOW * before {
+                *chord = None;
             }
         }
         // Rounding may keep the last digits from settling.
