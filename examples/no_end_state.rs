@@ -52,7 +52,10 @@ fn main() -> anyhow::Result<()> {
     let (cases, meshes, end) = if coarse { (&CASES[..3], [4, 8], 0.15) } else { (&CASES[..], [6, 12], 0.3) };
     let shown = [0.02, 0.05, 0.1, 0.2, 0.3].map(|share| share * end / 0.3);
 
-    println!("mu on {} and {} elements per contact radius, after a slip in contact radii of", meshes[0], meshes[1]);
+    println!(
+        "mu on {} and {} elements per contact radius, after a slip in contact radii of",
+        meshes[0], meshes[1]
+    );
     println!("{:<24}{}", "", shown.map(|slip| format!("{slip:>14.3}")).concat());
     let mut panels = Vec::new();
     for &(name, changes) in cases {
@@ -63,7 +66,8 @@ fn main() -> anyhow::Result<()> {
             overrides.push(format!("loading.slip_distance={end}"));
             runs.push(simulate(&parse_scene(SCENE, "this example", &overrides)?, &Unwatched)?);
         }
-        let row = shown.map(|slip| format!("{:>8.3} {:.3}", friction(&runs[0], slip), friction(&runs[1], slip)));
+        let row =
+            shown.map(|slip| format!("{:>8.3} {:.3}", friction(&runs[0], slip), friction(&runs[1], slip)));
         println!("{name:<24}{}", row.concat());
         panels.push(panel(name, &runs, meshes));
     }

@@ -122,13 +122,8 @@ fn figure(curves: &[(Case, Vec<Pressed>)]) -> Figure {
         |omega, strain| jackson_green::load(omega, strain, ELASTIC.1),
         |omega, _| kogut_etsion::load(omega, ELASTIC.1),
     );
-    let area: (&str, Part, f64, Fit, Fit) = (
-        "A/A_Hertz",
-        |pressed| pressed.area,
-        1.0,
-        jackson_green::area,
-        |omega, _| kogut_etsion::area(omega),
-    );
+    let area: (&str, Part, f64, Fit, Fit) =
+        ("A/A_Hertz", |pressed| pressed.area, 1.0, jackson_green::area, |omega, _| kogut_etsion::area(omega));
     let mut panels = Vec::new();
     for (label, part, power, jackson, kogut) in [load, area] {
         let mut shown = Vec::new();

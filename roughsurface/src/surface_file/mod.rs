@@ -33,8 +33,8 @@ mod tests;
 use crate::heights;
 use crate::query::{Pressing, Query, Surface};
 use crate::uncertainty::{Parameter, Uncertain};
-pub(crate) use explain::nearest;
 use explain::{explain, one_line};
+pub(crate) use explain::{nearest, short};
 use keys::{FileKeys, SurfaceKeys, allowed, positive, radii_of};
 use std::path::{Path, PathBuf};
 use tables::closed_forms::ElasticPlastic;
@@ -61,7 +61,7 @@ pub struct SurfaceFile {
 pub enum SurfaceFileError {
     #[error("{}: cannot be read: {reason}", .file.display())]
     Unreadable { file: PathBuf, reason: String },
-    #[error("{}{}: {what}", .file.display(), .line.map(|line| format!(":{line}")).unwrap_or_default())]
+    #[error("{}{}: {}", .file.display(), .line.map(|line| format!(":{line}")).unwrap_or_default(), short(.what))]
     Content { file: PathBuf, line: Option<usize>, what: String },
 }
 
@@ -72,8 +72,7 @@ impl SurfaceFile {
 
         /// Far more than anyone writes, and less than a device that never ends.
         const MOST: u64 = 16 << 20;
-        let unreadable =
-            |reason: String| SurfaceFileError::Unreadable { file: file.to_path_buf(), reason };
+        let unreadable = |reason: String| SurfaceFileError::Unreadable { file: file.to_path_buf(), reason };
         let mut text = String::new();
         std::fs::File::open(file)
             .and_then(|opened| opened.take(MOST + 1).read_to_string(&mut text))

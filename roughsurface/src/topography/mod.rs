@@ -25,6 +25,8 @@ mod synthetic;
 
 use std::path::{Path, PathBuf};
 
+use crate::surface_file::short;
+
 /// Heights on a regular grid: a map, or a profile if there is one row only.
 ///
 /// ```
@@ -82,7 +84,7 @@ impl Topography {
 
 /// What is wrong with a topography, in one line.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {what}", .file.display())]
+#[error("{}: {}", .file.display(), short(.what))]
 pub struct TopographyError {
     pub file: PathBuf,
     pub what: String,
