@@ -1,15 +1,19 @@
 #!/usr/bin/env bash
 # Makes the figures of the book and of the README anew: docs/src/figures/.
 #
-#   docs/figures.sh [friction] [run] [convergence] [bearing]      default: all of them
+#   docs/figures.sh [friction] [run] [convergence] [bearing] [transition] [press] [no-end-state]
+#                                                                default: all of them
 #
 # friction      examples/friction-of-steel.sh, the main job: friction.png, table.svg
 # run           asperity run examples/scenes/single-asperity.toml --plot: run.png
 # convergence   asperity convergence examples/scenes/single-asperity.toml --plot: convergence.svg
 # bearing       roughsurface predict examples/scenes/bearing-steel.toml --compare all --plot: bearing.svg
+# transition    the example elastic_to_plastic, from the shipped tables: transition.svg
+# press         the example press_curves: press.svg
+# no-end-state  the example no_end_state: no-end-state.svg
 #
 # What they are drawn from is kept in target/figures. Processor time: run 22 s, convergence 165 s, friction one
-# minute, bearing 1 s, and that of the build.
+# minute, bearing and transition 1 s, press 42 s, no-end-state 260 s, and that of the build.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -17,11 +21,12 @@ figures=docs/src/figures
 data=target/figures
 scenes=examples/scenes
 mkdir -p "$data"
-[ $# -gt 0 ] || set -- friction run convergence bearing
+[ $# -gt 0 ] || set -- friction run convergence bearing transition press no-end-state
 
-cargo build --locked --release --workspace
+cargo build --locked --release --workspace --bins --examples
 asperity=target/release/asperity
 roughsurface=target/release/roughsurface
+examples=target/release/examples
 
 for figure; do
     begun=$SECONDS
@@ -42,6 +47,15 @@ for figure; do
     bearing)
         $roughsurface predict $scenes/bearing-steel.toml --table model:jackson-green --compare all \
             -o "$data/bearing.nc" --plot "$figures/bearing.svg"
+        ;;
+    transition)
+        $examples/elastic_to_plastic "$figures/transition.svg" > "$data/transition.txt"
+        ;;
+    press)
+        $examples/press_curves "$figures/press.svg" > "$data/press.txt"
+        ;;
+    no-end-state)
+        $examples/no_end_state "$figures/no-end-state.svg" > "$data/no-end-state.txt"
         ;;
     *)
         sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2

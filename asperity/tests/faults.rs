@@ -1,6 +1,7 @@
-//! What may befall a long tabulation, done to the real program: killed at any moment, a full disk,
-//! a directory that goes away or cannot be written, two programs at one table. What is finished is
-//! kept, and the table in the end is that of an undisturbed run.
+//! What may befall a long tabulation, done to the real program: killed at any moment, a journal cut
+//! anywhere, a full disk, a directory that goes away or cannot be written, a clock that is wrong, names that
+//! are links or no text, two programs at one table. What is finished is kept, and the table in the end is
+//! that of an undisturbed run.
 #![cfg(target_os = "linux")]
 
 use std::path::{Path, PathBuf};
@@ -217,4 +218,151 @@ fn two_programs_do_not_disturb_each_other() {
         assert!(message(output).contains("another program is making this table"), "{}", message(output));
     }
     assert_undisturbed(folder.path());
+}
+
+/// A journal cut anywhere, as by a crash of the machine, and one with a damaged byte: what is whole before
+/// the cut is taken, what is not is done again.
+#[test]
+fn a_cut_journal_continues_with_all_that_is_whole() {
+    let _alone = alone();
+    let folder = folder();
+    let journal = folder.path().join("table.nc.part");
+    let mut child = tabulate(folder.path(), &[]).spawn().unwrap();
+    let mut whole = Vec::new();
+    while whole.iter().filter(|byte| **byte == b'\n').count() < 4 {
+        whole = std::fs::read(&journal).unwrap_or_default();
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let ends: Vec<usize> = (0..whole.len()).filter(|place| whole[*place] == b'\n').collect();
+
+    let mut cuts = vec![0, 1, ends[0] - 1, ends[0], ends[0] + 1, ends[1] - 1, ends[1] + 9, ends[2] + 1];
+    cuts.push((ends[1] + ends[2]) / 2);
+    for cut in cuts {
+        std::fs::write(&journal, &whole[..cut]).unwrap();
+        let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "cut at {cut}: {}", message(&output));
+        // A line may lack nothing but its end.
+        let kept = ends.iter().filter(|end| **end <= cut).count().saturating_sub(1);
+        let taken = format!("{kept} cells were taken from the interrupted run");
+        assert!(message(&output).contains(&taken), "cut at {cut}: {}", message(&output));
+        assert_undisturbed(folder.path());
+        std::fs::remove_file(folder.path().join("table.nc")).unwrap();
+    }
+
+    // A byte of the second result.
+    let mut damaged = whole.clone();
+    damaged[(ends[1] + ends[2]) / 2] ^= 1;
+    std::fs::write(&journal, &damaged[..=ends[2]]).unwrap();
+    let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    assert!(message(&output).contains("1 cells were taken"), "{}", message(&output));
+    assert_undisturbed(folder.path());
+}
+
+/// Files from the future, and before the beginning of time: nothing depends on what a clock says.
+#[test]
+fn files_may_be_of_any_date() {
+    let _alone = alone();
+    let folder = folder();
+    let mut child = tabulate(folder.path(), &[]).spawn().unwrap();
+    while journalled(folder.path()) < 2 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    for (name, date) in [("request.toml", "2099-01-01"), ("table.nc.part", "1950-01-01"), (".", "2090-01-01")]
+    {
+        let touched = Command::new("touch").args(["-d", date, name]).current_dir(folder.path()).status();
+        assert!(touched.unwrap().success());
+    }
+    let output = tabulate(folder.path(), &["--resume"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    assert_undisturbed(folder.path());
+}
+
+/// A clock that is set back by an hour at every look at it, where the library that does so is installed
+/// (`apt-get install libfaketime`).
+#[test]
+fn a_clock_may_go_backwards() {
+    let _alone = alone();
+    let library = std::fs::read_dir("/usr/lib").into_iter().flatten().flatten();
+    let library =
+        library.map(|entry| entry.path().join("faketime/libfaketime.so.1")).find(|path| path.exists());
+    let Some(library) = library else {
+        eprintln!("skipped: no libfaketime here");
+        return;
+    };
+    let folder = folder();
+    let mut command = tabulate(folder.path(), &["--progress", "--timings"]);
+    // Of the clock of the day alone: a monotonic one does not do so.
+    command.env("LD_PRELOAD", library).env("FAKETIME", "-1h i-3600").env("FAKETIME_DONT_FAKE_MONOTONIC", "1");
+    let output = command.output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    assert!(!message(&output).contains("panicked"), "{}", message(&output));
+    assert_undisturbed(folder.path());
+}
+
+/// A table whose name is a link is written where the link leads to; the link stays.
+#[test]
+fn tables_are_written_through_links() {
+    let _alone = alone();
+    let folder = folder();
+    std::fs::create_dir_all(folder.path().join("large disk")).unwrap();
+    std::os::unix::fs::symlink("request.toml", folder.path().join("linked.toml")).unwrap();
+    for (link, target) in [("table.nc", "large disk/table.nc"), ("figure.svg", "large disk/figure.svg")] {
+        std::os::unix::fs::symlink(target, folder.path().join(link)).unwrap();
+    }
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    command.args(["tabulate", "linked.toml", "-o", "table.nc", "--jobs", "2", "--plot", "figure.svg"]);
+    let output = command.current_dir(folder.path()).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    for name in ["table.nc", "figure.svg"] {
+        assert!(folder.path().join(name).is_symlink(), "{name}");
+        assert!(folder.path().join("large disk").join(name).metadata().unwrap().is_file(), "{name}");
+    }
+    assert_undisturbed(folder.path());
+    assert_eq!(std::fs::read_dir(folder.path().join("large disk")).unwrap().count(), 2);
+}
+
+/// Names with spaces and names that are not UTF-8, of the request, the table and its folder.
+#[test]
+fn names_may_be_anything() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let _alone = alone();
+    let folder = folder();
+    let odd = folder.path().join(OsStr::from_bytes(b"a folder \xff\xfe"));
+    std::fs::create_dir(&odd).unwrap();
+    let [request, table, figure] = [&b"request \xff.toml"[..], b"my table \xff.nc", b"\xe9.svg"]
+        .map(|name| odd.join(OsStr::from_bytes(name)));
+    std::fs::rename(folder.path().join("request.toml"), &request).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    command
+        .arg("tabulate")
+        .arg(&request)
+        .arg("-o")
+        .arg(&table)
+        .arg("--plot")
+        .arg(&figure)
+        .args(["--jobs", "2"]);
+    let output = command.current_dir(folder.path()).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(content(&table), undisturbed());
+    assert!(figure.exists());
+    assert_eq!(std::fs::read_dir(&odd).unwrap().count(), 3, "something was left behind");
+}
+
+/// A device in the place of the output would be replaced by the file.
+#[test]
+fn what_is_no_file_is_not_replaced() {
+    let _alone = alone();
+    let folder = folder();
+    let _socket = std::os::unix::net::UnixListener::bind(folder.path().join("table.nc")).unwrap();
+    let output = tabulate(folder.path(), &[]).output().unwrap();
+    assert_eq!(output.status.code(), Some(2), "{}", message(&output));
+    assert!(message(&output).contains("table.nc: is not a regular file"), "{}", message(&output));
+    assert!(!folder.path().join("table.nc").metadata().unwrap().is_file());
 }

@@ -4,7 +4,9 @@
 #   array=$(sbatch --parsable --array=1-4 examples/snakemake/slurm-array.sh request.toml table.nc)
 #   sbatch --dependency=afterok:$array --wrap "asperity merge table.nc.shards/*.nc -o table.nc"
 #
-# A shard that ran out of time goes on where it stopped if it is submitted again.
+# If a shard runs out of time or is killed, the merge waits for ever (DependencyNeverSatisfied): cancel it and
+# submit both again. Shards that are done end at once, the others go on where they stopped. To submit one shard
+# alone, say how many there are: sbatch --array=2 examples/snakemake/slurm-array.sh request.toml table.nc 4
 #SBATCH --job-name=asperity
 #SBATCH --cpus-per-task=1
 #SBATCH --mem-per-cpu=1G
@@ -12,8 +14,14 @@
 set -euo pipefail
 request=$1
 table=$2
+shards=${3:-$SLURM_ARRAY_TASK_COUNT}
 shard=$table.shards/$SLURM_ARRAY_TASK_ID.nc
 mkdir -p "$table.shards"
+# Its journal is gone with the table written: it would be made again from the beginning.
+if [ -s "$shard" ]; then
+    echo "$shard is done"
+    exit 0
+fi
 # Status 1 with a file: some cells failed and are marked so in it; the others are worth merging.
-asperity tabulate "$request" -o "$shard" --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
+asperity tabulate "$request" -o "$shard" --shard "$SLURM_ARRAY_TASK_ID/$shards" \
     --jobs "${SLURM_CPUS_PER_TASK:-1}" --resume --quiet || { [ $? -eq 1 ] && [ -s "$shard" ]; }

@@ -72,6 +72,46 @@ fn a_press_lies_near_jackson_and_green() {
 }
 
 #[test]
+fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = printed("elastic_to_plastic", folder.path(), &["figure.svg"]);
+    let rows: Vec<&str> = text.lines().filter(|line| line.contains('±')).collect();
+    assert_eq!(rows.len(), 8, "{text}");
+    for row in rows.iter().filter(|row| number(row, 0) < 1.0) {
+        let (friction, error, limit) = (number(row, 1), number(row, 3), number(row, 4));
+        assert!((friction - limit).abs() < error, "{row}");
+    }
+    let last = rows.last().unwrap();
+    assert!((number(last, 1) - 0.206).abs() < 0.01 && number(last, 5) < 0.9, "{text}");
+    assert!(std::fs::read_to_string(folder.path().join("figure.svg")).unwrap().contains("plastic limit"));
+}
+
+#[test]
+fn presses_lie_between_the_fits() {
+    let text = printed("press_curves", Path::new("."), &["coarse"]);
+    let rows: Vec<&str> = text.lines().filter(|line| line.ends_with('%')).collect();
+    assert_eq!(rows.len(), 10, "{text}");
+    // Off Jackson & Green, load and area, in per cent.
+    assert!(rows.iter().all(|row| number(row, 2).abs() < 5.5 && number(row, 7).abs() < 5.5), "{text}");
+}
+
+#[test]
+fn friction_follows_the_mesh_where_nothing_hardens_and_only_there() {
+    let text = printed("no_end_state", Path::new("."), &["coarse"]);
+    let ends: Vec<[f64; 2]> = text
+        .lines()
+        .skip(2)
+        .map(|row| {
+            let words = row.split_whitespace().count();
+            [number(row, words - 2), number(row, words - 1)]
+        })
+        .collect();
+    let apart = |[coarse, fine]: &[f64; 2]| (fine / coarse - 1.0).abs();
+    assert_eq!(ends.len(), 3, "{text}");
+    assert!(apart(&ends[0]) > 0.1 && ends[1..].iter().all(|ends| apart(ends) < 0.05), "{text}");
+}
+
+#[test]
 fn friction_of_a_rough_surface_from_a_closed_form_hardly_depends_on_pressure() {
     let text = printed("rough_surface", Path::new("."), &[]);
     let rows: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("pressure")).skip(1).collect();

@@ -115,6 +115,41 @@ pub enum UncertaintyError {
 
 /// Repeats the prediction `base` for the law called `table` with every uncertain parameter of
 /// `file` moved up and down, and with its other tables.
+///
+/// ```
+/// use roughsurface::friction::{Settings, predict};
+/// use roughsurface::law_source::asperity_law;
+/// use roughsurface::surface_file::SurfaceFile;
+/// use roughsurface::uncertainty::{OUTPUTS, propagate};
+///
+/// let text = r#"
+/// [surface]
+/// asperity_density = 1e10      # 1/m2
+/// asperity_radius = 100e-6     # m
+/// heights = { distribution = "exponential", std = 0.5e-6 }
+/// [query]
+/// pressure = [1e6]             # nominal, Pa
+/// slip_rate = [1.0]            # m/s
+/// [material]
+/// youngs_modulus = 205e9
+/// poisson_ratio = 0.29
+/// yield_strength = 792e6
+/// [uncertainty]
+/// asperity_density = 1e9       # standard deviations
+/// yield_strength = 40e6
+/// "#;
+/// let file = SurfaceFile::parse("this example".as_ref(), text.to_owned())?;
+/// let (table, settings) = ("model:jackson-green", Settings::default());
+/// let law = asperity_law(table, file.material.as_ref())?;
+/// let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ())?;
+/// let found = propagate(&file, table, &base, &settings, &|_, _| ())?;
+/// let mu = OUTPUTS.iter().position(|output| output.name == "mu").unwrap();
+/// // Of exponential heights friction does not depend on how many summits there are.
+/// let [density, strength] = found.contributions[0][mu][..] else { unreachable!() };
+/// assert!(density.abs() < 1e-3 * strength.abs());
+/// assert!((found.std(0, mu) / strength.abs() - 1.0).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn propagate(
     file: &SurfaceFile,
     table: &str,

@@ -247,3 +247,39 @@ fn another_table_stands_for_a_constant_of_the_material() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(stderr(&refused).contains("uncertainty.tables: has no meaning for a closed form"));
 }
+
+/// Names that are no text, and outputs that are links: the figure and the file lie where the link leads to.
+#[cfg(target_os = "linux")]
+#[test]
+fn names_may_be_anything_and_links_are_followed() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = Folder::new("names");
+    let odd = folder.path("").join(OsStr::from_bytes(b"a folder \xff"));
+    std::fs::create_dir_all(&odd).unwrap();
+    let [surface, output] =
+        [&b"surface \xff.toml"[..], b"friction \xfe.nc"].map(|name| odd.join(OsStr::from_bytes(name)));
+    std::fs::rename(folder.path("surface.toml"), &surface).unwrap();
+    std::os::unix::fs::symlink("elsewhere.nc", &output).unwrap();
+    std::os::unix::fs::symlink("elsewhere.html", odd.join("report.html")).unwrap();
+    let run = |output: &Path| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_roughsurface"));
+        command
+            .arg("predict")
+            .arg(&surface)
+            .args(["--table", "model:hertz", "--extrapolate", "-o"])
+            .arg(output);
+        command.arg("--report").arg(odd.join("report.html"));
+        command.env("HDF5_USE_FILE_LOCKING", "FALSE").output().unwrap()
+    };
+    let result = run(&output);
+    assert_eq!(result.status.code(), Some(0), "{}", String::from_utf8_lossy(&result.stderr));
+    for (link, target) in [(output, "elsewhere.nc"), (odd.join("report.html"), "elsewhere.html")] {
+        assert!(link.is_symlink() && odd.join(target).is_file(), "{}", target);
+    }
+    let _socket = std::os::unix::net::UnixListener::bind(odd.join("socket.nc")).unwrap();
+    let refused = run(&odd.join("socket.nc"));
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("it is not a regular file"));
+}

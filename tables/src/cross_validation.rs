@@ -10,6 +10,23 @@ use crate::quantity::Quantity;
 use crate::table::{Axes, Table};
 
 /// Relative errors of interpolation between neighbouring points of a table.
+///
+/// ```
+/// use tables::cross_validation::Along;
+/// use tables::quantity::Quantity;
+/// use tables::shipped::table;
+///
+/// let validation = table("copper")?.cross_validation();
+/// // Between any two points of this table friction is known to 2 % and better, G is not.
+/// assert!(validation.worst(Quantity::Mu).error < 0.02);
+/// assert!(validation.worst(Quantity::EnergyRelease).error > validation.worst(Quantity::Mu).error);
+/// // Left out and predicted from its neighbours: over a gap that is twice as wide the misfit is larger.
+/// let misfit = validation.misfit(Along::Interference, 3, 0, Quantity::Mu).unwrap();
+/// assert!(misfit >= validation.interval(Along::Interference, 3, 0, Quantity::Mu));
+/// // The ends of an axis cannot be left out.
+/// assert_eq!(validation.misfit(Along::Interference, 0, 0, Quantity::Mu), None);
+/// # Ok::<(), tables::shipped::TableSourceError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrossValidation {
     /// Along interference and along slip rate.

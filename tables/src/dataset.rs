@@ -53,6 +53,34 @@ pub enum DatasetError {
     Content { path: String, what: String },
 }
 
+/// The place that a file called `path` is written to: links are followed, that to nothing as well.
+///
+/// Files get their name by being renamed, which would put the file in place of the link, on the disk of
+/// the link, and leave what it points to as it was.
+///
+/// ```
+/// use tables::dataset::destination;
+///
+/// let folder = std::env::temp_dir().join(format!("destination-example-{}", std::process::id()));
+/// std::fs::create_dir_all(&folder)?;
+/// # #[cfg(unix)] {
+/// std::os::unix::fs::symlink("large-disk.nc", folder.join("table.nc"))?;
+/// assert_eq!(destination(&folder.join("table.nc")), folder.join("large-disk.nc"));
+/// # }
+/// assert_eq!(destination(&folder.join("other.nc")), folder.join("other.nc"));
+/// # std::fs::remove_dir_all(&folder)?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn destination(path: &Path) -> PathBuf {
+    let mut place = path.to_path_buf();
+    // As many in a row as Linux follows.
+    for _ in 0..40 {
+        let Ok(target) = std::fs::read_link(&place) else { break };
+        place = place.parent().unwrap_or(Path::new("")).join(target);
+    }
+    place
+}
+
 /// A netCDF-4 file being written under a temporary name in the directory of the final one.
 ///
 /// ```
@@ -80,6 +108,7 @@ pub struct DatasetWriter {
 impl DatasetWriter {
     /// Starts a file with the attributes `Conventions` and `title`.
     pub fn create(path: &Path, title: &str) -> Result<Self, DatasetError> {
+        let path = destination(path);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let temporary = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
         silence_hdf5();
@@ -87,7 +116,7 @@ impl DatasetWriter {
             path: path.display().to_string(),
             reason: error.to_string(),
         })?;
-        let mut writer = Self { path: path.to_path_buf(), temporary, file: Some(file) };
+        let mut writer = Self { path, temporary, file: Some(file) };
         writer.attribute("Conventions", CONVENTIONS)?;
         writer.attribute("title", title)?;
         Ok(writer)

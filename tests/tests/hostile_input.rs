@@ -196,6 +196,136 @@ fn no_damaged_table_breaks_a_reader() {
     survive(&["table"]);
 }
 
+/// Texts that are small or at most some megabytes, and ask for much: deep nesting of every kind, long lists,
+/// huge counts, keys without end.
+fn bombs() -> Vec<(&'static str, String)> {
+    const DEEP: usize = 100_000;
+    let many = |item: &str, count: usize| item.repeat(count);
+    let digits = many("9", DEEP);
+    vec![
+        ("nested lists", format!("a = {}", many("[", DEEP))),
+        ("nested lists, closed", format!("a = {}{}", many("[", DEEP), many("]", DEEP))),
+        ("nested tables", format!("a = {}1{}", many("{ a = ", DEEP), many(" }", DEEP))),
+        ("a key of many parts", format!("{}a = 1", many("a.", DEEP))),
+        ("a section of many parts", format!("[{}a]", many("a.", DEEP))),
+        ("a section of lists of many parts", format!("[[{}a]]", many("a.", DEEP))),
+        ("many sections", (0..DEEP).map(|n| format!("[a{n}]\n")).collect()),
+        ("many lists of sections", many("[[a]]\n", DEEP)),
+        ("many keys", (0..DEEP).map(|n| format!("a{n} = 1\n")).collect()),
+        ("a long list", format!("a = [{}]", many("1.0,", 1_000_000))),
+        ("a long list of lists", format!("a = [{}]", many("[[]],", 300_000))),
+        ("an endless number", format!("a = {digits}")),
+        ("an endless fraction", format!("a = 0.{digits}e{digits}")),
+        ("an endless word", format!("a = \"{}\"", many("é", DEEP))),
+        ("an endless key", format!("\"{}\" = 1", many("a\\n", DEEP))),
+        ("an open text", format!("a = \"\"\"{}", many("\n", DEEP))),
+    ]
+}
+
+/// The same within input files that are good but for one value.
+fn asked_for_too_much(kind: &str) -> Vec<(&'static str, String)> {
+    let base = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
+    let scene = format!("{base}[loading]\ninterference = 5\nslip_rate = 1\n");
+    let rising = |count: usize| (0..count).map(|n| format!("{n}.0,")).collect::<String>();
+    match kind {
+        "scene" => vec![
+            ("a fine mesh", format!("{scene}[numerics]\nelements_per_radius = 1000000000000\n")),
+            ("many angles", format!("{scene}[numerics]\nsectors = 9223372036854775807\n")),
+            (
+                "a long table",
+                scene.replace(
+                    "preset = \"copper\"\n",
+                    &format!(
+                        "preset = \"copper\"\nhardening = {{ law = \"table\", plastic_strain = [{0}], factor = [{0}] }}\n",
+                        rising(300_000)
+                    ),
+                ),
+            ),
+        ],
+        "request" => vec![
+            (
+                "many points",
+                format!(
+                    "{base}[table]\nslip_rate = [1]\n\
+                     interference = {{ from = 0.1, to = 100, points = 9223372036854775807 }}\n"
+                ),
+            ),
+            (
+                "many cells",
+                format!(
+                    "{base}[table]\ninterference = [1, 2]\nslip_rate = [1]\ntolerance = 0.1\n\
+                     max_cells = 9223372036854775807\n"
+                ),
+            ),
+            ("a long axis", format!("{base}[table]\ninterference = [1]\nslip_rate = [{}]\n", rising(300_000))),
+        ],
+        _ => vec![(
+            "many pressures",
+            format!(
+                "[surface]\nasperity_density = 1e10\nasperity_radius = 1e-4\n\
+                 heights = {{ distribution = \"gaussian\", std = 1e-6 }}\n\
+                 [query]\npressure = [{}]\nslip_rate = [1.0]\n",
+                (1..300_000).map(|n| format!("{n}.0,")).collect::<String>()
+            ),
+        )],
+    }
+}
+
+/// Of each reader of text; what is too much is answered in a line, not in megabytes.
+#[test]
+#[ignore = "run by the next test, in a process of its own with little memory"]
+fn reads_the_bombs() {
+    let folder = tempfile::tempdir().unwrap();
+    let short =
+        |name: &str, message: String| assert!(message.len() < 2000, "{name}: {} bytes", message.len());
+    for kind in ["scene", "request", "surface"] {
+        for (name, text) in bombs().into_iter().chain(asked_for_too_much(kind)) {
+            eprintln!("{kind}: {name}");
+            let error = match kind {
+                "scene" => parse_scene(&text, "input", &[]).err().map(|error| error.to_string()),
+                "request" => parse_request(&text, "input", &[]).err().map(|error| error.to_string()),
+                _ => SurfaceFile::parse(Path::new("input"), text).err().map(|error| error.to_string()),
+            };
+            short(name, error.unwrap_or_default());
+        }
+    }
+    // What is laid over a scene on the command line is TOML too.
+    let good = std::fs::read_to_string(root().join("examples/scenes/single-asperity.toml")).unwrap();
+    for (name, text) in bombs() {
+        eprintln!("override: {name}");
+        let value = text.split_once(" = ").map_or(text.as_str(), |(_, value)| value);
+        for change in [format!("material.hardening={value}"), format!("{text}=1")] {
+            let error = parse_scene(&good, "input", &[change]).expect_err(name);
+            short(name, error.to_string());
+        }
+    }
+    for (name, text) in bombs() {
+        eprintln!("topography: {name}");
+        assert!(!read("topography", text.as_bytes(), folder.path()), "{name}");
+    }
+    // As many points as the longest list has, on one line and one a line.
+    for text in ["1.0 ".repeat(1_000_000), "1.0\n".repeat(1_000_000)] {
+        read("topography", text.as_bytes(), folder.path());
+    }
+}
+
+#[test]
+fn no_bomb_breaks_a_reader() {
+    let script = format!("ulimit -v {MEMORY}; exec \"$0\" --exact reads_the_bombs --ignored --nocapture");
+    let program = std::env::current_exe().unwrap();
+    let begun = std::time::Instant::now();
+    let output = Command::new("sh")
+        .args(["-c".as_ref(), script.as_ref(), program.as_os_str()])
+        .env("RUST_BACKTRACE", "0")
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    let last: Vec<&str> = said.lines().rev().take(4).collect();
+    assert!(output.status.success(), "{}: {last:?}", output.status);
+    // None of them takes minutes.
+    assert!(begun.elapsed().as_secs() < 120, "{:?}", begun.elapsed());
+}
+
 fn survive(kinds: &[&str]) {
     let inputs: u64 = std::env::var("HOSTILE_INPUTS").map_or(300, |text| text.parse().unwrap());
     let mut broken = Vec::new();

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
+use tables::dataset::destination;
 use tables::figure::Figure;
 
 use super::Failure;
@@ -20,8 +21,13 @@ pub fn check_output(output: &Path, input: &Path) -> Result<(), Failure> {
     if same {
         return Err(Failure::input(format!("{shown}: is the input; choose another output")));
     }
-    let name = output.file_name().unwrap_or_default().to_string_lossy();
-    let probe = output.with_file_name(format!(".{name}.{}.probe", std::process::id()));
+    let place = destination(output);
+    if place.exists() && !place.is_file() {
+        // A device would be replaced by the file.
+        return Err(Failure::input(format!("{shown}: is not a regular file")));
+    }
+    let name = place.file_name().unwrap_or_default().to_string_lossy();
+    let probe = place.with_file_name(format!(".{name}.{}.probe", std::process::id()));
     File::create_new(&probe)
         .and_then(|_| std::fs::remove_file(&probe))
         .map_err(|error| Failure::input(format!("{shown}: cannot be written: {error}")))

@@ -80,6 +80,35 @@ impl Role {
 
 /// Runs what the journal lacks of the given scenes (positions in [`scenes::SCENES`]); `done` is
 /// called after each run. Ends early, without error, once the watch says so.
+///
+/// A scene takes minutes; `asperity honesty` runs them all.
+///
+/// ```no_run
+/// use asperity::Unwatched;
+/// use asperity::honesty::{Report, run};
+///
+/// // The first scene, on as many threads as there are; started again, it runs what is missing.
+/// let records = run("honesty.jsonl".as_ref(), &[0], false, &Unwatched, &|_| ())?;
+/// println!("{:.0} % of the estimates are honest", 100.0 * Report::new(&records).share());
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// A journal that is there already is judged without running anything:
+///
+/// ```
+/// use asperity::Unwatched;
+/// use asperity::honesty::{Report, markdown, run, scenes};
+///
+/// let path = std::env::temp_dir().join(format!("honesty-example-{}.jsonl", std::process::id()));
+/// let report = Report::new(&run(&path, &[], false, &Unwatched, &|_| ())?);
+/// // Nothing was run, so no scene can be judged, and each says why.
+/// assert!(report.scenes.is_empty());
+/// assert_eq!(report.missing.len(), scenes::SCENES.len());
+/// assert!(report.missing[0].1.contains("not run"));
+/// assert!(markdown(&report).starts_with("# Are the error estimates honest?"));
+/// # std::fs::remove_file(&path)?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
 pub fn run(
     path: &Path,
     which: &[usize],

@@ -31,6 +31,15 @@ pub const SCENES: [(&str, f64, f64); 21] = [
 
 /// The scene at small strain, R = 1 mm, slid by two contact radii, with `elements_per_radius`
 /// elements.
+///
+/// ```
+/// use asperity::honesty::scenes::{SCENES, name, scene};
+///
+/// let (preset, interference, slip_rate) = SCENES[4];
+/// let scene = scene(preset, interference, slip_rate, 8);
+/// assert_eq!((scene.radius, scene.loading.slip_distance), (1e-3, 2.0));
+/// assert_eq!(name(preset, interference, slip_rate), "steel-4340 20 ω_c 1 m/s");
+/// ```
 pub fn scene(preset: &str, interference: f64, slip_rate: f64, elements_per_radius: usize) -> Scene {
     let text = format!(
         "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\

@@ -13,7 +13,7 @@ pub enum SceneFileError {
         reason: String,
     },
     /// The file is not TOML.
-    #[error("{file}: line {line}: {reason}")]
+    #[error("{file}: line {line}: {}", short(.reason))]
     Syntax {
         /// Path as given.
         file: String,
@@ -23,7 +23,7 @@ pub enum SceneFileError {
         reason: String,
     },
     /// An override is not of the form `section.key=value`.
-    #[error("--set {text}: {reason}")]
+    #[error("--set {}: {}", short(.text), short(.reason))]
     Override {
         /// As given.
         text: String,
@@ -31,7 +31,7 @@ pub enum SceneFileError {
         reason: String,
     },
     /// A key or section that nothing reads.
-    #[error("{place}: unknown key {key}; {hint}")]
+    #[error("{}: unknown key {}; {hint}", short(.place), short(.key))]
     UnknownKey {
         /// File or override.
         place: String,
@@ -41,7 +41,7 @@ pub enum SceneFileError {
         hint: String,
     },
     /// A key without a default is not given.
-    #[error("{place}: {key} is missing; it must be {allowed}")]
+    #[error("{}: {key} is missing; it must be {allowed}", short(.place))]
     Missing {
         /// File or override.
         place: String,
@@ -51,7 +51,7 @@ pub enum SceneFileError {
         allowed: String,
     },
     /// A value of the wrong type or out of range.
-    #[error("{place}: {key} = {value}: must be {allowed}")]
+    #[error("{}: {} = {}: must be {allowed}", short(.place), short(.key), short(.value))]
     Invalid {
         /// File or override.
         place: String,
@@ -63,7 +63,7 @@ pub enum SceneFileError {
         allowed: String,
     },
     /// Understood, but this version cannot do it.
-    #[error("{place}: {key} = {value}: not supported yet; {instead}")]
+    #[error("{}: {key} = {}: not supported yet; {instead}", short(.place), short(.value))]
     Unsupported {
         /// File or override.
         place: String,
@@ -74,6 +74,15 @@ pub enum SceneFileError {
         /// What to do instead.
         instead: String,
     },
+}
+
+/// The beginning of a text that is too long for a message.
+fn short(text: &str) -> String {
+    const MOST: usize = 200;
+    match text.char_indices().nth(MOST) {
+        None => text.to_owned(),
+        Some((end, _)) => format!("{}… ({} bytes)", &text[..end], text.len()),
+    }
 }
 
 /// "did you mean …?" where a known key is near, all known keys otherwise.

@@ -14,7 +14,9 @@ pub(super) fn apply(document: &mut Table, text: &str) -> Result<String, SceneFil
     let (path, value) = text.split_once('=').ok_or_else(|| refuse(FORM))?;
     let (path, value) = (path.trim(), value.trim());
     let keys: Vec<&str> = path.split('.').map(str::trim).collect();
-    if keys.len() < 2 || keys.iter().any(|key| key.is_empty()) || value.is_empty() {
+    // Deeper than any key, and not deep enough for the recursion of those who read the document.
+    const DEEPEST: usize = 8;
+    if !(2..=DEEPEST).contains(&keys.len()) || keys.iter().any(|key| key.is_empty()) || value.is_empty() {
         return Err(refuse(FORM));
     }
     let (last, sections) = keys.split_last().expect("at least two keys");

@@ -8,6 +8,7 @@ use roughsurface::separation::SeparationError;
 use roughsurface::surface_file::SurfaceFile;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
+use tables::dataset::destination;
 use tables::law::{AsperityLaw, LookupError};
 
 #[derive(Args)]
@@ -96,9 +97,10 @@ pub fn summarise(
 
 /// Writes a file under a temporary name first, so that it appears whole or not at all.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let path = destination(path);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let temporary = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
-    let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, path));
+    let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, &path));
     written.map_err(|error| {
         let _ = std::fs::remove_file(&temporary);
         Failure::Run(anyhow!("cannot write {}: {error}", path.display()))
@@ -106,14 +108,21 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 pub fn check_folder(path: &Path) -> Result<(), Failure> {
-    let folder = match path.parent() {
+    let place = destination(path);
+    let folder = match place.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    if folder.is_dir() && !path.is_dir() {
+    let reason = if place.is_dir() {
+        "it is a folder"
+    } else if !folder.is_dir() {
+        "its folder does not exist"
+    } else if place.exists() && !place.is_file() {
+        // A device would be replaced by the file.
+        "it is not a regular file"
+    } else {
         return Ok(());
-    }
-    let reason = if path.is_dir() { "it is a folder" } else { "its folder does not exist" };
+    };
     Err(input(anyhow!("cannot write {}: {reason}", path.display())))
 }
 
@@ -127,7 +136,9 @@ pub fn thread_pool(options: &RunOptions) -> Result<rayon::ThreadPool, Failure> {
 }
 
 pub fn command_line() -> String {
-    let mut words: Vec<String> = std::env::args().collect();
+    // Not `args`, which panics where a name is not UTF-8.
+    let words = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
+    let mut words: Vec<String> = words.collect();
     // Where the binary lies says nothing about the result.
     words[0] = "roughsurface".into();
     words.join(" ")

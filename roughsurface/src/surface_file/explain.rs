@@ -30,6 +30,15 @@ pub(super) fn explain(path: &str, message: &str) -> String {
     }
 }
 
+/// The beginning of a message that would quote all of a long value.
+pub(crate) fn short(message: &str) -> String {
+    const MOST: usize = 600;
+    match message.char_indices().nth(MOST) {
+        None => message.to_owned(),
+        Some((end, _)) => format!("{}… ({} bytes)", &message[..end], message.len()),
+    }
+}
+
 pub(super) fn one_line(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
 }

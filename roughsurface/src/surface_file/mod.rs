@@ -33,8 +33,8 @@ mod tests;
 use crate::heights;
 use crate::query::{Pressing, Query, Surface};
 use crate::uncertainty::{Parameter, Uncertain};
-pub(crate) use explain::nearest;
 use explain::{explain, one_line};
+pub(crate) use explain::{nearest, short};
 use keys::{FileKeys, SurfaceKeys, allowed, positive, radii_of};
 use std::path::{Path, PathBuf};
 use tables::closed_forms::ElasticPlastic;
@@ -61,18 +61,26 @@ pub struct SurfaceFile {
 pub enum SurfaceFileError {
     #[error("{}: cannot be read: {reason}", .file.display())]
     Unreadable { file: PathBuf, reason: String },
-    #[error("{}{}: {what}", .file.display(), .line.map(|line| format!(":{line}")).unwrap_or_default())]
+    #[error("{}{}: {}", .file.display(), .line.map(|line| format!(":{line}")).unwrap_or_default(), short(.what))]
     Content { file: PathBuf, line: Option<usize>, what: String },
 }
 
 impl SurfaceFile {
     /// Reads and checks a surface file.
     pub fn read(file: &Path) -> Result<Self, SurfaceFileError> {
-        let text = std::fs::read_to_string(file).map_err(|reason| SurfaceFileError::Unreadable {
-            file: file.to_path_buf(),
-            reason: reason.to_string(),
-        })?;
-        Self::parse(file, text)
+        use std::io::Read;
+
+        /// Far more than anyone writes, and less than a device that never ends.
+        const MOST: u64 = 16 << 20;
+        let unreadable = |reason: String| SurfaceFileError::Unreadable { file: file.to_path_buf(), reason };
+        let mut text = String::new();
+        std::fs::File::open(file)
+            .and_then(|opened| opened.take(MOST + 1).read_to_string(&mut text))
+            .map_err(|reason| unreadable(reason.to_string()))?;
+        match text.len() as u64 > MOST {
+            true => Err(unreadable(format!("is longer than {} MB", MOST >> 20))),
+            false => Self::parse(file, text),
+        }
     }
 
     /// Checks the `text` of a surface file; `file` is named in errors, and measured

@@ -17,6 +17,15 @@ pub fn unit(symbol: &str) -> Option<f64> {
 }
 
 /// A positive length such as `2e-6`, in metres, or `2um`; in metres.
+///
+/// ```
+/// use roughsurface::topography::length::{parse, unit};
+///
+/// assert_eq!(unit("nm"), Some(1e-9));
+/// assert!((parse("1.6um")? - 1.6e-6).abs() < 1e-18);
+/// assert!(parse("2 furlongs").is_err());
+/// # Ok::<(), String>(())
+/// ```
 pub fn parse(text: &str) -> Result<f64, String> {
     let text = text.trim();
     let metres = match text.parse::<f64>() {

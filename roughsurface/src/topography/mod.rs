@@ -25,7 +25,26 @@ mod synthetic;
 
 use std::path::{Path, PathBuf};
 
+use crate::surface_file::short;
+
 /// Heights on a regular grid: a map, or a profile if there is one row only.
+///
+/// ```
+/// use roughsurface::topography::Topography;
+///
+/// let map = Topography {
+///     rows: 2,
+///     row_step: 2e-6,
+///     columns: 3,
+///     column_step: 1e-6,
+///     heights: vec![0.0, 1e-7, 0.0, 1e-7, f64::NAN, 1e-7],
+///     periodic: false,
+///     remarks: Vec::new(),
+/// };
+/// assert!(!map.is_profile());
+/// assert_eq!((map.pixel(), map.size().0), (2e-6, 4e-6));
+/// assert_eq!(map.undefined(), 1.0 / 6.0);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topography {
     /// Rows, and distance between them, m.
@@ -65,7 +84,7 @@ impl Topography {
 
 /// What is wrong with a topography, in one line.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {what}", .file.display())]
+#[error("{}: {}", .file.display(), short(.what))]
 pub struct TopographyError {
     pub file: PathBuf,
     pub what: String,

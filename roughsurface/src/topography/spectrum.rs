@@ -42,6 +42,31 @@ impl Window {
 }
 
 /// The spectrum of a topography without trend.
+///
+/// ```
+/// use roughsurface::topography::Topography;
+/// use roughsurface::topography::spectrum::{Spectrum, Window};
+///
+/// // One wave along the rows: 0.1 µm high, 10 µm long, on a map that continues at its other side.
+/// let k = 2.0 * std::f64::consts::PI / 10e-6;
+/// let topography = Topography {
+///     rows: 16,
+///     row_step: 0.5e-6,
+///     columns: 80,
+///     column_step: 0.5e-6,
+///     heights: (0..16 * 80).map(|n| 1e-7 * (f64::from(n % 80) * 0.5e-6 * k).cos()).collect(),
+///     periodic: true,
+///     remarks: Vec::new(),
+/// };
+/// let spectrum = Spectrum::of(&topography, Window::None);
+/// // Hardly touched by a cut-off a hundred times shorter.
+/// let moments = spectrum.moments(0.1e-6);
+/// assert!((moments.m0 / 0.5e-14 - 1.0).abs() < 1e-3);
+/// let (across, along) = moments.m2_directions;
+/// assert!(across < 1e-12 && (along / (0.5e-14 * k * k) - 1.0).abs() < 1e-3);
+/// // Four points of 0.5 µm make a wave.
+/// assert_eq!(spectrum.reliability_limit().0, 2e-6);
+/// ```
 pub struct Spectrum {
     waves: Waves,
     profile: bool,

@@ -8,6 +8,7 @@ use kuva::render::figure::Figure as Drawn;
 
 use super::draw::Medium;
 use super::{Cells, Extension, FigureError, Map, PIXELS, Panel, extension};
+use crate::dataset::destination;
 
 /// Width and height of a panel, in points.
 const PANEL_SIZE: (f64, f64) = (560.0, 380.0);
@@ -45,9 +46,10 @@ impl Sheet {
                 backend.render_scene(&self.drawn(Medium::Raster).render()).map_err(failed)?
             }
         };
+        let path = destination(path);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let temporary = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
-        let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, path));
+        let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, &path));
         written.map_err(|error| {
             let _ = std::fs::remove_file(&temporary);
             failed(error.to_string())

@@ -9,6 +9,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
+use tables::dataset::destination;
 use tables::shipped;
 use tables::table::Table;
 
@@ -112,13 +113,14 @@ fn read(asked: &str) -> Result<Table, Failure> {
 
 /// Under a temporary name first: nobody shall find half a file.
 fn export(table: &Table, output: &Path, histories: bool) -> Result<(), Failure> {
-    let name = output.file_name().unwrap_or_default().to_string_lossy();
-    let temporary = output.with_file_name(format!(".{name}.{}.partial", std::process::id()));
+    let place = destination(output);
+    let name = place.file_name().unwrap_or_default().to_string_lossy();
+    let temporary = place.with_file_name(format!(".{name}.{}.partial", std::process::id()));
     let written = File::create(&temporary).map(BufWriter::new).and_then(|file| match histories {
         true => table.write_histories_csv(file),
         false => table.write_csv(file),
     });
-    written.and_then(|()| std::fs::rename(&temporary, output)).map_err(|error| {
+    written.and_then(|()| std::fs::rename(&temporary, &place)).map_err(|error| {
         let _ = std::fs::remove_file(&temporary);
         Failure::Run(format!("{}: cannot be written: {error}", output.display()))
     })

@@ -1,0 +1,114 @@
+//! From elastic to plastic contact: what the shipped tables say of static friction, of the load that an
+//! asperity loses as it slides at a held interference, and of its growing contact.
+//!
+//! Nothing is simulated. Prints the isothermal column of the 4340 table beside two limits of a contact of
+//! shear strength τ_c = σ_Y/√3 that neither grows nor loses load:
+//!
+//! - elastic, pressure of Hertz: μ = τ_c A/P = (√3/2)/(C √ω*), with C(ν) = p₀/σ_Y at first yield;
+//! - plastic, hardness H = 2.8 σ_Y: μ = τ_c/H = 0.206.
+//!
+//! and draws these and the other metals.
+//!
+//!     cargo run --release -p examples --example elastic_to_plastic [FIGURE.svg]
+
+use std::path::Path;
+
+use tables::closed_forms::{hertz, kogut_etsion};
+use tables::figure::{Axis, Curve, Figure, Panel};
+use tables::quantity::Quantity;
+use tables::shipped;
+use tables::table::Table;
+
+/// Slip rates that are drawn: the isothermal limit, one in the middle, and the fastest.
+const RATES: [f64; 3] = [0.0, 0.63, 10.0];
+
+fn main() -> anyhow::Result<()> {
+    let steel = shipped::table("steel-4340")?;
+    let elastic = |omega: f64| {
+        0.5 * 3f64.sqrt() / (hertz::yield_coefficient(steel.metadata().poisson_ratio) * omega.sqrt())
+    };
+    let plastic = 1.0 / (3f64.sqrt() * kogut_etsion::HARDNESS);
+
+    println!("omega/omega_c   mu_static           elastic limit   P/P_press   A/A_press");
+    for (i, &omega) in steel.axes().interference.iter().enumerate() {
+        let cell = steel.cell(i, 0).expect("shipped tables are complete");
+        let friction = cell[Quantity::MuStatic];
+        println!(
+            "{omega:>13.3}   {:.4} ± {:.4}   {:>15.4}   {:>9.3}   {:>9.3}",
+            friction.value,
+            friction.error,
+            elastic(omega),
+            cell[Quantity::Load].value / cell[Quantity::LoadPress].value,
+            cell[Quantity::Area].value / cell[Quantity::AreaPress].value,
+        );
+    }
+    println!("plastic limit   {plastic:.4}");
+
+    let Some(path) = std::env::args().nth(1) else { return Ok(()) };
+    let dense: Vec<f64> = (0..=60).map(|n| 10f64.powf(f64::from(n) / 20.0 - 1.0)).collect();
+    let limits = [
+        Curve::new("elastic limit", dense.clone(), dense.iter().map(|omega| elastic(*omega)).collect()),
+        Curve::new("plastic limit", dense.clone(), vec![plastic; dense.len()]),
+    ];
+    let at_rates = |of: &dyn Fn(&Table, usize, usize) -> (f64, f64)| -> Vec<Curve> {
+        RATES.iter().map(|&rate| curve(&steel, rate, &format!("{rate} m/s"), of)).collect()
+    };
+    let metals = shipped::names()
+        .map(|name| Ok((name, shipped::table(name)?)))
+        .collect::<Result<Vec<_>, tables::shipped::TableSourceError>>()?;
+    let of_metals = |of: &dyn Fn(&Table, usize, usize) -> (f64, f64)| -> Vec<Curve> {
+        metals.iter().map(|(name, table)| curve(table, 0.0, name, of)).collect()
+    };
+
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel {
+        title: title.into(),
+        x: Axis::logarithmic("interference ω₀/ω_c"),
+        y,
+        curves,
+    };
+    let load = &|table: &Table, i, j| ratio(table, i, j, Quantity::Load, Quantity::LoadPress);
+    let area = &|table: &Table, i, j| ratio(table, i, j, Quantity::Area, Quantity::AreaPress);
+    let fixed = &|table: &Table, i, j| value(table, i, j, Quantity::MuStatic);
+    let figure = Figure {
+        title: "From elastic to plastic contact, at held interference".into(),
+        panels: vec![
+            panel(
+                "4340: static friction",
+                Axis::logarithmic("µ_static"),
+                [at_rates(fixed), limits.to_vec()].concat(),
+            ),
+            panel(
+                "4340: sliding friction",
+                Axis::logarithmic("µ after two contact radii"),
+                at_rates(&|table, i, j| value(table, i, j, Quantity::Mu)),
+            ),
+            panel("4340: load after the slide", Axis::linear("P/P_press"), at_rates(load)),
+            panel("4340: contact area after the slide", Axis::linear("A/A_press"), at_rates(area)),
+            panel("Six metals, isothermal: static friction", Axis::logarithmic("µ_static"), of_metals(fixed)),
+            panel("Six metals, isothermal: load after the slide", Axis::linear("P/P_press"), of_metals(load)),
+        ],
+    };
+    figure.save(Path::new(&path))?;
+    println!("written to {path}");
+    Ok(())
+}
+
+/// A quantity over the interferences of a table, with its errors.
+fn curve(table: &Table, rate: f64, label: &str, of: &dyn Fn(&Table, usize, usize) -> (f64, f64)) -> Curve {
+    let axes = table.axes();
+    let column = axes.slip_rate.iter().position(|known| *known == rate).expect("a slip rate of the table");
+    let points = (0..axes.interference.len()).map(|row| of(table, row, column));
+    let (values, errors): (Vec<f64>, Vec<f64>) = points.unzip();
+    Curve::new(label, axes.interference.clone(), values).with_error(errors)
+}
+
+fn value(table: &Table, i: usize, j: usize, quantity: Quantity) -> (f64, f64) {
+    table.cell(i, j).map_or((f64::NAN, f64::NAN), |cell| (cell[quantity].value, cell[quantity].error))
+}
+
+/// The relative errors of both are added: much of either is common to both, so that this is too much.
+fn ratio(table: &Table, i: usize, j: usize, above: Quantity, below: Quantity) -> (f64, f64) {
+    let (a, b) = (value(table, i, j, above), value(table, i, j, below));
+    let ratio = a.0 / b.0;
+    (ratio, ratio * (a.1 / a.0 + b.1 / b.0))
+}
