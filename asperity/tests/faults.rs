@@ -237,9 +237,8 @@ fn a_cut_journal_continues_with_all_that_is_whole() {
     child.wait().unwrap();
     let ends: Vec<usize> = (0..whole.len()).filter(|place| whole[*place] == b'\n').collect();
 
-    let mut cuts = vec![0, 1, ends[0] - 1, ends[0], ends[0] + 1, ends[1] - 1, ends[1] + 9, ends[2] + 1];
-    cuts.push((ends[1] + ends[2]) / 2);
-    for cut in cuts {
+    // At every byte by a test of the journal; here at those that differ, to the table.
+    for cut in [1, ends[0], ends[1] - 1, (ends[1] + ends[2]) / 2, ends[2] + 1] {
         std::fs::write(&journal, &whole[..cut]).unwrap();
         let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "cut at {cut}: {}", message(&output));

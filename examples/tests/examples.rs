@@ -82,7 +82,7 @@ fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
         assert!((friction - limit).abs() < error, "{row}");
     }
     let last = rows.last().unwrap();
-    assert!((number(last, 1) - 0.206).abs() < 0.01 && number(last, 5) < 0.9, "{text}");
+    assert!((number(last, 1) - 0.206).abs() < 0.01 && number(last, 5) < 0.93, "{text}");
     assert!(std::fs::read_to_string(folder.path().join("figure.svg")).unwrap().contains("plastic limit"));
 }
 
@@ -108,7 +108,7 @@ fn friction_follows_the_mesh_where_nothing_hardens_and_only_there() {
         .collect();
     let apart = |[coarse, fine]: &[f64; 2]| (fine / coarse - 1.0).abs();
     assert_eq!(ends.len(), 3, "{text}");
-    assert!(apart(&ends[0]) > 0.1 && ends[1..].iter().all(|ends| apart(ends) < 0.05), "{text}");
+    assert!(apart(&ends[0]) > 0.1 && ends[1..].iter().all(|ends| apart(ends) < 0.08), "{text}");
 }
 
 #[test]
