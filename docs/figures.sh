@@ -12,7 +12,7 @@
 # press         the example press_curves: press.svg
 # no-end-state  the example no_end_state: no-end-state.svg
 #
-# What they are drawn from is kept in target/figures. Processor time: run 22 s, convergence 165 s, friction one
+# What they are drawn from is kept in target/figures. Processor time: run 7 s, convergence 87 s, friction one
 # minute, bearing and transition 1 s, press 42 s, no-end-state 260 s, and that of the build.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
