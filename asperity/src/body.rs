@@ -136,8 +136,8 @@ impl Body {
         self.internal_force_for(Purpose::Tangent, u, rise, force);
     }
 
-    /// The same; at finite strain the tangent costs as much again, and stays what it was if only the
-    /// force is wanted.
+    /// The same; at finite strain the tangent takes four tenths as long again, and stays what it was if only
+    /// the force is wanted.
     pub fn internal_force_for(
         &mut self,
         purpose: Purpose,

@@ -16,11 +16,11 @@ const MOST_TERMS: usize = 11;
 /// Share of the strain in what is left out, |X|^N/(N + 1).
 const LEFT_OUT: f64 = 3e-14;
 
-/// The series at one point.
+/// The series at one point. H_k are made anew for strain and stress: kept, they would take more time to
+/// clear, write and read than they take to compute.
 pub struct LogSeries<const W: usize> {
+    /// X by pairs.
     excess: [Lanes<W>; 6],
-    /// H_1 to H_N.
-    partial: [[Lanes<W>; 6]; MOST_TERMS],
     /// N.
     terms: usize,
 }
@@ -29,35 +29,41 @@ impl<const W: usize> LogSeries<W> {
     /// Of X, by pairs.
     #[inline(always)]
     pub fn new(excess: &[Lanes<W>; 6]) -> Self {
-        let terms = terms(excess);
-        let mut partial = [[[0.0; W]; 6]; MOST_TERMS];
-        for k in (0..terms).rev() {
-            let coefficient = if k % 2 == 0 { 0.5 } else { -0.5 } / (k + 1) as f64;
-            if k + 1 < terms {
-                partial[k] = commuting_product(excess, &partial[k + 1]);
-            }
-            for component in &mut partial[k][..3] {
-                component.iter_mut().for_each(|x| *x += coefficient);
-            }
+        Self { excess: *excess, terms: terms(excess) }
+    }
+
+    /// H_k from H_(k+1), of which H_(N+1) is zero.
+    #[inline(always)]
+    fn partial(&self, k: usize, after: &[Lanes<W>; 6]) -> [Lanes<W>; 6] {
+        let coefficient = if k % 2 == 1 { 0.5 } else { -0.5 } / k as f64;
+        let mut partial = commuting_product(&self.excess, after);
+        for component in &mut partial[..3] {
+            component.iter_mut().for_each(|x| *x += coefficient);
         }
-        Self { excess: *excess, partial, terms }
+        partial
     }
 
     /// E by pairs.
     #[inline(always)]
     pub fn log_strain(&self) -> [Lanes<W>; 6] {
-        commuting_product(&self.excess, &self.partial[0])
+        let mut partial = [[0.0; W]; 6];
+        for k in (1..=self.terms).rev() {
+            partial = self.partial(k, &partial);
+        }
+        commuting_product(&self.excess, &partial)
     }
 
     /// P = FS of the stress T that works on E.
     #[inline(always)]
     pub fn first_piola(&self, f: &TwoPoint<W>, log_stress: &[Lanes<W>; 6]) -> TwoPoint<W> {
+        let mut partial = [[0.0; W]; 6];
         let mut sum = [[[0.0; W]; 3]; 3];
-        for (k, partial) in self.partial[..self.terms].iter().enumerate().rev() {
-            if k + 1 < self.terms {
+        for k in (1..=self.terms).rev() {
+            partial = self.partial(k, &partial);
+            if k < self.terms {
                 sum = after_symmetric(&sum, &self.excess);
             }
-            add_product(partial, log_stress, &mut sum);
+            add_product(&partial, log_stress, &mut sum);
         }
         let mut piola = [[[0.0; W]; 3]; 3];
         for i in 0..3 {
