@@ -110,7 +110,7 @@ impl Kernels {
 
     /// At the last internal force.
     pub fn tangent_product(&mut self) {
-        self.body.tangent_product(&self.displacement, &mut self.force);
+        self.body.stiffness_loss(&self.displacement, &mut self.force);
     }
 
     /// About 680 operations for an elastic element at one angle: strains and forces 288 each, the rest

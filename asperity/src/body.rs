@@ -31,9 +31,11 @@ pub use state::BodyState;
 /// Consistent tangent at points that flow: 2G(1 − softening)·dev − radial·(n:e)n.
 #[derive(Clone, Debug)]
 struct Tangent {
-    /// Per element and group of lanes: whether any point flows.
+    /// Per element and group of lanes: whether any point flows. Where none does, the plastic strains of the
+    /// trial state are those of the committed one.
     flows: Vec<bool>,
-    /// (2G-factor, radial factor, n) per point, 8 values; relative to E(T)/E(T₀).
+    /// (2G-factor, radial factor, n) per point, 8 values; relative to E(T)/E(T₀). Where nothing flows
+    /// the first two are 2G and 0, and n is stale or zero.
     coefficients: Vec<f64>,
     /// E(T)/E(T₀) per element; empty if constant.
     stiffness: Vec<f64>,
@@ -52,14 +54,6 @@ pub struct Body {
     /// Scratch: ∂u/∂θ, and the forces that work on it.
     slope: Vec<f64>,
     on_slope: Vec<f64>,
-}
-
-/// What an internal force is evaluated for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    Force,
-    /// Products with the tangent, too.
-    Tangent,
 }
 
 const TENSOR: usize = 6;
@@ -83,9 +77,13 @@ impl Body {
     pub fn new(mesh: RevolvedMesh, solid: Solid) -> Self {
         let (elements, lanes) = (mesh.elements.len(), mesh.sectors.columns());
         let state = BodyState::new(elements, lanes);
+        let mut coefficients = vec![0.0; elements * POINTS * COEFFICIENTS * lanes];
+        for point in coefficients.chunks_exact_mut(COEFFICIENTS * lanes) {
+            point[..lanes].fill(2.0 * solid.moduli.shear);
+        }
         let tangent = Tangent {
             flows: vec![false; elements * lanes],
-            coefficients: vec![0.0; elements * POINTS * COEFFICIENTS * lanes],
+            coefficients,
             stiffness: vec![1.0; if solid.stiffness_varies() { elements * lanes } else { 0 }],
         };
         Self {
@@ -133,20 +131,8 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        self.internal_force_for(Purpose::Tangent, u, rise, force);
-    }
-
-    /// The same; at finite strain the tangent takes four tenths as long again, and stays what it was if only
-    /// the force is wanted.
-    pub fn internal_force_for(
-        &mut self,
-        purpose: Purpose,
-        u: &[f64],
-        rise: Option<&[f64]>,
-        force: &mut [f64],
-    ) {
         if self.finite.is_some() {
-            self.finite_force(u, rise, purpose, force);
+            self.finite_force(u, rise, force);
         } else if self.solid.stiffness_varies() {
             by_lanes!(self.internal_force_varying(u, rise, force));
         } else {
@@ -197,10 +183,10 @@ impl Body {
                 self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
                 self.trial.rise[at..at + W].copy_from_slice(&heat.mean_rise);
                 let mut stresses = [[[0.0; W]; TENSOR]; POINTS];
-                let mut flows = false;
+                let (stale, mut flows) = (self.tangent.flows[at], false);
                 for q in 0..POINTS {
                     let (mut stress, flowing) =
-                        self.point_stress::<W>(e, q, first, &deviators[q], heat.at_point(q));
+                        self.point_stress::<W>(e, q, first, &deviators[q], heat.at_point(q), stale);
                     flows |= flowing;
                     let weight = self.mesh.elements[e].weight[q];
                     for (i, component) in stress.iter_mut().enumerate() {
@@ -211,7 +197,7 @@ impl Body {
                     }
                     stresses[q] = stress;
                 }
-                self.tangent.flows[e * lanes + first] = flows;
+                self.tangent.flows[at] = flows;
                 let nodal_force = stress_force(&self.mesh.elements[e], &stresses);
                 self.mesh.scatter_vector(
                     &nodal_force,
@@ -225,7 +211,8 @@ impl Body {
         self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
     }
 
-    /// Radial return at one point: deviatoric stress and whether any lane flows.
+    /// Radial return at one point: deviatoric stress and whether any lane flows; `stale`: whether any point of
+    /// the element did the time before.
     #[inline(always)]
     fn point_stress<const W: usize>(
         &mut self,
@@ -234,6 +221,7 @@ impl Body {
         first: usize,
         deviator: &[Lanes<W>; TENSOR],
         heat: PointHeat<'_, W>,
+        stale: bool,
     ) -> ([Lanes<W>; TENSOR], bool) {
         let lanes = self.mesh.sectors.columns();
         let point = e * POINTS + q;
@@ -251,68 +239,83 @@ impl Body {
                 squared[l] += factor * stress[i][l] * stress[i][l];
             }
         }
+        let over_stiffness = |factor: f64, l: usize| heat.stiffness.map_or(factor, |f| factor / f[l]);
+        // No softening factor need be evaluated where the lowest one in the element keeps the
+        // points elastic.
+        let strength = &self.committed.strength[scalar..scalar + W];
+        let mut near = false;
+        for l in 0..W {
+            let least = over_stiffness(heat.weakest, l) * strength[l];
+            near |= squared[l] > least * least;
+        }
         let mut flowing = [false; W];
         let mut softening = [1.0; W];
         let mut any = false;
-        for l in 0..W {
-            let strength = self.committed.strength[scalar + l];
-            // No softening factor need be evaluated where the lowest one in the element keeps the
-            // point elastic.
-            let over_stiffness = |factor: f64| heat.stiffness.map_or(factor, |f| factor / f[l]);
-            let least = over_stiffness(heat.weakest) * strength;
-            flowing[l] = squared[l] > least * least && {
-                softening[l] = over_stiffness(self.solid.softening_factor(heat.rise[l]));
-                let limit = strength * softening[l];
-                squared[l] > limit * limit
-            };
-            any |= flowing[l];
-        }
-        // The return mapping of the iteration before is a good first guess.
-        let mut guess = [0.0; W];
-        for i in 0..TENSOR {
-            let at = tensor(i);
-            self.trial.plastic_strain[at..at + W].copy_from_slice(&self.committed.plastic_strain[at..at + W]);
-        }
-        for l in 0..W {
-            guess[l] = self.trial.accumulated[scalar + l] - self.committed.accumulated[scalar + l];
-            self.trial.accumulated[scalar + l] = self.committed.accumulated[scalar + l];
-            self.trial.strength[scalar + l] = self.committed.strength[scalar + l];
+        if near {
+            for l in 0..W {
+                let least = over_stiffness(heat.weakest, l) * strength[l];
+                flowing[l] = squared[l] > least * least && {
+                    softening[l] = over_stiffness(self.solid.softening_factor(heat.rise[l]), l);
+                    let limit = strength[l] * softening[l];
+                    squared[l] > limit * limit
+                };
+                any |= flowing[l];
+            }
         }
         let coefficient = |i: usize| (point * COEFFICIENTS + i) * lanes + first;
-        if any {
+        // The return mapping of the iteration before is a good first guess.
+        let mut guess = [0.0; W];
+        if any || stale {
+            for i in 0..TENSOR {
+                let at = tensor(i)..tensor(i) + W;
+                self.trial.plastic_strain[at.clone()].copy_from_slice(&self.committed.plastic_strain[at]);
+            }
             for l in 0..W {
-                self.tangent.coefficients[coefficient(0) + l] = two_shear;
-                self.tangent.coefficients[coefficient(1) + l] = 0.0;
-                if !flowing[l] {
-                    continue;
-                }
+                guess[l] = self.trial.accumulated[scalar + l] - self.committed.accumulated[scalar + l];
+                self.trial.accumulated[scalar + l] = self.committed.accumulated[scalar + l];
+                self.trial.strength[scalar + l] = self.committed.strength[scalar + l];
+            }
+        }
+        if stale && !any {
+            self.tangent.coefficients[coefficient(0)..coefficient(0) + W].fill(two_shear);
+            self.tangent.coefficients[coefficient(1)..coefficient(1) + W].fill(0.0);
+        }
+        if any {
+            let shear = self.solid.moduli.shear;
+            // Zero where nothing flows: what follows is for all lanes at once.
+            let (mut increments, mut ratio, mut radial) = ([0.0; W], [0.0; W], [0.0; W]);
+            let mut over_norm = [0.0; W];
+            for l in (0..W).filter(|&l| flowing[l]) {
                 let trial = squared[l].sqrt();
                 let strain = self.committed.accumulated[scalar + l];
                 let Return { increment, strength, slope } = {
                     let strength = self.committed.strength[scalar + l];
                     self.solid.return_map(trial, strain, strength, softening[l], guess[l])
                 };
-                let shear = self.solid.moduli.shear;
-                let ratio = 3.0 * shear * increment / trial;
                 self.trial.accumulated[scalar + l] = strain + increment;
                 self.trial.strength[scalar + l] = strength;
-                self.tangent.coefficients[coefficient(0) + l] = two_shear * (1.0 - ratio);
+                increments[l] = increment * 1.5f64.sqrt();
+                ratio[l] = 3.0 * shear * increment / trial;
                 // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive. A strength that falls counts
                 // as constant, so that the tangent stays definite.
-                self.tangent.coefficients[coefficient(1) + l] =
-                    6.0 * shear * shear * (increment / trial - 1.0 / (3.0 * shear + slope.max(0.0)));
-                let norm = trial * (2.0f64 / 3.0).sqrt();
-                for i in 0..TENSOR {
-                    let direction = stress[i][l] / norm;
-                    self.tangent.coefficients[coefficient(2 + i) + l] = direction;
-                    self.trial.plastic_strain[tensor(i) + l] += increment * 1.5f64.sqrt() * direction;
-                    stress[i][l] *= 1.0 - ratio;
+                radial[l] = 6.0 * shear * shear * (increment / trial - 1.0 / (3.0 * shear + slope.max(0.0)));
+                over_norm[l] = 1.5f64.sqrt() / trial;
+            }
+            let kept = ratio.map(|ratio| 1.0 - ratio);
+            let at = coefficient(0);
+            self.tangent.coefficients[at..at + W].copy_from_slice(&kept.map(|kept| two_shear * kept));
+            let at = coefficient(1);
+            self.tangent.coefficients[at..at + W].copy_from_slice(&radial);
+            for i in 0..TENSOR {
+                let (direction, plastic) = (coefficient(2 + i), tensor(i));
+                let direction = &mut self.tangent.coefficients[direction..direction + W];
+                let plastic = &mut self.trial.plastic_strain[plastic..plastic + W];
+                for l in 0..W {
+                    direction[l] = stress[i][l] * over_norm[l];
+                    plastic[l] += increments[l] * direction[l];
+                    stress[i][l] *= kept[l];
                 }
             }
-        } else {
-            // Read by the tangent if another point of the element flows.
-            self.tangent.coefficients[coefficient(0)..coefficient(0) + W].fill(two_shear);
-            self.tangent.coefficients[coefficient(1)..coefficient(1) + W].fill(0.0);
         }
         for i in 0..TENSOR {
             if let Some(stiffness) = heat.stiffness {
@@ -323,17 +326,23 @@ impl Body {
         (stress, any)
     }
 
+    /// Angles that are computed together, see `by_lanes`.
+    fn group(&self) -> usize {
+        match self.mesh.sectors.columns() {
+            1 => 1,
+            n if n.is_multiple_of(8) => 8,
+            _ => 4,
+        }
+    }
+
+    /// Whether any point flows of element e and the group of angles that l belongs to.
+    fn group_flows(&self, e: usize, l: usize) -> bool {
+        self.tangent.flows[e * self.mesh.sectors.columns() + l - l % self.group()]
+    }
+
     /// Share of the elements, angle by angle in groups of lanes, with a point that flows.
     pub fn flowing_share(&self) -> f64 {
-        let lanes = self.mesh.sectors.columns();
-        let group = if lanes == 1 {
-            1
-        } else if lanes.is_multiple_of(8) {
-            8
-        } else {
-            4
-        };
-        let groups = self.tangent.flows.iter().step_by(group);
+        let groups = self.tangent.flows.iter().step_by(self.group());
         groups.clone().filter(|flows| **flows).count() as f64 / groups.len() as f64
     }
 
@@ -344,12 +353,20 @@ impl Body {
         &self.tangent.coefficients[at..at + W]
     }
 
-    /// Product of the consistent tangent at the last internal force with a displacement.
+    /// Product with a displacement of what the elastic stiffness at T₀ has more than the consistent tangent
+    /// at the last internal force. Only elements that flow, have other moduli or large displacement gradients
+    /// have a share in it.
+    pub fn stiffness_loss(&mut self, u: &[f64], force: &mut [f64]) {
+        by_lanes!(self.stiffness_loss_lanes(u, force));
+    }
+
+    /// Product with the consistent tangent itself.
+    #[cfg(test)]
     pub fn tangent_product(&mut self, u: &[f64], force: &mut [f64]) {
-        if self.finite.is_some() {
-            return by_lanes!(self.finite_tangent_product(u, force));
-        }
-        by_lanes!(self.tangent_product_lanes(u, force));
+        let mut loss = vec![0.0; force.len()];
+        self.stiffness_loss(u, &mut loss);
+        by_lanes!(self.elastic_product_lanes(u, force));
+        force.iter_mut().zip(&loss).for_each(|(force, loss)| *force -= loss);
     }
 }
 

@@ -288,6 +288,7 @@ impl Contact {
     }
 
     /// Adds the product of the contact stiffness with a displacement to a force.
+    #[cfg(test)]
     pub fn add_tangent_product(&self, u: &[f64], force: &mut [f64]) {
         for i in 0..self.len() {
             if self.trial.status[i] == Status::Open {

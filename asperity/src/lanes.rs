@@ -18,11 +18,11 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
 
 /// y += scale·M·x for a small square matrix stored column by column.
 #[inline(always)]
-pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
+pub fn add_small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     match x.len() {
-        4 => fixed_product::<4>(scale, columns, x, y),
-        8 => fixed_product::<8>(scale, columns, x, y),
-        16 => fixed_product::<16>(scale, columns, x, y),
+        4 => fixed_product::<4, true>(scale, columns, x, y),
+        8 => fixed_product::<8, true>(scale, columns, x, y),
+        16 => fixed_product::<16, true>(scale, columns, x, y),
         n => {
             for (k, column) in columns.chunks_exact(n).enumerate() {
                 for (y, c) in y.iter_mut().zip(column) {
@@ -33,12 +33,27 @@ pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     }
 }
 
+/// y = scale·M·x. To fill y with zeros first would cost as much again.
 #[inline(always)]
-fn fixed_product<const N: usize>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
+pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
+    match x.len() {
+        4 => fixed_product::<4, false>(scale, columns, x, y),
+        8 => fixed_product::<8, false>(scale, columns, x, y),
+        16 => fixed_product::<16, false>(scale, columns, x, y),
+        _ => {
+            y.fill(0.0);
+            add_small_product(scale, columns, x, y);
+        }
+    }
+}
+
+/// ADD: to what is there.
+#[inline(always)]
+fn fixed_product<const N: usize, const ADD: bool>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     let (columns, _) = columns.as_chunks::<N>();
     let y: &mut [f64; N] = y.try_into().expect("as long as x");
     let x: &[f64; N] = x.try_into().expect("N values");
-    let mut sum = *y;
+    let mut sum = if ADD { *y } else { [0.0; N] };
     for k in 0..N {
         add_scaled(&mut sum, scale * x[k], &columns[k]);
     }

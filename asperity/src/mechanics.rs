@@ -4,21 +4,24 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use crate::body::{Body, Purpose};
+use crate::body::Body;
 use crate::contact::{Contact, Flat};
 use crate::harmonic::HarmonicFactors;
 use crate::preconditioner::Preconditioner;
 use crate::timings::{Kernel, Timings};
 use flutter::Flutter;
+use line_search::Line;
+use linear::Border;
 
 mod flutter;
+mod line_search;
+mod linear;
 
 /// Residual below which a state is good enough to ask for its temperature and contact edge.
 const REFRESH: f64 = 3e-2;
 /// Where the shear strength is many times the pressure, the points that stick, slip and touch are found
 /// a few at a time: at 0.001 omega_c that took up to 50 iterations, elsewhere fewer than 30.
 const NEWTON_LIMIT: usize = 60;
-const KRYLOV_LIMIT: usize = 400;
 /// Share of the friction that may be gone without so: more than the outermost ring of the coarsest mesh has
 /// is another problem than the one posed. Ordinary slides stay below 0.02; at 0.001 omega_c, with a
 /// shear strength of some twenty times the pressure, all of the friction went.
@@ -58,19 +61,6 @@ pub enum Hold {
     Interference,
     /// Normal force of the whole asperity; the interference follows.
     Load(f64),
-}
-
-/// The interference as an unknown beside the displacements, in the preconditioner.
-///
-/// Block elimination would take the load per interference as the small difference of two stiff
-/// springs. With the displacement that follows the flat as one more direction of search instead,
-/// nothing cancels, and the preconditioner stays symmetric and positive whatever the precision of
-/// its sweeps.
-struct Border {
-    /// Displacement as the flat moves, then the interference itself.
-    direction: Vec<f64>,
-    /// Curvature of the energy along it.
-    curvature: f64,
 }
 
 pub struct Mechanics {
@@ -114,7 +104,8 @@ impl Mechanics {
     /// with the load that is missing as its residual. Both belong to the minimum of one energy.
     ///
     /// `surroundings` gives temperature and shear limits; it is asked anew in each iteration, with
-    /// the trial state of the one before, and answers nothing when they shall stay as they are.
+    /// the trial state of the one before but the contact where a full step takes it, and answers nothing when
+    /// they shall stay as they are.
     /// The step is solved when the residual is small and they have settled. `start` is the first
     /// guess.
     pub fn solve(
@@ -135,7 +126,7 @@ impl Mechanics {
         let mut trial = vec![0.0; n];
         let mut around =
             surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
-        self.internal_force(Purpose::Tangent, &u[..size], &around);
+        self.internal_force(&u[..size], &around);
         let mut last = f64::INFINITY;
         let mut flutter = Flutter::new(self.contact.len());
         for iteration in 0..NEWTON_LIMIT {
@@ -175,17 +166,20 @@ impl Mechanics {
             let least = if around.settled { 3e-3 } else { 0.05 };
             let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, 0.1);
             self.conjugate_gradients(&residual, &mut direction, forcing);
-            let near = norm <= REFRESH * scale;
-            // Where the temperature will change at once, so will the tangent.
-            let heats = near && !around.settled && around.rise.is_some();
-            let purpose = if heats { Purpose::Force } else { Purpose::Tangent };
-            self.line_search(&mut u, &mut trial, &direction, &residual, (flat, hold), (&around, purpose));
-            if let Some(next) =
-                near.then(|| surroundings(&mut self.body, &mut self.contact, iteration + 1)).flatten()
-            {
-                around = next;
-                if around.rise.is_some() {
-                    self.internal_force(Purpose::Tangent, &u[..size], &around);
+            let line = Line { direction: &direction, residual: &residual, flat, hold };
+            let next = (norm <= REFRESH * scale).then(|| {
+                self.contact.evaluate(|p| u[p] + direction[p], line.flat_at(size, 1.0), &around.limit);
+                surroundings(&mut self.body, &mut self.contact, iteration + 1)
+            });
+            match next.flatten() {
+                None => self.line_search(&mut u, &mut trial, &line, &around),
+                Some(next) => {
+                    if !self.full_step(&mut u, &mut trial, &line, &next) {
+                        self.internal_force(&u[..size], &around);
+                        self.line_search(&mut u, &mut trial, &line, &around);
+                        self.internal_force(&u[..size], &next);
+                    }
+                    around = next;
                 }
             }
         }
@@ -196,168 +190,10 @@ impl Mechanics {
     }
 
     /// Of the body at displacement `u`, kept for the residual.
-    fn internal_force(&mut self, purpose: Purpose, u: &[f64], around: &Surroundings) {
+    fn internal_force(&mut self, u: &[f64], around: &Surroundings) {
         let clock = Instant::now();
-        self.body.internal_force_for(purpose, u, around.rise.as_deref(), &mut self.internal);
+        self.body.internal_force(u, around.rise.as_deref(), &mut self.internal);
         self.timings.since(Kernel::InternalForce, clock);
-    }
-
-    /// Goes along `direction` until the slope of the energy has fallen enough; leaves `u` there,
-    /// with the internal force of that point.
-    ///
-    /// Where a full step goes too far, that is mostly because points of the contact touch, lift off
-    /// or begin to slip on the way. So the next try is the root of the body's slope, taken as
-    /// linear, plus the exact slope of the contact, which is cheap.
-    fn line_search(
-        &mut self,
-        u: &mut Vec<f64>,
-        trial: &mut Vec<f64>,
-        direction: &[f64],
-        residual: &[f64],
-        (flat, hold): (Flat, Hold),
-        (around, purpose): (&Surroundings, Purpose),
-    ) {
-        const ENOUGH: f64 = 0.7;
-        const TRIES: usize = 8;
-        let initial = dot(residual, direction);
-        let size = self.internal.len();
-        let sink = direction.get(size).copied().unwrap_or(0.0);
-        let contact_slope = |contact: &mut Contact, step: f64| {
-            let flat = Flat { interference: flat.interference + step * sink, ..flat };
-            contact.evaluate(|p| u[p] + step * direction[p], flat, &around.limit);
-            let work = match hold {
-                Hold::Interference => 0.0,
-                Hold::Load(load) => 0.5 * (contact.load(&contact.trial) - load) * sink,
-            };
-            work - contact.work_on(direction)
-        };
-        // Steps that fall short and that go too far, each with the slope of the body alone.
-        let mut low = (0.0, dot(&self.internal, &direction[..size]));
-        let mut high: Option<(f64, f64)> = None;
-        let mut step = 1.0;
-        for attempt in 1..=TRIES {
-            for ((t, &x), &d) in trial.iter_mut().zip(u.iter()).zip(direction) {
-                *t = x + step * d;
-            }
-            self.internal_force(purpose, &trial[..size], around);
-            let of_body = dot(&self.internal, &direction[..size]);
-            let slope = of_body + contact_slope(&mut self.contact, step);
-            if slope.abs() <= ENOUGH * initial.abs() || attempt == TRIES {
-                break;
-            }
-            if !slope.is_finite() {
-                high = None;
-                step = low.0 + 0.1 * (step - low.0);
-                continue;
-            }
-            if slope > 0.0 {
-                high = Some((step, of_body));
-            } else {
-                low = (step, of_body);
-            }
-            step = match high {
-                None => 2.0 * step,
-                Some(high) => {
-                    let (mut left, mut right) = (low.0, high.0);
-                    for _ in 0..40 {
-                        let middle = 0.5 * (left + right);
-                        let body = low.1 + (high.1 - low.1) * (middle - low.0) / (high.0 - low.0);
-                        if body + contact_slope(&mut self.contact, middle) > 0.0 {
-                            right = middle;
-                        } else {
-                            left = middle;
-                        }
-                    }
-                    let width = high.0 - low.0;
-                    right.clamp(low.0 + 0.01 * width, high.0 - 0.01 * width)
-                }
-            };
-        }
-        std::mem::swap(u, trial);
-    }
-
-    /// Solves tangent·direction = −residual; `direction` holds M⁻¹·residual on entry.
-    fn conjugate_gradients(&mut self, residual: &[f64], direction: &mut [f64], tolerance: f64) {
-        let n = residual.len();
-        let mut r: Vec<f64> = residual.iter().map(|x| -x).collect();
-        let mut z: Vec<f64> = direction.iter().map(|x| -x).collect();
-        let mut p = z.clone();
-        let mut product = vec![0.0; n];
-        direction.fill(0.0);
-        let mut rho = dot(&r, &z);
-        let target = rho * tolerance * tolerance;
-        for _ in 0..KRYLOV_LIMIT {
-            self.effort.krylov += 1;
-            self.tangent_product(&p, &mut product);
-            let curvature = dot(&p, &product);
-            if curvature <= 0.0 {
-                break;
-            }
-            let step = rho / curvature;
-            for i in 0..n {
-                direction[i] += step * p[i];
-                r[i] -= step * product[i];
-            }
-            self.precondition(&r, &mut z);
-            let next = dot(&r, &z);
-            if next <= target {
-                break;
-            }
-            let beta = next / rho;
-            for i in 0..n {
-                p[i] = z[i] + beta * p[i];
-            }
-            rho = next;
-        }
-    }
-
-    /// Product of the tangent of body and contact, and of the interference where that is unknown.
-    fn tangent_product(&mut self, u: &[f64], force: &mut [f64]) {
-        let size = self.internal.len();
-        let (field, of_field) = (&u[..size], &mut force[..size]);
-        let clock = Instant::now();
-        self.body.tangent_product(field, of_field);
-        self.timings.since(Kernel::TangentProduct, clock);
-        self.contact.add_tangent_product(field, of_field);
-        if let Some(&height) = u.get(size) {
-            self.contact.add_height_product(height, of_field);
-            force[size] = self.contact.height_stiffness() * height + self.contact.load_product(field);
-        }
-    }
-
-    /// Elastic stiffness with the contact stiffness, inverted.
-    fn precondition(&mut self, residual: &[f64], solution: &mut [f64]) {
-        let size = self.internal.len();
-        self.preconditioner.apply(&residual[..size], &mut solution[..size], &mut self.timings);
-        if let Some(Border { direction, curvature }) = &self.border {
-            let share = dot(direction, residual) / curvature;
-            solution[size] = 0.0;
-            solution.iter_mut().zip(direction).for_each(|(x, d)| *x += share * d);
-        }
-    }
-
-    /// Takes the present contact stiffness into the preconditioner.
-    fn update_preconditioner(&mut self, hold: Hold) -> Result<(), StepFailure> {
-        self.preconditioner
-            .update(&self.contact, &mut self.timings)
-            .map_err(|_| StepFailure::ContactStiffness)?;
-        self.border = None;
-        if let Hold::Load(_) = hold {
-            let size = self.internal.len();
-            let (mut unit, mut direction) = (vec![0.0; size], vec![0.0; size]);
-            self.contact.add_height_product(-1.0, &mut unit);
-            self.preconditioner.apply(&unit, &mut direction, &mut self.timings);
-            direction.push(1.0);
-            let mut force = vec![0.0; size + 1];
-            self.tangent_product(&direction, &mut force);
-            let curvature = dot(&direction, &force);
-            // Without any contact the load cannot be held.
-            if curvature <= 0.0 {
-                return Err(StepFailure::NoContact);
-            }
-            self.border = Some(Border { direction, curvature });
-        }
-        Ok(())
     }
 
     /// Back to the state before a step that failed, with the displacement and the cover of that

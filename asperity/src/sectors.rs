@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-use crate::lanes::small_product;
+use crate::lanes::{add_small_product, small_product};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sectors {
@@ -82,7 +82,6 @@ impl Sectors {
     pub fn differentiate(&self, parities: &[Parity], field: &[f64], derivative: &mut [f64]) {
         let n = self.count;
         for (i, (value, slope)) in field.chunks_exact(n).zip(derivative.chunks_exact_mut(n)).enumerate() {
-            slope.fill(0.0);
             match parities[i % parities.len()] {
                 Parity::Even => small_product(1.0, &self.derivative, value, slope),
                 Parity::Odd => small_product(-1.0, &self.transpose, value, slope),
@@ -96,8 +95,8 @@ impl Sectors {
         for (i, (source, target)) in on_derivative.chunks_exact(n).zip(force.chunks_exact_mut(n)).enumerate()
         {
             match parities[i % parities.len()] {
-                Parity::Even => small_product(1.0, &self.transpose, source, target),
-                Parity::Odd => small_product(-1.0, &self.derivative, source, target),
+                Parity::Even => add_small_product(1.0, &self.transpose, source, target),
+                Parity::Odd => add_small_product(-1.0, &self.derivative, source, target),
             }
         }
     }

@@ -275,6 +275,10 @@ impl<'a> Slide<'a> {
         let (mut frozen, mut refreshed) = (false, 0);
         let coupling_limit = self.increments.coupling_limit;
         let mut heat_time = 0.0;
+        // The edge of the contact at the first guess, for which the shear limits do not matter.
+        let contact = &mut self.mechanics.contact;
+        contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
+        contact.update_cover();
         let solved = self.mechanics.solve(
             flat,
             self.hold,

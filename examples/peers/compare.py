@@ -94,7 +94,8 @@ def main():
         for code in arguments.codes.split(","):
             found = measure(code, elements, arguments)
             done = found.get("finished", False)
-            time = f"{found['seconds']:.1f}" if done else f"more than {found['seconds']:.0f}"
+            stopped = found["seconds"] >= arguments.limit
+            time = f"{found['seconds']:.1f}" if done else f"{'more than' if stopped else 'failed after'} {found['seconds']:.0f}"
             if "main" in found:
                 time += f" ({found['main'] * found['seconds']:.1f} without error estimates)"
             P, Q = (found.get(name) if done else None for name in "PQ")

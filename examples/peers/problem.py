@@ -65,8 +65,9 @@ def half_hemisphere(elements_per_radius):
     faces += [[(i, j, nz), (i + 1, j, nz), (i + 1, j + 1, nz), (i, j + 1, nz)] for i in range(nx) for j in range(ny)]
     rim = sorted({corner for face in faces for corner in face})
     inner = {corner: block[corner] for corner in rim}
-    for number, radius in enumerate(radii[1:], 1):
-        round_share = min(1.0, number / 6)
+    for radius in radii[1:]:
+        # From box to ball while the radius triples: no sooner, or the corners would be drawn inwards.
+        round_share = min(1.0, math.log(radius / width) / math.log(3))
         outer = {}
         for corner in rim:
             p = np.array(points[block[corner]])

@@ -63,7 +63,7 @@ impl Body {
                 if self.solid.stiffness_varies() {
                     energies.moduli_softening += self.element_moduli_softening(e, l);
                 }
-                for q in 0..POINTS {
+                for q in (0..POINTS).filter(|_| self.group_flows(e, l)) {
                     energies.plastic += element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
                 }
             }
@@ -100,6 +100,9 @@ impl Body {
         let lanes = self.mesh.sectors.columns();
         for (e, element) in self.mesh.elements.iter().enumerate() {
             for l in 0..lanes {
+                if !self.group_flows(e, l) {
+                    continue;
+                }
                 let mut share = [[0.0; 1]; CORNERS];
                 for q in 0..POINTS {
                     let work = factor * element.weight[q] * self.point_plastic_work(e * POINTS + q, l);

@@ -151,15 +151,19 @@ impl HarmonicFactors {
     pub fn to_modal(&self, field: &[f64], modal: &mut [f64]) {
         let components = self.kind.components();
         let columns = self.harmonics();
-        modal.fill(0.0);
         for node in 0..self.on_axis.len() {
+            // The places of its components follow each other; on the axis one component adds to another.
+            let first = self.position[node * components];
+            if first == ABSENT {
+                continue;
+            }
+            if self.on_axis[node] {
+                modal[first as usize * columns..][..components * columns].fill(0.0);
+            }
             for c in 0..components {
-                let place = self.position[node * components + c];
-                if place == ABSENT {
-                    continue;
-                }
+                let place = first as usize + c;
                 let source = &field[(node * components + c) * columns..][..columns];
-                let target = place as usize * columns;
+                let target = place * columns;
                 if self.on_axis[node] {
                     self.axis_to_modal(source, c, target, modal);
                 } else {
@@ -194,8 +198,8 @@ impl HarmonicFactors {
             for c in 0..components {
                 let place = self.position[node * components + c];
                 let target = &mut field[(node * components + c) * columns..][..columns];
-                target.fill(0.0);
                 if place == ABSENT {
+                    target.fill(0.0);
                     continue;
                 }
                 let source = &modal[place as usize * columns..][..columns];
@@ -203,6 +207,7 @@ impl HarmonicFactors {
                 if !self.on_axis[node] {
                     small_product(1.0, table, source, target);
                 } else if self.kind == FieldKind::Vector && c < 2 {
+                    target.fill(0.0);
                     if columns > 1 {
                         let translation = modal[(place as usize - c) * columns + 1];
                         let translation = if c == 1 { -translation } else { translation };

@@ -15,7 +15,8 @@
 //! where the principal axes do not turn, Kirchhoff's.
 
 use super::heat::ElementHeat;
-use super::{Body, Purpose, TENSOR};
+use super::{Body, TENSOR};
+use crate::elastic;
 use crate::element::{CORNERS, POINTS, VALUES};
 use crate::lanes::{Lanes, fma};
 use crate::sectors::VECTOR_PARITY;
@@ -49,6 +50,11 @@ pub struct FiniteTangent {
 }
 
 impl FiniteTangent {
+    /// Whether the moduli of small strain will do for the element and group of angles at `at`.
+    pub(super) fn is_small(&self, at: usize) -> bool {
+        self.small[at]
+    }
+
     pub fn new(elements: usize, lanes: usize) -> Self {
         Self {
             point: vec![0.0; elements * POINTS * POINT_VALUES * lanes],
@@ -60,32 +66,18 @@ impl FiniteTangent {
 
 impl Body {
     /// As [`Body::internal_force`]. Where a point is turned inside out, the force is not a number.
-    pub(super) fn finite_force(
-        &mut self,
-        u: &[f64],
-        rise: Option<&[f64]>,
-        purpose: Purpose,
-        force: &mut [f64],
-    ) {
-        match purpose {
-            Purpose::Tangent => self.finite_force_with::<true>(u, rise, force),
-            Purpose::Force => self.finite_force_with::<false>(u, rise, force),
-        }
-    }
-
-    /// TANGENT: whether that is wanted.
-    fn finite_force_with<const TANGENT: bool>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
+    pub(super) fn finite_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
         // Points beside angles: the spectral decomposition is a long chain of roots and quotients, of
         // which the machine works on several at once.
         match self.mesh.sectors.columns() {
-            1 => self.finite_force_lanes::<1, 4, 4, TANGENT>(u, rise, force),
-            n if n % 8 == 0 => self.finite_force_lanes::<8, 2, 16, TANGENT>(u, rise, force),
-            _ => self.finite_force_lanes::<4, 2, 8, TANGENT>(u, rise, force),
+            1 => self.finite_force_lanes::<1, 4, 4>(u, rise, force),
+            n if n % 8 == 0 => self.finite_force_lanes::<8, 2, 16>(u, rise, force),
+            _ => self.finite_force_lanes::<4, 2, 8>(u, rise, force),
         }
     }
 
     /// W angles and P points at a time, L = WP lanes.
-    fn finite_force_lanes<const W: usize, const P: usize, const L: usize, const TANGENT: bool>(
+    fn finite_force_lanes<const W: usize, const P: usize, const L: usize>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
@@ -100,13 +92,8 @@ impl Body {
             for first in (0..lanes).step_by(W) {
                 let displacement =
                     self.mesh.gather_vector::<W>(u, &self.slope, &self.mesh.elements[e], first);
-                let nodal_force = self.finite_element_force::<W, P, L, TANGENT>(
-                    e,
-                    first,
-                    &displacement,
-                    rise,
-                    &mut tangent,
-                );
+                let nodal_force =
+                    self.finite_element_force::<W, P, L>(e, first, &displacement, rise, &mut tangent);
                 let element = &self.mesh.elements[e];
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
@@ -116,7 +103,7 @@ impl Body {
     }
 
     #[inline(always)]
-    fn finite_element_force<const W: usize, const P: usize, const L: usize, const TANGENT: bool>(
+    fn finite_element_force<const W: usize, const P: usize, const L: usize>(
         &mut self,
         e: usize,
         first: usize,
@@ -162,9 +149,7 @@ impl Body {
             self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
         }
         let small = largest <= SMALL;
-        if TANGENT {
-            tangent.small[at] = small;
-        }
+        tangent.small[at] = small;
         let mut any_flows = false;
         let mut force = [[[0.0; W]; VALUES]; CORNERS];
         for chunk in (0..POINTS).step_by(P) {
@@ -180,27 +165,25 @@ impl Body {
                 let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, log_strain, &heat);
                 (series.first_piola(&f, &log_stress), flows)
             } else {
-                let spectral = Spectral::new::<TANGENT>(&excess);
+                let spectral = Spectral::new(&excess);
                 let log_strain = spectral.log_strain();
                 let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, log_strain, &heat);
                 let frame = PointFrame::new(spectral, &f, &log_stress);
-                if TANGENT {
-                    let moduli = self.log_moduli::<W, L>(e, chunk, first, flows, heat.stiffness.as_ref());
-                    let mut moduli = frame.tangent(&moduli);
-                    add_volume_curvature(&join::<W, L>(|_, l| pressure[l]), &f, &mut moduli);
-                    for p in 0..P {
-                        let q = chunk + p;
-                        let mut keep = |i: usize, value: &Lanes<L>| {
-                            let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
-                            let target = &mut tangent.point[place..place + W];
-                            (0..W).for_each(|l| target[l] = (weight[q] * value[p * W + l]) as f32);
-                        };
-                        for i in 0..ENTRIES {
-                            keep(i, &moduli[i]);
-                        }
-                        for i in 0..9 {
-                            keep(ENTRIES + i, &cofactors[i / 3][i % 3]);
-                        }
+                let moduli = self.log_moduli::<W, L>(e, chunk, first, flows, heat.stiffness.as_ref());
+                let mut moduli = frame.tangent(&moduli);
+                add_volume_curvature(&join::<W, L>(|_, l| pressure[l]), &f, &mut moduli);
+                for p in 0..P {
+                    let q = chunk + p;
+                    let mut keep = |i: usize, value: &Lanes<L>| {
+                        let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
+                        let target = &mut tangent.point[place..place + W];
+                        (0..W).for_each(|l| target[l] = (weight[q] * value[p * W + l]) as f32);
+                    };
+                    for i in 0..ENTRIES {
+                        keep(i, &moduli[i]);
+                    }
+                    for i in 0..9 {
+                        keep(ENTRIES + i, &cofactors[i / 3][i % 3]);
                     }
                 }
                 (frame.first_piola(), flows)
@@ -243,11 +226,12 @@ impl Body {
             }
         }
         let mut log_stress = [[0.0; L]; TENSOR];
+        let stale = self.tangent.flows[e * self.mesh.sectors.columns() + first];
         let mut flows = false;
         for p in 0..P {
             let of_point = deviator.map(|component| part::<W, L>(&component, p));
             let (stress, flowing) =
-                self.point_stress::<W>(e, chunk + p, first, &of_point, heat.at_point(chunk + p));
+                self.point_stress::<W>(e, chunk + p, first, &of_point, heat.at_point(chunk + p), stale);
             flows |= flowing;
             for (joined, component) in log_stress.iter_mut().zip(&stress) {
                 joined[p * W..][..W].copy_from_slice(component);
@@ -280,55 +264,52 @@ impl Body {
         }
     }
 
-    /// As [`Body::tangent_product`].
-    pub(super) fn finite_tangent_product<const W: usize>(&mut self, u: &[f64], force: &mut [f64]) {
-        force.fill(0.0);
-        self.on_slope.fill(0.0);
-        self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
+    /// Share in [`Body::stiffness_loss`] of an element with large displacement gradients.
+    #[inline(always)]
+    pub(super) fn finite_loss<const W: usize>(
+        &self,
+        e: usize,
+        first: usize,
+        displacement: &[[Lanes<W>; VALUES]; CORNERS],
+    ) -> [[Lanes<W>; VALUES]; CORNERS] {
+        let element = &self.mesh.elements[e];
         let lanes = self.mesh.sectors.columns();
         let tangent = self.finite.as_ref().expect("of a body at finite strain");
-        for (e, element) in self.mesh.elements.iter().enumerate() {
-            for first in (0..lanes).step_by(W) {
-                let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
-                if tangent.small[e * lanes + first] {
-                    let nodal_force = self.small_tangent_force(e, first, &displacement);
-                    self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
-                    continue;
-                }
-                let value = |q: usize, i: usize| {
-                    let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
-                    &tangent.point[place..place + W]
-                };
-                let mut stresses = [[[[0.0; W]; 3]; 3]; POINTS];
-                // Change of ∫J dV.
-                let mut growth = [0.0; W];
-                for q in 0..POINTS {
-                    let gradient: TwoPoint<W> = displacement_gradient(&element.shape[q], &displacement);
-                    stresses[q] = symmetric_product(|i| value(q, i), &gradient);
-                    for i in 0..9 {
-                        let (cofactor, component) = (value(q, ENTRIES + i), &gradient[i / 3][i % 3]);
-                        for l in 0..W {
-                            growth[l] = fma(f64::from(cofactor[l]), component[l], growth[l]);
-                        }
-                    }
-                }
+        let value = |q: usize, i: usize| {
+            let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
+            &tangent.point[place..place + W]
+        };
+        let mut stresses = [[[[0.0; W]; 3]; 3]; POINTS];
+        // Change of ∫J dV.
+        let mut growth = [0.0; W];
+        for q in 0..POINTS {
+            let gradient: TwoPoint<W> = displacement_gradient(&element.shape[q], displacement);
+            stresses[q] = symmetric_product(|i| value(q, i), &gradient);
+            for i in 0..9 {
+                let (cofactor, component) = (value(q, ENTRIES + i), &gradient[i / 3][i % 3]);
                 for l in 0..W {
-                    growth[l] *= tangent.volumetric[e * lanes + first + l];
+                    growth[l] = fma(f64::from(cofactor[l]), component[l], growth[l]);
                 }
-                let mut nodal_force = [[[0.0; W]; VALUES]; CORNERS];
-                for q in 0..POINTS {
-                    for i in 0..9 {
-                        let (cofactor, component) = (value(q, ENTRIES + i), &mut stresses[q][i / 3][i % 3]);
-                        for l in 0..W {
-                            component[l] = fma(f64::from(cofactor[l]), growth[l], component[l]);
-                        }
-                    }
-                    add_stress_force(&element.shape[q], &stresses[q], &mut nodal_force);
-                }
-                self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
         }
-        self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
+        for l in 0..W {
+            growth[l] *= tangent.volumetric[e * lanes + first + l];
+        }
+        let mut nodal_force = [[[0.0; W]; VALUES]; CORNERS];
+        for q in 0..POINTS {
+            for i in 0..9 {
+                let (cofactor, component) = (value(q, ENTRIES + i), &mut stresses[q][i / 3][i % 3]);
+                for l in 0..W {
+                    component[l] = fma(f64::from(cofactor[l]), growth[l], component[l]);
+                }
+            }
+            add_stress_force(&element.shape[q], &stresses[q], &mut nodal_force);
+        }
+        let mut loss = elastic::element_force(element, self.solid.moduli, displacement);
+        for (loss, force) in loss.as_flattened_mut().iter_mut().zip(nodal_force.as_flattened()) {
+            (0..W).for_each(|l| loss[l] -= force[l]);
+        }
+        loss
     }
 }
 

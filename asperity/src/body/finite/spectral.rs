@@ -42,14 +42,13 @@ pub const fn triple(a: usize, b: usize, c: usize) -> usize {
 }
 
 impl<const W: usize> Spectral<W> {
-    /// Of C = 1 + `excess`, given by pairs: small strains keep all their digits. The second differences
-    /// are the tangent's alone, and zero without TANGENT.
+    /// Of C = 1 + `excess`, given by pairs: small strains keep all their digits.
     #[inline(always)]
-    pub fn new<const TANGENT: bool>(excess: &[Lanes<W>; 6]) -> Self {
+    pub fn new(excess: &[Lanes<W>; 6]) -> Self {
         let (values, frame) = eigen(*excess);
         let mut spectral =
             Self { frame, strain: [[0.0; W]; 3], first: [[0.0; W]; 6], second: [[0.0; W]; TRIPLES] };
-        spectral.set_close::<TANGENT>(&values);
+        spectral.set_close(&values);
         for l in 0..W {
             let excess = [values[0][l], values[1][l], values[2][l]];
             if !close(excess) {
@@ -61,16 +60,14 @@ impl<const W: usize> Spectral<W> {
 
     /// By the series that hold where [`close`] says so, which is nearly everywhere: all lanes at once.
     #[inline(always)]
-    fn set_close<const TANGENT: bool>(&mut self, excess: &[Lanes<W>; 3]) {
+    fn set_close(&mut self, excess: &[Lanes<W>; 3]) {
         for a in 0..3 {
             for l in 0..W {
                 let x = excess[a][l];
                 let inverse = 0.5 / (1.0 + x);
                 self.strain[a][l] = half_log(x);
                 self.first[a][l] = inverse;
-                if TANGENT {
-                    self.second[triple(a, a, a)][l] = -inverse * inverse;
-                }
+                self.second[triple(a, a, a)][l] = -inverse * inverse;
             }
         }
         for (v, &(a, b)) in PAIR.iter().enumerate().skip(3) {
@@ -79,16 +76,12 @@ impl<const W: usize> Spectral<W> {
                 let inverse = 1.0 / (2.0 + excess[a][l] + excess[b][l]);
                 let d = (excess[b][l] - excess[a][l]) * inverse;
                 self.first[v][l] = inverse * artanh_over(d);
-                if TANGENT {
-                    let (even, odd) = second_of_two(d);
-                    self.second[a_a_b][l] = -inverse * inverse * (even + odd);
-                    self.second[a_b_b][l] = -inverse * inverse * (even - odd);
-                }
+                let (even, odd) = second_of_two(d);
+                self.second[a_a_b][l] = -inverse * inverse * (even + odd);
+                self.second[a_b_b][l] = -inverse * inverse * (even - odd);
             }
         }
-        if TANGENT {
-            self.second[triple(0, 1, 2)] = second_of_close(*excess);
-        }
+        self.second[triple(0, 1, 2)] = second_of_close(*excess);
     }
 
     /// One lane, whatever the eigenvalues.

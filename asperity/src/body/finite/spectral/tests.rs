@@ -44,7 +44,7 @@ fn spectral_form_gives_the_tensor_back() {
             }
         }
         // The logarithm in the frame that it was built from.
-        let strain = Spectral::new::<false>(&tensor).log_strain();
+        let strain = Spectral::new(&tensor).log_strain();
         let expected = turned(values.map(|x| 0.5 * x.ln_1p()), &frame);
         let scale = expected.iter().fold(f64::MIN_POSITIVE, |m: f64, x| m.max(x[0].abs()));
         for i in 0..6 {
