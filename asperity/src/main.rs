@@ -3,5 +3,6 @@
 mod command;
 
 fn main() -> std::process::ExitCode {
+    tables::rehearsal::enable();
     command::main()
 }

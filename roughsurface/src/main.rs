@@ -29,6 +29,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    tables::rehearsal::enable();
     let result = match Cli::parse().command {
         Command::Predict(options) => predict::run(&options),
         Command::Sample(options) => sample::run(&options),

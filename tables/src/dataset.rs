@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 pub use netcdf::AttributeValue;
 use netcdf::FileMut;
 
-use crate::{classic, seal};
+use crate::seal::{self, Seal};
+use crate::{classic, rehearsal};
 
 /// CF version written to the attribute `Conventions`.
 pub const CONVENTIONS: &str = "CF-1.11";
@@ -283,22 +284,18 @@ pub struct DatasetReader {
 }
 
 /// Compressed data are at most this many times larger than the file (the limit of deflate is 1032).
-const MOST_EXPANSION: u64 = 1100;
+pub(crate) const MOST_EXPANSION: u64 = 1100;
 
-/// Of a classic netCDF file: other programs write topographies as such.
-fn classic_damage(path: &Path, size: u64) -> std::io::Result<Option<&'static str>> {
+/// What is wrong with a file that was never sealed: other programs write topographies, too.
+fn foreign_damage(path: &Path) -> std::io::Result<Option<String>> {
     let mut file = std::fs::File::open(path)?;
-    let mut start = [0; 3];
-    if size < start.len() as u64 {
-        return Ok(None);
+    let mut bytes = Vec::new();
+    file.by_ref().take(3).read_to_end(&mut bytes)?;
+    if bytes != b"CDF" {
+        return Ok(rehearsal::rehearse(path).err());
     }
-    file.read_exact(&mut start)?;
-    if &start != b"CDF" {
-        return Ok(None);
-    }
-    let mut bytes = start.to_vec();
     file.read_to_end(&mut bytes)?;
-    Ok(classic::damage(&bytes))
+    Ok(classic::damage(&bytes).map(str::to_string))
 }
 
 impl DatasetReader {
@@ -307,15 +304,16 @@ impl DatasetReader {
         let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };
         // The library's own message for a missing file does not always say so.
         let opened = std::fs::File::open(path).and_then(|mut file| {
-            let size = file.metadata()?.len();
-            Ok((size, seal::damage(&mut file)?))
+            let damage = match seal::inspect(&mut file)? {
+                Seal::Whole => None,
+                Seal::Broken(damage) => Some(damage),
+                Seal::None => foreign_damage(path)?,
+            };
+            Ok((file.metadata()?.len(), damage))
         });
         let (size, damage) = opened.map_err(|error| failed(error.to_string()))?;
         if let Some(damage) = damage {
             return Err(failed(damage));
-        }
-        if let Some(damage) = classic_damage(path, size).map_err(|error| failed(error.to_string()))? {
-            return Err(failed(damage.into()));
         }
         silence_hdf5();
         let file = netcdf::open(path).map_err(|error| failed(error.to_string()))?;

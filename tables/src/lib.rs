@@ -26,6 +26,7 @@ mod netcdf_file;
 mod overview;
 pub mod quantity;
 pub mod refinement;
+pub mod rehearsal;
 pub mod schema;
 mod seal;
 pub mod shipped;

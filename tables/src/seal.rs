@@ -35,9 +35,17 @@ pub(crate) fn seal(path: &Path) -> io::Result<()> {
     file.sync_all()
 }
 
-/// What is wrong with the bytes of a file, if anything is. A file that was never sealed is not
-/// suspected, as long as it has the length that it states.
-pub(crate) fn damage(file: &mut File) -> io::Result<Option<String>> {
+/// What the end of a file says of the rest.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Seal {
+    Whole,
+    /// What is wrong.
+    Broken(String),
+    /// Never sealed, and as long as it states to be if it does.
+    None,
+}
+
+pub(crate) fn inspect(file: &mut File) -> io::Result<Seal> {
     let length = file.metadata()?.len();
     let mut head = [0; HEAD];
     let read = read_up_to(file, 0, &mut head)?;
@@ -46,10 +54,13 @@ pub(crate) fn damage(file: &mut File) -> io::Result<Option<String>> {
     let found = read_up_to(file, before, &mut end)?;
     if found == LENGTH && end.starts_with(MARK) {
         let whole = line(file, before)? == end;
-        return Ok((!whole).then(|| "damaged: its bytes do not agree with their checksum".to_string()));
+        let broken = || Seal::Broken("damaged: its bytes do not agree with their checksum".to_string());
+        return Ok(if whole { Seal::Whole } else { broken() });
     }
-    Ok(stated_length(&head[..read]).filter(|stated| *stated != length).map(|stated| {
-        format!("damaged: it has {length} bytes and no seal, and states that its data end at {stated}")
+    let other_length = stated_length(&head[..read]).filter(|stated| *stated != length);
+    Ok(other_length.map_or(Seal::None, |stated| {
+        let text = "bytes and no seal, and states that its data end at";
+        Seal::Broken(format!("damaged: it has {length} {text} {stated}"))
     }))
 }
 

@@ -15,6 +15,7 @@ use roughsurface::topography::read as topography;
 use roughsurface::topography::read::Reading;
 use tables::quantity::Quantity;
 use tables::table::{Axes, Cell, Metadata, Table};
+use tests::programs;
 
 /// Of the process that reads, in kB; the inputs are below 200 kB.
 const MEMORY: usize = 1_000_000;
@@ -194,6 +195,71 @@ fn no_input_breaks_a_reader() {
 #[test]
 fn no_damaged_table_breaks_a_reader() {
     survive(&["table"]);
+}
+
+/// netCDF-4 files without a seal, as other programs write them: a table, and a map of heights.
+fn foreign(folder: &Path) -> Vec<(&'static str, &'static str, Vec<u8>)> {
+    let path = folder.join("seed.nc");
+    table().write(&path).unwrap();
+    let mut bytes = std::fs::read(&path).unwrap();
+    let seal = bytes.windows(8).rposition(|end| end == b"\nsha256 ").unwrap();
+    bytes.truncate(seal);
+
+    let path = folder.join("map.nc");
+    let mut map = netcdf::create(&path).unwrap();
+    for axis in ["x", "y"] {
+        map.add_dimension(axis, 16).unwrap();
+        map.add_variable::<f64>(axis, &[axis]).unwrap().put_attribute("length", 16e-6).unwrap();
+    }
+    let heights: Vec<f64> = (0..256).map(|n| 1e-8 * (f64::from(n) * 0.7).sin()).collect();
+    let mut variable = map.add_variable::<f64>("heights", &["x", "y"]).unwrap();
+    variable.put_attribute("unit", "m").unwrap();
+    variable.put_values(&heights, ..).unwrap();
+    drop(map);
+    vec![
+        ("asperity", "table info input", bytes),
+        ("roughsurface", "characterize input", std::fs::read(path).unwrap()),
+    ]
+}
+
+/// Bytes changed where they stand, so that the length is the one that the file states.
+fn corrupt(seed: &[u8], random: &mut Random) -> Vec<u8> {
+    let mut bytes = seed.to_vec();
+    for _ in 0..1 + random.below(8) {
+        let word = TROUBLE[random.below(TROUBLE.len())];
+        let at = random.below(bytes.len() - word.len());
+        if random.below(2) == 0 {
+            bytes[at] = random.next() as u8;
+        } else {
+            bytes[at..at + word.len()].copy_from_slice(word);
+        }
+    }
+    bytes
+}
+
+/// What crashes the HDF5 library crashes a copy of the program, which says so.
+#[test]
+fn no_foreign_file_crashes_a_program() {
+    let inputs: u64 = std::env::var("HOSTILE_INPUTS").map_or(150, |text| text.parse().unwrap());
+    let folder = tempfile::tempdir().unwrap();
+    let mut refused = 0;
+    for (name, arguments, seed) in foreign(folder.path()) {
+        let run = |bytes: &[u8]| {
+            std::fs::write(folder.path().join("input"), bytes).unwrap();
+            programs::execute(name, folder.path(), arguments)
+        };
+        let output = run(&seed);
+        assert!(output.status.success(), "{}", programs::stderr(&output));
+        for number in 0..inputs {
+            let output = run(&corrupt(&seed, &mut Random(number)));
+            let said = programs::stderr(&output);
+            let code = output.status.code();
+            assert!(code.is_some_and(|code| code < 3), "{name} {number}: {}: {said}", output.status);
+            refused += u64::from(said.contains("on trial"));
+        }
+    }
+    eprintln!("{refused} of {} crashed a copy", 2 * inputs);
+    assert!(refused > 0, "no input crashed the library: the test shows nothing");
 }
 
 /// Texts that are small or at most some megabytes, and ask for much: deep nesting of every kind, long lists,

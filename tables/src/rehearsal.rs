@@ -1,0 +1,141 @@
+//! netCDF-4 files of other programs are read in a process of their own first.
+//!
+//! The HDF5 library trusts the files that it reads: of tables damaged at random it crashed on one in ten. What this
+//! project writes is sealed (see `seal`), and damage is found before the library sees the file. Other files carry no
+//! seal. A program that has [`enable`]d rehearsals reads each of them in a copy of itself, with little memory and time,
+//! before it reads it in earnest: where the copy dies, the file is refused in a sentence. That costs some
+//! hundredths of a second a file.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+
+use netcdf::types::NcVariableType;
+use rustix::process::{Resource, Rlimit, setrlimit};
+
+use crate::dataset::MOST_EXPANSION;
+
+/// Path of the file that a copy of the program is to read; absent in the program itself.
+const FILE: &str = "ASPERITY_REHEARSAL";
+/// Of address space, beside what the file may expand to.
+const MEMORY: u64 = 1 << 30;
+const TIME: Duration = Duration::from_secs(60);
+/// Status of a copy that could not open the file; it has said why.
+const NOT_OPENED: i32 = 3;
+
+static ENABLED: OnceLock<()> = OnceLock::new();
+
+/// To be called first in `main`: from then on unsealed netCDF-4 files are rehearsed. In a copy of the program that was
+/// started for that, reads the file and ends the process.
+///
+/// Without it they are read at once; damaged ones may then crash the process.
+pub fn enable() {
+    if let Some(file) = std::env::var_os(FILE) {
+        std::process::exit(perform(&PathBuf::from(file)));
+    }
+    ENABLED.get_or_init(|| ());
+}
+
+/// Reads the file in a copy of this program, if that is enabled; says what is wrong where the copy fails.
+pub(crate) fn rehearse(file: &Path) -> Result<(), String> {
+    if ENABLED.get().is_none() {
+        return Ok(());
+    }
+    let failed = |error: std::io::Error| format!("cannot be read in a process of its own first: {error}");
+    let mut copy = Command::new(program().map_err(failed)?)
+        .env(FILE, file)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .map_err(failed)?;
+    let Some(status) = wait(&mut copy).map_err(failed)? else {
+        return Err(format!("damaged: it cannot be read in {} s", TIME.as_secs()));
+    };
+    match status.code() {
+        Some(0) => Ok(()),
+        Some(NOT_OPENED) => Err(copy.stdout.take().map_or_else(String::new, |said| {
+            std::io::read_to_string(said).unwrap_or_default().trim().to_string()
+        })),
+        _ => Err(format!("damaged: a process that read it on trial ended with {status}")),
+    }
+}
+
+/// This program, also if its file has been replaced since.
+fn program() -> std::io::Result<OsString> {
+    let own = Path::new("/proc/self/exe");
+    if own.exists() { Ok(own.into()) } else { std::env::current_exe().map(Into::into) }
+}
+
+/// None if it took too long.
+fn wait(copy: &mut Child) -> std::io::Result<Option<std::process::ExitStatus>> {
+    let begun = Instant::now();
+    while begun.elapsed() < TIME {
+        if let Some(status) = copy.try_wait()? {
+            return Ok(Some(status));
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    copy.kill()?;
+    copy.wait()?;
+    Ok(None)
+}
+
+/// Reads all that a reader of this project may ask of the file; what is not of a kind that any asks for is no matter.
+fn perform(file: &Path) -> i32 {
+    let size = std::fs::metadata(file).map_or(0, |metadata| metadata.len());
+    let memory = MEMORY.saturating_add(size.saturating_mul(MOST_EXPANSION));
+    // No core files of crashes that are expected.
+    for (resource, limit) in [(Resource::As, memory), (Resource::Core, 0)] {
+        let _ = setrlimit(resource, Rlimit { current: Some(limit), maximum: Some(limit) });
+    }
+    let dataset = match netcdf::open(file) {
+        Ok(dataset) => dataset,
+        Err(error) => {
+            println!("{error}");
+            return NOT_OPENED;
+        }
+    };
+    for attribute in dataset.attributes() {
+        let _ = attribute.value();
+    }
+    for variable in dataset.variables() {
+        for attribute in variable.attributes() {
+            let _ = attribute.value();
+        }
+        let _ = variable.fill_value::<f64>();
+        let shape: Vec<usize> = variable.dimensions().iter().map(|axis| axis.len()).collect();
+        let values = shape.iter().try_fold(1usize, |values, length| values.checked_mul(*length));
+        let Some(values) = values.filter(|values| *values as u64 <= memory / 8) else { continue };
+        match variable.vartype() {
+            NcVariableType::String => {
+                for number in 0..values {
+                    let _ = variable.get_string(&index(number, &shape)[..]);
+                }
+            }
+            NcVariableType::Int(_) | NcVariableType::Float(_) | NcVariableType::Char => {
+                drop(variable.get_values::<f64, _>(..));
+                drop(variable.get_values::<i8, _>(..));
+            }
+            _ => {}
+        }
+    }
+    0
+}
+
+/// Of the value of that number, row by row.
+fn index(mut number: usize, shape: &[usize]) -> Vec<usize> {
+    let mut index: Vec<usize> = shape
+        .iter()
+        .rev()
+        .map(|length| {
+            let place = number % length;
+            number /= length;
+            place
+        })
+        .collect();
+    index.reverse();
+    index
+}
