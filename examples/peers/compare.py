@@ -94,7 +94,7 @@ def main():
         for code in arguments.codes.split(","):
             found = measure(code, elements, arguments)
             done = found.get("finished", False)
-            stopped = found["seconds"] >= arguments.limit
+            stopped = found["seconds"] > 0.99 * arguments.limit
             time = f"{found['seconds']:.1f}" if done else f"{'more than' if stopped else 'failed after'} {found['seconds']:.0f}"
             if "main" in found:
                 time += f" ({found['main'] * found['seconds']:.1f} without error estimates)"

@@ -18,8 +18,8 @@ use crate::resolution::{choose_heat, softening_number};
 use crate::scene_file::Request;
 use crate::simulate::{SimulationError, Watch};
 
-/// With so many interferences or more, one cell of the smallest is run first: what run times do
-/// with interference is then known from the start, for the price of a short run.
+/// With so many interferences or more, one cell of the middle, of the smallest and of the largest are run first:
+/// what run times do with interference is then known from the start.
 const ROWS_WORTH_A_PROBE: usize = 4;
 
 /// The cells to be run, and what runs them.
@@ -43,8 +43,8 @@ struct Ledger<'a> {
     journal: &'a mut Journal,
     forecast: Forecast,
     done: usize,
-    /// Being run by the probe.
-    taken: Option<Index>,
+    /// Being run by probes.
+    taken: Vec<Index>,
     error: Option<JournalError>,
 }
 
@@ -89,7 +89,7 @@ pub fn run<S: Simulator>(
             journal,
             forecast: Forecast::new(model.clone(), Vec::new(), 1),
             done: 0,
-            taken: None,
+            taken: Vec::new(),
             error: None,
         }),
         stopped: AtomicBool::new(false),
@@ -116,7 +116,9 @@ pub fn run<S: Simulator>(
     let grid = &grid;
     pool.in_place_scope_fifo(|scope| {
         if work.interferences.len() >= ROWS_WORTH_A_PROBE {
-            scope.spawn_fifo(move |_| grid.probe());
+            for i in probes(work.interferences.len()) {
+                scope.spawn_fifo(move |_| grid.probe(i));
+            }
         }
         // The largest take longest: started last, they would run alone at the end. Idle
         // threads help with the slides of a press before they start another press, which
@@ -144,6 +146,11 @@ pub fn cases(request: &Request, interferences: &[f64], slip_rates: &[f64]) -> Ve
     (interferences.iter()).flat_map(|omega| (0..slip_rates.len()).map(move |j| case(*omega, j))).collect()
 }
 
+/// Rows of which one cell is run first, of so many.
+pub fn probes(rows: usize) -> [usize; 3] {
+    [rows / 2, 0, rows - 1]
+}
+
 /// Interference and slip rate of a cell.
 pub fn point(interferences: &[f64], slip_rates: &[f64], (i, j): Index) -> Point {
     Point { interference: interferences[i], slip_rate: slip_rates[j] }
@@ -167,15 +174,15 @@ impl<'a, S: Simulator> Grid<'a, S> {
         }
     }
 
-    /// One cell of the smallest interference at a slip rate in the middle.
-    fn probe(&self) {
-        let pending = self.pending(0);
+    /// One cell of an interference at a slip rate in the middle.
+    fn probe(&self, i: usize) {
+        let pending = self.pending(i);
         if pending.is_empty() || self.cancelled() {
             return;
         }
-        let at = (0, pending[pending.len() / 2]);
-        self.lock().taken = Some(at);
-        match self.press(0) {
+        let at = (i, pending[pending.len() / 2]);
+        self.lock().taken.push(at);
+        match self.press(i) {
             Ok(pressed) => self.run_cell(&pressed, at),
             Err(Some(reason)) => self.finish(at, Err(reason)),
             Err(None) => {}
@@ -186,7 +193,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
         let ledger = self.lock();
         let pending = |j: &usize| {
             self.wanted[self.position((i, *j))]
-                && ledger.taken != Some((i, *j))
+                && !ledger.taken.contains(&(i, *j))
                 && ledger.known.get(self.point((i, *j))).is_none()
         };
         (0..self.slip_rates.len()).filter(pending).collect()

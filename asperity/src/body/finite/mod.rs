@@ -25,12 +25,12 @@ use gradient::{
     volume_excess,
 };
 use moduli::{ENTRIES, LogModuli, PointFrame, add_volume_curvature, symmetric_product};
-use series::{LogSeries, SMALL};
+use resolvents::{SMALL, SmallLog};
 use spectral::{Spectral, log_1p};
 
 mod gradient;
 mod moduli;
-mod series;
+mod resolvents;
 mod spectral;
 
 /// Values per point: ∂P/∂F and ∂J/∂F, times the point's weight.
@@ -160,10 +160,10 @@ impl Body {
             let excess = cauchy_green_excess(&gradient);
             let cofactors = cofactors(&f);
             let (stress, flows) = if small {
-                let series = LogSeries::new(&excess);
-                let log_strain = series.log_strain();
+                let small = SmallLog::new(&excess);
+                let log_strain = small.log_strain();
                 let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, log_strain, &heat);
-                (series.first_piola(&f, &log_stress), flows)
+                (small.first_piola(&f, &log_stress), flows)
             } else {
                 let spectral = Spectral::new(&excess);
                 let log_strain = spectral.log_strain();
