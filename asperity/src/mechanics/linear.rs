@@ -38,6 +38,8 @@ impl Mechanics {
         direction.fill(0.0);
         let mut rho = dot(&r, &z);
         let target = rho * tolerance * tolerance;
+        // What the last iteration left of ρ.
+        let mut rate = 1.0;
         for _ in 0..KRYLOV_LIMIT {
             self.effort.krylov += 1;
             self.tangent_product(&p, &unyielding, &mut product);
@@ -50,12 +52,17 @@ impl Mechanics {
                 direction[i] += step * p[i];
                 r[i] -= step * product[i];
             }
+            // To know for certain would take one more application of the preconditioner, of some six.
+            if rate * rho <= target {
+                break;
+            }
             self.precondition(&r, &mut z);
             let next = dot(&r, &z);
             if next <= target {
                 break;
             }
-            let beta = next / rho;
+            rate = next / rho;
+            let beta = rate;
             for i in 0..n {
                 p[i] = z[i] + beta * p[i];
             }
