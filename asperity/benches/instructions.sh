@@ -34,7 +34,7 @@ count() {
         }'
 }
 
-count finite > "$work/now.txt"
+{ count small; count finite; } > "$work/now.txt"
 if [ "${1-}" = --record ]; then
     cp "$work/now.txt" "$record"
 fi

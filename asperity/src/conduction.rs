@@ -230,12 +230,14 @@ impl Conduction {
         for _ in 0..CONTACT_ITERATIONS {
             // (S − γΔt q₁′)θ = f + γΔt(q − q₁′θ), with slopes q₁′ of now or of before.
             let flows: Vec<(f64, f64)> = (0..rise.len()).map(|i| heat.flow(i, rise[i])).collect();
-            let Chord { slopes, factor } = chord.get_or_insert_with(|| {
-                let slopes: Vec<f64> = flows.iter().map(|flow| flow.1).collect();
-                let jacobian = self.contact_jacobian(matrix, scale, |point| slopes[point]);
-                let factor = jacobian.llt(Side::Lower).expect("heat flow falls with temperature");
-                Chord { slopes, factor }
-            });
+            let Chord { slopes, factor } = match &mut *chord {
+                Some(chord) => chord,
+                none => {
+                    let slopes: Vec<f64> = flows.iter().map(|flow| flow.1).collect();
+                    let factor = self.contact_factor(matrix, scale, |point| slopes[point])?;
+                    none.insert(Chord { slopes, factor })
+                }
+            };
             contact.copy_from_slice(&free);
             for ring in 0..size / columns {
                 let load: Vec<f64> = (ring * columns..(ring + 1) * columns)
@@ -282,6 +284,18 @@ impl Conduction {
         Ok(rise.iter().enumerate().fold((0.0, 0.0), |(net, lost), (i, &theta)| {
             (net + heat.flow(i, theta).0, lost + heat.loss(i, theta))
         }))
+    }
+
+    /// Factor of [`Conduction::contact_jacobian`]. It is positive definite as heat flows fall with temperature, but
+    /// not on a contact that is turned inside out, which a step may come by that is too long.
+    fn contact_factor(
+        &self,
+        matrix: &StepMatrix,
+        scale: f64,
+        slope: impl Fn(usize) -> f64,
+    ) -> Result<Llt<f64>, HeatError> {
+        let jacobian = self.contact_jacobian(matrix, scale, slope);
+        jacobian.llt(Side::Lower).map_err(|_| HeatError::NotConverged { residual: f64::NAN })
     }
 
     /// Schur complement of the contact less `scale` times the slopes of the heat flows.

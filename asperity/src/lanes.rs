@@ -20,6 +20,7 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
 #[inline(always)]
 pub fn add_small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     match x.len() {
+        1 => fixed_product::<1, true>(scale, columns, x, y),
         4 => fixed_product::<4, true>(scale, columns, x, y),
         8 => fixed_product::<8, true>(scale, columns, x, y),
         16 => fixed_product::<16, true>(scale, columns, x, y),
@@ -37,6 +38,7 @@ pub fn add_small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) 
 #[inline(always)]
 pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     match x.len() {
+        1 => fixed_product::<1, false>(scale, columns, x, y),
         4 => fixed_product::<4, false>(scale, columns, x, y),
         8 => fixed_product::<8, false>(scale, columns, x, y),
         16 => fixed_product::<16, false>(scale, columns, x, y),

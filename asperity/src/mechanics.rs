@@ -104,8 +104,8 @@ impl Mechanics {
     /// with the load that is missing as its residual. Both belong to the minimum of one energy.
     ///
     /// `surroundings` gives temperature and shear limits; it is asked anew in each iteration, with
-    /// the trial state of the one before but the contact where a full step takes it, and answers nothing when
-    /// they shall stay as they are.
+    /// the trial state of the one before but the contact where a full step takes it, if that is a short one, and
+    /// answers nothing when they shall stay as they are.
     /// The step is solved when the residual is small and they have settled. `start` is the first
     /// guess.
     pub fn solve(
@@ -167,19 +167,28 @@ impl Mechanics {
             let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, 0.1);
             self.conjugate_gradients(&residual, &mut direction, forcing);
             let line = Line { direction: &direction, residual: &residual, flat, hold };
-            let next = (norm <= REFRESH * scale).then(|| {
+            let near = norm <= REFRESH * scale;
+            let ahead = near && line.is_short();
+            let next = ahead.then(|| {
                 self.contact.evaluate(|p| u[p] + direction[p], line.flat_at(size, 1.0), &around.limit);
                 surroundings(&mut self.body, &mut self.contact, iteration + 1)
             });
             match next.flatten() {
-                None => self.line_search(&mut u, &mut trial, &line, &around),
-                Some(next) => {
-                    if !self.full_step(&mut u, &mut trial, &line, &next) {
+                Some(next) if self.full_step(&mut u, &mut trial, &line, &next) => around = next,
+                mut next => {
+                    if next.is_some() {
                         self.internal_force(&u[..size], &around);
-                        self.line_search(&mut u, &mut trial, &line, &around);
-                        self.internal_force(&u[..size], &next);
                     }
-                    around = next;
+                    self.line_search(&mut u, &mut trial, &line, &around);
+                    if near && !ahead {
+                        next = surroundings(&mut self.body, &mut self.contact, iteration + 1);
+                    }
+                    if let Some(next) = next {
+                        around = next;
+                        if around.rise.is_some() {
+                            self.internal_force(&u[..size], &around);
+                        }
+                    }
                 }
             }
         }

@@ -81,6 +81,9 @@ impl Sectors {
     /// ∂/∂θ of a field whose components have the given parities.
     pub fn differentiate(&self, parities: &[Parity], field: &[f64], derivative: &mut [f64]) {
         let n = self.count;
+        if n == 1 {
+            return derivative.fill(0.0);
+        }
         for (i, (value, slope)) in field.chunks_exact(n).zip(derivative.chunks_exact_mut(n)).enumerate() {
             match parities[i % parities.len()] {
                 Parity::Even => small_product(1.0, &self.derivative, value, slope),
@@ -92,6 +95,9 @@ impl Sectors {
     /// Adds to `force` what works on a displacement as `on_derivative` works on its ∂/∂θ.
     pub fn add_transposed(&self, parities: &[Parity], on_derivative: &[f64], force: &mut [f64]) {
         let n = self.count;
+        if n == 1 {
+            return;
+        }
         for (i, (source, target)) in on_derivative.chunks_exact(n).zip(force.chunks_exact_mut(n)).enumerate()
         {
             match parities[i % parities.len()] {

@@ -9,7 +9,7 @@
 //! solved by conjugate gradients with the matrix of the initial properties as preconditioner.
 
 use faer::linalg::solvers::{Llt, SolveCore};
-use faer::{MatMut, Side};
+use faer::MatMut;
 
 use super::{Conduction, ContactHeat, GAMMA, HeatBalance, HeatError, StepMatrix, element_matrix};
 use crate::curve::Curve;
@@ -140,7 +140,7 @@ impl Problem<'_> {
         let mut direction = vec![0.0; n];
         let (mut first, mut last) = (None, f64::INFINITY);
         for _ in 0..NEWTON_LIMIT {
-            let factor = self.factor(&now);
+            let factor = self.factor(&now)?;
             self.precondition(&factor, &now.residual, &mut direction);
             let norm = dot(&now.residual, &direction).max(0.0).sqrt();
             let reference = self.energy_norm(&now).max(*first.get_or_insert(norm));
@@ -204,14 +204,13 @@ impl Problem<'_> {
     }
 
     /// The contact's share of the preconditioner: heat exchange linearised.
-    fn factor(&self, stage: &Stage) -> Llt<f64> {
+    fn factor(&self, stage: &Stage) -> Result<Llt<f64>, HeatError> {
         let conduction = self.conduction;
         let slope = |point: usize| {
             let rise = stage.rise[conduction.contact_places[point]];
             self.heat.flow(point, rise).1.min(0.0) / self.varying.properties.conductivity.value(rise)
         };
-        let jacobian = conduction.contact_jacobian(self.matrix, self.scale, slope);
-        jacobian.llt(Side::Lower).expect("heat flow falls with temperature")
+        conduction.contact_factor(self.matrix, self.scale, slope)
     }
 
     /// Divides by the matrix of the initial properties.

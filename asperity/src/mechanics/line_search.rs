@@ -5,6 +5,9 @@ use crate::contact::Flat;
 
 /// Share of the slope of the energy that a step may leave.
 const ENOUGH: f64 = 0.7;
+/// Longest step, as share of the interference, of which the end is good enough to ask for temperature and contact
+/// edge before the body has been there: a long one may turn the surface inside out.
+const SHORT: f64 = 0.1;
 
 /// Where Newton's method goes next, and from where.
 pub(super) struct Line<'a> {
@@ -18,6 +21,11 @@ impl Line<'_> {
     /// Of the energy.
     fn initial_slope(&self) -> f64 {
         dot(self.residual, self.direction)
+    }
+
+    pub(super) fn is_short(&self) -> bool {
+        let longest = self.direction.iter().fold(0.0f64, |longest, d| longest.max(d.abs()));
+        longest <= SHORT * self.flat.interference
     }
 
     /// Position of the flat that far along, where `size` is the number of displacements.
