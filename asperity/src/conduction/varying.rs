@@ -8,8 +8,8 @@
 //! heat falls with it: Newton's method with a line search cannot miss it. Its linear systems are
 //! solved by conjugate gradients with the matrix of the initial properties as preconditioner.
 
-use faer::linalg::solvers::{Llt, SolveCore};
 use faer::MatMut;
+use faer::linalg::solvers::{Llt, SolveCore};
 
 use super::{Conduction, ContactHeat, GAMMA, HeatBalance, HeatError, StepMatrix, element_matrix};
 use crate::curve::Curve;
