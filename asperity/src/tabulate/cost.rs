@@ -252,6 +252,29 @@ mod tests {
         }
     }
 
+    /// The same of its default table: 0.1 to 100 ω_c at 0 to 10 m/s on two threads, one cell with ten times the
+    /// time of its neighbours.
+    #[test]
+    fn right_for_a_table_that_was_measured() {
+        let measured = [
+            [23.97, 24.30, 22.99, 40.80, 41.85, 48.50, 19.00],
+            [6.76, 7.80, 6.11, 8.05, 82.44, 13.07, 7.74],
+            [2.56, 2.30, 5.10, 4.24, 4.62, 3.56, 4.50],
+            [0.95, 0.98, 1.81, 1.80, 1.85, 2.26, 2.09],
+            [1.14, 1.98, 2.01, 3.21, 1.96, 2.01, 2.09],
+            [1.75, 5.03, 4.62, 5.95, 5.12, 5.29, 5.09],
+            [3.90, 5.56, 6.88, 5.67, 6.60, 6.83, 7.07],
+            [14.31, 20.84, 20.35, 22.42, 21.09, 17.95, 16.61],
+        ];
+        let interferences = log_spaced(0.1, 100.0, 8);
+        let row = |case: Case| interferences.iter().position(|x| *x == case.interference).unwrap();
+        let cases = order(&interferences, 7);
+        for workers in [1, 2] {
+            let ratio = forecast_over_truth(&cases, 7, workers, |case| measured[row(case)][case.column]);
+            assert!((ratio - 1.0).abs() < 0.3, "{workers}: {ratio}");
+        }
+    }
+
     #[test]
     fn terms_are_learnt() {
         let mut model = CostModel::new(100.0, 3);
