@@ -6,7 +6,7 @@
 Errors are those of load and area after the slide against the limit that asperity's own meshes show
 (Richardson's extrapolation of the two finest, order 1.5). asperity presses in full stick and the others with
 the friction of the slide, so that their limits differ by some tenths of a per cent: below that, the curves of
-the others say nothing. Needs matplotlib.
+the others say nothing. Runs that were stopped are arrows. Needs matplotlib.
 """
 import json
 import sys
@@ -14,10 +14,12 @@ import sys
 import matplotlib.pyplot as plt
 
 rows = [json.loads(line) for line in open(sys.argv[1])]
-runs = {}
+runs, stopped = {}, []
 for row in rows:
     if row.get("finished"):
         runs.setdefault(row["code"], {})[row["elements"]] = row
+    else:
+        stopped.append(row)
 ours = runs["asperity"]
 coarse, fine = sorted(ours)[-2:]
 
@@ -33,6 +35,7 @@ for panel, name, title in zip(axes, ("P", "A"), ("load", "contact area")):
     exact = limit(name)
     for code, marker, style in (("asperity", "o", "-"), ("calculix", "s", "--"), ("getfem", "^", ":")):
         done = [row for _, row in sorted(runs.get(code, {}).items()) if row["elements"] != fine or code != "asperity"]
+        done = [row for row in done if row.get(name) is not None]
         if not done:
             continue
         seconds = [row["seconds"] * row.get("main", 1.0) for row in done]
@@ -41,6 +44,15 @@ for panel, name, title in zip(axes, ("P", "A"), ("load", "contact area")):
                      label=NAMES[code])
         for row, x, y in zip(done, seconds, errors):
             panel.annotate(str(row["elements"]), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=8)
+    # Runs that were stopped have a time, and no error.
+    for code in sorted({row["code"] for row in stopped}):
+        ended = sorted((row["elements"], row["seconds"]) for row in stopped if row["code"] == code)
+        for _, seconds in ended:
+            panel.plot(seconds, 0.06, marker=">", color="gray", transform=panel.get_xaxis_transform())
+        sizes = ", ".join(str(elements) for elements, _ in ended)
+        panel.annotate(f"{NAMES[code]}: {sizes} stopped", (ended[0][1], 0.06), xytext=(0, 7),
+                       xycoords=panel.get_xaxis_transform(), textcoords="offset points", fontsize=7,
+                       rotation=90, ha="center", va="bottom", color="gray")  # fmt: skip
     panel.set_title(title)
     panel.set_xlabel("processor time (s)")
     panel.grid(True, which="major", alpha=0.3)
