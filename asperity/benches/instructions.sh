@@ -25,7 +25,7 @@ count() {
         --set numerics.elements_per_radius=4 --set numerics.sectors=4
     printf '%s strain: 5 omega_c, 1 m/s, slide 0.02 a0, 4 elements and angles, with companions\n' "$strain"
     # Millions of instructions; hashes of symbols are left out.
-    callgrind_annotate --threshold=90 "$work/$strain.out" | awk '
+    callgrind_annotate --auto=no --threshold=90 "$work/$strain.out" | awk '
         /PROGRAM TOTALS/ { gsub(",", "", $1); printf "%10.0f  all\n", $1 / 1e6 }
         /\([ 0-9.]+%\)/ && !/PROGRAM TOTALS/ {
             gsub(",", "", $1); millions = $1 / 1e6
