@@ -3,7 +3,8 @@
 //! The HDF5 library trusts the files that it reads: of tables damaged at random it crashed on one in ten. What this
 //! project writes is sealed (see `seal`), and damage is found before the library sees the file. Other files carry no
 //! seal. A program that has [`enable`]d rehearsals reads each of them in a copy of itself, with little memory and time,
-//! before it reads it in earnest: where the copy dies, the file is refused in a sentence. That costs some
+//! before it reads it in earnest: where the copy crashes or panics, the file is refused in a sentence, also if what
+//! broke it is a part that the program would not have asked for. That costs some
 //! hundredths of a second a file.
 
 use std::ffi::OsString;

@@ -255,6 +255,7 @@ fn no_foreign_file_crashes_a_program() {
             let said = programs::stderr(&output);
             let code = output.status.code();
             assert!(code.is_some_and(|code| code < 3), "{name} {number}: {}: {said}", output.status);
+            assert!(!said.contains("internal error"), "{name} {number}: {said}");
             refused += u64::from(said.contains("on trial"));
         }
     }
