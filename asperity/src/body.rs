@@ -12,7 +12,7 @@ use crate::element::{
     CORNERS, POINTS, RevolvedMesh, deviators_and_dilatation, shape_at_points, stress_force,
 };
 use crate::lanes::Lanes;
-use crate::material::{Return, Solid};
+use crate::material::{Solid, Trial};
 use crate::sectors::VECTOR_PARITY;
 
 mod energies;
@@ -252,13 +252,11 @@ impl Body {
         let mut softening = [1.0; W];
         let mut any = false;
         if near {
+            softening = self.solid.softening_factors(heat.rise);
             for l in 0..W {
-                let least = over_stiffness(heat.weakest, l) * strength[l];
-                flowing[l] = squared[l] > least * least && {
-                    softening[l] = over_stiffness(self.solid.softening_factor(heat.rise[l]), l);
-                    let limit = strength[l] * softening[l];
-                    squared[l] > limit * limit
-                };
+                softening[l] = over_stiffness(softening[l], l);
+                let limit = strength[l] * softening[l];
+                flowing[l] = squared[l] > limit * limit;
                 any |= flowing[l];
             }
         }
@@ -282,24 +280,30 @@ impl Body {
         }
         if any {
             let shear = self.solid.moduli.shear;
+            let lanes_of = |values: &[f64]| -> Lanes<W> { std::array::from_fn(|l| values[scalar + l]) };
+            let trial = Trial {
+                flowing,
+                stress: squared.map(f64::sqrt),
+                strain: lanes_of(&self.committed.accumulated),
+                strength: lanes_of(&self.committed.strength),
+                softening,
+                guess,
+            };
+            let end = self.solid.return_map(&trial);
             // Zero where nothing flows: what follows is for all lanes at once.
             let (mut increments, mut ratio, mut radial) = ([0.0; W], [0.0; W], [0.0; W]);
             let mut over_norm = [0.0; W];
             for l in (0..W).filter(|&l| flowing[l]) {
-                let trial = squared[l].sqrt();
-                let strain = self.committed.accumulated[scalar + l];
-                let Return { increment, strength, slope } = {
-                    let strength = self.committed.strength[scalar + l];
-                    self.solid.return_map(trial, strain, strength, softening[l], guess[l])
-                };
-                self.trial.accumulated[scalar + l] = strain + increment;
-                self.trial.strength[scalar + l] = strength;
+                let (increment, stress) = (end.increment[l], trial.stress[l]);
+                self.trial.accumulated[scalar + l] = trial.strain[l] + increment;
+                self.trial.strength[scalar + l] = end.strength[l];
                 increments[l] = increment * 1.5f64.sqrt();
-                ratio[l] = 3.0 * shear * increment / trial;
+                ratio[l] = 3.0 * shear * increment / stress;
                 // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive. A strength that falls counts
                 // as constant, so that the tangent stays definite.
-                radial[l] = 6.0 * shear * shear * (increment / trial - 1.0 / (3.0 * shear + slope.max(0.0)));
-                over_norm[l] = 1.5f64.sqrt() / trial;
+                let slope = end.slope[l].max(0.0);
+                radial[l] = 6.0 * shear * shear * (increment / stress - 1.0 / (3.0 * shear + slope));
+                over_norm[l] = 1.5f64.sqrt() / stress;
             }
             let kept = ratio.map(|ratio| 1.0 - ratio);
             let at = coefficient(0);

@@ -64,6 +64,8 @@ pub struct Conduction {
     /// ρc per kelvin (κ = 1, so also k).
     capacity: f64,
     pattern: HarmonicPattern,
+    /// Of M and K in the pattern.
+    entries: [Vec<f64>; 2],
     mass: Vec<f64>,
     /// Factors for the last step sizes used.
     cache: Vec<(f64, Arc<StepMatrix>)>,
@@ -104,8 +106,13 @@ impl Conduction {
             .iter()
             .flat_map(|&n| (0..columns).map(move |j| n as usize * columns + j))
             .collect();
+        let pattern = HarmonicPattern::new(mesh, FieldKind::Scalar)?;
+        let entries = [(capacity, 0.0), (0.0, capacity)].map(|(mass, conductivity)| {
+            pattern.assemble(mesh, |e, m| element_matrix(mesh, e, mass, conductivity, m))
+        });
         Ok(Self {
-            pattern: HarmonicPattern::new(mesh, FieldKind::Scalar)?,
+            pattern,
+            entries,
             capacity,
             mass,
             cache: Vec::new(),
@@ -126,9 +133,9 @@ impl Conduction {
         if let Some((_, matrix)) = self.cache.iter().find(|(cached, _)| *cached == dt) {
             return Ok(matrix.clone());
         }
-        let factors = self.pattern.factorise(&self.mesh, |e, m| {
-            element_matrix(&self.mesh, e, self.capacity, GAMMA * dt * self.capacity, m)
-        })?;
+        let [mass, conduction] = &self.entries;
+        let values: Vec<f64> = mass.iter().zip(conduction).map(|(m, k)| m + GAMMA * dt * k).collect();
+        let factors = self.pattern.factorise_assembled(&self.mesh, &values)?;
         let (rings, harmonics) = (factors.contact_unknowns(), factors.harmonics());
         let mut contact = Mat::zeros(rings * harmonics, rings * harmonics);
         for m in 0..harmonics {

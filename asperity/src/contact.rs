@@ -29,6 +29,9 @@ const SLIDE_SPRING: f64 = 10.0;
 /// the beginning of the step on it was 1.0575 and 1.0540.
 const TOUCH_SPRING: f64 = 0.5;
 
+/// The edge is half a spacing and 0.62 further out than where the cell of a ring begins when the next one touches.
+const MOST_OF_A_CELL: f64 = 1.13;
+
 /// What a contact point does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -302,30 +305,57 @@ impl Contact {
         }
     }
 
-    /// Finds the edge of the contact along each angle (see [`contact_edge`]) and from it the covered
-    /// share of the cell of the last ring in contact, which reaches half a spacing to both sides.
+    /// Covers the contact of the trial state up to its edge.
     pub fn update_cover(&mut self) {
+        let edges = self.trial_edges();
+        self.cover_to(&edges);
+    }
+
+    /// Where the edge of the trial state lies along each angle (see [`contact_edge`]), in cells of the rings from
+    /// the axis on; the cell of a ring reaches half a spacing to both sides.
+    fn trial_edges(&self) -> Vec<f64> {
+        (0..self.columns).map(|j| self.trial_edge(j)).collect()
+    }
+
+    fn trial_edge(&self, j: usize) -> f64 {
+        let at = |ring: usize| ring * self.columns + j;
         let rings = self.radii.len();
-        self.cover.fill(1.0);
-        for j in 0..self.columns {
-            let at = |ring: usize| ring * self.columns + j;
-            let Some(last) = (0..rings).rev().find(|&k| self.trial.status[at(k)] != Status::Open) else {
-                continue;
-            };
-            // A ring that touches before the edge is looked for again has no share yet.
-            for ring in last + 1..rings {
-                self.cover[at(ring)] = 0.0;
+        let Some(last) = self.last_ring(j) else { return rings as f64 };
+        if last == 0 || last + 2 >= rings {
+            return (last + 1) as f64;
+        }
+        let (gap, beyond) = (self.trial.gap[at(last + 1)], self.trial.gap[at(last + 2)]);
+        let widths =
+            (self.radii[last + 2] - self.radii[last + 1]) / (self.radii[last + 1] - self.radii[last]);
+        let closing = if beyond > gap { (gap / (beyond - gap) * widths).clamp(0.0, 1.0) } else { 1.0 };
+        let inner = self.trial.pressure[at(last - 1)];
+        let load = if inner > 0.0 { (self.trial.pressure[at(last)] / inner).min(1.0) } else { 1.0 };
+        last as f64 + (0.5 + contact_edge::place(load, closing)).max(0.0)
+    }
+
+    /// Outermost ring that touches at an angle in the trial state.
+    fn last_ring(&self, j: usize) -> Option<usize> {
+        (0..self.radii.len()).rev().find(|&k| self.trial.status[k * self.columns + j] != Status::Open)
+    }
+
+    /// Edge along each angle that the contact is covered to.
+    pub fn edges(&self) -> Vec<f64> {
+        (0..self.columns).map(|j| self.cover.iter().skip(j).step_by(self.columns).sum()).collect()
+    }
+
+    /// Covers the contact to the given edges: the last ring that touches has what is left for it of its cell, and
+    /// a little more just before the next ring touches.
+    pub fn cover_to(&mut self, edges: &[f64]) {
+        for (j, &edge) in edges.iter().enumerate() {
+            let last = self.last_ring(j);
+            for ring in 0..self.radii.len() {
+                self.cover[ring * self.columns + j] = match last {
+                    Some(last) if ring == last => (edge - ring as f64).clamp(0.0, MOST_OF_A_CELL),
+                    // A ring that touches before the edge is looked for again has no share yet.
+                    Some(last) if ring > last => 0.0,
+                    _ => 1.0,
+                };
             }
-            if last == 0 || last + 2 >= rings {
-                continue;
-            }
-            let (gap, beyond) = (self.trial.gap[at(last + 1)], self.trial.gap[at(last + 2)]);
-            let widths =
-                (self.radii[last + 2] - self.radii[last + 1]) / (self.radii[last + 1] - self.radii[last]);
-            let closing = if beyond > gap { (gap / (beyond - gap) * widths).clamp(0.0, 1.0) } else { 1.0 };
-            let inner = self.trial.pressure[at(last - 1)];
-            let load = if inner > 0.0 { (self.trial.pressure[at(last)] / inner).min(1.0) } else { 1.0 };
-            self.cover[at(last)] = (0.5 + contact_edge::place(load, closing)).max(0.0);
         }
     }
 

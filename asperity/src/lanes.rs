@@ -1,5 +1,7 @@
 //! Arithmetic on lanes: W angles computed together.
 
+use wide::{f64x4, f64x8};
+
 pub type Lanes<const W: usize> = [f64; W];
 
 /// a·b + c, fused where the machine does that in one instruction.
@@ -14,6 +16,26 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
     for l in 0..W {
         c[l] = fma(a, b[l], c[l]);
     }
+}
+
+/// Each lane, not negative, to the power n.
+#[inline(always)]
+pub fn powers<const W: usize>(x: &Lanes<W>, n: f64) -> Lanes<W> {
+    let mut y = [0.0; W];
+    let (x8, x) = x.as_chunks::<8>();
+    let (y8, rest) = y.as_chunks_mut::<8>();
+    for (x, y) in x8.iter().zip(y8) {
+        *y = f64x8::new(*x).powf_simd(f64x8::splat(n)).to_array();
+    }
+    let (x4, x) = x.as_chunks::<4>();
+    let (y4, rest) = rest.as_chunks_mut::<4>();
+    for (x, y) in x4.iter().zip(y4) {
+        *y = f64x4::new(*x).powf_simd(f64x4::splat(n)).to_array();
+    }
+    for (x, y) in x.iter().zip(rest) {
+        *y = x.powf(n);
+    }
+    y
 }
 
 /// y += scale·M·x for a small square matrix stored column by column.

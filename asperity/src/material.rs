@@ -7,8 +7,12 @@
 
 use crate::curve::{Curve, interpolate};
 use crate::elastic::Moduli;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, powers};
 use crate::scene::{Hardening, Material, Softening};
+
+mod return_map;
+
+pub use return_map::Trial;
 
 /// The material in dimensionless form.
 #[derive(Clone, Debug)]
@@ -36,17 +40,6 @@ enum Expansion {
     Varying(Curve),
 }
 
-/// Result of a return mapping.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Return {
-    /// Increment of the equivalent plastic strain.
-    pub increment: f64,
-    /// Strength at the end, at the initial temperature.
-    pub strength: f64,
-    /// dσ_y/dε_p at the end.
-    pub slope: f64,
-}
-
 impl Solid {
     pub fn new(material: &Material, initial_temperature: f64) -> Self {
         let mut solid = Self {
@@ -68,16 +61,24 @@ impl Solid {
 
     /// f(T)/f(T₀): 1 at the initial temperature, never negative.
     pub fn softening_factor(&self, rise: f64) -> f64 {
-        let temperature = self.initial_temperature + rise;
+        self.softening_factors(&[rise])[0]
+    }
+
+    /// The same of each rise.
+    pub fn softening_factors<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
+        let temperature = rise.map(|rise| self.initial_temperature + rise);
         let factor = match &self.softening {
-            Softening::None => 1.0,
+            Softening::None => [1.0; W],
             Softening::JohnsonCook { reference, melting, exponent } => {
-                let homologous = ((temperature - reference) / (melting - reference)).clamp(0.0, 1.0);
-                1.0 - homologous.powf(*exponent)
+                let homologous =
+                    temperature.map(|t| ((t - reference) / (melting - reference)).clamp(0.0, 1.0));
+                powers(&homologous, *exponent).map(|power| 1.0 - power)
             }
-            Softening::Table { temperature: knots, factor } => interpolate(knots, factor, temperature).0,
+            Softening::Table { temperature: knots, factor } => {
+                temperature.map(|t| interpolate(knots, factor, t).0)
+            }
         };
-        factor / self.initial_factor
+        factor.map(|factor| factor / self.initial_factor)
     }
 
     /// Lower bound of the softening factor for rises between `coldest`, which is asked for where it
@@ -125,21 +126,32 @@ impl Solid {
 
     /// (σ_y, dσ_y/dε_p) without softening.
     fn hardened(&self, strain: f64) -> (f64, f64) {
+        let ([strength], [slope]) = self.hardened_lanes(&[strain]);
+        (strength, slope)
+    }
+
+    /// The same of each strain.
+    fn hardened_lanes<const W: usize>(&self, strain: &Lanes<W>) -> (Lanes<W>, Lanes<W>) {
         match &self.hardening {
-            Hardening::None => (1.0, 0.0),
+            Hardening::None => ([1.0; W], [0.0; W]),
             Hardening::Linear { modulus } => {
                 let slope = modulus / self.yield_strength;
-                (1.0 + slope * strain, slope)
+                (strain.map(|strain| 1.0 + slope * strain), [slope; W])
             }
             Hardening::JohnsonCook { modulus, exponent } => {
                 let b = modulus / self.yield_strength;
-                if strain <= 0.0 {
-                    return (1.0, if *exponent < 1.0 { f64::INFINITY } else { b });
-                }
-                let power = b * strain.powf(*exponent);
-                (1.0 + power, exponent * power / strain)
+                let at_zero = if *exponent < 1.0 { f64::INFINITY } else { b };
+                let power = powers(strain, *exponent).map(|power| b * power);
+                let slope = std::array::from_fn(|l| match strain[l] <= 0.0 {
+                    true => at_zero,
+                    false => exponent * power[l] / strain[l],
+                });
+                (std::array::from_fn(|l| if strain[l] <= 0.0 { 1.0 } else { 1.0 + power[l] }), slope)
             }
-            Hardening::Table { plastic_strain, factor } => interpolate(plastic_strain, factor, strain),
+            Hardening::Table { plastic_strain, factor } => {
+                let values = strain.map(|strain| interpolate(plastic_strain, factor, strain));
+                (values.map(|value| value.0), values.map(|value| value.1))
+            }
         }
     }
 
@@ -151,62 +163,6 @@ impl Solid {
     /// Current yield strength.
     pub fn yield_strength(&self, strain: f64, rise: f64) -> f64 {
         self.hardened(strain).0 * self.softening_factor(rise)
-    }
-
-    /// Radial return: the increment x with q − 3Gx = factor·σ_y(ε_p + x, T₀), for a trial von Mises
-    /// stress q above the yield strength; `factor` is that of softening. G is that of T₀: where the
-    /// moduli have changed, q and the factor are relative to E(T)/E(T₀).
-    ///
-    /// The residual falls and is convex where hardening is concave, so Newton's method started
-    /// left of the root never passes it; for a power law with its infinite first slope the start
-    /// is where the elastic and the hardening part each take up half of the excess. A bracket
-    /// guards against laws that are not concave.
-    ///
-    /// `strength` is σ_y(ε_p, T₀), `guess` a first guess of the increment, 0 if there is none.
-    pub fn return_map(&self, trial: f64, strain: f64, strength: f64, factor: f64, guess: f64) -> Return {
-        let stiffness = 3.0 * self.moduli.shear;
-        let excess = trial - factor * strength;
-        if excess <= 0.0 {
-            return Return { increment: 0.0, strength, slope: factor * self.hardened(strain).1 };
-        }
-        // A hardening that falls lets the increment be larger than that at the present strength.
-        let most = if let Hardening::Table { .. } = self.hardening { trial } else { excess };
-        let (mut low, mut high) = (0.0, most / stiffness);
-        let mut x = match &self.hardening {
-            _ if guess > 0.0 && guess < high => guess,
-            Hardening::JohnsonCook { modulus, exponent } if strain <= 0.0 && factor > 0.0 => {
-                let b = factor * modulus / self.yield_strength;
-                (0.5 * excess / b).powf(1.0 / exponent).min(0.5 * high)
-            }
-            _ => 0.0,
-        };
-        // A power law is smooth: an error e goes to less than e²/2(ε_p + x), so that the iteration
-        // before the last tells how exact that will be, without a further power.
-        let smooth = matches!(self.hardening, Hardening::JohnsonCook { .. });
-        let mut end = None;
-        for _ in 0..100 {
-            let (strength, slope) = self.hardened(strain + x);
-            let residual = trial - stiffness * x - factor * strength;
-            if residual >= 0.0 {
-                low = x;
-            } else {
-                high = x;
-            }
-            let step = residual / (stiffness + factor * slope);
-            let next = x + step;
-            let inside = next >= low && next <= high;
-            let converged = step.abs() <= 1e-13 * (x.abs() + step.abs())
-                || residual.abs() <= 1e-15 * trial
-                || (smooth && inside && step * step <= 1e-13 * next.min(x) * (strain + next.min(x)));
-            x = if inside { next } else { 0.5 * (low + high) };
-            if converged {
-                // To first order, and with the curvature left out of the slope alone.
-                end = (smooth && inside && slope.is_finite()).then_some((strength + slope * step, slope));
-                break;
-            }
-        }
-        let end = end.unwrap_or_else(|| self.hardened(strain + x));
-        Return { increment: x, strength: end.0, slope: factor * end.1 }
     }
 }
 
@@ -231,6 +187,35 @@ mod tests {
         Solid::new(&material, 298.0)
     }
 
+    /// (increment, strength, slope) of one lane; the others, of points that do not flow or do so otherwise, shall
+    /// make no difference.
+    fn returned(solid: &Solid, trial: f64, strain: f64, factor: f64, guess: f64) -> [f64; 3] {
+        let strength = solid.yield_strength(strain, 0.0);
+        let of = |value: f64, other: f64| [value, value, other, value];
+        let trials = Trial {
+            flowing: [true, false, true, true],
+            stress: of(trial, 1.5 * trial),
+            strain: of(strain, 1e-3),
+            strength: of(strength, solid.yield_strength(1e-3, 0.0)),
+            softening: of(factor, 0.7),
+            guess: of(guess, 0.0),
+        };
+        let end = solid.return_map(&trials);
+        assert_eq!((end.increment[1], end.strength[1]), (0.0, strength));
+        assert_eq!((end.increment[0], end.slope[0]), (end.increment[3], end.slope[3]));
+        let alone = solid.return_map(&Trial {
+            flowing: [true],
+            stress: [trial],
+            strain: [strain],
+            strength: [strength],
+            softening: [factor],
+            guess: [guess],
+        });
+        let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-9 * a.abs();
+        assert!(close(alone.increment[0], end.increment[0]), "{alone:?} {end:?}");
+        [end.increment[0], end.strength[0], end.slope[0]]
+    }
+
     #[test]
     fn return_map_ends_on_the_yield_surface() {
         let laws = [
@@ -247,10 +232,7 @@ mod tests {
                     for (overshoot, guess) in [(1e-9, 0.0), (1e-4, 1e-3), (0.1, 1e-7), (10.0, 0.02)] {
                         let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
                         let factor = solid.softening_factor(rise);
-                        let Return { increment, strength: end, .. } = {
-                            let strength = solid.yield_strength(strain, 0.0);
-                            solid.return_map(trial, strain, strength, factor, guess)
-                        };
+                        let [increment, end, _] = returned(&solid, trial, strain, factor, guess);
                         assert!(increment >= 0.0);
                         let exact = solid.yield_strength(strain + increment, 0.0);
                         assert!((end / exact - 1.0).abs() < 1e-12, "{end} {exact}");
@@ -303,7 +285,7 @@ mod tests {
                 last = factor;
                 for trial in [1e-12, 0.5, 3.0, 1e6] {
                     if trial > factor {
-                        let Return { increment, slope, .. } = solid.return_map(trial, 0.0, 1.0, factor, 0.0);
+                        let [increment, _, slope] = returned(&solid, trial, 0.0, factor, 0.0);
                         assert!(increment.is_finite() && increment >= 0.0 && slope >= 0.0, "{rise} {trial}");
                     }
                 }
@@ -317,8 +299,7 @@ mod tests {
         let solid = steel(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
         assert_eq!(solid.yield_strength(0.0, 1495.0), 0.0);
         assert_eq!(solid.yield_strength(0.3, 1e5), 0.0);
-        let Return { increment, slope, .. } =
-            solid.return_map(1.0, 0.0, 1.0, solid.softening_factor(2000.0), 0.0);
+        let [increment, _, slope] = returned(&solid, 1.0, 0.0, solid.softening_factor(2000.0), 0.0);
         assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
     }
 }

@@ -7,8 +7,9 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use faer::linalg::solvers::{Llt, SolveCore};
-use faer::{Mat, MatMut, Side};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt;
+use faer::{Mat, MatMut, Par, Spec};
 
 use crate::contact::{Contact, NodeStiffness};
 use crate::harmonic::{FieldKind, HarmonicFactors, SingleFactors};
@@ -23,10 +24,12 @@ pub struct Preconditioner {
     single: SingleFactors,
     modal: Vec<f64>,
     sweep: Vec<f32>,
-    /// Number of rings in the dense system, its elastic part, index (ring, component, harmonic).
+    /// Number of rings in the dense system, its elastic part, and the Cholesky factor of the whole; index (ring,
+    /// component, harmonic), rings from the outside in, as the sweeps have them.
     rings: usize,
-    elastic: Mat<f64>,
-    factor: Option<Llt<f64>>,
+    elastic: Mat<f32>,
+    factor: Mat<f32>,
+    work: MemBuffer,
     /// Contact stiffness that is in the factor.
     inside: Vec<NodeStiffness>,
 }
@@ -41,7 +44,8 @@ impl Preconditioner {
             factors,
             rings: 0,
             elastic: Mat::new(),
-            factor: None,
+            factor: Mat::new(),
+            work: MemBuffer::new(faer::dyn_stack::StackReq::EMPTY),
             inside: Vec::new(),
         }
     }
@@ -59,16 +63,26 @@ impl Preconditioner {
             let n = 3 * rings * harmonics;
             self.elastic = Mat::zeros(n, n);
             self.single.contact_stiffness(rings, |i, j, m, value| {
-                self.elastic[(i * harmonics + m, j * harmonics + m)] = value;
+                let place = |i: usize| (3 * (rings - 1 - i / 3) + i % 3) * harmonics + m;
+                self.elastic[(place(i), place(j))] = value as f32;
             });
+            self.factor = self.elastic.clone();
+            self.work =
+                MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f32>(n, Par::Seq, Spec::default()));
             self.rings = rings;
         }
         self.inside.clear();
-        self.factor = None;
         if rings > 0 {
-            let mut matrix = self.elastic.clone();
-            add_contact_stiffness(&self.factors, contact, &mut matrix);
-            self.factor = Some(matrix.llt(Side::Lower).map_err(|_| Indefinite)?);
+            self.factor.copy_from(&self.elastic);
+            add_contact_stiffness(&self.factors, contact, &mut self.factor);
+            llt::factor::cholesky_in_place(
+                self.factor.as_mut(),
+                Default::default(),
+                Par::Seq,
+                MemStack::new(&mut self.work),
+                Spec::default(),
+            )
+            .map_err(|_| Indefinite)?;
         }
         self.inside.clone_from(&contact.stiffness);
         timings.since(Kernel::ContactFactorisation, clock);
@@ -81,24 +95,15 @@ impl Preconditioner {
         self.factors.to_modal(residual, &mut self.modal);
         self.single.load(&self.modal, &mut self.sweep);
         self.single.forward(&mut self.sweep, self.rings);
-        if let Some(factor) = &self.factor {
-            let node = 3 * self.single.harmonics();
-            // Rings from the inside out, where the sweep has them from the outside in.
-            let n = self.rings * node;
-            let active = &mut self.modal[..n];
+        let n = self.factor.nrows();
+        if n > 0 {
             let places = self.sweep.len() - n;
-            for (values, slot) in
-                active.chunks_exact_mut(node).rev().zip(self.sweep[places..].chunks_exact(node))
-            {
-                values.iter_mut().zip(slot).for_each(|(value, &x)| *value = f64::from(x));
-            }
-            factor
-                .solve_in_place_with_conj(faer::Conj::No, MatMut::from_column_major_slice_mut(active, n, 1));
-            for (values, slot) in
-                active.chunks_exact(node).rev().zip(self.sweep[places..].chunks_exact_mut(node))
-            {
-                slot.iter_mut().zip(values).for_each(|(x, &value)| *x = value as f32);
-            }
+            llt::solve::solve_in_place(
+                self.factor.as_ref(),
+                MatMut::from_column_major_slice_mut(&mut self.sweep[places..], n, 1),
+                Par::Seq,
+                MemStack::new(&mut self.work),
+            );
         }
         self.single.backward(&mut self.sweep, self.rings);
         self.single.store(&self.sweep, &mut self.modal);
@@ -108,13 +113,14 @@ impl Preconditioner {
 }
 
 /// Adds the contact stiffness, transformed to harmonics ring by ring.
-fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &mut Mat<f64>) {
+fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &mut Mat<f32>) {
     assert_eq!(factors.kind, FieldKind::Vector);
     let columns = contact.columns;
     let transform = &factors.transform;
     let table = |c: usize| transform.of(factors.kind.parity(c));
     let size = 3 * columns;
-    for ring in 0..matrix.nrows() / size {
+    let rings = matrix.nrows() / size;
+    for ring in 0..rings {
         let nodes = &contact.stiffness[ring * columns..(ring + 1) * columns];
         if nodes.iter().all(|d| d[2][2] == 0.0) {
             continue;
@@ -137,9 +143,10 @@ fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &
         if contact.radii[ring] == 0.0 {
             local = axis_block(&local, columns);
         }
+        let first = (rings - 1 - ring) * size;
         for i in 0..size {
             for j in 0..size {
-                matrix[(ring * size + i, ring * size + j)] += local[i * size + j];
+                matrix[(first + i, first + j)] += local[i * size + j] as f32;
             }
         }
     }

@@ -9,6 +9,7 @@
 //! forward sweep, whatever is to be done with that dense system (contact springs, nonlinear
 //! heat exchange), and a backward sweep.
 
+mod cholesky;
 mod pattern;
 mod single;
 mod sweeps;

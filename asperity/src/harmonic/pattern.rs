@@ -1,9 +1,10 @@
 //! Sparsity pattern and elimination order of an axisymmetric operator, and its factorisation.
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::{amd, cholesky::simplicial};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 
+use super::cholesky::FactorPattern;
 use super::{ABSENT, FactorError, FieldKind, HarmonicFactors, ThetaTransform};
 use crate::element::{CORNERS, RevolvedMesh};
 
@@ -17,6 +18,7 @@ pub struct HarmonicPattern {
     column_start: Vec<usize>,
     row: Vec<usize>,
     symbolic: simplicial::SymbolicSimplicialCholesky<usize>,
+    factor_pattern: FactorPattern,
 }
 
 impl HarmonicPattern {
@@ -108,7 +110,8 @@ impl HarmonicPattern {
             MemStack::new(&mut memory),
         )
         .map_err(|_| FactorError::Memory)?;
-        Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic })
+        let factor_pattern = FactorPattern::new(symbolic.col_ptr(), symbolic.row_idx());
+        Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic, factor_pattern })
     }
 
     /// Factors of an operator; `matrix(e, m)` is the matrix of element e for harmonic m, row-major
@@ -118,10 +121,15 @@ impl HarmonicPattern {
         mesh: &RevolvedMesh,
         matrix: impl Fn(usize, usize) -> Vec<f64>,
     ) -> Result<HarmonicFactors, FactorError> {
+        self.factorise_assembled(mesh, &self.assemble(mesh, matrix))
+    }
+
+    /// Entries of an operator in the upper triangle, harmonics as lanes; linear in the `matrix` of the elements.
+    pub fn assemble(&self, mesh: &RevolvedMesh, matrix: impl Fn(usize, usize) -> Vec<f64>) -> Vec<f64> {
         let columns = mesh.sectors.columns();
         let components = self.kind.components();
         let rows = CORNERS * components;
-        let mut values = vec![vec![0.0; self.row.len()]; columns];
+        let mut values = vec![0.0; self.row.len() * columns];
         let entry = |i: usize, j: usize| {
             let column = self.column_start[j]..self.column_start[j + 1];
             column.start + self.row[column].binary_search(&i).expect("entry is in the pattern")
@@ -140,16 +148,16 @@ impl HarmonicPattern {
                     }
                 }
             }
-            for (m, values) in values.iter_mut().enumerate() {
+            for m in 0..columns {
                 let mut local = matrix(e, m);
                 self.constrain_axis(&mut local, &axis, m);
                 for &(from, to) in &targets {
-                    values[to] += local[from];
+                    values[to * columns + m] += local[from];
                 }
             }
         }
-        // Unknowns that the axis does not have in a harmonic: unit diagonal.
-        for (m, values) in values.iter_mut().enumerate() {
+        // Unknowns that the axis does not have in a harmonic: a diagonal, and nothing beside it.
+        for m in 0..columns {
             for node in (0..mesh.node_count()).filter(|&n| mesh.meridian.on_axis(n)) {
                 for c in (0..components).filter(|&c| !self.exists_on_axis(c, m)) {
                     let place = self.position[node * components + c];
@@ -157,18 +165,20 @@ impl HarmonicPattern {
                         continue;
                     }
                     let place = place as usize;
-                    values[self.column_start[place]..self.column_start[place + 1]].fill(0.0);
+                    for at in self.column_start[place]..self.column_start[place + 1] {
+                        values[at * columns + m] = 0.0;
+                    }
                     for j in place..self.unknowns {
                         let column = self.column_start[j]..self.column_start[j + 1];
                         if let Ok(at) = self.row[column.clone()].binary_search(&place) {
-                            values[column.start + at] = 0.0;
+                            values[(column.start + at) * columns + m] = 0.0;
                         }
                     }
-                    values[entry(place, place)] = 1.0;
+                    values[entry(place, place) * columns + m] = 1.0;
                 }
             }
         }
-        self.gather_factors(mesh, &values)
+        values
     }
 
     /// Whether the axis has component c in harmonic m: u_z (and T) of m = 0, and the translation
@@ -197,23 +207,15 @@ impl HarmonicPattern {
         }
     }
 
-    /// Runs faer's Cholesky on each harmonic and interleaves the factors.
-    fn gather_factors(
+    /// Factors of an operator from its [entries](Self::assemble).
+    pub fn factorise_assembled(
         &self,
         mesh: &RevolvedMesh,
-        values: &[Vec<f64>],
+        values: &[f64],
     ) -> Result<HarmonicFactors, FactorError> {
-        let lanes = values.len();
-        let pattern = SymbolicSparseColMatRef::new_checked(
-            self.unknowns,
-            self.unknowns,
-            &self.column_start,
-            None,
-            &self.row,
-        );
-        let columns = self.symbolic.col_ptr();
-        let rows = self.symbolic.row_idx();
-        let sparse = columns[self.interior];
+        let lanes = mesh.sectors.columns();
+        let (columns, rows) = (self.symbolic.col_ptr(), self.symbolic.row_idx());
+        let sparse = columns[self.interior] - self.interior;
         let dense = self.unknowns - self.interior;
         let mut factors = HarmonicFactors {
             kind: self.kind,
@@ -223,8 +225,8 @@ impl HarmonicPattern {
             position: self.position.clone(),
             on_axis: (0..mesh.node_count()).map(|n| mesh.meridian.on_axis(n)).collect(),
             column_start: Vec::with_capacity(self.interior + 1),
-            row: Vec::with_capacity(sparse - self.interior),
-            value: vec![0.0; (sparse - self.interior) * lanes],
+            row: Vec::with_capacity(sparse),
+            value: vec![0.0; sparse * lanes],
             inverse_diagonal: vec![0.0; self.interior * lanes],
             schur: vec![0.0; dense * dense * lanes],
         };
@@ -234,37 +236,61 @@ impl HarmonicPattern {
             factors.row.extend(rows[columns[j] + 1..columns[j + 1]].iter().map(|&i| i as u32));
         }
         factors.column_start.push(factors.row.len() as u32);
-
-        let mut memory = MemBuffer::try_new(
-            simplicial::factorize_simplicial_numeric_llt_scratch::<usize, f64>(self.unknowns),
-        )
-        .map_err(|_| FactorError::Memory)?;
-        let mut lower = vec![0.0; self.symbolic.len_val()];
-        for (m, values) in values.iter().enumerate() {
-            simplicial::factorize_simplicial_numeric_llt::<usize, f64>(
-                &mut lower,
-                SparseColMatRef::new(pattern, values),
-                Default::default(),
-                &self.symbolic,
-                MemStack::new(&mut memory),
-            )
-            .map_err(|_| FactorError::NotPositiveDefinite { harmonic: m })?;
-            let mut at = 0;
-            for j in 0..self.interior {
-                factors.inverse_diagonal[j * lanes + m] = 1.0 / lower[columns[j]];
-                for &entry in &lower[columns[j] + 1..columns[j + 1]] {
-                    factors.value[at * lanes + m] = entry;
-                    at += 1;
-                }
-            }
-            for j in 0..dense {
-                let column = columns[self.interior + j]..columns[self.interior + j + 1];
-                for (&i, &entry) in rows[column.clone()].iter().zip(&lower[column]) {
-                    factors.schur[(m * dense + i - self.interior) * dense + j] = entry;
-                }
+        // N_θ is one or a multiple of four.
+        for first in (0..lanes).step_by(group_of(lanes)) {
+            match group_of(lanes) {
+                8 => self.factorise_lanes::<8>(values, first, &mut factors)?,
+                4 => self.factorise_lanes::<4>(values, first, &mut factors)?,
+                _ => self.factorise_lanes::<1>(values, first, &mut factors)?,
             }
         }
         Ok(factors)
+    }
+
+    /// M harmonics from the harmonic `first` on.
+    fn factorise_lanes<const M: usize>(
+        &self,
+        values: &[f64],
+        first: usize,
+        factors: &mut HarmonicFactors,
+    ) -> Result<(), FactorError> {
+        let lanes = factors.harmonics();
+        let value = |entry: usize| std::array::from_fn(|l| values[entry * lanes + first + l]);
+        let lower = self
+            .factor_pattern
+            .cholesky::<M>(&self.column_start, &self.row, value)
+            .map_err(|lane| FactorError::NotPositiveDefinite { harmonic: first + lane })?;
+        let columns = self.symbolic.col_ptr();
+        for j in 0..self.interior {
+            let own = &lower[columns[j]];
+            for l in 0..M {
+                factors.inverse_diagonal[j * lanes + first + l] = 1.0 / own[l];
+            }
+            // Diagonals are kept apart: j + 1 of them come before.
+            for at in columns[j] + 1..columns[j + 1] {
+                let place = (at - j - 1) * lanes + first;
+                factors.value[place..place + M].copy_from_slice(&lower[at]);
+            }
+        }
+        let (rows, dense) = (self.symbolic.row_idx(), self.unknowns - self.interior);
+        for j in self.interior..self.unknowns {
+            for at in columns[j]..columns[j + 1] {
+                for l in 0..M {
+                    let row = (first + l) * dense + rows[at] - self.interior;
+                    factors.schur[row * dense + j - self.interior] = lower[at][l];
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Harmonics that are factorised together.
+fn group_of(lanes: usize) -> usize {
+    match lanes {
+        n if n.is_multiple_of(8) => 8,
+        n if n.is_multiple_of(4) => 4,
+        _ => 1,
     }
 }
 

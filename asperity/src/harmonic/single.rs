@@ -235,14 +235,21 @@ impl SingleFactors {
         let (block, _) = block.as_chunks::<{ SIZE * SIZE }>();
         for j in (0..nodes).rev() {
             let [d0, d1, d2, l10, l20, l21] = &diagonal[j];
-            let mut v = x[j];
+            // A sum for each row of the blocks: one alone would wait for itself.
+            let mut sums = [x[j], [[0.0; M]; SIZE], [[0.0; M]; SIZE]];
             let entries = self.start[j] as usize..self.start[j + 1] as usize;
             for (b, &i) in block[entries.clone()].iter().zip(&self.row[entries]) {
                 let y = &x[i as usize];
                 for r in 0..SIZE {
                     for c in 0..SIZE {
-                        subtract_product(&mut v[c], &b[SIZE * r + c], &y[r]);
+                        subtract_product(&mut sums[r][c], &b[SIZE * r + c], &y[r]);
                     }
+                }
+            }
+            let [mut v, second, third] = sums;
+            for c in 0..SIZE {
+                for l in 0..M {
+                    v[c][l] += second[c][l] + third[c][l];
                 }
             }
             for l in 0..M {

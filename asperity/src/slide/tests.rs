@@ -41,14 +41,13 @@ fn a_cut_back_restores_the_history_completely() {
 
     let mut direct = ready(&problem);
     direct.has_begun = true;
-    let mut before = direct.mechanics.displacement.clone();
+    let mut before = direct.state();
     let slips: Vec<f64> = forced.history.iter().map(|instant| instant.slip).collect();
     for (k, pair) in slips.windows(2).enumerate() {
-        let committed = direct.mechanics.displacement.clone();
+        let committed = direct.state();
         let slip_before = if k == 0 { 0.0 } else { slips[k - 1] };
-        let start = extrapolate(&before, &committed, slip_before, pair[0], pair[1]);
-        let sunk = direct.interference;
-        assert!(matches!(direct.step(pair[0], pair[1], start, sunk), Ok(Attempt::Taken)));
+        let guess = Guess::between((&before, slip_before), (&committed, pair[0]), pair[1]);
+        assert!(matches!(direct.step(pair[0], pair[1], guess), Ok(Attempt::Taken)));
         before = committed;
     }
     assert_eq!(forced.history, direct.history);
@@ -83,8 +82,8 @@ fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
     slide.has_begun = true;
     for to in slips {
         let from = slide.history.last().unwrap().slip;
-        let (start, sunk) = (slide.mechanics.displacement.clone(), slide.interference);
-        assert!(matches!(slide.step(from, to, start, sunk), Ok(Attempt::Taken)));
+        let guess = slide.state();
+        assert!(matches!(slide.step(from, to, guess), Ok(Attempt::Taken)));
     }
 }
 

@@ -1,0 +1,126 @@
+//! Radial return to the yield surface.
+
+use super::Solid;
+use crate::lanes::{Lanes, powers};
+use crate::scene::Hardening;
+
+/// Points whose stress would be too high if they stayed elastic. G is that of T₀: where the moduli have changed,
+/// stress and softening factor are relative to E(T)/E(T₀).
+#[derive(Clone, Copy, Debug)]
+pub struct Trial<const W: usize> {
+    /// Lanes that flow; the others stay as they are.
+    pub flowing: [bool; W],
+    /// Von Mises stress q without further flow.
+    pub stress: Lanes<W>,
+    /// ε_p so far.
+    pub strain: Lanes<W>,
+    /// σ_y(ε_p, T₀).
+    pub strength: Lanes<W>,
+    /// f(T)/f(T₀).
+    pub softening: Lanes<W>,
+    /// First guess of the increment, 0 if there is none.
+    pub guess: Lanes<W>,
+}
+
+/// Result of a return mapping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Return<const W: usize> {
+    /// Increment of the equivalent plastic strain.
+    pub increment: Lanes<W>,
+    /// Strength at the end, at the initial temperature.
+    pub strength: Lanes<W>,
+    /// dσ_y/dε_p at the end.
+    pub slope: Lanes<W>,
+}
+
+impl Solid {
+    /// Radial return: the increment x with q − 3Gx = f·σ_y(ε_p + x, T₀).
+    ///
+    /// The residual falls and is convex where hardening is concave, so Newton's method started
+    /// left of the root never passes it; for a power law with its infinite first slope the start
+    /// is where the elastic and the hardening part each take up half of the excess. A bracket
+    /// guards against laws that are not concave.
+    pub fn return_map<const W: usize>(&self, trial: &Trial<W>) -> Return<W> {
+        let stiffness = 3.0 * self.moduli.shear;
+        let Trial { stress, strain, softening, .. } = trial;
+        let mut end = Return { increment: [0.0; W], strength: trial.strength, slope: [0.0; W] };
+        let mut pending = [false; W];
+        let (mut low, mut high) = ([0.0; W], [0.0; W]);
+        for l in 0..W {
+            let excess = stress[l] - softening[l] * trial.strength[l];
+            pending[l] = trial.flowing[l] && excess > 0.0;
+            // A hardening that falls lets the increment be larger than that at the present strength.
+            let most = if let Hardening::Table { .. } = self.hardening { stress[l] } else { excess };
+            high[l] = if pending[l] { most / stiffness } else { 0.0 };
+        }
+        let mut x = self.first_guess(trial, &pending, &high);
+        // A power law is smooth: an error e goes to less than e²/2(ε_p + x), so that the iteration
+        // before the last tells how exact that will be, without a further power.
+        let smooth = matches!(self.hardening, Hardening::JohnsonCook { .. });
+        let mut inexact = [false; W];
+        for _ in 0..100 {
+            if !pending.contains(&true) {
+                break;
+            }
+            let total: Lanes<W> = std::array::from_fn(|l| strain[l] + x[l]);
+            let (strength, slope) = self.hardened_lanes(&total);
+            // Without branches, for the machine's vector units; lanes that are done only look on.
+            for l in 0..W {
+                let residual = stress[l] - stiffness * x[l] - softening[l] * strength[l];
+                let falls_short = residual >= 0.0;
+                low[l] = if falls_short { x[l] } else { low[l] };
+                high[l] = if falls_short { high[l] } else { x[l] };
+                let step = residual / (stiffness + softening[l] * slope[l]);
+                let next = x[l] + step;
+                let inside = (next >= low[l]) & (next <= high[l]);
+                let least = if next < x[l] { next } else { x[l] };
+                let short = smooth & inside & (step * step <= 1e-13 * least * (strain[l] + least));
+                let converged = short
+                    | (step.abs() <= 1e-13 * (x[l].abs() + step.abs()))
+                    | (residual.abs() <= 1e-15 * stress[l]);
+                let next = if inside { next } else { 0.5 * (low[l] + high[l]) };
+                x[l] = if pending[l] { next } else { x[l] };
+                let done = pending[l] & converged;
+                // To first order, and with the curvature left out of the slope alone.
+                end.strength[l] = if done { strength[l] + slope[l] * step } else { end.strength[l] };
+                end.slope[l] = if done { slope[l] } else { end.slope[l] };
+                inexact[l] |= done & !(smooth & inside & slope[l].is_finite());
+                pending[l] &= !converged;
+            }
+        }
+        for l in 0..W {
+            end.increment[l] = x[l];
+            if inexact[l] || pending[l] {
+                (end.strength[l], end.slope[l]) = self.hardened(strain[l] + x[l]);
+            } else if x[l] == 0.0 && trial.flowing[l] {
+                end.slope[l] = self.hardened(strain[l]).1;
+            }
+            end.slope[l] *= softening[l];
+        }
+        end
+    }
+
+    fn first_guess<const W: usize>(
+        &self,
+        trial: &Trial<W>,
+        pending: &[bool; W],
+        high: &Lanes<W>,
+    ) -> Lanes<W> {
+        let guessed = |l: usize| trial.guess[l] > 0.0 && trial.guess[l] < high[l];
+        let mut x = std::array::from_fn(|l| if pending[l] && guessed(l) { trial.guess[l] } else { 0.0 });
+        let Hardening::JohnsonCook { modulus, exponent } = &self.hardening else { return x };
+        let fresh: [bool; W] = std::array::from_fn(|l| {
+            pending[l] && !guessed(l) && trial.strain[l] <= 0.0 && trial.softening[l] > 0.0
+        });
+        if fresh.contains(&true) {
+            let share: Lanes<W> = std::array::from_fn(|l| {
+                let b = trial.softening[l] * modulus / self.yield_strength;
+                let excess = trial.stress[l] - trial.softening[l] * trial.strength[l];
+                if fresh[l] { 0.5 * excess / b } else { 1.0 }
+            });
+            let start = powers(&share, 1.0 / exponent);
+            (0..W).filter(|&l| fresh[l]).for_each(|l| x[l] = start[l].min(0.5 * high[l]));
+        }
+        x
+    }
+}
