@@ -308,7 +308,7 @@ impl Table {
     }
 }
 
-fn check_axis(axis: &'static str, values: &[f64], positive: bool) -> Result<(), TableError> {
+pub(crate) fn check_axis(axis: &'static str, values: &[f64], positive: bool) -> Result<(), TableError> {
     if values.is_empty() {
         return Err(TableError::AxisEmpty(axis));
     }

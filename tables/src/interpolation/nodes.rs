@@ -226,7 +226,7 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
 
 /// Monotone cubic between two points with optional outer ones; of the logarithms if all are
 /// positive. `gaps` are the distances to the outer points.
-pub(super) fn blend_one(
+pub(crate) fn blend_one(
     gaps: [Option<f64>; 2],
     h: f64,
     t: f64,
