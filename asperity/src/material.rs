@@ -68,16 +68,7 @@ impl Solid {
 
     /// f(T)/f(T₀): 1 at the initial temperature, never negative.
     pub fn softening_factor(&self, rise: f64) -> f64 {
-        let temperature = self.initial_temperature + rise;
-        let factor = match &self.softening {
-            Softening::None => 1.0,
-            Softening::JohnsonCook { reference, melting, exponent } => {
-                let homologous = ((temperature - reference) / (melting - reference)).clamp(0.0, 1.0);
-                1.0 - homologous.powf(*exponent)
-            }
-            Softening::Table { temperature: knots, factor } => interpolate(knots, factor, temperature).0,
-        };
-        factor / self.initial_factor
+        self.softening.factor(self.initial_temperature + rise) / self.initial_factor
     }
 
     /// Lower bound of the softening factor for rises between `coldest`, which is asked for where it

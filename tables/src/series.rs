@@ -356,6 +356,50 @@ impl Tables {
         }
     }
 
+    /// Takes over what is done in `other`, see [`Table::merge`].
+    pub fn merge(&mut self, other: &Self) -> Result<(), TableError> {
+        match (self, other) {
+            (Self::One(table), Self::One(other)) => table.merge(other),
+            (Self::Series(series), Self::Series(other)) => series.merge(other),
+            (one, other) => {
+                let [here, there] = [&*one, other].map(|tables| format!("{}", tables.members().len()));
+                Err(TableError::Different { what: "the number of their temperatures", here, there })
+            }
+        }
+    }
+
+    /// Changes history and shard.
+    pub fn set_provenance(&mut self, history: &str, shard: &str) {
+        match self {
+            Self::Series(series) => series.set_provenance(history, shard),
+            Self::One(table) => {
+                let metadata = table.metadata().clone();
+                table.set_metadata(Metadata { history: history.into(), shard: shard.into(), ..metadata });
+            }
+        }
+    }
+
+    /// Grid points that have not been run, by their coordinates.
+    pub fn missing(&self) -> Vec<String> {
+        let of = |table: &Table| -> Vec<String> {
+            table.missing().into_iter().map(|(i, j)| self.of_member(table, table.label(i, j))).collect()
+        };
+        self.members().iter().flat_map(of).collect()
+    }
+
+    /// Grid points that failed, by their coordinates, and why.
+    pub fn failures(&self) -> Vec<(String, &str)> {
+        let of = |table| Table::failures(table).map(move |(at, why)| (self.of_member(table, at), why));
+        self.members().iter().flat_map(of).collect()
+    }
+
+    fn of_member(&self, table: &Table, label: String) -> String {
+        match self {
+            Self::One(_) => label,
+            Self::Series(_) => format!("{label} from {} K", six_digits(table.metadata().temperature)),
+        }
+    }
+
     /// The table at an initial temperature, K; of a series one must be given, of a single table it
     /// can only be its own.
     pub fn at(self, temperature: Option<f64>) -> Result<Table, TemperatureError> {

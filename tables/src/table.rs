@@ -176,6 +176,8 @@ pub enum TableError {
     Different { what: &'static str, here: String, there: String },
     #[error("the tables have different results at interference {interference} and slip rate {slip_rate} m/s")]
     Disagree { interference: f64, slip_rate: f64 },
+    #[error(transparent)]
+    Temperature(#[from] crate::series::TemperatureError),
 }
 
 /// Results of one asperity over interference and slip rate.

@@ -1,6 +1,8 @@
 //! Writing and reading back, and what is refused.
 
 use super::*;
+use crate::dataset::DatasetReader;
+use crate::table::Axes;
 
 fn table() -> Table {
     let axes =

@@ -177,6 +177,33 @@ fn between_its_temperatures_errors_are_within_their_estimates() {
     }
 }
 
+/// The stated limit: smooth from the reference temperature on, which may have an infinite slope.
+#[test]
+fn errors_after_johnson_and_cook_are_within_a_tenth_of_their_estimates() {
+    let mut worst: f64 = 0.0;
+    for exponent in [0.8, 0.9, 1.0, 1.1, 1.34] {
+        let strength = |temperature: f64| 1.0 - ((temperature - 298.0) / 1502.0).powf(exponent);
+        for temperatures in [&[298.0, 450.0, 600.0, 800.0, 1000.0][..], &[298.0, 500.0, 700.0, 900.0]] {
+            for power in [1, 3] {
+                let value = |temperature: f64| strength(temperature).powi(power);
+                let cells: Vec<Cell> =
+                    (temperatures.iter()).map(|t| Cell::new().with(Quantity::Load, value(*t), 0.0)).collect();
+                let column = Column { temperatures, cells: cells.iter().map(Some).collect() };
+                for step in 1..1000 {
+                    let temperature =
+                        298.0 + (temperatures[temperatures.len() - 1] - 298.0) * 1e-3 * step as f64;
+                    let place = locate(temperatures, temperature);
+                    if place.t > 0.0 {
+                        let found = column.at(place, temperature)[Quantity::Load];
+                        worst = worst.max((found.value - value(temperature)).abs() / found.error);
+                    }
+                }
+            }
+        }
+    }
+    assert!(worst < 1.1, "{worst}");
+}
+
 #[test]
 fn between_its_temperatures_it_is_smooth_and_meets_its_tables() {
     let series = series();
