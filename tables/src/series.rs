@@ -1,22 +1,24 @@
 //! Tables at several initial temperatures of body and flat, and the table at one between them.
 //!
-//! Between the temperatures every number of a cell follows a monotone cubic in the temperature, of
-//! the logarithm of positive quantities, of temperatures the rise above the initial one. So do the
-//! points of the histories, and yield strength, contact modulus and ω_c: a load that is a power of
-//! these stays one. Errors are those of the tables on both sides, interpolated linearly, and an
-//! estimate of that of interpolation, which is zero at the temperatures of the series.
+//! Between the temperatures yield strength and contact modulus follow a monotone cubic in the
+//! temperature. Forces, areas, lengths and energies are counted in units that are powers of the two, at
+//! each temperature its own, in which they change little (of the elastic-plastic sphere without heat
+//! not at all); in these units they follow a monotone cubic of the logarithm. Of temperatures it is the
+//! rise above the initial one. Errors are those of the tables on both sides, interpolated linearly, and
+//! an estimate of that of interpolation, which is zero at the temperatures of the series.
+
+mod column;
 
 use std::path::Path;
 
 use crate::assembly::{first_difference, six_digits};
 use crate::dataset::DatasetError;
 use crate::fracture::FractureEnergy;
-use crate::interpolation::blend_one;
-use crate::law::Estimate;
+use crate::interpolation::{blend_one, cubic};
 use crate::netcdf_file;
-use crate::quantity::Quantity;
-use crate::steffen::{Location, locate};
+use crate::steffen::locate;
 use crate::table::{Cell, Metadata, Status, Table, TableError, check_axis};
+use column::{Column, Line, Units};
 
 /// Temperatures closer than this, relatively, are the same.
 const SAME: f64 = 1e-9;
@@ -142,20 +144,33 @@ impl TemperatureSeries {
     fn between(&self, temperatures: &[f64], temperature: f64) -> Table {
         let place = locate(temperatures, temperature);
         let sides = [&self.members[place.index], &self.members[place.index + 1]];
-        let of = |number: fn(&Metadata) -> f64| {
-            blend(temperatures, place, |member| number(self.members[member].metadata()))
-        };
-        let first = self.members[0].metadata();
+        let known: Vec<&Metadata> = self.members.iter().map(Table::metadata).collect();
+        let strength = Line::new(temperatures, place, |member| known[member].yield_strength, cubic);
+        let modulus = Line::new(temperatures, place, |member| known[member].contact_modulus, cubic);
+        let (strengths, moduli) = (strength.value(), modulus.value());
+        // In its unit ω_c is the same at all temperatures, if it is that of one yield criterion.
+        let of = |member: usize| (known[member].yield_strength / known[member].contact_modulus).powi(2);
+        let critical = |member: usize| known[member].critical_interference / of(member);
+        let critical = Line::new(temperatures, place, critical, blend_one).value();
+        let fracture = |member: usize| known[member].fracture_energy.map_or(f64::NAN, |law| law.coefficient);
+        let fracture = Line::new(temperatures, place, fracture, blend_one).value();
         let metadata = Metadata {
             temperature,
-            critical_interference: of(|metadata| metadata.critical_interference),
-            contact_modulus: of(|metadata| metadata.contact_modulus),
-            yield_strength: of(|metadata| metadata.yield_strength),
-            fracture_energy: first.fracture_energy.map(|law| FractureEnergy {
-                coefficient: of(|metadata| metadata.fracture_energy.map_or(f64::NAN, |law| law.coefficient)),
-                ..law
-            }),
-            ..first.clone()
+            critical_interference: critical * (strengths / moduli).powi(2),
+            contact_modulus: moduli,
+            yield_strength: strengths,
+            fracture_energy: known[0]
+                .fracture_energy
+                .map(|law| FractureEnergy { coefficient: fracture, ..law }),
+            ..known[0].clone()
+        };
+        let units = Units {
+            members: known
+                .iter()
+                .map(|metadata| (metadata.yield_strength, metadata.contact_modulus))
+                .collect(),
+            here: (strengths, moduli),
+            errors: (strength.error() / strengths, modulus.error() / moduli),
         };
         let mut table =
             Table::new(self.members[0].axes().clone(), metadata).expect("axes of a table are axes");
@@ -168,7 +183,7 @@ impl TemperatureSeries {
                 table.mark_failed(i, j, format!("at {own} K: {reason}"));
             } else if sides.iter().all(|side| side.cell(i, j).is_some()) {
                 let cells: Vec<Option<&Cell>> = self.members.iter().map(|table| table.cell(i, j)).collect();
-                let cell = Column { temperatures, cells }.at(place, temperature);
+                let cell = Column { temperatures, units: &units, cells }.at(place, temperature);
                 table.set_cell(i, j, cell).expect("as long as its neighbours");
             }
         }
@@ -239,98 +254,10 @@ fn common(metadata: &Metadata) -> Metadata {
     }
 }
 
-/// The cells of one point of the grid at all temperatures.
-struct Column<'a> {
-    temperatures: &'a [f64],
-    cells: Vec<Option<&'a Cell>>,
-}
-
-impl Column<'_> {
-    /// The cell between two that are there.
-    fn at(&self, place: Location, temperature: f64) -> Cell {
-        let mut cell = Cell::new();
-        for quantity in Quantity::ALL {
-            let base = if quantity.is_temperature() { temperature } else { 0.0 };
-            let value = |member: usize| self.rise(member, quantity, |cell| cell[quantity].value);
-            let [e, f] = [place.index, place.index + 1]
-                .map(|member| self.cells[member].map_or(f64::NAN, |cell| cell[quantity].error));
-            let found = blend(self.temperatures, place, value);
-            let error = (1.0 - place.t) * e + place.t * f + self.interpolation(place, found, value);
-            cell[quantity] = Estimate { value: base + found, error };
-        }
-        for quantity in Quantity::HISTORIES {
-            let base = if quantity.is_temperature() { temperature } else { 0.0 };
-            let points = self.cells[place.index].map_or(0, |cell| cell.history(quantity).len());
-            let point = |k: usize| {
-                let value = |member: usize| self.rise(member, quantity, |cell| cell.history(quantity)[k]);
-                base + blend(self.temperatures, place, value)
-            };
-            cell = cell.with_history(quantity, (0..points).map(point).collect());
-        }
-        let sides = [self.cells[place.index], self.cells[place.index + 1]];
-        cell.levelled = sides.iter().flatten().all(|side| side.levelled);
-        cell.wall_time = 0.0;
-        for warning in sides.iter().flatten().flat_map(|side| &side.warnings) {
-            if !cell.warnings.contains(warning) {
-                cell.warnings.push(warning.clone());
-            }
-        }
-        cell
-    }
-
-    /// A number of the cell of a member; of a temperature the rise above the initial one.
-    fn rise(&self, member: usize, quantity: Quantity, of: impl Fn(&Cell) -> f64) -> f64 {
-        let base = if quantity.is_temperature() { self.temperatures[member] } else { 0.0 };
-        self.cells[member].map_or(f64::NAN, of) - base
-    }
-
-    /// Error of interpolation of a number that was `found` at a place.
-    ///
-    /// Each inner temperature next to the place is left out and predicted from the others; the larger
-    /// relative misfit is the error in the middle, though the gap that made it was wider. It falls to
-    /// zero at both ends as a square root, since softening laws may begin with an infinite slope. What
-    /// the cubic differs by from the straight line comes on top. Where nothing can be left out the error
-    /// in the middle is a quarter of the difference of both sides: as far as a parabola that is level at
-    /// one end departs from the straight line.
-    fn interpolation(&self, place: Location, found: f64, value: impl Fn(usize) -> f64) -> f64 {
-        let x = self.temperatures;
-        let (one, other) = (place.index, place.index + 1);
-        let misfit = |own: usize| -> Option<f64> {
-            if own == 0 || own + 1 == x.len() {
-                return None;
-            }
-            let rest: Vec<f64> = x.iter().copied().filter(|t| *t != x[own]).collect();
-            let gap = x[own + 1] - x[own - 1];
-            let place = Location { index: own - 1, t: (x[own] - x[own - 1]) / gap };
-            let predicted = blend(&rest, place, |member| value(member + usize::from(member >= own)));
-            let actual = value(own);
-            let misfit = (predicted - actual).abs();
-            let relative = if misfit == 0.0 { 0.0 } else { misfit / predicted.abs().max(actual.abs()) };
-            relative.is_finite().then_some(relative)
-        };
-        let middle = match [one, other].into_iter().filter_map(misfit).reduce(f64::max) {
-            Some(relative) => relative * found.abs(),
-            None => 0.25 * (value(one) - value(other)).abs(),
-        };
-        let straight = blend(&x[one..=other], Location { index: 0, t: place.t }, |side| value(one + side));
-        2.0 * (place.t * (1.0 - place.t)).sqrt() * middle + (found - straight).abs()
-    }
-}
-
-/// Monotone cubic at a place on the axis `x`, through the values around it that are known.
-fn blend(x: &[f64], place: Location, value: impl Fn(usize) -> f64) -> f64 {
-    let Location { index, t } = place;
-    let known = |member: usize| Some(value(member)).filter(|value| value.is_finite());
-    let before = index.checked_sub(1).and_then(known);
-    let after = (index + 2 < x.len()).then(|| known(index + 2)).flatten();
-    let gaps = [before.map(|_| x[index] - x[index - 1]), after.map(|_| x[index + 2] - x[index + 1])];
-    blend_one(gaps, x[index + 1] - x[index], t, [before, after], [value(index), value(index + 1)])
-}
-
 /// What a file or a request gives: one table, or one for each of several initial temperatures.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tables {
-    One(Table),
+    One(Box<Table>),
     Series(TemperatureSeries),
 }
 
@@ -351,7 +278,7 @@ impl Tables {
     /// The tables, of rising initial temperature.
     pub fn members(&self) -> &[Table] {
         match self {
-            Self::One(table) => std::slice::from_ref(table),
+            Self::One(table) => std::slice::from_ref(&**table),
             Self::Series(series) => series.members(),
         }
     }
@@ -406,11 +333,11 @@ impl Tables {
         match (self, temperature) {
             (Self::Series(series), Some(temperature)) => series.at(temperature),
             (Self::Series(series), None) => Err(not_chosen(&series.temperatures())),
-            (Self::One(table), None) => Ok(table),
+            (Self::One(table), None) => Ok(*table),
             (Self::One(table), Some(asked)) => {
                 let own = table.metadata().temperature;
                 match (own - asked).abs() <= SAME * own {
-                    true => Ok(table),
+                    true => Ok(*table),
                     false => Err(TemperatureError::Other { asked, own }),
                 }
             }

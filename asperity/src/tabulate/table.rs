@@ -28,7 +28,7 @@ impl Tabulation {
                 if let Some(goal) = self.request.goal
                     && self.finished()
                 {
-                    table = table.with_interpolation_errors(goal.tolerance);
+                    *table = table.with_interpolation_errors(goal.tolerance);
                 }
                 let mut metadata = Metadata { history, ..table.metadata().clone() };
                 metadata.comment = self.warnings().join("\n");
@@ -49,7 +49,7 @@ impl Tabulation {
         let members = templates.iter().enumerate().map(|(n, scene)| self.member(n, scene));
         let mut members = members.collect::<Result<Vec<Table>, TableError>>()?;
         Ok(match self.request.temperatures.is_empty() {
-            true => Tables::One(members.remove(0)),
+            true => Tables::One(Box::new(members.remove(0))),
             false => Tables::Series(TemperatureSeries::new(members)?),
         })
     }

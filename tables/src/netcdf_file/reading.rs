@@ -53,7 +53,7 @@ pub(crate) fn read(path: &Path) -> Result<Tables, DatasetError> {
     schema::check_content(&file, &tables, series)?;
     match series {
         true => Ok(Tables::Series(TemperatureSeries::new(tables).map_err(wrong)?)),
-        false => Ok(Tables::One(tables.remove(0))),
+        false => Ok(Tables::One(Box::new(tables.remove(0)))),
     }
 }
 

@@ -141,7 +141,7 @@ fn read(asked: &str, at: &At) -> Result<Table, Failure> {
 /// The same, or all of a series if no temperature is asked for.
 fn read_all(asked: &str, at: &At) -> Result<Tables, Failure> {
     match at.temperature {
-        Some(_) => read(asked, at).map(Tables::One),
+        Some(_) => read(asked, at).map(|table| Tables::One(Box::new(table))),
         None => shipped::tables(asked).map_err(Failure::input),
     }
 }
