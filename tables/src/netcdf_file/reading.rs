@@ -49,6 +49,9 @@ pub(crate) fn read(path: &Path) -> Result<Tables, DatasetError> {
     let status = file.flags("status", &shape)?;
     let tables = metadata.into_iter().map(|metadata| Table::new(axes.clone(), metadata));
     let mut tables = tables.collect::<Result<Vec<Table>, TableError>>().map_err(wrong)?;
+    if tables.is_empty() {
+        return Err(wrong(TableError::AxisEmpty("temperature")));
+    }
     read_cells(&file, &mut tables, &shape, &status)?;
     schema::check_content(&file, &tables, series)?;
     match series {
