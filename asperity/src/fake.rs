@@ -43,13 +43,16 @@ fn estimate(value: f64) -> Estimate {
 }
 
 impl Fake {
-    /// P ∝ ω^1.5 and a ∝ √ω; μ rises to a peak and falls with the slip rate.
+    /// P ∝ ω^1.5 and a ∝ √ω; μ rises to a peak and falls with the slip rate, and with the initial
+    /// temperature above 298 K.
     pub fn outcome(scene: &Scene) -> Outcome {
         let (omega, rate) = (scene.loading.interference, scene.loading.slip_rate);
         let (radius, load) = (1e-5 * omega.sqrt(), 0.7 * omega.powf(1.5));
+        let initial = scene.loading.temperature;
         let area = std::f64::consts::PI * radius * radius;
         let state = |share: f64| {
-            let mu = 0.3 * (1.0 - (-20.0 * share).exp()) / (1.0 + 0.2 * rate * share);
+            let mu = 0.3 * (1.0 - (initial - 298.0) / 2000.0) * (1.0 - (-20.0 * share).exp())
+                / (1.0 + 0.2 * rate * share);
             SlideStep {
                 slip: share * scene.loading.slip_distance * radius,
                 time: share,
@@ -58,8 +61,8 @@ impl Fake {
                 mu,
                 area: area * (1.0 + 0.1 * share),
                 stick_fraction: (1.0 - 4.0 * share).max(0.0),
-                temperature_max: 298.0 + 500.0 * share.sqrt() * rate,
-                temperature_mean: 298.0 + 300.0 * share.sqrt() * rate,
+                temperature_max: initial + 500.0 * share.sqrt() * rate,
+                temperature_mean: initial + 300.0 * share.sqrt() * rate,
                 ..SlideStep::default()
             }
         };

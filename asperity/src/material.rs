@@ -67,18 +67,7 @@ impl Solid {
     /// The same of each rise.
     pub fn softening_factors<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
         let temperature = rise.map(|rise| self.initial_temperature + rise);
-        let factor = match &self.softening {
-            Softening::None => [1.0; W],
-            Softening::JohnsonCook { reference, melting, exponent } => {
-                let homologous =
-                    temperature.map(|t| ((t - reference) / (melting - reference)).clamp(0.0, 1.0));
-                powers(&homologous, *exponent).map(|power| 1.0 - power)
-            }
-            Softening::Table { temperature: knots, factor } => {
-                temperature.map(|t| interpolate(knots, factor, t).0)
-            }
-        };
-        factor.map(|factor| factor / self.initial_factor)
+        self.softening.factors(&temperature).map(|factor| factor / self.initial_factor)
     }
 
     /// Lower bound of the softening factor for rises between `coldest`, which is asked for where it

@@ -3,6 +3,7 @@
 
 use crate::curve::{Curve, interpolate};
 pub use crate::friction_law::FrictionLaw;
+use crate::lanes::{Lanes, powers};
 
 /// Growth of the yield strength with equivalent plastic strain ε_p at the initial temperature.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,28 @@ pub enum Softening {
         temperature: Vec<f64>,
         factor: Vec<f64>,
     },
+}
+
+impl Softening {
+    /// factor(T), T in K: never negative.
+    pub fn factor(&self, temperature: f64) -> f64 {
+        self.factors(&[temperature])[0]
+    }
+
+    /// The same of each temperature.
+    pub(crate) fn factors<const W: usize>(&self, temperature: &Lanes<W>) -> Lanes<W> {
+        match self {
+            Self::None => [1.0; W],
+            Self::JohnsonCook { reference, melting, exponent } => {
+                let homologous =
+                    temperature.map(|t| ((t - reference) / (melting - reference)).clamp(0.0, 1.0));
+                powers(&homologous, *exponent).map(|power| 1.0 - power)
+            }
+            Self::Table { temperature: knots, factor } => {
+                temperature.map(|t| interpolate(knots, factor, t).0)
+            }
+        }
+    }
 }
 
 /// Where the shear fracture energy of a material comes from; see [`crate::fracture`].
@@ -215,3 +238,45 @@ pub struct Scene {
     pub model: Model,
     pub numerics: Numerics,
 }
+
+impl Scene {
+    /// The scene with body and flat at another initial temperature, K: yield strength and hardening
+    /// moduli are multiplied by the ratio of the softening factors (a table of hardening factors stays),
+    /// properties with a table take their value there. Both softening factors must be above 0.
+    ///
+    /// All else stays, what is known of fracture and the strength of a film among it.
+    ///
+    /// ```
+    /// use asperity::scene_file::parse_scene;
+    ///
+    /// let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+    ///             [loading]\ninterference = 5\nslip_rate = 1\n";
+    /// let cold = parse_scene(text, "this example", &[])?;
+    /// let hot = cold.at_temperature(600.0);
+    /// assert_eq!(hot.loading.temperature, 600.0);
+    /// let factor = |temperature| cold.material.softening.factor(temperature);
+    /// let expected = cold.material.yield_strength * factor(600.0) / factor(298.0);
+    /// assert!((hot.material.yield_strength / expected - 1.0).abs() < 1e-12);
+    /// # Ok::<(), asperity::scene_file::SceneFileError>(())
+    /// ```
+    pub fn at_temperature(&self, temperature: f64) -> Self {
+        let mut scene = self.clone();
+        let known = self.loading.temperature;
+        if temperature == known {
+            return scene;
+        }
+        let material = &mut scene.material;
+        let ratio = material.softening.factor(temperature) / material.softening.factor(known);
+        material.yield_strength *= ratio;
+        match &mut material.hardening {
+            Hardening::Linear { modulus } | Hardening::JohnsonCook { modulus, .. } => *modulus *= ratio,
+            Hardening::None | Hardening::Table { .. } => {}
+        }
+        material.settle(temperature);
+        scene.loading.temperature = temperature;
+        scene
+    }
+}
+
+#[cfg(test)]
+mod tests;

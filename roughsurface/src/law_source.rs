@@ -15,33 +15,43 @@ pub enum LawSourceError {
     NoMaterial { name: String },
     #[error("--table: {0}")]
     Table(TableSourceError),
+    #[error(
+        "query.temperature = {temperature} K: a closed form (--table model:{name}) knows no temperature; leave it out"
+    )]
+    NoTemperature { name: String, temperature: f64 },
 }
 
 /// The law called `asked`: `model:NAME` is a closed form for `material`, anything else the file of a
-/// table or the name of a shipped one.
+/// table or the name of a shipped one. `temperature` is the initial one, K: a table of several must be
+/// given it, for any other it can only be the table's own.
 ///
 /// ```
 /// use roughsurface::law_source::asperity_law;
 /// use tables::closed_forms::ElasticPlastic;
 ///
 /// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
-/// assert!(asperity_law("model:kogut-etsion", Some(&steel)).is_ok());
-/// assert!(asperity_law("model:kogut-etsion", None).is_err());
-/// assert!(asperity_law("steel-4340", None).is_ok());
-/// assert!(asperity_law("no-such-table.nc", None).is_err());
+/// assert!(asperity_law("model:kogut-etsion", Some(&steel), None).is_ok());
+/// assert!(asperity_law("model:kogut-etsion", None, None).is_err());
+/// assert!(asperity_law("steel-4340", None, None).is_ok());
+/// assert!(asperity_law("steel-4340", None, Some(500.0)).is_err());
+/// assert!(asperity_law("no-such-table.nc", None, None).is_err());
 /// ```
 pub fn asperity_law(
     asked: &str,
     material: Option<&ElasticPlastic>,
+    temperature: Option<f64>,
 ) -> Result<Box<dyn AsperityLaw>, LawSourceError> {
     if let Some(name) = asked.strip_prefix("model:") {
+        if let Some(temperature) = temperature {
+            return Err(LawSourceError::NoTemperature { name: name.to_string(), temperature });
+        }
         let unknown = |reason| LawSourceError::Unknown { name: name.to_string(), reason };
         let Some(material) = material else {
             return Err(LawSourceError::NoMaterial { name: name.to_string() });
         };
         return closed_form(name, material).map_err(unknown);
     }
-    match shipped::table(asked) {
+    match shipped::open(asked, temperature) {
         Ok(table) => Ok(Box::new(table)),
         Err(error) => Err(LawSourceError::Table(error)),
     }
@@ -56,12 +66,13 @@ pub struct Background {
     pub melting_temperature: Option<f64>,
 }
 
-/// What a table knows of its material; of a closed form, the `material` of the surface file.
-pub fn background(asked: &str, material: Option<&ElasticPlastic>) -> Background {
+/// What a table knows of its material, at the initial temperature if it has several; of a closed form,
+/// the `material` of the surface file.
+pub fn background(asked: &str, material: Option<&ElasticPlastic>, temperature: Option<f64>) -> Background {
     if asked.starts_with("model:") {
         return Background { material: material.copied(), melting_temperature: None };
     }
-    let Ok(table) = shipped::table(asked) else {
+    let Ok(table) = shipped::open(asked, temperature) else {
         return Background::default();
     };
     let metadata = table.metadata();
@@ -95,11 +106,12 @@ fn melting_of(scene: &str) -> Option<f64> {
 pub fn asperity_law_without_gaps(
     asked: &str,
     material: Option<&ElasticPlastic>,
+    temperature: Option<f64>,
 ) -> Result<(Box<dyn AsperityLaw>, Option<String>), LawSourceError> {
     if asked.starts_with("model:") {
-        return Ok((asperity_law(asked, material)?, None));
+        return Ok((asperity_law(asked, material, temperature)?, None));
     }
-    let (table, filled) = shipped::table(asked).map_err(LawSourceError::Table)?.bridged();
+    let (table, filled) = shipped::open(asked, temperature).map_err(LawSourceError::Table)?.bridged();
     let labels: Vec<String> = filled.iter().map(|(i, j)| table.label(*i, *j)).collect();
     let warning = (!labels.is_empty())
         .then(|| format!("cells without results, interpolated around: {}", labels.join("; ")));
@@ -110,6 +122,7 @@ pub fn asperity_law_without_gaps(
 mod tests {
     use super::*;
     use tables::quantity::Quantity;
+    use tables::series::TemperatureSeries;
     use tables::table::Table;
 
     #[test]
@@ -132,9 +145,9 @@ mod tests {
         let path = std::env::temp_dir().join(format!("roughsurface-gaps-{}.nc", std::process::id()));
         table.write(&path).unwrap();
         let asked = path.to_str().unwrap();
-        let refusal = asperity_law(asked, None).unwrap().response(1e-3, 4.0, 1.0, 1e-5).unwrap_err();
+        let refusal = asperity_law(asked, None, None).unwrap().response(1e-3, 4.0, 1.0, 1e-5).unwrap_err();
         assert!(refusal.to_string().contains("no convergence"));
-        let (law, warning) = asperity_law_without_gaps(asked, None).unwrap();
+        let (law, warning) = asperity_law_without_gaps(asked, None, None).unwrap();
         std::fs::remove_file(&path).unwrap();
         assert!((law.response(1e-3, 4.0, 1.0, 1e-5).unwrap().load.value - 2.0).abs() < 1e-12);
         assert_eq!(warning.unwrap(), "cells without results, interpolated around: 3 omega_c at 1 m/s");
@@ -151,13 +164,58 @@ mod tests {
     #[test]
     fn closed_forms_need_a_known_name_and_a_material() {
         let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
-        assert_eq!(asperity_law("model:hertz", Some(&steel)).unwrap().name(), "hertz");
-        let message = |asked: &str, material| match asperity_law(asked, material) {
+        assert_eq!(asperity_law("model:hertz", Some(&steel), None).unwrap().name(), "hertz");
+        let message = |asked: &str, material| match asperity_law(asked, material, None) {
             Ok(_) => panic!("{asked} was found"),
             Err(error) => error.to_string(),
         };
         assert!(message("model:herz", Some(&steel)).contains("kogut-etsion"));
         assert!(message("model:hertz", None).contains("[material]"));
         assert!(message("no-such-table.nc", None).starts_with("--table: cannot read no-such-table.nc"));
+    }
+    #[test]
+    fn a_table_is_read_at_the_temperature_asked_for() {
+        let member = |temperature: f64| {
+            let axes =
+                tables::table::Axes { interference: vec![1.0], slip_rate: vec![1.0], slip: vec![0.0, 1.0] };
+            let metadata = tables::table::Metadata {
+                asperity_radius: 1e-3,
+                temperature,
+                yield_strength: 1e9 - 1e6 * temperature,
+                contact_modulus: 2e11,
+                ..Default::default()
+            };
+            let mut table = Table::new(axes, metadata).unwrap();
+            let mut cell = tables::table::Cell::new().with(Quantity::ContactRadius, 1e-5, 0.0);
+            for quantity in [Quantity::Load, Quantity::Friction, Quantity::Area] {
+                cell = cell.with(quantity, temperature, 0.1).with_history(quantity, vec![temperature; 2]);
+            }
+            cell = cell.with_history(Quantity::TemperatureMax, vec![temperature; 2]);
+            table.set_cell(0, 0, cell).unwrap();
+            table
+        };
+        let path = std::env::temp_dir().join(format!("roughsurface-series-{}.nc", std::process::id()));
+        let series = TemperatureSeries::new([300.0, 400.0, 500.0].map(member).to_vec()).unwrap();
+        series.write(&path).unwrap();
+        let asked = path.to_str().unwrap();
+        let law = |temperature| asperity_law(asked, None, temperature);
+        let load = law(Some(400.0)).unwrap().response(1e-3, 1.0, 1.0, 1e-5).unwrap().load.value;
+        let between = law(Some(450.0)).unwrap().response(1e-3, 1.0, 1.0, 1e-5).unwrap().load.value;
+        let strength = background(asked, None, Some(400.0)).material.unwrap().yield_strength;
+        let refused = |temperature| law(temperature).map(|_| ()).unwrap_err().to_string();
+        let (open, outside) = (refused(None), refused(Some(600.0)));
+        let gaps = asperity_law_without_gaps(asked, None, None).map(|_| ()).unwrap_err().to_string();
+        std::fs::remove_file(&path).unwrap();
+        assert!((load / 400.0 - 1.0).abs() < 1e-12 && (between / 450.0 - 1.0).abs() < 1e-2);
+        assert_eq!(strength, 6e8);
+        assert!(open.contains("from 300 to 500 K") && open.contains("query.temperature"), "{open}");
+        assert_eq!(gaps, open);
+        assert!(outside.contains("600 K is outside") && outside.contains("300 to 500 K"), "{outside}");
+        let own = asperity_law("steel-4340", None, Some(500.0)).map(|_| ()).unwrap_err().to_string();
+        assert!(own.contains("is for an initial temperature of 298 K only, not 500 K"), "{own}");
+        let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+        let form =
+            asperity_law("model:hertz", Some(&steel), Some(500.0)).map(|_| ()).unwrap_err().to_string();
+        assert!(form.starts_with("query.temperature = 500 K: a closed form"), "{form}");
     }
 }

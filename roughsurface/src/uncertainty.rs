@@ -140,7 +140,7 @@ pub enum UncertaintyError {
 /// "#;
 /// let file = SurfaceFile::parse("this example".as_ref(), text.to_owned())?;
 /// let (table, settings) = ("model:jackson-green", Settings::default());
-/// let law = asperity_law(table, file.material.as_ref())?;
+/// let law = asperity_law(table, file.material.as_ref(), None)?;
 /// let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ())?;
 /// let found = propagate(&file, table, &base, &settings, &|_, _| ())?;
 /// let mu = OUTPUTS.iter().position(|output| output.name == "mu").unwrap();
@@ -166,7 +166,7 @@ pub fn propagate(
         return Err(UncertaintyError::NoTable);
     }
     let again = |file: &SurfaceFile, table: &str, key: &str, direction| {
-        let law = asperity_law(table, file.material.as_ref())?;
+        let law = asperity_law(table, file.material.as_ref(), file.temperature)?;
         predict(law.as_ref(), &file.surface, &file.query, settings, progress)
             .map_err(|error| UncertaintyError::Prediction { key: key.into(), direction, error })
     };
@@ -237,7 +237,7 @@ yield_strength = 4e6
 ";
         let file = SurfaceFile::parse(Path::new("surface.toml"), text.into()).unwrap();
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
-        let law = asperity_law("model:hertz", file.material.as_ref()).unwrap();
+        let law = asperity_law("model:hertz", file.material.as_ref(), None).unwrap();
         let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
         let mu = base.friction[0][0].sliding.mu.value;
         let found = propagate(&file, "model:hertz", &base, &settings, &|_, _| ()).unwrap();
@@ -274,7 +274,7 @@ uncertainty = { KEY }
         let material = text.replace("KEY", "youngs_modulus = 1e9")
             + "material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 1e9 }\n";
         let file = SurfaceFile::parse(Path::new("s.toml"), material).unwrap();
-        let law = asperity_law("model:hertz", file.material.as_ref()).unwrap();
+        let law = asperity_law("model:hertz", file.material.as_ref(), None).unwrap();
         let settings = Settings::default();
         let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
         let error = propagate(&file, "table.nc", &base, &settings, &|_, _| ()).unwrap_err();

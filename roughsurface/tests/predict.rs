@@ -10,6 +10,8 @@ use roughsurface::friction::{Settings, predict};
 use roughsurface::surface_file::SurfaceFile;
 use tables::closed_forms::hertz;
 use tables::dataset::DatasetReader;
+use tables::series::TemperatureSeries;
+use tables::table::Metadata;
 
 const SURFACE: &str = r#"
 [surface]
@@ -93,6 +95,45 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
     }
     assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
     assert_eq!(file.attribute_text("table").unwrap(), "table.nc");
+}
+
+#[test]
+fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
+    let folder = Folder::new("temperatures");
+    let cold = table(&Weakening::new(), 200.0);
+    let mut hot = table(&Stronger(Weakening::new()), 200.0);
+    hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
+    hot.write(&folder.path("hot.nc")).unwrap();
+    TemperatureSeries::new(vec![cold, hot]).unwrap().write(&folder.path("both.nc")).unwrap();
+    let refused = folder.run("predict surface.toml --table both.nc -o friction.nc");
+    let message = stderr(&refused);
+    assert_eq!((refused.status.code(), message.lines().count()), (Some(2), 1), "{message}");
+    assert!(message.contains("from 298 to 500 K") && message.contains("query.temperature"), "{message}");
+
+    let at = |temperature: f64| {
+        let text = SURFACE.replace("[query]", &format!("[query]\ntemperature = {temperature:?}"));
+        std::fs::write(folder.path("at.toml"), text).unwrap();
+    };
+    let friction = |arguments: &str| {
+        let output = folder.run(&format!("{arguments} -o friction.nc"));
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        DatasetReader::open(&folder.path("friction.nc")).unwrap().reals("mu", &[3, 5]).unwrap()
+    };
+    let expected = friction("predict surface.toml --table hot.nc");
+    at(500.0);
+    assert_eq!(friction("predict at.toml --table both.nc"), expected);
+    assert_eq!(friction("predict at.toml --table hot.nc"), expected);
+    let sample = "sample at.toml --table both.nc --asperities 50 --realizations 4 -o mc.nc";
+    assert_eq!(folder.run(sample).status.code(), Some(0));
+    at(400.0);
+    let between = friction("predict at.toml --table both.nc");
+    at(298.0);
+    let cold = friction("predict at.toml --table both.nc");
+    for (mu, (cold, hot)) in between.iter().zip(cold.iter().zip(&expected)) {
+        assert!(*mu > cold.min(*hot) && *mu < cold.max(*hot), "{mu} {cold} {hot}");
+    }
+    let refused = folder.run("predict at.toml --table hot.nc -o friction.nc");
+    assert!(stderr(&refused).contains("is for an initial temperature of 500 K only, not 298 K"));
 }
 
 #[test]

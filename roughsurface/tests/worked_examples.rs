@@ -15,7 +15,7 @@ fn scene(name: &str) -> SurfaceFile {
 }
 
 fn predicted(file: &SurfaceFile, model: &str) -> Prediction {
-    let law = asperity_law(model, file.material.as_ref()).unwrap();
+    let law = asperity_law(model, file.material.as_ref(), None).unwrap();
     predict(law.as_ref(), &file.surface, &file.query, &Settings::default(), &|_, _| ()).unwrap()
 }
 

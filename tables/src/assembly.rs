@@ -138,7 +138,7 @@ impl Table {
 }
 
 /// The first lines in which two texts differ.
-fn first_difference(here: &str, there: &str) -> (String, String) {
+pub(crate) fn first_difference(here: &str, there: &str) -> (String, String) {
     let mut lines = (here.lines(), there.lines());
     loop {
         match (lines.0.next(), lines.1.next()) {

@@ -3,30 +3,79 @@
 use std::io::Write;
 
 use crate::quantity::{QUANTITIES, Quantity};
+use crate::series::Tables;
 use crate::table::{Cell, Status, Table};
 
 impl Table {
     /// A line for each grid point: coordinates, state, every scalar with its error. Names carry
     /// units, as in `Q [N]`; what is not known is empty.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
+        Lines { tables: std::slice::from_ref(self), series: false }.write(to)
+    }
+
+    /// A line for each grid point with results and each slip, in a₀: the histories.
+    pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
+        Lines { tables: std::slice::from_ref(self), series: false }.write_histories(to)
+    }
+}
+
+impl Tables {
+    /// As [`Table::write_csv`]; a series has `temperature [K]` as the first column.
+    pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
+        self.lines().write(to)
+    }
+
+    /// As [`Table::write_histories_csv`], with that column.
+    pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
+        self.lines().write_histories(to)
+    }
+
+    fn lines(&self) -> Lines<'_> {
+        Lines { tables: self.members(), series: matches!(self, Self::Series(_)) }
+    }
+}
+
+struct Lines<'a> {
+    tables: &'a [Table],
+    series: bool,
+}
+
+impl Lines<'_> {
+    /// The first columns.
+    fn coordinates(&self, others: &[&str]) -> Vec<String> {
+        let all = [&["temperature [K]", "interference [1]", "slip_rate [m s-1]"], others].concat();
+        all.into_iter().skip(usize::from(!self.series)).map(String::from).collect()
+    }
+
+    /// Each grid point of each table, with its first columns.
+    fn points(&self) -> impl Iterator<Item = (&Table, (usize, usize), Vec<String>)> {
+        self.tables.iter().flat_map(move |table| {
+            table.grid().map(move |(i, j)| {
+                let (interference, slip_rate) = table.coordinates(i, j);
+                let all = [table.metadata().temperature, interference, slip_rate];
+                let line = all.into_iter().skip(usize::from(!self.series)).map(number).collect();
+                (table, (i, j), line)
+            })
+        })
+    }
+
+    fn write(&self, to: impl Write) -> std::io::Result<()> {
         let mut file = csv::Writer::from_writer(to);
-        let mut header: Vec<String> =
-            ["interference [1]", "slip_rate [m s-1]", "status"].map(String::from).to_vec();
+        let mut header = self.coordinates(&["status"]);
         for descriptor in &QUANTITIES {
             header.push(format!("{} [{}]", descriptor.name, descriptor.units));
             header.push(format!("{}_error [{}]", descriptor.name, descriptor.units));
         }
         header.extend(["levelled", "wall_time [s]", "failure_reason", "warnings"].map(String::from));
         file.write_record(&header)?;
-        for (i, j) in self.grid() {
-            let (interference, slip_rate) = self.coordinates(i, j);
-            let (state, reason) = match self.status(i, j) {
+        for (table, (i, j), mut line) in self.points() {
+            let (state, reason) = match table.status(i, j) {
                 Status::Done(_) => ("done", ""),
                 Status::NotRun => ("not run", ""),
                 Status::Failed(reason) => ("failed", reason.as_str()),
             };
-            let mut line = vec![number(interference), number(slip_rate), state.to_string()];
-            let cell = self.cell(i, j);
+            line.push(state.to_string());
+            let cell = table.cell(i, j);
             for quantity in Quantity::ALL {
                 line.push(cell.map_or(String::new(), |cell| number(cell[quantity].value)));
                 line.push(cell.map_or(String::new(), |cell| number(cell[quantity].error)));
@@ -40,23 +89,20 @@ impl Table {
         file.flush()
     }
 
-    /// A line for each grid point with results and each slip, in a₀: the histories.
-    pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
+    fn write_histories(&self, to: impl Write) -> std::io::Result<()> {
         let mut file = csv::Writer::from_writer(to);
-        let mut header: Vec<String> =
-            ["interference [1]", "slip_rate [m s-1]", "slip [1]"].map(String::from).to_vec();
+        let mut header = self.coordinates(&["slip [1]"]);
         for quantity in Quantity::HISTORIES {
             let descriptor = quantity.descriptor();
             header.push(format!("{} [{}]", descriptor.name, descriptor.units));
         }
         file.write_record(&header)?;
-        for (i, j) in self.grid() {
-            let Some(cell) = self.cell(i, j) else { continue };
-            let (interference, slip_rate) = self.coordinates(i, j);
-            for (k, slip) in self.axes().slip.iter().enumerate() {
+        for (table, (i, j), line) in self.points() {
+            let Some(cell) = table.cell(i, j) else { continue };
+            for (k, slip) in table.axes().slip.iter().enumerate() {
                 let at = |quantity: Quantity| number(Cell::history(cell, quantity)[k]);
-                let coordinates = [interference, slip_rate, *slip].map(number);
-                file.write_record(coordinates.into_iter().chain(Quantity::HISTORIES.map(at)))?;
+                let coordinates = line.iter().cloned().chain([number(*slip)]);
+                file.write_record(coordinates.chain(Quantity::HISTORIES.map(at)))?;
             }
         }
         file.flush()

@@ -29,6 +29,7 @@ pub mod refinement;
 pub mod rehearsal;
 pub mod schema;
 mod seal;
+pub mod series;
 pub mod shipped;
 pub mod statistics;
 pub mod steffen;

@@ -1,15 +1,19 @@
 //! Tables as CF netCDF files.
 
+mod reading;
+
 use std::path::Path;
 
-use crate::dataset::{AttributeValue, DatasetError, DatasetReader, DatasetWriter};
+use crate::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use crate::fracture::FractureEnergy;
 use crate::quantity::{Descriptor, QUANTITIES, Quantity};
 use crate::schema;
-use crate::table::{Axes, Cell, Metadata, Status, Table};
+use crate::series::Tables;
+use crate::table::{Cell, Metadata, Status, Table};
+pub(crate) use reading::read;
 
-const GRID: [&str; 2] = ["interference", "slip_rate"];
-const GRID_AND_SLIP: [&str; 3] = ["interference", "slip_rate", "slip"];
+/// Of which a single table lacks the first, and what is not a history the last.
+const DIMENSIONS: [&str; 4] = ["temperature", "interference", "slip_rate", "slip"];
 /// G_IIc = coefficient·aⁿ in J m-2, contact radius a in m.
 const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
 const FRACTURE_EXPONENT: &str = "fracture_energy_radius_exponent";
@@ -33,6 +37,14 @@ const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
     temperature,
     heat_partition,
     gap_conductance
+];
+
+/// Numbers of the metadata that change with the initial temperature: in a series they are variables over
+/// it, beside the attributes, which are those of the lowest. Name, unit, meaning.
+const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
+    ("critical_interference", "m", "interference of first yield"),
+    ("contact_modulus", "Pa", "contact modulus E/(1-nu^2) at the initial temperature"),
+    ("yield_strength", "Pa", "yield strength at the initial temperature"),
 ];
 
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.
@@ -59,69 +71,101 @@ const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
 impl Table {
     /// Writes the table; the file appears whole or not at all.
     pub fn write(&self, path: &Path) -> Result<(), DatasetError> {
-        let mut metadata = self.metadata().clone();
-        let mut file = DatasetWriter::create(path, &metadata.title)?;
-        for (name, text) in TEXT_ATTRIBUTES.iter().skip(1) {
-            let text = text(&mut metadata);
-            // CF wants no empty attributes.
-            if !text.is_empty() {
-                file.attribute(name, text.as_str())?;
-            }
-        }
-        for (name, value, _) in REAL_ATTRIBUTES {
-            file.attribute(name, value(&metadata))?;
-        }
-        for (name, value) in OPTIONAL_ATTRIBUTES {
-            if let Some(value) = *value(&mut metadata) {
-                file.attribute(name, value)?;
-            }
-        }
-        schema::stamp(&mut file, self)?;
-        self.write_coordinates(&mut file)?;
-        for descriptor in &QUANTITIES {
-            self.write_quantity(&mut file, descriptor)?;
-        }
-        if let Some(fracture_energy) = metadata.fracture_energy {
-            self.write_energy_ratio(&mut file, fracture_energy)?;
-        }
-        self.write_state(&mut file)?;
-        file.finish()
+        write(path, std::slice::from_ref(self), false)
     }
 
-    /// Reads a table.
+    /// Reads a table. A file that has several, of different initial temperatures, is refused: see
+    /// [`Tables`].
     pub fn read(path: &Path) -> Result<Table, DatasetError> {
-        let file = DatasetReader::open(path)?;
-        schema::check_version(&file)?;
-        let axes = Axes {
-            interference: file.coordinate("interference")?,
-            slip_rate: file.coordinate("slip_rate")?,
-            slip: file.coordinate("slip")?,
+        Tables::read(path)?.at(None).map_err(|error| DatasetError::Content {
+            path: path.display().to_string(),
+            what: error.to_string(),
+        })
+    }
+}
+
+/// Writes tables into one file: a single one, or those of a series.
+pub(crate) fn write(path: &Path, tables: &[Table], series: bool) -> Result<(), DatasetError> {
+    let mut metadata = tables[0].metadata().clone();
+    let mut file = DatasetWriter::create(path, &metadata.title)?;
+    for (name, text) in TEXT_ATTRIBUTES.iter().skip(1) {
+        let text = text(&mut metadata);
+        // CF wants no empty attributes.
+        if !text.is_empty() {
+            file.attribute(name, text.as_str())?;
+        }
+    }
+    for (name, value, _) in REAL_ATTRIBUTES {
+        file.attribute(name, value(&metadata))?;
+    }
+    for (name, value) in OPTIONAL_ATTRIBUTES {
+        if let Some(value) = *value(&mut metadata) {
+            file.attribute(name, value)?;
+        }
+    }
+    schema::stamp(&mut file, tables, series)?;
+    let content = Content { tables, series };
+    if series {
+        content.write_temperatures(&mut file)?;
+    }
+    content.write_coordinates(&mut file)?;
+    for descriptor in &QUANTITIES {
+        content.write_quantity(&mut file, descriptor)?;
+    }
+    if let Some(fracture_energy) = metadata.fracture_energy {
+        content.write_energy_ratio(&mut file, fracture_energy)?;
+    }
+    content.write_state(&mut file)?;
+    file.finish()
+}
+
+/// What is written of tables with common axes; those of a series have a leading dimension.
+struct Content<'a> {
+    tables: &'a [Table],
+    series: bool,
+}
+
+impl Content<'_> {
+    fn write_temperatures(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
+        let of_members = |value: &dyn Fn(&Metadata) -> f64| -> Vec<f64> {
+            self.tables.iter().map(|table| value(table.metadata())).collect()
         };
-        let mut metadata = Metadata::default();
-        for (name, _, place) in REAL_ATTRIBUTES {
-            *place(&mut metadata) = file.attribute_real(name)?;
+        file.coordinate(
+            "temperature",
+            &of_members(&|metadata| metadata.temperature),
+            &[
+                ("units", "K".into()),
+                ("long_name", "initial temperature of body and flat".into()),
+                ("units_metadata", "temperature: on_scale".into()),
+            ],
+        )?;
+        for (name, units, long_name) in OVER_TEMPERATURE {
+            let (_, value, _) =
+                REAL_ATTRIBUTES.iter().find(|(known, ..)| *known == name).expect("is one of them");
+            let attributes = [("units", units.into()), ("long_name", long_name.into())];
+            file.reals(name, &["temperature"], &of_members(value), &attributes)?;
         }
-        for (name, place) in TEXT_ATTRIBUTES {
-            *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
+        if let Some(law) = self.tables[0].metadata().fracture_energy {
+            let units = if law.radius_exponent == 0 { "J m-2" } else { "J m-3" };
+            let long_name = "coefficient of the shear fracture energy";
+            let coefficient =
+                |metadata: &Metadata| metadata.fracture_energy.map_or(f64::NAN, |law| law.coefficient);
+            let attributes = [("units", units.into()), ("long_name", long_name.into())];
+            file.reals(FRACTURE_ENERGY, &["temperature"], &of_members(&coefficient), &attributes)?;
         }
-        for (name, place) in OPTIONAL_ATTRIBUTES {
-            *place(&mut metadata) = file.optional_real(name)?;
-        }
-        metadata.fracture_energy = match file.optional_real(FRACTURE_ENERGY)? {
-            None => None,
-            Some(coefficient) => {
-                let radius_exponent = file.attribute_real(FRACTURE_EXPONENT)? as i32;
-                Some(FractureEnergy { coefficient, radius_exponent })
-            }
-        };
-        let mut table = Table::new(axes, metadata).map_err(|error| file.content(error.to_string()))?;
-        table.read_cells(&file)?;
-        schema::check_content(&file, &table)?;
-        Ok(table)
+        Ok(())
+    }
+
+    fn grid(&self) -> &'static [&'static str] {
+        &DIMENSIONS[usize::from(!self.series)..3]
+    }
+
+    fn grid_and_slip(&self) -> &'static [&'static str] {
+        &DIMENSIONS[usize::from(!self.series)..]
     }
 
     fn write_coordinates(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
-        let axes = self.axes();
+        let axes = self.tables[0].axes();
         file.coordinate(
             "interference",
             &axes.interference,
@@ -153,8 +197,8 @@ impl Table {
         let quantity = descriptor.quantity;
         let name = descriptor.name;
         let error_name = format!("{name}_error");
-        let values = self.collect(|cell| cell[quantity].value);
-        let errors = self.collect(|cell| cell[quantity].error);
+        let values = self.collect(|_, cell| cell[quantity].value);
+        let errors = self.collect(|_, cell| cell[quantity].error);
 
         let long_name = descriptor.long_name.to_string();
         let mut attributes = describe(descriptor, long_name.clone(), "temperature: on_scale");
@@ -163,22 +207,22 @@ impl Table {
         if let Some(standard_name) = descriptor.standard_name {
             attributes.push(("standard_name", standard_name.into()));
         }
-        file.reals(name, &GRID, &values, &attributes)?;
+        file.reals(name, self.grid(), &values, &attributes)?;
 
         let error_long_name = format!("absolute error of {long_name}");
         let attributes = describe(descriptor, error_long_name, "temperature: difference");
-        file.reals(&error_name, &GRID, &errors, &attributes)?;
+        file.reals(&error_name, self.grid(), &errors, &attributes)?;
 
         if descriptor.has_history {
-            let slips = self.axes().slip.len();
-            let history = |cell: Option<&Cell>| match cell {
+            let slips = self.tables[0].axes().slip.len();
+            let history = |(_, cell): (&Table, Option<&Cell>)| match cell {
                 Some(cell) => cell.history(quantity).to_vec(),
                 None => vec![f64::NAN; slips],
             };
             let values: Vec<f64> = self.each_cell().flat_map(history).collect();
             let along = format!("{long_name}, along the slide");
             let attributes = describe(descriptor, along, "temperature: on_scale");
-            file.reals(&history_name(name), &GRID_AND_SLIP, &values, &attributes)?;
+            file.reals(&history_name(name), self.grid_and_slip(), &values, &attributes)?;
         }
         Ok(())
     }
@@ -187,7 +231,10 @@ impl Table {
     fn write_energy_ratio(&self, file: &mut DatasetWriter, law: FractureEnergy) -> Result<(), DatasetError> {
         file.attribute(FRACTURE_ENERGY, law.coefficient)?;
         file.attribute(FRACTURE_EXPONENT, law.radius_exponent)?;
-        let ratio = |cell: &Cell| law.ratio(cell[Quantity::EnergyRelease], cell[Quantity::ContactRadius]);
+        let ratio = |table: &Table, cell: &Cell| {
+            let law = table.metadata().fracture_energy.unwrap_or(law);
+            law.ratio(cell[Quantity::EnergyRelease], cell[Quantity::ContactRadius])
+        };
         let exponent = Quantity::EnergyRelease.descriptor().radius_exponent - law.radius_exponent;
         let attributes = |long_name: &str| {
             vec![
@@ -199,31 +246,33 @@ impl Table {
         let long_name = "energy released over the shear fracture energy of the material, G/G_IIc";
         let mut described = attributes(long_name);
         described.push(("ancillary_variables", "G_ratio_error status".into()));
-        file.reals("G_ratio", &GRID, &self.collect(|cell| ratio(cell).value), &described)?;
+        let values = self.collect(|table, cell| ratio(table, cell).value);
+        file.reals("G_ratio", self.grid(), &values, &described)?;
         let described = attributes(&format!("absolute error of {long_name}"));
-        file.reals("G_ratio_error", &GRID, &self.collect(|cell| ratio(cell).error), &described)
+        let errors = self.collect(|table, cell| ratio(table, cell).error);
+        file.reals("G_ratio_error", self.grid(), &errors, &described)
     }
 
     fn write_state(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
         let levelled = |cell: Option<&Cell>| i8::from(cell.is_some_and(|cell| cell.levelled));
-        let levelled: Vec<i8> = self.each_cell().map(levelled).collect();
+        let levelled: Vec<i8> = self.each_cell().map(|(_, cell)| levelled(cell)).collect();
         let long_name = |text: &str| ("long_name", AttributeValue::from(text));
         file.flags(
             "levelled",
-            &GRID,
+            self.grid(),
             &levelled,
             &["no", "yes"],
             &[long_name("whether friction has levelled off at the end of the slide")],
         )?;
         file.reals(
             "wall_time",
-            &GRID,
-            &self.collect(|cell| cell.wall_time),
+            self.grid(),
+            &self.collect(|_, cell| cell.wall_time),
             &[long_name("time the run took"), ("units", "s".into())],
         )?;
 
         let (mut codes, mut reasons) = (Vec::new(), Vec::new());
-        for status in self.each_status() {
+        for (_, status) in self.each_status() {
             let (code, reason) = match status {
                 Status::Done(_) => (0, ""),
                 Status::NotRun => (1, ""),
@@ -234,76 +283,39 @@ impl Table {
         }
         file.flags(
             "status",
-            &GRID,
+            self.grid(),
             &codes,
             &STATUS_MEANINGS,
             &[long_name("state of the run"), ("standard_name", "status_flag".into())],
         )?;
-        file.texts("failure_reason", &GRID, &reasons, &[long_name("why the run failed")])?;
+        file.texts("failure_reason", self.grid(), &reasons, &[long_name("why the run failed")])?;
         let warnings: Vec<String> = self
             .each_cell()
-            .map(|cell| cell.map_or(String::new(), |cell| cell.warnings.join("\n")))
+            .map(|(_, cell)| cell.map_or(String::new(), |cell| cell.warnings.join("\n")))
             .collect();
         let warnings: Vec<&str> = warnings.iter().map(String::as_str).collect();
-        file.texts("warnings", &GRID, &warnings, &[long_name("what to know before trusting the numbers")])
+        file.texts(
+            "warnings",
+            self.grid(),
+            &warnings,
+            &[long_name("what to know before trusting the numbers")],
+        )
     }
 
-    fn read_cells(&mut self, file: &DatasetReader) -> Result<(), DatasetError> {
-        let (interferences, rates) = self.shape();
-        let slips = self.axes().slip.len();
-        let grid = [interferences, rates];
-        let mut cells = vec![Cell::new(); interferences * rates];
-        for descriptor in &QUANTITIES {
-            let name = descriptor.name;
-            let values = file.reals(name, &grid)?;
-            let errors = file.reals(&format!("{name}_error"), &grid)?;
-            for (cell, (value, error)) in cells.iter_mut().zip(values.into_iter().zip(errors)) {
-                cell[descriptor.quantity] = crate::law::Estimate { value, error };
-            }
-        }
-        for quantity in Quantity::HISTORIES {
-            let name = history_name(quantity.descriptor().name);
-            let values = file.reals(&name, &[interferences, rates, slips])?;
-            for (cell, history) in cells.iter_mut().zip(values.chunks(slips)) {
-                *cell = std::mem::take(cell).with_history(quantity, history.to_vec());
-            }
-        }
-        let levelled = file.flags("levelled", &grid)?;
-        let wall_time = file.reals("wall_time", &grid)?;
-        let status = file.flags("status", &grid)?;
-        for (position, mut cell) in cells.into_iter().enumerate() {
-            let (i, j) = (position / rates, position % rates);
-            match status[position] {
-                0 => {
-                    cell.levelled = levelled[position] != 0;
-                    cell.wall_time = wall_time[position];
-                    cell.warnings = file.text("warnings", &[i, j])?.lines().map(str::to_string).collect();
-                    self.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;
-                }
-                1 => {}
-                2 => self.mark_failed(i, j, file.text("failure_reason", &[i, j])?),
-                other => {
-                    let what = format!("variable \"status\" has the unknown value {other}");
-                    return Err(file.content(what));
-                }
-            }
-        }
-        Ok(())
+    fn each_status(&self) -> impl Iterator<Item = (&Table, &Status)> {
+        self.tables.iter().flat_map(|table| table.grid().map(move |(i, j)| (table, table.status(i, j))))
     }
 
-    fn each_status(&self) -> impl Iterator<Item = &Status> {
-        self.grid().map(|(i, j)| self.status(i, j))
-    }
-
-    fn each_cell(&self) -> impl Iterator<Item = Option<&Cell>> {
-        self.each_status().map(|status| match status {
-            Status::Done(cell) => Some(&**cell),
-            _ => None,
+    fn each_cell(&self) -> impl Iterator<Item = (&Table, Option<&Cell>)> {
+        self.each_status().map(|(table, status)| match status {
+            Status::Done(cell) => (table, Some(&**cell)),
+            _ => (table, None),
         })
     }
 
-    fn collect(&self, value: impl Fn(&Cell) -> f64) -> Vec<f64> {
-        self.each_cell().map(|cell| cell.map_or(f64::NAN, &value)).collect()
+    fn collect(&self, value: impl Fn(&Table, &Cell) -> f64) -> Vec<f64> {
+        let of = |(table, cell): (&Table, Option<&Cell>)| cell.map_or(f64::NAN, |cell| value(table, cell));
+        self.each_cell().map(of).collect()
     }
 }
 

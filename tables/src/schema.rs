@@ -16,18 +16,25 @@ pub const SCHEMA: &str = "asperity-table";
 /// To be raised with every change that would make an older program misread a table.
 pub const SCHEMA_VERSION: i32 = 1;
 
+/// The same of a series over initial temperatures, which a program that knows version 1 only refuses.
+pub const SERIES_VERSION: i32 = 2;
+
 const CHECKSUM: &str = "checksum";
 const ALGORITHM: &str = "sha256:";
 
 /// Names kind, version and checksum in a file that is being written.
-pub(crate) fn stamp(file: &mut DatasetWriter, table: &Table) -> Result<(), DatasetError> {
+pub(crate) fn stamp(file: &mut DatasetWriter, tables: &[Table], series: bool) -> Result<(), DatasetError> {
     file.attribute("schema", SCHEMA)?;
-    file.attribute("schema_version", SCHEMA_VERSION)?;
-    file.attribute(CHECKSUM, table.checksum())
+    file.attribute("schema_version", if series { SERIES_VERSION } else { SCHEMA_VERSION })?;
+    file.attribute(CHECKSUM, checksum(tables, series))
 }
 
-/// Refuses files that are no tables, or tables of another version.
-pub(crate) fn check_version(file: &DatasetReader) -> Result<(), DatasetError> {
+fn checksum(tables: &[Table], series: bool) -> String {
+    if series { checksum_of_series(tables) } else { tables[0].checksum() }
+}
+
+/// Refuses files that are no tables, or tables of another version; whether it is a series.
+pub(crate) fn is_series(file: &DatasetReader) -> Result<bool, DatasetError> {
     let again = "make it anew with `asperity tabulate`";
     match file.optional_text("schema")?.as_deref() {
         Some(SCHEMA) => {}
@@ -44,18 +51,24 @@ pub(crate) fn check_version(file: &DatasetReader) -> Result<(), DatasetError> {
         }
     }
     let version = file.attribute_real("schema_version")?;
-    if version != f64::from(SCHEMA_VERSION) {
+    let known = [SCHEMA_VERSION, SERIES_VERSION].map(f64::from);
+    if !known.contains(&version) {
         let what = format!(
-            "is a table of schema version {version}, this program reads version {SCHEMA_VERSION}; {again}"
+            "is a table of schema version {version}, this program reads versions {SCHEMA_VERSION} and \
+             {SERIES_VERSION}; {again}"
         );
         return Err(file.content(what));
     }
-    Ok(())
+    Ok(version == known[1])
 }
 
-/// Compares a table that was read with the checksum in its file.
-pub(crate) fn check_content(file: &DatasetReader, table: &Table) -> Result<(), DatasetError> {
-    let (stored, found) = (file.attribute_text(CHECKSUM)?, table.checksum());
+/// Compares what was read with the checksum in its file.
+pub(crate) fn check_content(
+    file: &DatasetReader,
+    tables: &[Table],
+    series: bool,
+) -> Result<(), DatasetError> {
+    let (stored, found) = (file.attribute_text(CHECKSUM)?, checksum(tables, series));
     if stored == found {
         return Ok(());
     }
@@ -85,15 +98,26 @@ impl Table {
                 }
             }
         }
-        let digits: String = content.0.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-        format!("{ALGORITHM}{digits}")
+        content.finish()
     }
+}
+
+/// Of the checksums of the members, which cover their temperatures.
+pub(crate) fn checksum_of_series(members: &[Table]) -> String {
+    let mut content = Content(Sha256::new());
+    members.iter().for_each(|member| content.text(&member.checksum()));
+    content.finish()
 }
 
 /// Lengths go before texts and lists, so that nothing can move from one to the next unseen.
 struct Content(Sha256);
 
 impl Content {
+    fn finish(self) -> String {
+        let digits: String = self.0.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        format!("{ALGORITHM}{digits}")
+    }
+
     fn real(&mut self, value: f64) {
         // One pattern for all NaN: a file keeps only that there was one.
         let value = if value.is_nan() { f64::NAN } else { value };

@@ -8,6 +8,7 @@ use std::io::Write;
 use std::path::Path;
 
 use crate::dataset::DatasetError;
+use crate::series::{Tables, TemperatureError, TemperatureSeries};
 use crate::table::Table;
 
 macro_rules! shipped {
@@ -38,6 +39,20 @@ pub enum TableSourceError {
     /// The file is no table.
     #[error(transparent)]
     File(#[from] DatasetError),
+    /// There is no table at the initial temperature.
+    #[error("{asked}: {error}")]
+    Temperature {
+        /// What was asked for.
+        asked: String,
+        /// Why not.
+        error: TemperatureError,
+    },
+    /// The file has one initial temperature only.
+    #[error("{asked}: is a table of one initial temperature")]
+    NoSeries {
+        /// What was asked for.
+        asked: String,
+    },
     /// A shipped table could not be unpacked.
     #[error("{name}: cannot be unpacked into a temporary file: {reason}")]
     Unpacked {
@@ -59,13 +74,32 @@ pub enum TableSourceError {
 /// # Ok::<(), tables::shipped::TableSourceError>(())
 /// ```
 pub fn table(asked: &str) -> Result<Table, TableSourceError> {
+    open(asked, None)
+}
+
+/// The same at an initial temperature, K, which a file of several must be given.
+pub fn open(asked: &str, temperature: Option<f64>) -> Result<Table, TableSourceError> {
+    let of_asked = |error| TableSourceError::Temperature { asked: asked.to_owned(), error };
+    tables(asked)?.at(temperature).map_err(of_asked)
+}
+
+/// The tables at all initial temperatures of the file `asked`.
+pub fn series(asked: &str) -> Result<TemperatureSeries, TableSourceError> {
+    match tables(asked)? {
+        Tables::Series(series) => Ok(series),
+        Tables::One(_) => Err(TableSourceError::NoSeries { asked: asked.to_owned() }),
+    }
+}
+
+/// Whatever the file `asked`, or the shipped table of that name, has.
+pub fn tables(asked: &str) -> Result<Tables, TableSourceError> {
     if Path::new(asked).exists() {
-        return Ok(Table::read(Path::new(asked))?);
+        return Ok(Tables::read(Path::new(asked))?);
     }
     match SHIPPED.iter().find(|(name, _)| *name == asked) {
         Some((name, bytes)) => unpacked(name, bytes),
         // The library knows better what is wrong with something that looks like a file.
-        None if asked.contains(['/', '.']) => Ok(Table::read(Path::new(asked))?),
+        None if asked.contains(['/', '.']) => Ok(Tables::read(Path::new(asked))?),
         None => Err(TableSourceError::Unknown {
             asked: asked.to_owned(),
             shipped: names().collect::<Vec<_>>().join(", "),
@@ -74,7 +108,7 @@ pub fn table(asked: &str) -> Result<Table, TableSourceError> {
 }
 
 /// The libraries read files only.
-fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Table, TableSourceError> {
+fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Tables, TableSourceError> {
     let unpack = || {
         let mut file = tempfile::Builder::new().prefix(name).suffix(".nc").tempfile()?;
         file.write_all(bytes)?;
@@ -82,7 +116,7 @@ fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Table, TableSourceError>
         Ok(file)
     };
     let file = unpack().map_err(|reason| TableSourceError::Unpacked { name, reason })?;
-    Ok(Table::read(file.path())?)
+    Ok(Tables::read(file.path())?)
 }
 
 #[cfg(test)]

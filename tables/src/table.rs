@@ -176,6 +176,8 @@ pub enum TableError {
     Different { what: &'static str, here: String, there: String },
     #[error("the tables have different results at interference {interference} and slip rate {slip_rate} m/s")]
     Disagree { interference: f64, slip_rate: f64 },
+    #[error(transparent)]
+    Temperature(#[from] crate::series::TemperatureError),
 }
 
 /// Results of one asperity over interference and slip rate.
@@ -308,7 +310,7 @@ impl Table {
     }
 }
 
-fn check_axis(axis: &'static str, values: &[f64], positive: bool) -> Result<(), TableError> {
+pub(crate) fn check_axis(axis: &'static str, values: &[f64], positive: bool) -> Result<(), TableError> {
     if values.is_empty() {
         return Err(TableError::AxisEmpty(axis));
     }

@@ -191,12 +191,14 @@ fn keys_are_documented() {
     assert!(wanted.len() > 30 && missing.is_empty(), "scene.md: {missing:?}");
 
     let text = chapter("files/request.md");
-    let request = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
-                   [table]\ninterference = [1]\nslip_rate = [1]\ntolerance = 0.1\nmax_cells = 9\n";
-    let request = write_request(&parse_request(request, "request", &[]).unwrap());
-    let request: toml::Table = request.parse().unwrap();
-    for key in keys(request["table"].as_table().unwrap()) {
-        assert!(text.contains(&format!("`{key}`")), "request.md: {key}");
+    for optional in ["tolerance = 0.1\nmax_cells = 9", "temperature = [298, 500]"] {
+        let request = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+                       [table]\ninterference = [1]\nslip_rate = [1]\n";
+        let request = parse_request(&format!("{request}{optional}\n"), "request", &[]).unwrap();
+        let request: toml::Table = write_request(&request).parse().unwrap();
+        for key in keys(request["table"].as_table().unwrap()) {
+            assert!(text.contains(&format!("`{key}`")), "request.md: {key}");
+        }
     }
 
     let text = chapter("files/surface.md");
@@ -243,6 +245,11 @@ fn variables_are_documented() {
     for (program, arguments, chapter) in [
         ("asperity", "run scene.toml -o run.nc".to_owned(), "files/run.md"),
         ("asperity", "tabulate request.toml -o table.nc".to_owned(), "files/table.md"),
+        (
+            "asperity",
+            "tabulate request.toml --set table.temperature=[298,500] -o series.nc".to_owned(),
+            "files/table.md",
+        ),
         (
             "roughsurface",
             format!("predict {surface} --table model:jackson-green --compare all -o friction.nc"),

@@ -14,6 +14,7 @@ use roughsurface::surface_file::SurfaceFile;
 use roughsurface::topography::read as topography;
 use roughsurface::topography::read::Reading;
 use tables::quantity::Quantity;
+use tables::series::{Tables, TemperatureSeries};
 use tables::table::{Axes, Cell, Metadata, Table};
 use tests::programs;
 
@@ -121,7 +122,13 @@ fn seeds(kind: &str, folder: &Path) -> Vec<Vec<u8>> {
         "table" => {
             let path = folder.join("seed.nc");
             table().write(&path).unwrap();
-            vec![std::fs::read(path).unwrap()]
+            let one = std::fs::read(&path).unwrap();
+            let mut hot = table();
+            hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
+            let mut cold = table();
+            cold.set_metadata(Metadata { temperature: 300.0, ..cold.metadata().clone() });
+            TemperatureSeries::new(vec![cold, hot]).unwrap().write(&path).unwrap();
+            vec![one, std::fs::read(path).unwrap()]
         }
         _ => files(
             "roughsurface/tests/data",
@@ -158,7 +165,7 @@ fn read(kind: &str, bytes: &[u8], folder: &Path) -> bool {
         "surface" => SurfaceFile::parse(&path, text()).is_ok(),
         "table" => {
             std::fs::write(&path, bytes).unwrap();
-            Table::read(&path).is_ok()
+            Tables::read(&path).is_ok()
         }
         _ => {
             std::fs::write(&path, bytes).unwrap();

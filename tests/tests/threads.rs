@@ -15,8 +15,13 @@ fn tabulated(jobs: usize) -> Tabulation {
     template.interface.taylor_quinney = 0.9;
     template.loading.slip_rate = 1.0;
     template.loading.slip_distance = 0.2;
-    let request =
-        Request { template, interferences: vec![1.0, 10.0], slip_rates: vec![1.0, 10.0], goal: None };
+    let request = Request {
+        template,
+        interferences: vec![1.0, 10.0],
+        slip_rates: vec![1.0, 10.0],
+        temperatures: Vec::new(),
+        goal: None,
+    };
     let folder = tempfile::tempdir().unwrap();
     let journal = folder.path().join("journal");
     let options = Options { jobs, journal: &journal, resume: false, shard: None };

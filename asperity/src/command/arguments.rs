@@ -42,7 +42,7 @@ pub(super) enum Command {
     /// Press and slide one asperity
     #[command(after_help = help::RUN)]
     Run(RunArguments),
-    /// Run a grid of interferences and slip rates
+    /// Run a grid of interferences and slip rates, at one or at several initial temperatures
     #[command(after_help = help::TABULATE)]
     Tabulate(TabulateArguments),
     /// Put the shards of a table together
@@ -124,7 +124,7 @@ pub(super) struct TabulateArguments {
     /// Print where the time of all runs went on stderr, or in the JSON
     #[arg(long)]
     pub(super) timings: bool,
-    /// Plot the table
+    /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
     #[arg(long, value_name = "FILE.svg|png")]
     pub(super) plot: Option<PathBuf>,
 }
@@ -204,7 +204,7 @@ pub(super) struct MergeArguments {
     /// Merge also if cells are missing; they stay "not run"
     #[arg(long)]
     pub(super) partial: bool,
-    /// Plot the table
+    /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
     #[arg(long, value_name = "FILE.svg|png")]
     pub(super) plot: Option<PathBuf>,
 }

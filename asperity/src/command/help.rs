@@ -86,6 +86,13 @@ With table.tolerance, interferences and slip rates are added to those given unti
 Q and G interpolate with that relative error; table.max_cells (default 400) ends it earlier:
   asperity tabulate request.toml -o table.nc --set table.tolerance=0.02
 
+With table.temperature (K: a rising list, or a range) there is a table for each of these initial
+temperatures, all in one file. What [material] says holds at loading.temperature; it is taken to
+another temperature T with the softening law f: yield strength and hardening modulus are multiplied
+by f(T)/f(loading.temperature), properties given as tables over temperature take their value at T.
+All else stays. This is true as far as the softening law is:
+  asperity tabulate request.toml -o table.nc --set 'table.temperature=[298, 500, 700]'
+
 In parts, on machines that need not know of each other:
   asperity tabulate request.toml -o shard-1.nc --shard 1/2
   asperity tabulate request.toml -o shard-2.nc --shard 2/2
@@ -129,7 +136,11 @@ Examples:
   asperity table info table.nc
   asperity table diff table.nc other.nc --tolerance 0.01
   asperity table plot table.nc -o table.png
-  asperity table export table.nc -o table.csv";
+  asperity table export table.nc -o table.csv
+
+A table of several initial temperatures is read at any between them, by --temperature. Without it
+`info` describes them all and `export` writes a column of temperatures; the others need it:
+  asperity table plot hot.nc -o hot.png --temperature 450";
 
 #[cfg(test)]
 mod tests {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::provenance;
 use serde_json::json;
-use tables::table::{Metadata, Table};
+use tables::series::Tables;
 
 use super::{Display, Failure, MergeArguments, command_line, outputs, print};
 
@@ -14,21 +14,23 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         outputs::check_output(&arguments.output, shard)?;
         outputs::check_plot(arguments.plot.as_deref(), shard)?;
     }
-    let table = merged(&arguments.shards)?;
-    let missing = table.missing().len();
-    let (rows, columns) = table.shape();
-    let cells = rows * columns;
-    if missing > 0 && !arguments.partial {
+    let tables = merged(&arguments.shards)?;
+    let missing = tables.missing();
+    let cells: usize = tables.members().iter().map(|table| table.shape().0 * table.shape().1).sum();
+    if let Some(first) = missing.first()
+        && !arguments.partial
+    {
         return Err(Failure::Input(format!(
-            "{missing} of {cells} cells are in none of the shards, the first at {}; --partial merges all the same",
-            table.missing().first().map_or(String::new(), |(i, j)| table.label(*i, *j))
+            "{} of {cells} cells are in none of the shards, the first at {first}; --partial merges all the same",
+            missing.len()
         )));
     }
-    table.write(&arguments.output).map_err(Failure::run)?;
+    let missing = missing.len();
+    tables.write(&arguments.output).map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
-        table.figure().save(plot).map_err(Failure::run)?;
+        outputs::plot(&tables, plot)?;
     }
-    let failed: Vec<(String, &str)> = table.failures().collect();
+    let failed = tables.failures();
     if !display.quiet {
         for (label, reason) in &failed {
             eprintln!("failed: {label}: {reason}");
@@ -46,25 +48,25 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
 }
 
 /// All shards in one table, which is no shard any more if nothing is missing.
-fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
-    let mut whole: Option<(Table, &Path)> = None;
+fn merged(shards: &[impl AsRef<Path>]) -> Result<Tables, Failure> {
+    let mut whole: Option<(Tables, &Path)> = None;
     let mut histories = Vec::new();
     for path in shards.iter().map(AsRef::as_ref) {
-        let shard = Table::read(path).map_err(Failure::input)?;
-        histories.push(shard.metadata().history.clone());
+        let shard = Tables::read(path).map_err(Failure::input)?;
+        histories.push(shard.members()[0].metadata().history.clone());
         match &mut whole {
             None => whole = Some((shard, path)),
-            Some((table, first)) => table.merge(&shard).map_err(|error| {
+            Some((tables, first)) => tables.merge(&shard).map_err(|error| {
                 Failure::Input(format!("{} and {}: {error}", first.display(), path.display()))
             })?,
         }
     }
-    let (mut table, _) = whole.ok_or_else(|| Failure::input("no shards"))?;
+    let (mut tables, _) = whole.ok_or_else(|| Failure::input("no shards"))?;
     histories.push(provenance::history(&command_line()));
-    let mut metadata = Metadata { history: histories.join("\n"), ..table.metadata().clone() };
-    if table.missing().is_empty() {
-        metadata.shard.clear();
-    }
-    table.set_metadata(metadata);
-    Ok(table)
+    let shard = match tables.missing().is_empty() {
+        true => String::new(),
+        false => tables.members()[0].metadata().shard.clone(),
+    };
+    tables.set_provenance(&histories.join("\n"), &shard);
+    Ok(tables)
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use tables::dataset::destination;
 use tables::figure::Figure;
+use tables::series::Tables;
 
 use super::Failure;
 
@@ -38,6 +39,21 @@ pub fn check_plot(plot: Option<&Path>, input: &Path) -> Result<(), Failure> {
     let Some(plot) = plot else { return Ok(()) };
     Figure::check_extension(plot).map_err(Failure::input)?;
     check_output(plot, input)
+}
+
+/// The figure of a table; of several temperatures one for each, NAME-500K.svg beside NAME.svg.
+pub fn plot(tables: &Tables, plot: &Path) -> Result<(), Failure> {
+    let Tables::Series(series) = tables else {
+        return tables.members()[0].figure().save(plot).map_err(Failure::run);
+    };
+    let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
+    let (name, extension) = (part(plot.file_stem()), part(plot.extension()));
+    for temperature in series.temperatures() {
+        let table = series.at(temperature).map_err(Failure::run)?;
+        let place = plot.with_file_name(format!("{name}-{temperature}K.{extension}"));
+        table.figure().save(&place).map_err(Failure::run)?;
+    }
+    Ok(())
 }
 
 /// Whether files can be written into a directory, which is made if it is not there.

@@ -44,15 +44,15 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
             resuming(&command_line()),
         )));
     }
-    let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
+    let tables = tabulation.tables(provenance::history(&command_line())).map_err(Failure::run)?;
     let clock = Instant::now();
-    table.write(&arguments.output).map_err(Failure::run)?;
+    tables.write(&arguments.output).map_err(Failure::run)?;
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
     journal.remove().map_err(Failure::run)?;
     report(&tabulation, &spent, arguments, display);
     if let Some(plot) = &arguments.plot {
-        table.figure().save(plot).map_err(Failure::run)?;
+        outputs::plot(&tables, plot)?;
     }
     match tabulation.failures().count() {
         0 => Ok(()),
@@ -122,14 +122,16 @@ fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArgument
 
 /// One line per cell.
 fn summary(tabulation: &Tabulation) -> String {
-    let header = ["interference", "slip_rate", "mu_static", "mu", "P_press", "area"];
-    let mut rows = vec![header.map(str::to_owned).to_vec()];
+    let header = ["temperature", "interference", "slip_rate", "mu_static", "mu", "P_press", "area"];
+    let header = &header[usize::from(tabulation.request.temperatures.is_empty())..];
+    let mut rows = vec![header.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>()];
     for (i, row) in tabulation.cells.iter().enumerate() {
         for (j, cell) in row.iter().enumerate() {
-            let mut line = vec![
-                format!("{} omega_c", numbers::plain(tabulation.interferences[i])),
-                format!("{} m/s", numbers::plain(tabulation.slip_rates[j])),
-            ];
+            let (temperature, interference) = tabulation.row(i);
+            let mut line: Vec<String> = Vec::new();
+            line.extend(temperature.map(|temperature| format!("{} K", numbers::plain(temperature))));
+            line.push(format!("{} omega_c", numbers::plain(interference)));
+            line.push(format!("{} m/s", numbers::plain(tabulation.slip_rates[j])));
             match cell {
                 Some(Ok(finished)) => line.extend(
                     [Quantity::MuStatic, Quantity::Mu, Quantity::LoadPress, Quantity::Area].map(|quantity| {
@@ -175,13 +177,18 @@ fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
                     ("done", None, Quantity::ALL.into_iter().map(entry).collect())
                 }
             };
-            cells.push(json!({
-                "interference": tabulation.interferences[i],
+            let (temperature, interference) = tabulation.row(i);
+            let mut cell = json!({
+                "interference": interference,
                 "slip_rate": tabulation.slip_rates[j],
                 "status": status,
                 "reason": reason,
                 "summary": summary,
-            }));
+            });
+            if let Some(temperature) = temperature {
+                cell["temperature"] = temperature.into();
+            }
+            cells.push(cell);
         }
     }
     json!({

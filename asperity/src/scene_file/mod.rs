@@ -81,10 +81,13 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
     if !root.has("table") {
         return Err(root.missing("table", "a section with interference and slip_rate"));
     }
-    let (interferences, slip_rates, goal) = request::table(&mut root)?;
+    let request::Grid { interferences, slip_rates, temperatures, goal } = request::table(&mut root)?;
     let template = scene(&mut root, Some((interferences[0], slip_rates[0])))?;
     sections::check_together(&template, &slip_rates, &origin)?;
-    Ok(Request { template, interferences, slip_rates, goal })
+    for &temperature in &temperatures {
+        sections::check_temperature(&template, "table.temperature", temperature, &origin)?;
+    }
+    Ok(Request { template, interferences, slip_rates, temperatures, goal })
 }
 
 fn scene(root: &mut Section<'_>, point: Option<(f64, f64)>) -> Result<Scene, SceneFileError> {

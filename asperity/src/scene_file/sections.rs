@@ -2,7 +2,6 @@
 
 use super::error::SceneFileError;
 use super::reader::{ACCURACY, NOT_NEGATIVE, Origin, POSITIVE, SHARE, Section};
-use crate::curve::interpolate;
 use crate::friction_law::{Entry, LAWS, Parameter, Value};
 use crate::scene::{
     Control, FrictionLaw, Interface, InterfaceStrength, Kinematics, Loading, Model, Numerics, Softening,
@@ -127,20 +126,7 @@ pub(super) fn check_together(
     slip_rates: &[f64],
     origin: &Origin,
 ) -> Result<(), SceneFileError> {
-    let temperature = scene.loading.temperature;
-    let bad_temperature =
-        |allowed: String| Err(origin.invalid("loading.temperature", format!("{temperature:?}"), allowed));
-    match &scene.material.softening {
-        Softening::JohnsonCook { melting, .. } if temperature >= *melting => {
-            return bad_temperature(format!("below material.softening.melting = {melting:?} K"));
-        }
-        Softening::Table { temperature: knots, factor }
-            if interpolate(knots, factor, temperature).0 <= 0.0 =>
-        {
-            return bad_temperature("one at which material.softening.factor is above 0".into());
-        }
-        _ => {}
-    }
+    check_temperature(scene, "loading.temperature", scene.loading.temperature, origin)?;
     let material = &scene.material;
     if material.yield_strength >= material.youngs_modulus {
         return Err(origin.invalid(
@@ -154,4 +140,24 @@ pub(super) fn check_together(
         return Err(origin.invalid("model.heat", "\"on\"", allowed));
     }
     Ok(())
+}
+
+/// Whether the material of a scene has strength at the initial temperature that `key` says.
+pub(super) fn check_temperature(
+    scene: &crate::scene::Scene,
+    key: &str,
+    temperature: f64,
+    origin: &Origin,
+) -> Result<(), SceneFileError> {
+    let softening = &scene.material.softening;
+    let allowed = match softening {
+        Softening::JohnsonCook { melting, .. } if temperature >= *melting => {
+            format!("below material.softening.melting = {melting:?} K")
+        }
+        Softening::Table { .. } if softening.factor(temperature) <= 0.0 => {
+            "one at which material.softening.factor is above 0".into()
+        }
+        _ => return Ok(()),
+    };
+    Err(origin.invalid(key, format!("{temperature:?}"), allowed))
 }

@@ -195,8 +195,37 @@ fn ranges_are_spaced_as_asked() {
 }
 
 #[test]
+fn initial_temperatures_are_read_and_written() {
+    let list = set(&["table.temperature=[298, 500, 700.5]"]);
+    let request = parse_request(REQUEST, "request.toml", &list).unwrap();
+    assert_eq!(request.temperatures, [298.0, 500.0, 700.5]);
+    assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
+    let templates = request.templates();
+    assert_eq!(templates.len(), 3);
+    assert_eq!(templates[0], request.template);
+    assert_eq!(templates[2], request.template.at_temperature(700.5));
+    let hot = request.at_temperature(500.0);
+    assert_eq!((hot.template.loading.temperature, hot.temperatures.len()), (500.0, 0));
+    // Written out for its temperature it is the same request.
+    assert_eq!(parse_request(&write_request(&hot), "written", &[]).unwrap(), hot);
+    let range = set(&["table.temperature={from=300, to=700, points=3}"]);
+    let request = parse_request(REQUEST, "request.toml", &range).unwrap();
+    assert_eq!(request.temperatures, [300.0, 500.0, 700.0]);
+    let without = parse_request(REQUEST, "request.toml", &[]).unwrap();
+    assert!(without.temperatures.is_empty() && !write_request(&without).contains("[table]\ntemperature"));
+    assert_eq!(without.templates(), [without.template]);
+}
+
+#[test]
 fn bad_requests_are_refused() {
     let cases = [
+        ("table.temperature=[500, 300]", "rises"),
+        ("table.temperature=[0, 300]", "positive"),
+        ("table.temperature=500", "loading.temperature"),
+        (
+            "table.temperature=[300, 2000]",
+            "table.temperature = 2000.0: must be below material.softening.melting",
+        ),
         ("table.interference=[]", "not empty"),
         ("table.interference=[1, 1]", "rises"),
         ("table.interference=[2, 1]", "rises"),
@@ -218,6 +247,16 @@ fn bad_requests_are_refused() {
         let error = parse_request(REQUEST, "request.toml", &set(&[text])).unwrap_err();
         assert!(error.to_string().contains(part), "{error} lacks {part}");
     }
+    let both = set(&["table.temperature=[300, 500]", "table.tolerance=0.1"]);
+    let error = parse_request(REQUEST, "request.toml", &both).unwrap_err().to_string();
+    assert!(error.contains("table.tolerance = 0.1") && error.contains("table.temperature"), "{error}");
+    let soft = set(&[
+        "table.temperature=[300, 500]",
+        "material.softening={law=\"table\", temperature=[300, 400], factor=[1, 0]}",
+        "loading.temperature=300",
+    ]);
+    let error = parse_request(REQUEST, "request.toml", &soft).unwrap_err().to_string();
+    assert!(error.contains("table.temperature = 500.0") && error.contains("factor is above 0"), "{error}");
     assert!(parse_request(SHORT, "scene.toml", &[]).unwrap_err().to_string().contains("table"));
     let error = parse_scene(REQUEST, "request.toml", &[]).unwrap_err();
     assert!(error.to_string().contains("asperity tabulate"), "{error}");

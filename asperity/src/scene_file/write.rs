@@ -29,6 +29,9 @@ pub fn write_request(request: &Request) -> String {
         list(&request.interferences),
         list(&request.slip_rates)
     );
+    if !request.temperatures.is_empty() {
+        let _ = writeln!(text, "temperature = {}", list(&request.temperatures));
+    }
     if let Some(goal) = request.goal {
         let _ = write!(text, "tolerance = {}\nmax_cells = {}\n", number(goal.tolerance), goal.most_cells);
     }

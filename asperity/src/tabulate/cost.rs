@@ -146,7 +146,7 @@ mod tests {
     fn order(interferences: &[f64], rates: usize) -> Vec<Case> {
         let case =
             |i: usize, column: usize| Case { interference: interferences[i], column, heated: column > 0 };
-        let probes = super::super::grid::probes(interferences.len()).map(|i| (i, rates / 2));
+        let probes = super::super::layout::probes(interferences.len()).map(|i| (i, rates / 2));
         let rows = (0..interferences.len()).rev();
         let all = rows.flat_map(|i| (0..rates).map(move |j| (i, j)));
         probes.into_iter().chain(all.filter(|at| !probes.contains(at))).map(|(i, j)| case(i, j)).collect()

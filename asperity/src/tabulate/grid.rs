@@ -7,27 +7,19 @@ use std::sync::{Mutex, MutexGuard};
 use std::time::Instant as Clock;
 
 use rayon::prelude::*;
-use tables::closed_forms::hertz;
 
 use super::cell::Finished;
-use super::cost::{Case, CostModel, Forecast};
-use super::journal::{CellResult, Index, Journal, JournalError, Point};
+use super::cost::{CostModel, Forecast};
+use super::journal::{CellResult, Index, Journal, JournalError};
 use super::known::Known;
+use super::layout::Layout;
 use super::{Simulator, Standing, TableWatch};
-use crate::resolution::{choose_heat, softening_number};
-use crate::scene_file::Request;
 use crate::simulate::{SimulationError, Watch};
-
-/// With so many interferences or more, one cell of the middle, of the smallest and of the largest are run first:
-/// what run times do with interference is then known from the start.
-const ROWS_WORTH_A_PROBE: usize = 4;
 
 /// The cells to be run, and what runs them.
 pub struct Grid<'a, S> {
     simulator: &'a S,
-    request: &'a Request,
-    interferences: &'a [f64],
-    slip_rates: &'a [f64],
+    layout: Layout<'a>,
     slips: &'a [f64],
     /// Row-major, as everything that is kept for each cell.
     wanted: &'a [bool],
@@ -56,9 +48,7 @@ impl<S: Simulator> Watch for Grid<'_, S> {
 
 /// What is asked of [`run`].
 pub struct Work<'a> {
-    pub request: &'a Request,
-    pub interferences: &'a [f64],
-    pub slip_rates: &'a [f64],
+    pub layout: Layout<'a>,
     pub slips: &'a [f64],
     pub wanted: &'a [bool],
     pub jobs: usize,
@@ -72,14 +62,14 @@ pub fn run<S: Simulator>(
     pool: &rayon::ThreadPool,
     watch: &dyn TableWatch,
 ) -> Result<(), JournalError> {
-    let cases = cases(work.request, work.interferences, work.slip_rates);
-    let largest = work.interferences[work.interferences.len() - 1];
-    let mut model = CostModel::new(largest, work.slip_rates.len());
+    let layout = work.layout;
+    let cases = layout.cases();
+    let columns = layout.slip_rates.len();
+    let largest = layout.interferences[layout.interferences.len() - 1];
+    let mut model = CostModel::new(largest, columns);
     let mut grid = Grid {
         simulator,
-        request: work.request,
-        interferences: work.interferences,
-        slip_rates: work.slip_rates,
+        layout,
         slips: work.slips,
         wanted: work.wanted,
         watch,
@@ -97,8 +87,7 @@ pub fn run<S: Simulator>(
     let mut finished = Vec::new();
     let ledger = grid.ledger.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
     for (k, case) in cases.iter().enumerate() {
-        let at = (k / work.slip_rates.len(), k % work.slip_rates.len());
-        match ledger.known.get(point(work.interferences, work.slip_rates, at)) {
+        match ledger.known.get(layout.point((k / columns, k % columns))) {
             Some(result) => {
                 if let Ok(result) = result {
                     model.learn(*case, result.cell.wall_time);
@@ -115,45 +104,17 @@ pub fn run<S: Simulator>(
     finished.into_iter().for_each(|k| ledger.forecast.finished(k, 0.0));
     let grid = &grid;
     pool.in_place_scope_fifo(|scope| {
-        if work.interferences.len() >= ROWS_WORTH_A_PROBE {
-            for i in probes(work.interferences.len()) {
-                scope.spawn_fifo(move |_| grid.probe(i));
-            }
+        for i in layout.probes() {
+            scope.spawn_fifo(move |_| grid.probe(i));
         }
         // The largest take longest: started last, they would run alone at the end. Idle
         // threads help with the slides of a press before they start another press, which
         // keeps few pressed states in memory.
-        for i in (0..work.interferences.len()).rev() {
+        for i in layout.order() {
             scope.spawn_fifo(move |_| grid.run_row(i));
         }
     });
     grid.lock().error.take().map_or(Ok(()), Err)
-}
-
-/// The cells of a grid as far as their run times are concerned.
-pub fn cases(request: &Request, interferences: &[f64], slip_rates: &[f64]) -> Vec<Case> {
-    let scene = &request.template;
-    let material = &scene.material;
-    let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
-    let critical =
-        hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, scene.radius);
-    let case = move |interference: f64, column: usize| {
-        let radius = hertz::contact_radius(scene.radius, interference * critical);
-        let number = softening_number(scene, slip_rates[column], radius);
-        let heated = choose_heat(scene, slip_rates[column], number, &mut Vec::new());
-        Case { interference, column, heated }
-    };
-    (interferences.iter()).flat_map(|omega| (0..slip_rates.len()).map(move |j| case(*omega, j))).collect()
-}
-
-/// Rows of which one cell is run first, of so many.
-pub fn probes(rows: usize) -> [usize; 3] {
-    [rows / 2, 0, rows - 1]
-}
-
-/// Interference and slip rate of a cell.
-pub fn point(interferences: &[f64], slip_rates: &[f64], (i, j): Index) -> Point {
-    Point { interference: interferences[i], slip_rate: slip_rates[j] }
 }
 
 impl<'a, S: Simulator> Grid<'a, S> {
@@ -194,15 +155,15 @@ impl<'a, S: Simulator> Grid<'a, S> {
         let pending = |j: &usize| {
             self.wanted[self.position((i, *j))]
                 && !ledger.taken.contains(&(i, *j))
-                && ledger.known.get(self.point((i, *j))).is_none()
+                && ledger.known.get(self.layout.point((i, *j))).is_none()
         };
-        (0..self.slip_rates.len()).filter(pending).collect()
+        (0..self.layout.slip_rates.len()).filter(pending).collect()
     }
 
     fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {
-        let mut scene = self.request.template.clone();
-        scene.loading.interference = self.interferences[i];
-        scene.loading.slip_rate = self.slip_rates[0];
+        let mut scene = self.layout.template(i).clone();
+        scene.loading.interference = self.layout.interference(i);
+        scene.loading.slip_rate = self.layout.slip_rates[0];
         guard(|| self.simulator.press(&scene, self))
     }
 
@@ -210,10 +171,10 @@ impl<'a, S: Simulator> Grid<'a, S> {
         if self.cancelled() {
             return;
         }
-        let temperature = self.request.template.loading.temperature;
+        let temperature = self.layout.template(i).loading.temperature;
         let position = self.position((i, j));
         self.lock().forecast.started(position, self.now());
-        match guard(|| self.simulator.slide(pressed, self.slip_rates[j], self)) {
+        match guard(|| self.simulator.slide(pressed, self.layout.slip_rates[j], self)) {
             Ok(outcome) => {
                 let finished = Finished::new(&outcome, self.slips, temperature);
                 self.finish((i, j), Ok(finished));
@@ -226,7 +187,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
     fn finish(&self, index: Index, result: CellResult) {
         let position = self.position(index);
         let mut ledger = self.lock();
-        if let Err(error) = ledger.journal.record(self.point(index), &result) {
+        if let Err(error) = ledger.journal.record(self.layout.point(index), &result) {
             self.stopped.store(true, Ordering::Relaxed);
             ledger.error.get_or_insert(error);
             return;
@@ -240,15 +201,11 @@ impl<'a, S: Simulator> Grid<'a, S> {
             remaining: ledger.forecast.remaining(now),
         };
         self.watch.finished(index, &result, &standing);
-        ledger.known.insert(self.point(index), result);
-    }
-
-    fn point(&self, index: Index) -> Point {
-        point(self.interferences, self.slip_rates, index)
+        ledger.known.insert(self.layout.point(index), result);
     }
 
     fn position(&self, (i, j): Index) -> usize {
-        i * self.slip_rates.len() + j
+        i * self.layout.slip_rates.len() + j
     }
 
     fn now(&self) -> f64 {

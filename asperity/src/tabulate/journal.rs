@@ -20,12 +20,15 @@ use super::shard::Shard;
 use crate::provenance::{FINGERPRINT, SOURCE};
 use crate::timings::Timings;
 
-/// Cell of the grid: index of the interference and of the slip rate.
+/// Cell of the grid: index of the row (the interference; at several initial temperatures those of the
+/// first, then those of the next) and of the slip rate.
 pub type Index = (usize, usize);
 
 /// A cell by its coordinates, which stay as they are when a grid gets more points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
+    /// Initial temperature, K, where that is an axis of the table.
+    pub temperature: Option<f64>,
     /// ω₀/ω_c.
     pub interference: f64,
     /// V, m/s.
@@ -99,6 +102,8 @@ struct Header {
 
 #[derive(Serialize, Deserialize)]
 struct Record {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    temperature: Option<f64>,
     interference: f64,
     slip_rate: f64,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -297,8 +302,9 @@ fn differences(found: &Header, asked: &Header) -> String {
 }
 
 impl Record {
-    fn new(Point { interference, slip_rate }: Point, result: &CellResult) -> Self {
+    fn new(Point { temperature, interference, slip_rate }: Point, result: &CellResult) -> Self {
         let empty = Self {
+            temperature,
             interference,
             slip_rate,
             failure: None,
@@ -320,7 +326,8 @@ impl Record {
     }
 
     fn into_cell(self) -> Option<(Point, CellResult)> {
-        let point = Point { interference: self.interference, slip_rate: self.slip_rate };
+        let Self { temperature, interference, slip_rate, .. } = self;
+        let point = Point { temperature, interference, slip_rate };
         if let Some(reason) = self.failure {
             return Some((point, Err(reason)));
         }

@@ -4,9 +4,12 @@ use std::collections::HashMap;
 
 use super::journal::{CellResult, Point};
 
+/// Initial temperature, interference and slip rate.
+type Key = (Option<u64>, u64, u64);
+
 /// What has been run so far.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Known(HashMap<(u64, u64), CellResult>);
+pub struct Known(HashMap<Key, CellResult>);
 
 impl Known {
     pub fn insert(&mut self, point: Point, result: CellResult) {
@@ -19,6 +22,6 @@ impl Known {
 }
 
 /// The numbers bit for bit: they are read as they were written.
-fn key(point: Point) -> (u64, u64) {
-    (point.interference.to_bits(), point.slip_rate.to_bits())
+fn key(point: Point) -> Key {
+    (point.temperature.map(f64::to_bits), point.interference.to_bits(), point.slip_rate.to_bits())
 }

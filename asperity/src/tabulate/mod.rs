@@ -1,4 +1,4 @@
-//! A grid of runs over interference and slip rate.
+//! A grid of runs over interference and slip rate, at one or at several initial temperatures.
 //!
 //! One press serves all slip rates of an interference. Every finished cell goes to a journal
 //! at once; an interrupted tabulation continues from there and ends with the same table. A
@@ -9,6 +9,7 @@ mod cost;
 mod grid;
 mod journal;
 mod known;
+mod layout;
 mod shard;
 mod table;
 
@@ -29,6 +30,7 @@ use crate::timings::Timings;
 use cost::CostModel;
 use grid::Work;
 use known::Known;
+use layout::Layout;
 
 /// How far a tabulation is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +104,8 @@ pub struct Tabulation {
     pub slip_rates: Vec<f64>,
     /// Slips s/a₀ of the histories.
     pub slips: Vec<f64>,
-    /// Over interference and slip rate; `None` where the cell was not run.
+    /// Over interference (at several initial temperatures those of the first, then those of the next)
+    /// and slip rate; `None` where the cell was not run.
     pub cells: Vec<Vec<Option<CellResult>>>,
     /// Cells that were to be run.
     pub wanted: Vec<Vec<bool>>,
@@ -138,6 +141,21 @@ impl Tabulation {
         let mut sum = Timings::default();
         self.done().for_each(|(_, finished)| sum.include(&finished.timings));
         sum
+    }
+
+    /// Initial temperature of a row, K, if they are several; and its interference.
+    pub fn row(&self, i: usize) -> (Option<f64>, f64) {
+        let count = self.interferences.len();
+        (self.request.temperatures.get(i / count).copied(), self.interferences[i % count])
+    }
+
+    fn layout<'a>(&'a self, templates: &'a [Scene]) -> Layout<'a> {
+        Layout {
+            templates,
+            series: !self.request.temperatures.is_empty(),
+            interferences: &self.interferences,
+            slip_rates: &self.slip_rates,
+        }
     }
 
     fn each(&self) -> impl Iterator<Item = (Index, &Option<CellResult>)> {
@@ -243,28 +261,23 @@ pub(crate) fn tabulate_with<S: Simulator>(
         wanted: Vec::new(),
         resumed: found.len(),
     };
-    let start = last.filled()?;
+    let start = last.first()?;
+    let templates = request.templates();
     let evaluate = |table: Table| -> Result<Table, Stop> {
         let Axes { interference, slip_rate, .. } = table.axes();
         last.interferences.clone_from(interference);
         last.slip_rates.clone_from(slip_rate);
-        let costs = last.expected_costs();
+        let layout = last.layout(&templates);
+        let costs = expected_costs(&layout);
         let wanted = options.shard.map_or(vec![true; costs.len()], |shard| shard.members(&costs));
-        last.wanted = wanted.chunks(slip_rate.len()).map(<[bool]>::to_vec).collect();
-        let work = Work {
-            request,
-            interferences: interference,
-            slip_rates: slip_rate,
-            slips: &slips,
-            wanted: &wanted,
-            jobs: options.jobs,
-        };
+        let work = Work { layout, slips: &slips, wanted: &wanted, jobs: options.jobs };
         grid::run(simulator, &work, (&mut known, &mut journal), &pool, watch)?;
-        let cell = |at: Index| known.get(grid::point(interference, slip_rate, at)).cloned();
+        let cell = |at: Index| known.get(layout.point(at)).cloned();
         let row = |i: usize| (0..slip_rate.len()).map(|j| cell((i, j))).collect();
-        last.cells = (0..interference.len()).map(row).collect();
+        last.cells = (0..layout.rows()).map(row).collect();
+        last.wanted = wanted.chunks(slip_rate.len()).map(<[bool]>::to_vec).collect();
         match last.finished() {
-            true => Ok(last.filled()?),
+            true => Ok(last.first()?),
             false => Err(Stop::Asked),
         }
     };
@@ -296,15 +309,14 @@ impl From<TableError> for Stop {
     }
 }
 
-impl Tabulation {
-    /// Of each cell, row-major, before anything is run: only ratios mean something.
-    fn expected_costs(&self) -> Vec<f64> {
-        let largest = self.interferences[self.interferences.len() - 1];
-        let model = CostModel::new(largest, self.slip_rates.len());
-        let cases = grid::cases(&self.request, &self.interferences, &self.slip_rates);
-        cases.into_iter().map(|case| model.seconds(case)).collect()
-    }
+/// Of each cell, row-major, before anything is run: only ratios mean something.
+fn expected_costs(layout: &Layout<'_>) -> Vec<f64> {
+    let largest = layout.interferences[layout.interferences.len() - 1];
+    let model = CostModel::new(largest, layout.slip_rates.len());
+    layout.cases().into_iter().map(|case| model.seconds(case)).collect()
 }
 
+#[cfg(test)]
+mod series_tests;
 #[cfg(test)]
 mod tests;

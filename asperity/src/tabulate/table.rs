@@ -3,57 +3,104 @@
 use tables::closed_forms::hertz;
 use tables::quantity::Quantity;
 use tables::refinement::{Goal, JUDGED};
+use tables::series::{Tables, TemperatureSeries};
 use tables::table::{Axes, Metadata, Table, TableError};
 
 use super::{Index, Tabulation};
 use crate::fracture::fracture_energy;
 use crate::numbers::plain;
 use crate::provenance::{FINGERPRINT, SOURCE};
+use crate::scene::Scene;
 use crate::scene_file::write_request;
 
 impl Tabulation {
     /// The table of all cells; `history` as in [`crate::provenance::history`]. Where points were
-    /// added for a tolerance, errors include that of interpolation.
+    /// added for a tolerance, errors include that of interpolation. Of several initial temperatures
+    /// there are as many tables: see [`Tabulation::tables`].
     pub fn table(&self, history: String) -> Result<Table, TableError> {
-        let mut table = self.filled()?;
-        if let Some(goal) = self.request.goal
-            && self.finished()
-        {
-            table = table.with_interpolation_errors(goal.tolerance);
-        }
-        let mut metadata = Metadata { history, ..table.metadata().clone() };
-        metadata.comment = self.warnings().join("\n");
-        table.set_metadata(metadata);
-        Ok(table)
+        Ok(self.tables(history)?.at(None)?)
+    }
+
+    /// The table of all cells, or those of all initial temperatures.
+    pub fn tables(&self, history: String) -> Result<Tables, TableError> {
+        Ok(match self.filled()? {
+            Tables::One(mut table) => {
+                if let Some(goal) = self.request.goal
+                    && self.finished()
+                {
+                    *table = table.with_interpolation_errors(goal.tolerance);
+                }
+                let mut metadata = Metadata { history, ..table.metadata().clone() };
+                metadata.comment = self.warnings().join("\n");
+                table.set_metadata(metadata);
+                Tables::One(table)
+            }
+            Tables::Series(mut series) => {
+                series.set_provenance(&history, &self.shard());
+                series.summarise();
+                Tables::Series(series)
+            }
+        })
     }
 
     /// The results as they are.
-    pub(super) fn filled(&self) -> Result<Table, TableError> {
+    fn filled(&self) -> Result<Tables, TableError> {
+        let templates = self.request.templates();
+        let members = templates.iter().enumerate().map(|(n, scene)| self.member(n, scene));
+        let mut members = members.collect::<Result<Vec<Table>, TableError>>()?;
+        Ok(match self.request.temperatures.is_empty() {
+            true => Tables::One(Box::new(members.remove(0))),
+            false => Tables::Series(TemperatureSeries::new(members)?),
+        })
+    }
+
+    /// The results as they are, those of the lowest temperature if there are several.
+    pub(super) fn first(&self) -> Result<Table, TableError> {
+        self.member(0, &self.request.templates()[0])
+    }
+
+    /// The n-th table, of the scenes that share `template`.
+    fn member(&self, n: usize, template: &Scene) -> Result<Table, TableError> {
         let axes = Axes {
             interference: self.interferences.clone(),
             slip_rate: self.slip_rates.clone(),
             slip: self.slips.clone(),
         };
-        let mut table = Table::new(axes, self.metadata(String::new()))?;
-        for ((i, j), finished) in self.done() {
-            let mut cell = finished.cell.clone();
-            cell.warnings.clone_from(&finished.warnings);
-            table.set_cell(i, j, cell)?;
-        }
-        for ((i, j), reason) in self.failures() {
-            table.mark_failed(i, j, reason);
+        let mut table = Table::new(axes, self.metadata(template))?;
+        let count = self.interferences.len();
+        let rows = self.cells.iter().skip(n * count).take(count);
+        for (i, j, result) in rows.enumerate().flat_map(|(i, row)| {
+            row.iter().enumerate().filter_map(move |(j, cell)| Some((i, j, cell.as_ref()?)))
+        }) {
+            match result {
+                Ok(finished) => {
+                    let mut cell = finished.cell.clone();
+                    cell.warnings.clone_from(&finished.warnings);
+                    table.set_cell(i, j, cell)?;
+                }
+                Err(reason) => table.mark_failed(i, j, reason),
+            }
         }
         Ok(table)
     }
 
-    pub(super) fn metadata(&self, history: String) -> Metadata {
-        let scene = &self.request.template;
+    fn shard(&self) -> String {
+        self.shard.map_or(String::new(), |shard| shard.to_string())
+    }
+
+    fn metadata(&self, scene: &Scene) -> Metadata {
         let (material, interface) = (&scene.material, &scene.interface);
         let contact_modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
         let (interferences, slip_rates) = (&self.interferences, &self.slip_rates);
+        let temperatures = match &self.request.temperatures[..] {
+            [from, .., to] => {
+                format!("{} initial temperatures from {from} to {to} K, ", self.request.temperatures.len())
+            }
+            _ => String::new(),
+        };
         Metadata {
             title: format!(
-                "Friction of one asperity, {} interferences from {} to {} omega_c, \
+                "Friction of one asperity, {temperatures}{} interferences from {} to {} omega_c, \
                  {} slip rates from {} to {} m/s",
                 interferences.len(),
                 interferences[0],
@@ -62,10 +109,10 @@ impl Tabulation {
                 slip_rates[0],
                 slip_rates[slip_rates.len() - 1],
             ),
-            history,
+            history: String::new(),
             source: SOURCE.into(),
             fingerprint: FINGERPRINT.into(),
-            shard: self.shard.map_or(String::new(), |shard| shard.to_string()),
+            shard: self.shard(),
             comment: String::new(),
             scene: write_request(&self.request),
             asperity_radius: scene.radius,
@@ -90,19 +137,29 @@ impl Tabulation {
     /// Every warning once, with the cells that it concerns unless these are all; and whether
     /// interpolation falls short of the tolerance.
     pub fn warnings(&self) -> Vec<String> {
-        let Ok(table) = self.filled() else { return Vec::new() };
-        let mut warnings = table.warnings();
-        if let Some(goal) = self.request.goal
-            && self.finished()
-        {
-            warnings.extend(shortfall(&table, &goal));
+        match self.filled() {
+            Err(_) => Vec::new(),
+            Ok(Tables::Series(series)) => series.warnings(),
+            Ok(Tables::One(table)) => {
+                let mut warnings = table.warnings();
+                if let Some(goal) = self.request.goal
+                    && self.finished()
+                {
+                    warnings.extend(shortfall(&table, &goal));
+                }
+                warnings
+            }
         }
-        warnings
     }
 
     /// A cell by its coordinates.
     pub fn label(&self, (i, j): Index) -> String {
-        format!("{} omega_c at {} m/s", plain(self.interferences[i]), plain(self.slip_rates[j]))
+        let (temperature, interference) = self.row(i);
+        let cell = format!("{} omega_c at {} m/s", plain(interference), plain(self.slip_rates[j]));
+        match temperature {
+            None => cell,
+            Some(temperature) => format!("{cell} from {} K", plain(temperature)),
+        }
     }
 }
 

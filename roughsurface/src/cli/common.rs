@@ -69,8 +69,8 @@ pub fn law(
 ) -> Result<(Box<dyn AsperityLaw>, Option<String>), Failure> {
     let material = file.material.as_ref();
     match allow_missing {
-        true => asperity_law_without_gaps(table, material).map_err(input),
-        false => Ok((asperity_law(table, material).map_err(input)?, None)),
+        true => asperity_law_without_gaps(table, material, file.temperature).map_err(input),
+        false => Ok((asperity_law(table, material, file.temperature).map_err(input)?, None)),
     }
 }
 

@@ -55,6 +55,7 @@ Lengths in metres; a sample is a file of heights, a histogram one of lower edges
 with a last line of the upper edge alone.
 Radii that differ: radii = { distribution = \"lognormal\", std = 30e-6 } beside asperity_radius,
 their mean, or radii = { distribution = \"classes\", radius = [..], share = [..] } without it.
+A table of several initial temperatures is read at query.temperature, in K: temperature = 450.0
 Uncertain parameters, by standard deviation, are propagated to the results:
     [uncertainty]
     heights_std = 0.05e-6       # also asperity_density, asperity_radius and, for closed forms,

@@ -99,7 +99,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 pub fn run(options: &Predict) -> Result<(), Failure> {
     let file = SurfaceFile::read(&options.surface).map_err(input)?;
     let (law, gaps) = law(&options.table, &file, options.allow_missing)?;
-    let background = background(&options.table, file.material.as_ref());
+    let background = background(&options.table, file.material.as_ref(), file.temperature);
     let models = models(&options.compare)?;
     // Known before the work, not after it.
     for path in std::iter::once(&options.output).chain(&options.plot).chain(&options.report) {

@@ -66,6 +66,7 @@ pub(super) struct QueryKeys {
     pub(super) slip_rate: Vec<f64>,
     #[serde(default = "held_load")]
     pub(super) hold: Hold,
+    pub(super) temperature: Option<f64>,
 }
 
 fn held_load() -> Hold {

@@ -12,6 +12,7 @@
 //! pressure = [1e5, 1e6, 1e7]     # nominal, Pa; or separation = [..] in m
 //! slip_rate = [0.1, 1.0, 10.0]   # m/s
 //! hold = "load"                  # or "separation"
+//! temperature = 450.0            # optional: K, of asperities and flat at the start, for a table of several
 //!
 //! [material]                     # for closed forms only
 //! youngs_modulus = 200e9         # Pa
@@ -44,6 +45,8 @@ use tables::closed_forms::ElasticPlastic;
 pub struct SurfaceFile {
     pub surface: Surface,
     pub query: Query,
+    /// Initial temperature, K, at which a table of several is read.
+    pub temperature: Option<f64>,
     /// Needed by closed forms only.
     pub material: Option<ElasticPlastic>,
     /// Parameters given with a standard deviation.
@@ -143,6 +146,9 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
     // Zero is the isothermal limit, which tables may have.
     let slip_rates = list("query.slip_rate", keys.query.slip_rate, "m/s", |v| v >= 0.0)?;
 
+    if let Some(temperature) = keys.query.temperature {
+        positive("query.temperature", temperature, "K")?;
+    }
     if let Some(material) = &keys.material {
         positive("material.youngs_modulus", material.youngs_modulus, "Pa")?;
         positive("material.yield_strength", material.yield_strength, "Pa")?;
@@ -154,6 +160,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
     Ok(SurfaceFile {
         surface: Surface { asperity_density, asperity_radius, heights },
         query: Query { pressing, slip_rates, hold: keys.query.hold },
+        temperature: keys.query.temperature,
         material: keys.material,
         uncertain,
         uncertain_tables,

@@ -36,6 +36,8 @@ fn a_good_file_is_understood() {
     assert_eq!(file.text, GOOD);
     let short = parse(&GOOD.replace("hold = \"separation\"", "")).unwrap();
     assert_eq!(short.query.hold, Hold::Load);
+    let hot = parse(&GOOD.replace("hold = \"separation\"", "temperature = 450")).unwrap();
+    assert_eq!((hot.temperature, file.temperature), (Some(450.0), None));
 }
 
 #[test]
@@ -44,7 +46,7 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
         (
             "pressure =",
             "presure =",
-            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold",
+            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, temperature",
         ),
         (
             "std = 0.5e-6",
@@ -60,6 +62,11 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
             "[1e7, 1e5]",
             "[1e7, -1e5]",
             "surface.toml: query.pressure[1] = -1e5: must be finite and positive (Pa)",
+        ),
+        (
+            "hold = \"separation\"",
+            "temperature = -3.0",
+            "surface.toml: query.temperature = -3: must be a positive number (K)",
         ),
         ("[0.1, 1.0]", "[]", "surface.toml: query.slip_rate: must hold at least one value (m/s)"),
         (

@@ -21,6 +21,7 @@ mod nodes;
 mod scalar;
 
 pub use beyond::Extrapolated;
+pub(crate) use nodes::{blend_one, cubic};
 
 use std::sync::{Arc, OnceLock};
 

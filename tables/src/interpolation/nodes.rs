@@ -226,7 +226,7 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
 
 /// Monotone cubic between two points with optional outer ones; of the logarithms if all are
 /// positive. `gaps` are the distances to the outer points.
-pub(super) fn blend_one(
+pub(crate) fn blend_one(
     gaps: [Option<f64>; 2],
     h: f64,
     t: f64,
@@ -236,11 +236,22 @@ pub(super) fn blend_one(
     let positive = |value: Option<f64>| value.is_none_or(|value| value > 0.0);
     let logarithmic = inner[0] > 0.0 && inner[1] > 0.0 && positive(outer[0]) && positive(outer[1]);
     let scale = |value: f64| if logarithmic { value.ln() } else { value };
-    let (y0, y1) = (scale(inner[0]), scale(inner[1]));
+    let value = cubic(gaps, h, t, outer.map(|value| value.map(scale)), inner.map(scale));
+    if logarithmic { value.exp() } else { value }
+}
+
+/// The same of the values as they are.
+pub(crate) fn cubic(
+    gaps: [Option<f64>; 2],
+    h: f64,
+    t: f64,
+    outer: [Option<f64>; 2],
+    [y0, y1]: [f64; 2],
+) -> f64 {
     let secant = (y1 - y0) / h;
     let neighbour = |side: usize, end: f64| -> Option<(f64, f64)> {
         let (gap, value) = (gaps[side]?, outer[side]?);
-        let rise = if side == 0 { end - scale(value) } else { scale(value) - end };
+        let rise = if side == 0 { end - value } else { value - end };
         Some((gap, rise / gap))
     };
     let (before, after) = (neighbour(0, y0), neighbour(1, y1));
@@ -249,8 +260,7 @@ pub(super) fn blend_one(
         (None, Some((gap, d))) => end_slope(h, gap, secant, d),
         (None, None) => secant,
     };
-    let value = hermite(h, t, y0, y1, slope(before, after), slope(after, before));
-    if logarithmic { value.exp() } else { value }
+    hermite(h, t, y0, y1, slope(before, after), slope(after, before))
 }
 
 /// The two ends of an interval with their shares.

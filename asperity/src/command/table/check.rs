@@ -13,7 +13,7 @@ use crate::command::{Display, Failure, print};
 
 /// Compute some cells again, print how they compare, fail where a difference is beyond the errors.
 pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failure> {
-    let table = read(&arguments.table)?;
+    let table = read(&arguments.table, &arguments.at)?;
     let request = parse_request(&table.metadata().scene, &arguments.table, &[]).map_err(Failure::input)?;
     let (rows, columns) = table.shape();
     let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
@@ -63,7 +63,10 @@ fn computed_again(
         interferences: vec![axes.interference[i]],
         slip_rates: vec![axes.slip_rate[j]],
         goal: None,
-        ..request.clone()
+        ..match request.temperatures.is_empty() {
+            true => request.clone(),
+            false => request.at_temperature(table.metadata().temperature),
+        }
     };
     let journal = std::env::temp_dir().join(format!("asperity-check-{}.part", std::process::id()));
     let options = Options { jobs: processors(), journal: &journal, resume: false, shard: None };

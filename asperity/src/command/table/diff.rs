@@ -11,7 +11,7 @@ use crate::command::{Display, Failure, print};
 
 /// Compare two tables, print how they differ, fail if it is by more than allowed.
 pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure> {
-    let comparison = read(&arguments.here)?.compare(&read(&arguments.there)?);
+    let comparison = read(&arguments.here, &arguments.at)?.compare(&read(&arguments.there, &arguments.at)?);
     if display.json {
         print(&format!("{:#}\n", as_json(&comparison)));
     } else if !display.quiet {

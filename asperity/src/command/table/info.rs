@@ -5,19 +5,24 @@ use std::fmt::Write;
 use asperity::numbers::plain;
 use serde_json::{Value, json};
 use tables::quantity::Quantity;
-use tables::schema::SCHEMA_VERSION;
+use tables::schema::{SCHEMA_VERSION, SERIES_VERSION};
+use tables::series::{Tables, TemperatureSeries};
 use tables::shipped;
 use tables::statistics::{Counts, ErrorStatistics};
-use tables::table::Table;
+use tables::table::{Metadata, Table};
 
 use crate::command::{Display, Failure, print};
 
 /// Print what a table holds.
-pub fn info(table: &Table, asked: &str, display: &Display) {
+pub fn info(tables: &Tables, asked: &str, display: &Display) {
     if display.json {
-        print(&format!("{:#}\n", as_json(table, asked)));
+        let json = match tables {
+            Tables::One(table) => as_json(table, asked),
+            Tables::Series(series) => series_as_json(series, asked),
+        };
+        print(&format!("{json:#}\n"));
     } else if !display.quiet {
-        print(&text(table, asked, display.verbose));
+        print(&text(tables, asked, display.verbose));
     }
 }
 
@@ -60,9 +65,10 @@ pub fn list(display: &Display) -> Result<(), Failure> {
     Ok(())
 }
 
-fn text(table: &Table, asked: &str, verbose: bool) -> String {
-    let (axes, metadata) = (table.axes(), table.metadata());
-    let counts = table.counts();
+fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
+    let members = tables.members();
+    let (axes, metadata) = (members[0].axes(), members[0].metadata());
+    let sum = |of: fn(&Counts) -> usize| members.iter().map(|table| of(&table.counts())).sum::<usize>();
     let mut text = String::new();
     // Writing to a String cannot fail.
     let mut line = |name: &str, value: String| {
@@ -70,29 +76,49 @@ fn text(table: &Table, asked: &str, verbose: bool) -> String {
     };
     line("table", asked.to_owned());
     line("title", metadata.title.clone());
+    if let Tables::Series(series) = tables {
+        line("temperature", range(&series.temperatures(), "K"));
+    }
     line("interference", range(&axes.interference, "omega_c"));
     line("slip rate", range(&axes.slip_rate, "m/s"));
     line("slip", range(&axes.slip, "contact radii"));
     line("radius", format!("{} m", plain(metadata.asperity_radius)));
-    let Counts { done, not_run, failed } = counts;
+    let done = sum(|counts| counts.done);
+    let (not_run, failed) = (sum(|counts| counts.not_run), sum(|counts| counts.failed));
     line("cells", format!("{done} done, {not_run} not run, {failed} failed"));
     if !metadata.shard.is_empty() {
         line("shard", metadata.shard.clone());
     }
-    let cost = table.cost();
+    let cost: f64 = members.iter().map(Table::cost).sum();
     line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
     line("made by", format!("{}, fingerprint {}", metadata.source, or_none(&metadata.fingerprint)));
-    line("schema", format!("version {SCHEMA_VERSION}, content agrees with its {}", table.checksum()));
+    let (version, checksum) = match tables {
+        Tables::One(table) => (SCHEMA_VERSION, table.checksum()),
+        Tables::Series(series) => (SERIES_VERSION, series.checksum()),
+    };
+    line("schema", format!("version {version}, content agrees with its {checksum}"));
     for entry in metadata.history.lines() {
         line("history", entry.to_string());
     }
     for warning in metadata.comment.lines() {
         line("warning", warning.to_string());
     }
-    for (label, reason) in table.failures() {
+    for (label, reason) in tables.failures() {
         line("failed", format!("{label}: {reason}"));
     }
-    let _ = write!(text, "\n{}", errors(table));
+    for table in members {
+        if let Tables::Series(_) = tables {
+            let Metadata { temperature, yield_strength, critical_interference, .. } = table.metadata();
+            let _ = write!(
+                text,
+                "\nfrom {} K: yield strength {} Pa, omega_c {} m",
+                plain(*temperature),
+                plain(*yield_strength),
+                plain(*critical_interference)
+            );
+        }
+        let _ = write!(text, "\n{}", errors(table));
+    }
     if verbose {
         let _ = write!(text, "\nrequest:\n{}", metadata.scene);
     }
@@ -183,5 +209,25 @@ fn as_json(table: &Table, asked: &str) -> Value {
         "failures": failures,
         "wall_time": table.cost(),
         "quantities": quantities,
+    })
+}
+
+/// What the tables have in common, and each by its initial temperature.
+fn series_as_json(series: &TemperatureSeries, asked: &str) -> Value {
+    let member = |table: &Table| {
+        let metadata = table.metadata();
+        let mut json = as_json(table, asked);
+        json["temperature"] = metadata.temperature.into();
+        json["yield_strength"] = metadata.yield_strength.into();
+        json["critical_interference"] = metadata.critical_interference.into();
+        json
+    };
+    json!({
+        "table": asked.to_owned(),
+        "title": series.members()[0].metadata().title,
+        "schema_version": SERIES_VERSION,
+        "checksum": series.checksum(),
+        "temperature": series.temperatures(),
+        "tables": series.members().iter().map(member).collect::<Vec<_>>(),
     })
 }

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use tables::dataset::destination;
+use tables::series::Tables;
 use tables::shipped;
 use tables::table::Table;
 
@@ -22,6 +23,8 @@ pub enum TableCommand {
         /// Table to describe, or name of a shipped one; its checksum is verified
         #[arg(value_name = "TABLE.nc|NAME")]
         table: String,
+        #[command(flatten)]
+        at: At,
     },
     /// Names of the shipped tables, with their largest errors
     List,
@@ -37,6 +40,8 @@ pub enum TableCommand {
         /// File to write
         #[arg(short, long, value_name = "FILE.svg|png")]
         output: PathBuf,
+        #[command(flatten)]
+        at: At,
     },
     /// The table as comma-separated values, a line for each cell
     Export {
@@ -49,7 +54,17 @@ pub enum TableCommand {
         /// The histories along the slide instead, a line for each cell and slip
         #[arg(long)]
         histories: bool,
+        #[command(flatten)]
+        at: At,
     },
+}
+
+#[derive(Args)]
+pub struct At {
+    /// Initial temperature of body and flat at which to read a table that has several; in between it
+    /// is interpolated
+    #[arg(long, value_name = "K", value_parser = temperature)]
+    temperature: Option<f64>,
 }
 
 #[derive(Args)]
@@ -64,6 +79,8 @@ pub struct DiffArguments {
     /// only, exit with status 1
     #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
+    #[command(flatten)]
+    at: At,
 }
 
 #[derive(Args)]
@@ -77,6 +94,15 @@ pub struct CheckArguments {
     /// Which ones: another seed, other cells
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
+    #[command(flatten)]
+    at: At,
+}
+
+fn temperature(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err("must be a positive number (K)".into()),
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -89,36 +115,45 @@ fn tolerance(text: &str) -> Result<f64, String> {
 /// Do what the subcommand says.
 pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
     match command {
-        TableCommand::Info { table } => {
-            info::info(&read(table)?, table, display);
+        TableCommand::Info { table, at } => {
+            info::info(&read_all(table, at)?, table, display);
             Ok(())
         }
         TableCommand::List => info::list(display),
         TableCommand::Check(arguments) => check::check(arguments, display),
         TableCommand::Diff(arguments) => diff::diff(arguments, display),
-        TableCommand::Plot { table, output } => {
+        TableCommand::Plot { table, output, at } => {
             outputs::check_plot(Some(output), Path::new(table))?;
-            read(table)?.maps().save(output).map_err(Failure::run)
+            read(table, at)?.maps().save(output).map_err(Failure::run)
         }
-        TableCommand::Export { table, output, histories } => {
+        TableCommand::Export { table, output, histories, at } => {
             outputs::check_output(output, Path::new(table))?;
-            export(&read(table)?, output, *histories)
+            export(&read_all(table, at)?, output, *histories)
         }
     }
 }
 
-fn read(asked: &str) -> Result<Table, Failure> {
-    shipped::table(asked).map_err(Failure::input)
+/// One table, of a series that at the temperature asked for.
+fn read(asked: &str, at: &At) -> Result<Table, Failure> {
+    shipped::open(asked, at.temperature).map_err(Failure::input)
+}
+
+/// The same, or all of a series if no temperature is asked for.
+fn read_all(asked: &str, at: &At) -> Result<Tables, Failure> {
+    match at.temperature {
+        Some(_) => read(asked, at).map(|table| Tables::One(Box::new(table))),
+        None => shipped::tables(asked).map_err(Failure::input),
+    }
 }
 
 /// Under a temporary name first: nobody shall find half a file.
-fn export(table: &Table, output: &Path, histories: bool) -> Result<(), Failure> {
+fn export(tables: &Tables, output: &Path, histories: bool) -> Result<(), Failure> {
     let place = destination(output);
     let name = place.file_name().unwrap_or_default().to_string_lossy();
     let temporary = place.with_file_name(format!(".{name}.{}.partial", std::process::id()));
     let written = File::create(&temporary).map(BufWriter::new).and_then(|file| match histories {
-        true => table.write_histories_csv(file),
-        false => table.write_csv(file),
+        true => tables.write_histories_csv(file),
+        false => tables.write_csv(file),
     });
     written.and_then(|()| std::fs::rename(&temporary, &place)).map_err(|error| {
         let _ = std::fs::remove_file(&temporary);

@@ -1,0 +1,96 @@
+//! A scene at another initial temperature is the same body.
+
+use super::*;
+use crate::material::Solid;
+use crate::scene_file::parse_scene;
+
+/// At 300 K, with properties over temperature.
+fn scene(softening: &str, hardening: &str) -> Scene {
+    let text = format!(
+        "[material]\npreset = \"carbon-steel-en1993\"\nsoftening = {{ {softening} }}\n\
+         hardening = {{ {hardening} }}\n[asperity]\nradius = 1e-3\n\
+         [loading]\ninterference = 5\nslip_rate = 1\ntemperature = 300\n"
+    );
+    parse_scene(&text, "scene", &[]).unwrap()
+}
+
+const SOFTENINGS: [&str; 4] = [
+    "law = \"none\"",
+    "law = \"johnson-cook\", reference = 298, melting = 1793, exponent = 0.8",
+    "law = \"johnson-cook\", reference = 500, melting = 1793, exponent = 1.03",
+    "law = \"table\", temperature = [250, 400, 900], factor = [1.1, 0.9, 0.2]",
+];
+const HARDENINGS: [&str; 4] = [
+    "law = \"none\"",
+    "law = \"linear\", modulus = 1e9",
+    "law = \"johnson-cook\", modulus = 5e8, exponent = 0.3",
+    "law = \"table\", plastic_strain = [0, 0.1], factor = [1, 1.4]",
+];
+
+fn solid(scene: &Scene) -> Solid {
+    Solid::new(&scene.material, scene.loading.temperature)
+}
+
+/// In Pa, at an absolute temperature.
+fn strength(scene: &Scene, strain: f64, temperature: f64) -> f64 {
+    let rise = temperature - scene.loading.temperature;
+    scene.material.yield_strength * solid(scene).yield_strength(strain, rise)
+}
+
+#[test]
+fn strength_and_moduli_are_the_same_functions_of_absolute_temperature() {
+    for softening in SOFTENINGS {
+        for hardening in HARDENINGS {
+            let cold = scene(softening, hardening);
+            for initial in [280.0, 450.0, 850.0] {
+                let hot = cold.at_temperature(initial);
+                for temperature in [260.0, 300.0, 470.0, 700.0, 1000.0] {
+                    for strain in [0.0, 0.02, 0.3] {
+                        let [one, other] = [&cold, &hot].map(|scene| strength(scene, strain, temperature));
+                        let what = format!("{softening} {hardening} {initial} {temperature}: {one} {other}");
+                        assert!((one - other).abs() < 1e-12 * cold.material.yield_strength, "{what}");
+                    }
+                    let modulus = |scene: &Scene| {
+                        let rise = temperature - scene.loading.temperature;
+                        scene.material.youngs_modulus * solid(scene).stiffness_factor(rise)
+                    };
+                    assert!((modulus(&hot) / modulus(&cold) - 1.0).abs() < 1e-12);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn at_its_own_temperature_a_scene_is_itself() {
+    for softening in SOFTENINGS {
+        let scene = scene(softening, HARDENINGS[2]);
+        assert_eq!(scene.at_temperature(300.0), scene);
+        // By way of another temperature, but for rounding.
+        let (direct, detour) =
+            (scene.at_temperature(700.0), scene.at_temperature(420.0).at_temperature(700.0));
+        let [one, other] = [&direct, &detour].map(|scene| scene.material.yield_strength);
+        assert!((one / other - 1.0).abs() < 1e-14);
+        let rest = |scene: &Scene| {
+            let mut scene = scene.clone();
+            (scene.material.yield_strength, scene.material.hardening) = (0.0, Hardening::None);
+            scene
+        };
+        assert_eq!(rest(&direct), rest(&detour));
+    }
+}
+
+#[test]
+fn constants_are_those_at_the_temperature() {
+    let cold = scene(SOFTENINGS[1], HARDENINGS[2]);
+    let hot = cold.at_temperature(800.0);
+    let ratio = hot.material.softening.factor(800.0) / hot.material.softening.factor(300.0);
+    assert!(ratio < 0.7);
+    assert_eq!(hot.material.yield_strength, cold.material.yield_strength * ratio);
+    assert_eq!(hot.material.hardening, Hardening::JohnsonCook { modulus: 5e8 * ratio, exponent: 0.3 });
+    let tables = &cold.material.dependence;
+    assert_eq!(hot.material.youngs_modulus, tables.youngs_modulus.as_ref().unwrap().at(800.0));
+    assert!(hot.material.youngs_modulus < cold.material.youngs_modulus);
+    assert_eq!(hot.material.specific_heat, tables.specific_heat.as_ref().unwrap().at(800.0));
+    assert_eq!((hot.radius, &hot.interface), (cold.radius, &cold.interface));
+}

@@ -1,0 +1,95 @@
+//! How the cells of a tabulation lie: interferences by slip rates, for each initial temperature.
+
+use tables::closed_forms::hertz;
+
+use super::cost::Case;
+use super::journal::{Index, Point};
+use crate::resolution::{choose_heat, softening_number};
+use crate::scene::Scene;
+
+/// With so many interferences or more, one cell of the middle, of the smallest and of the largest are run first:
+/// what run times do with interference is then known from the start.
+const ROWS_WORTH_A_PROBE: usize = 4;
+
+/// The rows of cells are the interferences at the first temperature, then those at the next.
+#[derive(Clone, Copy)]
+pub struct Layout<'a> {
+    /// What the scenes of each initial temperature share.
+    pub templates: &'a [Scene],
+    /// Whether the temperatures are an axis, of which points have a coordinate.
+    pub series: bool,
+    pub interferences: &'a [f64],
+    pub slip_rates: &'a [f64],
+}
+
+impl<'a> Layout<'a> {
+    pub fn rows(&self) -> usize {
+        self.templates.len() * self.interferences.len()
+    }
+
+    pub fn template(&self, row: usize) -> &'a Scene {
+        &self.templates[row / self.interferences.len()]
+    }
+
+    pub fn interference(&self, row: usize) -> f64 {
+        self.interferences[row % self.interferences.len()]
+    }
+
+    /// Initial temperature of a row, K, where that is an axis.
+    pub fn temperature(&self, row: usize) -> Option<f64> {
+        self.series.then(|| self.template(row).loading.temperature)
+    }
+
+    /// A cell by its coordinates.
+    pub fn point(&self, (i, j): Index) -> Point {
+        Point {
+            temperature: self.temperature(i),
+            interference: self.interference(i),
+            slip_rate: self.slip_rates[j],
+        }
+    }
+
+    /// The rows, that of the largest interference first.
+    pub fn order(&self) -> Vec<usize> {
+        let mut rows: Vec<usize> = (0..self.rows()).collect();
+        rows.sort_by(|a, b| self.interference(*b).total_cmp(&self.interference(*a)));
+        rows
+    }
+
+    /// Rows of which one cell is run first, at the temperature in the middle.
+    pub fn probes(&self) -> Vec<usize> {
+        let count = self.interferences.len();
+        let first = self.templates.len() / 2 * count;
+        match count >= ROWS_WORTH_A_PROBE {
+            true => probes(count).map(|row| first + row).to_vec(),
+            false => Vec::new(),
+        }
+    }
+
+    /// The cells as far as their run times are concerned, row-major.
+    pub fn cases(&self) -> Vec<Case> {
+        let case = |row: usize, column: usize| {
+            let scene = self.template(row);
+            let material = &scene.material;
+            let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
+            let critical = hertz::critical_interference(
+                modulus,
+                material.poisson_ratio,
+                material.yield_strength,
+                scene.radius,
+            );
+            let interference = self.interference(row);
+            let radius = hertz::contact_radius(scene.radius, interference * critical);
+            let number = softening_number(scene, self.slip_rates[column], radius);
+            let heated = choose_heat(scene, self.slip_rates[column], number, &mut Vec::new());
+            Case { interference, column, heated }
+        };
+        let rows = 0..self.rows();
+        rows.flat_map(|row| (0..self.slip_rates.len()).map(move |column| case(row, column))).collect()
+    }
+}
+
+/// Rows of which one cell is run first, of so many.
+pub fn probes(rows: usize) -> [usize; 3] {
+    [rows / 2, 0, rows - 1]
+}

@@ -1,0 +1,169 @@
+//! Tables over initial temperature from outside: made, made in parts, read at one of them and in
+//! between. A coarse asperity at 2 × 1 points and 3 temperatures.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::{Mutex, MutexGuard, OnceLock};
+
+use tables::quantity::Quantity;
+use tables::series::TemperatureSeries;
+use tables::table::Cell;
+
+const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                       [loading]\nslip_distance = 0.05\n\
+                       [table]\ninterference = [2, 8]\nslip_rate = [1]\ntemperature = [298, 500, 700]\n\
+                       [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+
+fn asperity(directory: &Path, line: &str) -> Output {
+    let arguments = line.split(' ').filter(|word| !word.is_empty());
+    Command::new(env!("CARGO_BIN_EXE_asperity")).args(arguments).current_dir(directory).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// One test at a time: a program started by one would inherit the files that another has open in
+/// the HDF5 library, and with them their locks.
+fn alone() -> MutexGuard<'static, ()> {
+    static ALONE: Mutex<()> = Mutex::new(());
+    ALONE.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+}
+
+fn done(folder: &Path, line: &str) -> String {
+    let output = asperity(folder, line);
+    assert_eq!(output.status.code(), Some(0), "{line}: {}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+/// Exit status 2 and one line with all of `parts`.
+fn refused(folder: &Path, line: &str, parts: &[&str]) {
+    let output = asperity(folder, line);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{line}: {message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    for part in parts {
+        assert!(message.contains(part), "{line}: {message} lacks {part}");
+    }
+}
+
+/// A folder with the table and both shards of it, and the table of 500 K by itself.
+fn made() -> PathBuf {
+    static MADE: OnceLock<tempfile::TempDir> = OnceLock::new();
+    let folder = MADE.get_or_init(|| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
+        done(folder.path(), "tabulate request.toml -o whole.nc --plot whole.svg");
+        done(folder.path(), "tabulate request.toml -o 1.nc --shard 1/2");
+        done(folder.path(), "tabulate request.toml -o 2.nc --shard 2/2 --resume");
+        // Strength and hardening as the softening law of the preset has them at 500 K.
+        let factor = 1.0 - ((500.0_f64 - 298.0) / (1793.0 - 298.0)).powf(1.03);
+        let alone = REQUEST.replace("temperature = [298, 500, 700]\n", "").replace(
+            "[asperity]",
+            &format!(
+                "yield_strength = {}\nhardening = {{ modulus = {} }}\n[asperity]",
+                792e6 * factor,
+                510e6 * factor
+            ),
+        );
+        let alone = alone.replace("slip_distance", "temperature = 500.0\nslip_distance");
+        std::fs::write(folder.path().join("alone.toml"), alone).unwrap();
+        done(folder.path(), "tabulate alone.toml -o alone.nc");
+        folder
+    });
+    folder.path().to_path_buf()
+}
+
+/// Cells of all temperatures, without what the clock says.
+fn cells(folder: &Path, name: &str) -> Vec<Cell> {
+    let series = TemperatureSeries::read(&folder.join(name)).unwrap();
+    let members = series.members().iter();
+    let cells = members.flat_map(|table| (0..2).map(|i| table.cell(i, 0).unwrap().clone()));
+    let timeless = |mut cell: Cell| {
+        cell.wall_time = 0.0;
+        cell
+    };
+    cells.map(timeless).collect()
+}
+
+#[test]
+fn shards_merge_to_the_undivided_table() {
+    let _alone = alone();
+    let folder = made();
+    done(&folder, "merge 2.nc 1.nc -o merged.nc --plot merged.svg");
+    assert_eq!(cells(&folder, "merged.nc"), cells(&folder, "whole.nc"));
+    let merged = TemperatureSeries::read(&folder.join("merged.nc")).unwrap();
+    assert!(merged.members().iter().all(|table| table.metadata().shard.is_empty()));
+    refused(&folder, "merge 1.nc -o partial.nc", &["of 6 cells", "K; --partial"]);
+    refused(&folder, "merge 1.nc alone.nc -o mixed.nc", &["1.nc and alone.nc", "temperatures: 3 and 1"]);
+    for name in ["whole", "merged"] {
+        for temperature in [298, 500, 700] {
+            let svg = std::fs::read_to_string(folder.join(format!("{name}-{temperature}K.svg"))).unwrap();
+            assert!(svg.contains(&format!("at {temperature} K")), "{name} {temperature}");
+        }
+    }
+}
+
+#[test]
+fn a_table_of_several_temperatures_is_read_at_one() {
+    let _alone = alone();
+    let folder = made();
+    let info = done(&folder, "table info whole.nc");
+    for part in
+        ["3 values from 298 to 700 K", "6 done", "schema        version 2", "from 500 K: yield strength"]
+    {
+        assert!(info.contains(part), "{info} lacks {part}");
+    }
+    let json: serde_json::Value = serde_json::from_str(&done(&folder, "table info whole.nc --json")).unwrap();
+    assert_eq!(json["temperature"], serde_json::json!([298.0, 500.0, 700.0]));
+    assert_eq!(json["tables"][2]["cells"]["done"], 2);
+    assert!(done(&folder, "table info whole.nc --temperature 600").contains("2 done, 0 not run"));
+    for (line, lines) in [("", 1 + 6), (" --temperature 450", 1 + 2), (" --histories", 1 + 6 * 49)] {
+        done(&folder, &format!("table export whole.nc -o whole.csv{line}"));
+        let csv = std::fs::read_to_string(folder.join("whole.csv")).unwrap();
+        assert_eq!(csv.lines().count(), lines);
+        assert_eq!(csv.starts_with("temperature [K],interference [1]"), !line.contains("450"));
+    }
+    let range = ["whole.nc: has initial temperatures from 298 to 700 K", "--temperature"];
+    refused(&folder, "table plot whole.nc -o plot.svg", &range);
+    refused(&folder, "table check whole.nc", &range);
+    refused(&folder, "table diff whole.nc alone.nc", &range);
+    let outside = ["1000 K is outside the table, which goes from 298 to 700 K"];
+    refused(&folder, "table plot whole.nc -o plot.svg --temperature 1000", &outside);
+    refused(&folder, "table info alone.nc --temperature 400", &["of 500 K only, not 400 K"]);
+    done(&folder, "table plot whole.nc -o plot.svg --temperature 400");
+    assert!(std::fs::read_to_string(folder.join("plot.svg")).unwrap().contains("at 400 K"));
+}
+
+#[test]
+fn at_one_of_its_temperatures_it_is_the_table_of_that_temperature() {
+    let _alone = alone();
+    let folder = made();
+    let diff = done(&folder, "table diff whole.nc alone.nc --temperature 500 --tolerance 1e-9");
+    assert!(diff.contains("2 cells in common, 0 in the first only, 0 in the second only"), "{diff}");
+    let check = done(&folder, "table check whole.nc --cells 1 --temperature 700");
+    assert!(check.contains("the same to the last digit"), "{check}");
+    // In between what is computed again is within the errors.
+    done(&folder, "table check whole.nc --cells 2 --temperature 610");
+    let series = TemperatureSeries::read(&folder.join("whole.nc")).unwrap();
+    let between = series.at(610.0).unwrap();
+    for i in 0..2 {
+        let mu = between.cell(i, 0).unwrap()[Quantity::Mu];
+        let ends = [1, 2].map(|member| series.members()[member].cell(i, 0).unwrap()[Quantity::Mu]);
+        // And these are not much larger than those of the runs.
+        assert!(mu.error < 1.5 * ends[0].error.max(ends[1].error), "{mu:?} {ends:?}");
+    }
+}
+
+#[test]
+fn what_does_not_go_together_is_refused() {
+    let _alone = alone();
+    let folder = made();
+    let refuse = |set: &str, parts: &[&str]| {
+        refused(&folder, &format!("tabulate request.toml -o none.nc --set {set}"), parts);
+        assert!(!folder.join("none.nc").exists());
+    };
+    refuse("table.tolerance=0.1", &["table.tolerance = 0.1", "table.temperature"]);
+    refuse("table.temperature=[300,1800]", &["table.temperature = 1800.0", "melting = 1793.0 K"]);
+    refuse("table.temperature=[500]", &["table.temperature = 500.0", "loading.temperature"]);
+}

@@ -1,0 +1,133 @@
+//! Reads a file of one table or of several.
+
+use std::path::Path;
+
+use super::{
+    FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE, REAL_ATTRIBUTES,
+    TEXT_ATTRIBUTES, history_name,
+};
+use crate::dataset::{DatasetError, DatasetReader};
+use crate::fracture::FractureEnergy;
+use crate::quantity::{QUANTITIES, Quantity};
+use crate::schema;
+use crate::series::{Tables, TemperatureSeries};
+use crate::table::{Axes, Cell, Metadata, Table, TableError};
+
+/// Reads a file of either kind.
+pub(crate) fn read(path: &Path) -> Result<Tables, DatasetError> {
+    let file = DatasetReader::open(path)?;
+    let series = schema::is_series(&file)?;
+    let axes = Axes {
+        interference: file.coordinate("interference")?,
+        slip_rate: file.coordinate("slip_rate")?,
+        slip: file.coordinate("slip")?,
+    };
+    let mut metadata = Metadata::default();
+    for (name, _, place) in REAL_ATTRIBUTES {
+        *place(&mut metadata) = file.attribute_real(name)?;
+    }
+    for (name, place) in TEXT_ATTRIBUTES {
+        *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
+    }
+    for (name, place) in OPTIONAL_ATTRIBUTES {
+        *place(&mut metadata) = file.optional_real(name)?;
+    }
+    metadata.fracture_energy = match file.optional_real(FRACTURE_ENERGY)? {
+        None => None,
+        Some(coefficient) => {
+            let radius_exponent = file.attribute_real(FRACTURE_EXPONENT)? as i32;
+            Some(FractureEnergy { coefficient, radius_exponent })
+        }
+    };
+    let metadata = if series { read_temperatures(&file, &metadata)? } else { vec![metadata] };
+    let wrong = |error: TableError| file.content(error.to_string());
+    let mut shape = vec![metadata.len(), axes.interference.len(), axes.slip_rate.len()];
+    if !series {
+        shape.remove(0);
+    }
+    // Checks also that the file can hold so many.
+    let status = file.flags("status", &shape)?;
+    let tables = metadata.into_iter().map(|metadata| Table::new(axes.clone(), metadata));
+    let mut tables = tables.collect::<Result<Vec<Table>, TableError>>().map_err(wrong)?;
+    if tables.is_empty() {
+        return Err(wrong(TableError::AxisEmpty("temperature")));
+    }
+    read_cells(&file, &mut tables, &shape, &status)?;
+    schema::check_content(&file, &tables, series)?;
+    match series {
+        true => Ok(Tables::Series(TemperatureSeries::new(tables).map_err(wrong)?)),
+        false => Ok(Tables::One(Box::new(tables.remove(0)))),
+    }
+}
+
+/// The metadata of each table of a series.
+fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Metadata>, DatasetError> {
+    let temperatures = file.coordinate("temperature")?;
+    let mut members = vec![common.clone(); temperatures.len()];
+    let mut enter = |name: &str, values: Vec<f64>| {
+        let (.., place) = REAL_ATTRIBUTES.iter().find(|(known, ..)| *known == name).expect("is one of them");
+        members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = value);
+    };
+    let shape = [temperatures.len()];
+    for (name, ..) in OVER_TEMPERATURE {
+        enter(name, file.reals(name, &shape)?);
+    }
+    enter("temperature", temperatures);
+    if common.fracture_energy.is_some() {
+        let coefficients = file.reals(FRACTURE_ENERGY, &shape)?;
+        for (member, coefficient) in members.iter_mut().zip(coefficients) {
+            member.fracture_energy = member.fracture_energy.map(|law| FractureEnergy { coefficient, ..law });
+        }
+    }
+    Ok(members)
+}
+
+/// Fills tables from variables of a shape, of which the last two are those of a table.
+fn read_cells(
+    file: &DatasetReader,
+    tables: &mut [Table],
+    grid: &[usize],
+    status: &[i8],
+) -> Result<(), DatasetError> {
+    let (rows, rates) = tables[0].shape();
+    let slips = tables[0].axes().slip.len();
+    let mut cells = vec![Cell::new(); status.len()];
+    for descriptor in &QUANTITIES {
+        let name = descriptor.name;
+        let values = file.reals(name, grid)?;
+        let errors = file.reals(&format!("{name}_error"), grid)?;
+        for (cell, (value, error)) in cells.iter_mut().zip(values.into_iter().zip(errors)) {
+            cell[descriptor.quantity] = crate::law::Estimate { value, error };
+        }
+    }
+    for quantity in Quantity::HISTORIES {
+        let name = history_name(quantity.descriptor().name);
+        let values = file.reals(&name, &[grid, &[slips]].concat())?;
+        for (cell, history) in cells.iter_mut().zip(values.chunks(slips)) {
+            *cell = std::mem::take(cell).with_history(quantity, history.to_vec());
+        }
+    }
+    let levelled = file.flags("levelled", grid)?;
+    let wall_time = file.reals("wall_time", grid)?;
+    for (position, mut cell) in cells.into_iter().enumerate() {
+        let (member, i, j) = (position / (rows * rates), position / rates % rows, position % rates);
+        let all = [member, i, j];
+        let index = &all[all.len() - grid.len()..];
+        let table = &mut tables[member];
+        match status[position] {
+            0 => {
+                cell.levelled = levelled[position] != 0;
+                cell.wall_time = wall_time[position];
+                cell.warnings = file.text("warnings", index)?.lines().map(str::to_string).collect();
+                table.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;
+            }
+            1 => {}
+            2 => table.mark_failed(i, j, file.text("failure_reason", index)?),
+            other => {
+                let what = format!("variable \"status\" has the unknown value {other}");
+                return Err(file.content(what));
+            }
+        }
+    }
+    Ok(())
+}

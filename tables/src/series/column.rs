@@ -1,0 +1,166 @@
+//! Numbers between initial temperatures, and their errors.
+
+use crate::interpolation::blend_one;
+use crate::law::Estimate;
+use crate::quantity::Quantity;
+use crate::steffen::Location;
+use crate::table::Cell;
+
+/// A monotone cubic through four points of which the outer two may be missing: gaps to these, length
+/// of the interval, fraction of it, outer and inner values.
+type Cubic = fn([Option<f64>; 2], f64, f64, [Option<f64>; 2], [f64; 2]) -> f64;
+
+/// A number at all temperatures `x`, NaN where it is not known, looked at between two of them.
+pub(super) struct Line<'a, F> {
+    x: &'a [f64],
+    place: Location,
+    value: F,
+    cubic: Cubic,
+}
+
+impl<'a, F: Fn(usize) -> f64> Line<'a, F> {
+    pub(super) fn new(x: &'a [f64], place: Location, value: F, cubic: Cubic) -> Self {
+        Self { x, place, value, cubic }
+    }
+
+    pub(super) fn value(&self) -> f64 {
+        self.predicted(self.x, self.place, &self.value)
+    }
+
+    fn predicted(&self, x: &[f64], place: Location, value: impl Fn(usize) -> f64) -> f64 {
+        let Location { index, t } = place;
+        let known = |member: usize| Some(value(member)).filter(|value| value.is_finite());
+        let before = index.checked_sub(1).and_then(known);
+        let after = (index + 2 < x.len()).then(|| known(index + 2)).flatten();
+        let gaps = [before.map(|_| x[index] - x[index - 1]), after.map(|_| x[index + 2] - x[index + 1])];
+        (self.cubic)(gaps, x[index + 1] - x[index], t, [before, after], [value(index), value(index + 1)])
+    }
+
+    /// Error of the value.
+    ///
+    /// Each inner temperature next to the place is left out and predicted from the others; the larger
+    /// relative misfit is the error in the middle, though the gap that made it was wider. It falls to
+    /// zero at both ends as a square root, since softening laws may begin with an infinite slope. What
+    /// the cubic differs by from the straight line comes on top. Where nothing can be left out the error
+    /// in the middle is a quarter of the difference of both sides: as far as a parabola that is level at
+    /// one end departs from the straight line.
+    pub(super) fn error(&self) -> f64 {
+        let (x, value, found) = (self.x, &self.value, self.value());
+        let Location { index, t } = self.place;
+        let misfit = |own: usize| -> Option<f64> {
+            if own == 0 || own + 1 == x.len() {
+                return None;
+            }
+            let rest: Vec<f64> = x.iter().copied().filter(|t| *t != x[own]).collect();
+            let place = Location { index: own - 1, t: (x[own] - x[own - 1]) / (x[own + 1] - x[own - 1]) };
+            let predicted = self.predicted(&rest, place, |member| value(member + usize::from(member >= own)));
+            let actual = value(own);
+            let misfit = (predicted - actual).abs();
+            let relative = if misfit == 0.0 { 0.0 } else { misfit / predicted.abs().max(actual.abs()) };
+            relative.is_finite().then_some(relative)
+        };
+        let middle = match [index, index + 1].into_iter().filter_map(misfit).reduce(f64::max) {
+            Some(relative) => relative * found.abs(),
+            None => 0.25 * (value(index) - value(index + 1)).abs(),
+        };
+        let straight =
+            self.predicted(&x[index..=index + 1], Location { index: 0, t }, |side| value(index + side));
+        2.0 * (t * (1.0 - t)).sqrt() * middle + (found - straight).abs()
+    }
+}
+
+/// What quantities are counted in: powers of yield strength and contact modulus, both in Pa.
+pub(super) struct Units {
+    /// At the temperatures of the series.
+    pub members: Vec<(f64, f64)>,
+    /// Between them.
+    pub here: (f64, f64),
+    /// Relative errors of these.
+    pub errors: (f64, f64),
+}
+
+impl Units {
+    /// Powers of yield strength and contact modulus: at equal ω/ω_c a contact radius is in proportion to
+    /// σ_Y/E*, a stress to σ_Y.
+    fn powers(quantity: Quantity) -> (i32, i32) {
+        match quantity.descriptor().units {
+            "m" => (1, -1),
+            "m2" => (2, -2),
+            "N" => (3, -2),
+            "J m-2" => (2, -1),
+            _ => (0, 0),
+        }
+    }
+
+    fn of(quantity: Quantity, (strength, modulus): (f64, f64)) -> f64 {
+        match strength > 0.0 && modulus > 0.0 {
+            true => {
+                let (of_strength, of_modulus) = Self::powers(quantity);
+                strength.powi(of_strength) * modulus.powi(of_modulus)
+            }
+            // A table without these constants is read as it is.
+            false => 1.0,
+        }
+    }
+
+    /// Relative error of the unit here.
+    fn error(&self, quantity: Quantity) -> f64 {
+        let (of_strength, of_modulus) = Self::powers(quantity);
+        let share = |power: i32, error: f64| if power == 0 { 0.0 } else { f64::from(power.abs()) * error };
+        match self.here.0 > 0.0 && self.here.1 > 0.0 {
+            true => share(of_strength, self.errors.0) + share(of_modulus, self.errors.1),
+            false => 0.0,
+        }
+    }
+}
+
+/// The cells of one point of the grid at all temperatures.
+pub(super) struct Column<'a> {
+    pub temperatures: &'a [f64],
+    pub units: &'a Units,
+    pub cells: Vec<Option<&'a Cell>>,
+}
+
+impl Column<'_> {
+    /// The cell between two that are there.
+    pub(super) fn at(&self, place: Location, temperature: f64) -> Cell {
+        let mut cell = Cell::new();
+        let base = |quantity: Quantity| if quantity.is_temperature() { temperature } else { 0.0 };
+        for quantity in Quantity::ALL {
+            let value = |member: usize| self.scaled(member, quantity, |cell| cell[quantity].value);
+            let line = Line::new(self.temperatures, place, value, blend_one);
+            let unit = Units::of(quantity, self.units.here);
+            let found = unit * line.value();
+            let [e, f] = [place.index, place.index + 1]
+                .map(|member| self.cells[member].map_or(f64::NAN, |cell| cell[quantity].error));
+            let given = (1.0 - place.t) * e + place.t * f;
+            let error = given + unit * line.error() + self.units.error(quantity) * found.abs();
+            cell[quantity] = Estimate { value: base(quantity) + found, error };
+        }
+        for quantity in Quantity::HISTORIES {
+            let points = self.cells[place.index].map_or(0, |cell| cell.history(quantity).len());
+            let unit = Units::of(quantity, self.units.here);
+            let point = |k: usize| {
+                let value = |member: usize| self.scaled(member, quantity, |cell| cell.history(quantity)[k]);
+                base(quantity) + unit * Line::new(self.temperatures, place, value, blend_one).value()
+            };
+            cell = cell.with_history(quantity, (0..points).map(point).collect());
+        }
+        let sides = [self.cells[place.index], self.cells[place.index + 1]];
+        cell.levelled = sides.iter().flatten().all(|side| side.levelled);
+        cell.wall_time = 0.0;
+        for warning in sides.iter().flatten().flat_map(|side| &side.warnings) {
+            if !cell.warnings.contains(warning) {
+                cell.warnings.push(warning.clone());
+            }
+        }
+        cell
+    }
+
+    /// A number of the cell of a member in its unit; of a temperature the rise above the initial one.
+    fn scaled(&self, member: usize, quantity: Quantity, of: impl Fn(&Cell) -> f64) -> f64 {
+        let base = if quantity.is_temperature() { self.temperatures[member] } else { 0.0 };
+        let value = self.cells[member].map_or(f64::NAN, of) - base;
+        value / Units::of(quantity, self.units.members[member])
+    }
+}
