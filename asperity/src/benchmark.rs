@@ -6,7 +6,6 @@ use crate::conduction::{Conduction, ContactHeat};
 use crate::contact::{Contact, Flat};
 use crate::harmonic::SingleFactors;
 use crate::mechanics::Mechanics;
-use crate::mesh::MeshSize;
 use crate::preconditioner::Preconditioner;
 use crate::press::press_on;
 use crate::problem::{Discretisation, Problem, SHEAR_RATIO};
@@ -54,11 +53,7 @@ impl Kernels {
     pub fn new(scene: &Scene, distance: f64) -> Self {
         let problem = Problem::new(scene);
         let resolution = Resolution::choose(&scene.numerics);
-        let size = MeshSize {
-            contact_radius: problem.expected_contact_radius(),
-            elements_per_radius: resolution.elements_per_radius,
-            growth_zone: resolution.growth_zone,
-        };
+        let size = resolution.mesh_size(problem.expected_contact_radius());
         let (pressed, _) = press_on(&problem, size, resolution.press_increments).expect("a press that works");
         let radius = pressed.contact.radius(&pressed.contact.committed);
         let (body, contact, displacement) = pressed.into_parts();
@@ -113,20 +108,16 @@ impl Kernels {
         self.body.stiffness_loss(&self.displacement, &mut self.force);
     }
 
-    /// About 680 operations for an elastic element at one angle: strains and forces 288 each, the rest
-    /// stresses. Geometry is read once per element, fields once.
+    /// About 940 operations for an element that flows at one angle: strains and forces 288 each, the rest
+    /// stresses; the others are passed over. Geometry is read once per element, fields once.
     pub fn tangent_work(&self) -> Work {
         let mesh = &self.body.mesh;
         let lanes = mesh.sectors.columns();
-        let elements = mesh.elements.len();
-        let flowing = self.body.flowing_share();
-        let plastic = (260.0 * flowing) as usize;
-        let history = (4.0 * 8.0 * 8.0 * flowing) as usize;
+        let flowing = (self.body.flowing_share() * mesh.elements.len() as f64) as usize;
         Work {
-            operations: elements * lanes * (680 + plastic),
-            bytes: elements * size_of::<crate::element::Element>()
-                + 4 * 8 * self.displacement.len()
-                + elements * lanes * history,
+            operations: flowing * lanes * 940,
+            bytes: flowing * (size_of::<crate::element::Element>() + 4 * 8 * 8 * lanes)
+                + 4 * 8 * self.displacement.len(),
         }
     }
 

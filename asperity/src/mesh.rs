@@ -23,13 +23,15 @@ pub struct MeshSize {
     pub elements_per_radius: usize,
     /// The rings keep their edge size up to here, in contact radii: the contact grows while it slides.
     pub growth_zone: f64,
+    /// How often the layer at the surface is halved, for what heat does in a thin one.
+    pub surface_halvings: u32,
 }
 
 impl MeshSize {
     /// With the room for growth that most slides need.
     #[cfg(test)]
     pub fn new(contact_radius: f64, elements_per_radius: usize) -> Self {
-        Self { contact_radius, elements_per_radius, growth_zone: GROWTH_ZONE }
+        Self { contact_radius, elements_per_radius, growth_zone: GROWTH_ZONE, surface_halvings: 0 }
     }
 
     /// Whether the mesh fits into the hemisphere: the fine block does, and the elements around it
@@ -80,7 +82,7 @@ impl MeridianMesh {
     pub fn new(size: MeshSize) -> Self {
         let a = size.contact_radius;
         let rings: Vec<f64> = ring_radii(size).iter().map(|r| r * a).collect();
-        let depths: Vec<f64> = layer_depths(size.elements_per_radius).iter().map(|d| d * a).collect();
+        let depths: Vec<f64> = layer_depths(size).iter().map(|d| d * a).collect();
         let columns = rings.len() - 1;
         let layers = depths.len() - 1;
 
@@ -221,16 +223,21 @@ fn ring_radii(size: MeshSize) -> Vec<f64> {
     radii
 }
 
-/// Depths of the layers under the surface in units of the contact radius.
-fn layer_depths(n: usize) -> Vec<f64> {
-    let mut size = SURFACE_LAYER / n as f64;
-    let growth = 1.0 + 1.6 / n as f64;
+/// Depths of the layers under the surface in units of the contact radius: growing fast up to the usual
+/// size at the surface where the first is thinner than that, then slowly.
+fn layer_depths(size: MeshSize) -> Vec<f64> {
+    let n = size.elements_per_radius as f64;
+    let usual = SURFACE_LAYER / n;
+    let mut thickness = usual * 0.5f64.powi(size.surface_halvings as i32);
     let mut depths = vec![0.0];
     let mut depth = 0.0;
     while depth < BLOCK_DEPTH {
-        depth += size;
+        depth += thickness;
         depths.push(depth);
-        size *= growth;
+        thickness = match thickness < usual {
+            true => (thickness * (1.0 + 4.8 / n)).min(usual),
+            false => thickness * (1.0 + 1.6 / n),
+        };
     }
     depths
 }
@@ -273,6 +280,7 @@ mod tests {
             contact_radius,
             elements_per_radius: 6,
             growth_zone,
+            surface_halvings: (10.0 * growth_zone) as u32 % 3,
         };
         assert!(size(0.3, GROWTH_ZONE).fits() && size(0.1, 4.0).fits());
         assert!(!size(0.6, GROWTH_ZONE).fits() && !size(0.3, 4.0).fits() && !size(40.0, GROWTH_ZONE).fits());
@@ -297,6 +305,22 @@ mod tests {
         };
         assert!(error(16) < 0.02);
         assert!(error(16) / error(32) > 3.0, "{} {}", error(16), error(32));
+    }
+
+    /// Finer at the surface only: the layers below are those of the mesh without, a little shifted.
+    #[test]
+    fn halvings_add_few_layers() {
+        for n in [4, 8, 16] {
+            let size = MeshSize::new(0.05, n);
+            let usual = layer_depths(size);
+            for surface_halvings in [1, 2, 4] {
+                let depths = layer_depths(MeshSize { surface_halvings, ..size });
+                assert!((depths[1] / usual[1] * 2f64.powi(surface_halvings as i32) - 1.0).abs() < 1e-12);
+                // As many as it takes to grow back by that factor, one to spare.
+                let most = (surface_halvings as f64 * 2f64.ln() / (1.0 + 4.8 / n as f64).ln()).ceil();
+                assert!(depths.len() <= usual.len() + most as usize + 1, "{n} {surface_halvings}");
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What the asked accuracy means for mesh, sectors, increments and heat.
 
 use crate::error_budget::RelativeParts;
-use crate::mesh::GROWTH_ZONE;
+use crate::mesh::{GROWTH_ZONE, MeshSize};
 use crate::problem::SHEAR_RATIO;
 use crate::scene::{Numerics, Scene, Softening, Switch};
 use crate::slide::Increments;
@@ -33,6 +33,8 @@ pub struct Resolution {
     pub sectors: usize,
     /// Room of the mesh for the contact to grow, see [`crate::mesh::MeshSize`].
     pub growth_zone: f64,
+    /// How often the layer at the surface is halved, see [`surface_halvings`].
+    pub surface_halvings: u32,
     pub press_increments: usize,
     pub increments: Increments,
     /// Relative residual at which a step counts as solved.
@@ -55,10 +57,17 @@ impl Resolution {
             elements_per_radius,
             sectors,
             growth_zone: GROWTH_ZONE,
+            surface_halvings: 0,
             press_increments: (PRESS_INCREMENTS * elements_per_radius).min(MOST_PRESS_INCREMENTS),
             increments: Increments { growth, coupling_limit: COUPLING_LIMIT },
             tolerance: NEWTON_TOLERANCE,
         }
+    }
+
+    /// Of a mesh that is laid out for a contact radius, over R.
+    pub fn mesh_size(&self, contact_radius: f64) -> MeshSize {
+        let Self { elements_per_radius, growth_zone, surface_halvings, .. } = *self;
+        MeshSize { contact_radius, elements_per_radius, growth_zone, surface_halvings }
     }
 
     /// On a mesh half as fine, all else alike.
@@ -171,6 +180,14 @@ pub fn softening_number(scene: &Scene, slip_rate: f64, contact_radius: f64) -> f
     let strength = scene.interface.strength_factor * SHEAR_RATIO * scene.material.yield_strength;
     scene.interface.heat_partition * strength * slip_rate * contact_radius
         / (scene.material.thermal_conductivity * range.max(1.0))
+}
+
+/// How often the layer of elements at the surface is halved, whatever n_c: until it is no thicker than 4/n_c
+/// of the layer that frictional heat reaches while the flat passes over the contact, √(κa/V) = a/√Pe. Under the
+/// interface the body softens in that layer, and yields there.
+pub fn surface_halvings(peclet: f64) -> u32 {
+    const MOST: f64 = 6.0;
+    (peclet.sqrt() / 8.0).log2().ceil().clamp(0.0, MOST) as u32
 }
 
 /// Whether heat is computed; says why not.

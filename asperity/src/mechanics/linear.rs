@@ -61,13 +61,13 @@ impl Mechanics {
             if next <= target {
                 break;
             }
+            // Also β of the next direction.
             rate = next / rho;
-            let beta = rate;
             for i in 0..n {
-                p[i] = z[i] + beta * p[i];
+                p[i] = z[i] + rate * p[i];
             }
             for (m, r) in unyielding.iter_mut().zip(&r) {
-                *m = r + beta * *m;
+                *m = r + rate * *m;
             }
             rho = next;
         }

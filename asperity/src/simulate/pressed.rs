@@ -189,6 +189,7 @@ impl Pressed {
         let known = meshes.iter().find(|mesh| {
             mesh.size.elements_per_radius == resolution.elements_per_radius
                 && mesh.size.growth_zone == resolution.growth_zone
+                && mesh.size.surface_halvings == resolution.surface_halvings
                 && mesh.press_increments == resolution.press_increments
         });
         if let Some(mesh) = known {
@@ -221,8 +222,8 @@ pub(super) fn press_mesh(
     let clock = Clock::now();
     /// Increments that find the radius, over those of the press that counts.
     const TO_FIND_RADIUS: usize = 4;
-    let Resolution { elements_per_radius, press_increments, growth_zone, .. } = *resolution;
-    let size_for = |contact_radius: f64| MeshSize { contact_radius, elements_per_radius, growth_zone };
+    let Resolution { press_increments, growth_zone, .. } = *resolution;
+    let size_for = |contact_radius: f64| resolution.mesh_size(contact_radius);
     let on = |mut contact_radius: f64, increments: usize| {
         for _ in 0..LAYOUTS_PAST_RIM {
             if watch.cancelled() {

@@ -12,10 +12,9 @@ use crate::body_fields::BodyFields;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::mechanics::{Effort, Mechanics};
-use crate::mesh::MeshSize;
 use crate::problem::Discretisation;
 use crate::recording::{Fields, Recorder};
-use crate::resolution::{Resolution, choose_heat, softening_number};
+use crate::resolution::{Resolution, choose_heat, softening_number, surface_halvings};
 use crate::scalars::Scalars;
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure};
@@ -83,6 +82,7 @@ impl<'a> Task<'a> {
         mut progress: impl FnMut(f64, &str),
     ) -> Result<Run, SimulationError> {
         let problem = &self.pressed.problem;
+        let resolution = &self.at_surface(resolution);
         let pressed = self.pressed.mesh(resolution, self.watch)?;
         let clock = Clock::now();
         let discretisation = Discretisation::new(problem, pressed.size, Sectors::full(resolution.sectors))
@@ -165,29 +165,33 @@ impl<'a> Task<'a> {
         Ok(first.into_iter().chain(runs).collect())
     }
 
-    /// A warning where the layer that frictional heat reaches while the flat passes over the contact,
-    /// √(κa/V), is thinner than the elements can tell.
-    ///
-    /// The body under the interface then softens in a layer that a finer mesh would show: titanium at
-    /// 50 ω_c and 10 m/s, where the layer is a third of an element at 8 elements per radius, has mu
-    /// 0.0695 there and 0.0747 at 16.
+    /// The resolution with the mesh as thin at the surface as heat needs it.
+    fn at_surface(&self, resolution: &Resolution) -> Resolution {
+        Resolution { surface_halvings: surface_halvings(self.peclet()), ..*resolution }
+    }
+
+    /// aV/κ, 0 without heat.
+    fn peclet(&self) -> f64 {
+        if self.heat { self.speed * self.pressed.contact_radius } else { 0.0 }
+    }
+
+    /// A warning where the layer that frictional heat reaches is thinner than that of the elements at the surface,
+    /// however thin these are made.
     pub(super) fn unresolved_layer(&self, resolution: &Resolution) -> Option<String> {
-        const LEAST: f64 = 0.5;
-        let peclet = self.speed * self.pressed.contact_radius;
-        let share = resolution.elements_per_radius as f64 / peclet.sqrt();
-        (self.heat && share < LEAST).then(|| {
+        let surface = 0.5f64.powi(surface_halvings(self.peclet()) as i32 + 1);
+        let share = resolution.elements_per_radius as f64 / (surface * self.peclet().sqrt());
+        (share < 1.0).then(|| {
             format!(
-                "frictional heat stays in a layer of {share:.2} elements: mu may be off by more than its \
-                 error; elements_per_radius = {} would resolve it",
-                (LEAST * peclet.sqrt()).ceil()
+                "frictional heat stays in a layer of {share:.2} of the elements at the surface: mu may be off by \
+                 more than its error; elements_per_radius = {} would resolve it",
+                (resolution.elements_per_radius as f64 / share).ceil()
             )
         })
     }
 
     /// Whether the hemisphere has room for the mesh.
     pub(super) fn fits(&self, resolution: &Resolution) -> bool {
-        let Resolution { elements_per_radius, growth_zone, .. } = *resolution;
-        MeshSize { contact_radius: self.pressed.contact_radius, elements_per_radius, growth_zone }.fits()
+        self.at_surface(resolution).mesh_size(self.pressed.contact_radius).fits()
     }
 
     pub(super) fn scalars(&self, mesh: &PressedMesh, slid: &Slid) -> Scalars {
