@@ -2,7 +2,7 @@
 //!
 //! Problem: a sphere pressed far below yield, then moved sideways at constant interference
 //! without heat. ν = 0.499, where normal and tangential tractions of a rigid flat and a half
-//! space do not act on each other; ω₀ = 0.05 ω_c, a = 0.0001 R; n_c = 8, N_θ = 8.
+//! space do not act on each other; ω₀ = 0.05 ω_c, a = 0.0001 R; n_c = 12, N_θ = 8.
 //!
 //! References: interface of constant shear strength, A. R. Savkoor, thesis, Delft (1987),
 //! A. Chateauminois & C. Fretigny, Eur. Phys. J. E 27, 221 (2008),
@@ -22,14 +22,14 @@ const POISSON: f64 = 0.499;
 const STRENGTH_FACTOR: f64 = 0.1;
 const FRICTION: f64 = 0.05;
 
-/// Of Q over the force of gross slip, and of the stiffness: the normal stiffness on this mesh is 2 %
+/// Of Q over the force of gross slip, and of the stiffness: the normal stiffness on this mesh is 1 %
 /// too large (hertz.rs), and the tangential one as much.
-const FORCE: f64 = 0.02;
-/// Of the stick area over the contact area: a ring of nodes half-way out holds about 0.1 of it.
-const STICK: f64 = 0.05;
+const FORCE: f64 = 0.01;
+/// Of the stick area over the contact area: a ring of nodes half-way out holds about 0.07 of it.
+const STICK: f64 = 0.035;
 
 fn scene_of(law: FrictionLaw) -> (Scene, Hertz) {
-    let mut scene = scene(plain_material(POISSON), law, 0.05, mesh(8, 8));
+    let mut scene = scene(plain_material(POISSON), law, 0.05, mesh(12, 8));
     scene.interface.strength_factor = STRENGTH_FACTOR;
     let hertz = Hertz::of(&scene);
     (scene, hertz)
@@ -91,14 +91,14 @@ fn constant_shear_strength() {
     let sliding = end.friction * (end.slip - gross);
     let unit = full * gross;
     let (work, stored, dissipated) = constant_shear::energies_at_gross_slip();
-    // Of the unit, all three: the work is off by 0.008 and the stored energy by 0.004 at n_c = 8.
+    // Of the unit, all three: the dissipation is off by 0.006, the stored energy by 0.004.
     for (name, value, reference) in [
         ("work", end.work - sliding, work),
         ("stored energy", end.energy_elastic, stored),
         ("dissipation", end.dissipation_friction - sliding, dissipated),
     ] {
         println!("{name}: {}, reference {reference}", value / unit);
-        assert!((value / unit - reference).abs() < 0.015, "{name}: {}, not {reference}", value / unit);
+        assert!((value / unit - reference).abs() < 0.01, "{name}: {}, not {reference}", value / unit);
     }
 }
 
@@ -108,7 +108,7 @@ fn coulomb() {
     let (g, a) = (hertz.tangential_modulus, hertz.contact_radius);
     let gross = mindlin::gross_slip_displacement(FRICTION, hertz.load, g, a);
     let outcome = slide(scene, &hertz, gross);
-    // The computed P, 3 % above Hertz's, sets the scale of Coulomb friction.
+    // The computed P, some 2 % above Hertz's, sets the scale of Coulomb friction.
     let load = pressed(&outcome).load;
     let gross = mindlin::gross_slip_displacement(FRICTION, load, g, a);
     let (force, stick) = (mindlin::force_fraction, mindlin::stick_radius_fraction);
