@@ -313,7 +313,7 @@ impl Contact {
 
     /// Where the edge of the trial state lies along each angle (see [`contact_edge`]), in cells of the rings from
     /// the axis on; the cell of a ring reaches half a spacing to both sides.
-    fn trial_edges(&self) -> Vec<f64> {
+    pub fn trial_edges(&self) -> Vec<f64> {
         (0..self.columns).map(|j| self.trial_edge(j)).collect()
     }
 

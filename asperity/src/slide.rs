@@ -11,9 +11,11 @@ use crate::problem::{Problem, SHEAR_RATIO};
 use crate::recording::Recorder;
 use crate::scene::Control;
 use crate::timings::Kernel;
+use edge_search::EdgeSearch;
 use friction_heat::{HeatSources, contact_rise};
 use shear_limits::{interface_hardening, shear_limits, shear_strength};
 
+mod edge_search;
 mod friction_heat;
 mod shear_limits;
 
@@ -300,6 +302,7 @@ impl<'a> Slide<'a> {
         let contact = &mut self.mechanics.contact;
         contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
         contact.cover_to(&edges);
+        let mut edge = EdgeSearch::default();
         let solved = self.mechanics.solve(
             flat,
             self.hold,
@@ -309,7 +312,8 @@ impl<'a> Slide<'a> {
                     return None;
                 }
                 if iteration > 0 {
-                    contact.update_cover();
+                    let edges = edge.next(contact.edges(), contact.trial_edges());
+                    contact.cover_to(&edges);
                 }
                 let stretched =
                     if problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };

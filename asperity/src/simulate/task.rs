@@ -60,6 +60,8 @@ pub(super) struct Task<'a> {
     /// VR/κ.
     pub(super) speed: f64,
     pub(super) heat: bool,
+    /// Of the meshes, see [`surface_halvings`].
+    surface_halvings: u32,
     pub(super) watch: &'a dyn Watch,
 }
 
@@ -73,7 +75,15 @@ impl<'a> Task<'a> {
         let units = pressed.problem.units;
         let number = softening_number(&pressed.scene, slip_rate, pressed.contact_radius * units.length);
         let heat = choose_heat(&pressed.scene, slip_rate, number, notes);
-        Self { pressed, speed: slip_rate / units.speed(), heat, watch }
+        let mut task = Self { pressed, speed: slip_rate / units.speed(), heat, surface_halvings: 0, watch };
+        // The coarsest mesh of the run decides what all of them have.
+        let coarse = pressed.resolution.coarse();
+        let fit = |halvings: &u32| {
+            let resolution = Resolution { surface_halvings: *halvings, ..coarse };
+            resolution.mesh_size(pressed.contact_radius).fits()
+        };
+        task.surface_halvings = (1..=surface_halvings(task.peclet())).rev().find(fit).unwrap_or(0);
+        task
     }
 
     pub(super) fn slide(
@@ -167,7 +177,7 @@ impl<'a> Task<'a> {
 
     /// The resolution with the mesh as thin at the surface as heat needs it.
     fn at_surface(&self, resolution: &Resolution) -> Resolution {
-        Resolution { surface_halvings: surface_halvings(self.peclet()), ..*resolution }
+        Resolution { surface_halvings: self.surface_halvings, ..*resolution }
     }
 
     /// aV/κ, 0 without heat.
@@ -178,7 +188,7 @@ impl<'a> Task<'a> {
     /// A warning where the layer that frictional heat reaches is thinner than that of the elements at the surface,
     /// however thin these are made.
     pub(super) fn unresolved_layer(&self, resolution: &Resolution) -> Option<String> {
-        let surface = 0.5f64.powi(surface_halvings(self.peclet()) as i32 + 1);
+        let surface = 0.5f64.powi(self.surface_halvings as i32 + 1);
         let share = resolution.elements_per_radius as f64 / (surface * self.peclet().sqrt());
         (share < 1.0).then(|| {
             format!(
