@@ -3,9 +3,13 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::sync::{Mutex, MutexGuard, OnceLock};
+use std::sync::OnceLock;
 
 use tables::table::{Metadata, Table};
+
+mod program;
+
+use program::{alone, text};
 
 const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
                        [loading]\nslip_distance = 0.05\n\
@@ -14,17 +18,6 @@ const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius =
 
 fn asperity(directory: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_asperity")).args(arguments).current_dir(directory).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-/// One test at a time: a program started by one would inherit the files that another has open in
-/// the HDF5 library, and with them their locks.
-fn alone() -> MutexGuard<'static, ()> {
-    static ALONE: Mutex<()> = Mutex::new(());
-    ALONE.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
 }
 
 /// A folder with the undivided table and both shards of it.
