@@ -214,3 +214,30 @@ pub fn choose_heat(scene: &Scene, slip_rate: f64, number: f64, notes: &mut Vec<S
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::MeridianMesh;
+
+    /// The first layer under the surface is thin beside the heated one, and no thinner than needed.
+    #[test]
+    fn layers_at_the_surface_follow_the_heat() {
+        let contact_radius = 0.01;
+        for elements_per_radius in [4, 8, 16] {
+            for peclet in [0.0, 1.0, 64.0, 65.0, 400.0, 5e3] {
+                let surface_halvings = surface_halvings(peclet);
+                let size =
+                    MeshSize { surface_halvings, ..MeshSize::new(contact_radius, elements_per_radius) };
+                let mesh = MeridianMesh::new(size);
+                // Below the apex, which is the first ring of the block.
+                let below = mesh.nodes.iter().filter(|node| node[0] == 0.0 && node[1] < 0.0);
+                let thickness = below.map(|node| -node[1]).fold(f64::INFINITY, f64::min);
+                let heated = contact_radius / peclet.sqrt();
+                let most = 4.0 / elements_per_radius as f64 * heated;
+                assert!(thickness <= most * (1.0 + 1e-9), "{elements_per_radius} {peclet}");
+                assert!(surface_halvings == 0 || thickness > 0.49 * most, "{elements_per_radius} {peclet}");
+            }
+        }
+    }
+}
