@@ -19,17 +19,22 @@ fn main() {
     divan::main();
 }
 
-fn scene(elements: usize, sectors: usize) -> Scene {
+fn scene(elements: usize, sectors: usize, kinematics: &str) -> Scene {
     let text = format!(
         "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
          [loading]\ninterference = 20.0\nslip_rate = 1.0\n\
+         [model]\nkinematics = \"{kinematics}\"\n\
          [numerics]\nelements_per_radius = {elements}\nsectors = {sectors}\n"
     );
     parse_scene(&text, "benchmark", &[]).expect("a scene")
 }
 
-fn kernels((elements, sectors): (usize, usize)) -> Kernels {
-    let mut kernels = Kernels::new(&scene(elements, sectors), 0.1);
+fn kernels(size: (usize, usize)) -> Kernels {
+    kernels_at("small", size)
+}
+
+fn kernels_at(kinematics: &str, (elements, sectors): (usize, usize)) -> Kernels {
+    let mut kernels = Kernels::new(&scene(elements, sectors, kinematics), 0.1);
     kernels.internal_force();
     kernels.precondition();
     kernels
@@ -44,6 +49,13 @@ fn internal_force(bencher: Bencher, size: (usize, usize)) {
     let mut kernels = kernels(size);
     // As many as a tangent product has, and more for the powers of the hardening law.
     counted(bencher, kernels.tangent_work(), || kernels.internal_force());
+}
+
+/// Beside the one above, which is at small strain.
+#[divan::bench(args = SIZES)]
+fn internal_force_at_finite_strain(bencher: Bencher, size: (usize, usize)) {
+    let mut kernels = kernels_at("finite", size);
+    bencher.bench_local(|| kernels.internal_force());
 }
 
 #[divan::bench(args = SIZES)]
@@ -90,7 +102,7 @@ fn conduction_step(bencher: Bencher, size: (usize, usize)) {
 /// Press and slide by a tenth of a contact radius.
 #[divan::bench(sample_count = 5)]
 fn small_slide(bencher: Bencher) {
-    let scene = scene(4, 4);
+    let scene = scene(4, 4, "small");
     bencher.bench_local(|| Kernels::new(black_box(&scene), 0.1).steps());
 }
 

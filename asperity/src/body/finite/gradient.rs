@@ -3,19 +3,27 @@
 //! Two-point tensors have components (i, J), the first and the second index in the orthonormal
 //! basis (e_r, e_θ, e_z) of the material point before deformation: `h[i][j]` = ∂u_i/∂X_J.
 
-use super::spectral::PAIR;
 use crate::element::{CORNERS, ShapeAtPoint, VALUES};
-use crate::lanes::{Lanes, add_scaled};
+use crate::lanes::{Lanes, Pack, add_scaled};
 
 /// Components (i, J).
-pub type TwoPoint<const W: usize> = [[Lanes<W>; 3]; 3];
+pub type TwoPoint<T> = [[T; 3]; 3];
+
+/// Components of a symmetric tensor, see [`PAIR`].
+pub type Symmetric<T> = [T; 6];
+
+/// Tensor components of the six that are stored: (rr, θθ, zz, rθ, θz, zr).
+pub const PAIR: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
+
+/// Place in [`PAIR`] of two indices.
+pub const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
 /// ∂u_i/∂X_J at a Gauss point.
 #[inline(always)]
 pub fn displacement_gradient<const W: usize>(
     shape: &[ShapeAtPoint; CORNERS],
     values: &[[Lanes<W>; VALUES]; CORNERS],
-) -> TwoPoint<W> {
+) -> TwoPoint<Lanes<W>> {
     let mut h = [[[0.0; W]; 3]; 3];
     for (n, v) in shape.iter().zip(values) {
         for i in 0..3 {
@@ -34,7 +42,7 @@ pub fn displacement_gradient<const W: usize>(
 #[inline(always)]
 pub fn add_stress_force<const W: usize>(
     shape: &[ShapeAtPoint; CORNERS],
-    stress: &TwoPoint<W>,
+    stress: &TwoPoint<Lanes<W>>,
     force: &mut [[Lanes<W>; VALUES]; CORNERS],
 ) {
     for (n, f) in shape.iter().zip(force) {
@@ -50,29 +58,18 @@ pub fn add_stress_force<const W: usize>(
 
 /// F = 1 + h.
 #[inline(always)]
-pub fn deformation_gradient<const W: usize>(h: &TwoPoint<W>) -> TwoPoint<W> {
+pub fn deformation_gradient<V: Pack>(h: &TwoPoint<V>) -> TwoPoint<V> {
     let mut f = *h;
     for (i, row) in f.iter_mut().enumerate() {
-        for value in &mut row[i] {
-            *value += 1.0;
-        }
+        row[i] = row[i] + V::splat(1.0);
     }
     f
 }
 
-/// C − 1 = h + hᵀ + hᵀh, by pairs.
+/// C − 1 = h + hᵀ + hᵀh.
 #[inline(always)]
-pub fn cauchy_green_excess<const W: usize>(h: &TwoPoint<W>) -> [Lanes<W>; 6] {
-    let mut c = [[0.0; W]; 6];
-    for (v, &(a, b)) in PAIR.iter().enumerate() {
-        for l in 0..W {
-            c[v][l] = h[a][b][l] + h[b][a][l];
-            for row in h {
-                c[v][l] += row[a][l] * row[b][l];
-            }
-        }
-    }
-    c
+pub fn cauchy_green_excess<V: Pack>(h: &TwoPoint<V>) -> Symmetric<V> {
+    PAIR.map(|(a, b)| h.iter().fold(h[a][b] + h[b][a], |sum, row| row[a].mul_add(row[b], sum)))
 }
 
 /// Index that follows i, cyclically.
@@ -82,28 +79,20 @@ pub const fn after(i: usize) -> usize {
 
 /// ∂J/∂F, the cofactors of F.
 #[inline(always)]
-pub fn cofactors<const W: usize>(f: &TwoPoint<W>) -> TwoPoint<W> {
-    let mut cofactors = [[[0.0; W]; 3]; 3];
-    for i in 0..3 {
-        for j in 0..3 {
+pub fn cofactors<V: Pack>(f: &TwoPoint<V>) -> TwoPoint<V> {
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
             let (k, m, n, o) = (after(i), after(after(i)), after(j), after(after(j)));
-            for l in 0..W {
-                cofactors[i][j][l] = f[k][n][l] * f[m][o][l] - f[k][o][l] * f[m][n][l];
-            }
-        }
-    }
-    cofactors
+            f[k][n].mul_add(f[m][o], -(f[k][o] * f[m][n]))
+        })
+    })
 }
 
 /// J − 1, to all digits for small gradients: tr h + tr cof h + det h.
 #[inline(always)]
-pub fn volume_excess<const W: usize>(h: &TwoPoint<W>) -> Lanes<W> {
+pub fn volume_excess<V: Pack>(h: &TwoPoint<V>) -> V {
     let cofactors = cofactors(h);
-    let mut excess = [0.0; W];
-    for l in 0..W {
-        for i in 0..3 {
-            excess[l] += h[i][i][l] + cofactors[i][i][l] + h[0][i][l] * cofactors[0][i][l];
-        }
-    }
-    excess
+    (0..3).fold(V::splat(0.0), |sum, i| {
+        sum + (h[i][i] + h[0][i].mul_add(cofactors[0][i], cofactors[i][i]))
+    })
 }

@@ -18,20 +18,25 @@ use super::heat::ElementHeat;
 use super::{Body, TENSOR};
 use crate::elastic;
 use crate::element::{CORNERS, POINTS, VALUES};
-use crate::lanes::{Lanes, fma};
+use crate::lanes::{Lanes, Pack, fma};
 use crate::sectors::VECTOR_PARITY;
 use gradient::{
-    TwoPoint, add_stress_force, cauchy_green_excess, cofactors, deformation_gradient, displacement_gradient,
-    volume_excess,
+    Symmetric, TwoPoint, add_stress_force, cauchy_green_excess, cofactors, deformation_gradient,
+    displacement_gradient, volume_excess,
 };
-use moduli::{ENTRIES, LogModuli, PointFrame, add_volume_curvature, symmetric_product};
-use resolvents::{SMALL, SmallLog};
-use spectral::{Spectral, log_1p};
+use log_strain::{Rules, first_piola};
+use moduli::{ENTRIES, LogModuli, add_volume_curvature, symmetric_product};
+use wide::{f64x4, f64x8};
 
 mod gradient;
+mod log_strain;
 mod moduli;
-mod resolvents;
-mod spectral;
+
+/// Largest component of the displacement gradient up to which the moduli of small strain will do.
+const SMALL: f64 = 1e-2;
+
+/// Lanes of a pack at most.
+const MOST_LANES: usize = 8;
 
 /// Values per point: ∂P/∂F and ∂J/∂F, times the point's weight.
 const POINT_VALUES: usize = ENTRIES + 9;
@@ -47,6 +52,7 @@ pub struct FiniteTangent {
     small: Vec<bool>,
     /// ψ'' over ∫J dV of each element: (K − p)/(V J̄²), p the mean stress.
     volumetric: Vec<f64>,
+    rules: Rules,
 }
 
 impl FiniteTangent {
@@ -60,6 +66,7 @@ impl FiniteTangent {
             point: vec![0.0; elements * POINTS * POINT_VALUES * lanes],
             small: vec![false; elements * lanes],
             volumetric: vec![0.0; elements * lanes],
+            rules: Rules::new(),
         }
     }
 }
@@ -67,17 +74,16 @@ impl FiniteTangent {
 impl Body {
     /// As [`Body::internal_force`]. Where a point is turned inside out, the force is not a number.
     pub(super) fn finite_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        // Points beside angles: the spectral decomposition is a long chain of roots and quotients, of
-        // which the machine works on several at once.
+        // Points beside angles where these alone do not fill a vector register.
         match self.mesh.sectors.columns() {
-            1 => self.finite_force_lanes::<1, 4, 4>(u, rise, force),
-            n if n % 8 == 0 => self.finite_force_lanes::<8, 2, 16>(u, rise, force),
-            _ => self.finite_force_lanes::<4, 2, 8>(u, rise, force),
+            1 => self.finite_force_lanes::<1, 4, f64x4>(u, rise, force),
+            n if n % 8 == 0 => self.finite_force_lanes::<8, 1, f64x8>(u, rise, force),
+            _ => self.finite_force_lanes::<4, 2, f64x8>(u, rise, force),
         }
     }
 
-    /// W angles and P points at a time, L = WP lanes.
-    fn finite_force_lanes<const W: usize, const P: usize, const L: usize>(
+    /// W angles and P points at a time, which V has room for.
+    fn finite_force_lanes<const W: usize, const P: usize, V: Pack>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
@@ -93,7 +99,7 @@ impl Body {
                 let displacement =
                     self.mesh.gather_vector::<W>(u, &self.slope, &self.mesh.elements[e], first);
                 let nodal_force =
-                    self.finite_element_force::<W, P, L>(e, first, &displacement, rise, &mut tangent);
+                    self.finite_element_force::<W, P, V>(e, first, &displacement, rise, &mut tangent);
                 let element = &self.mesh.elements[e];
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
@@ -103,7 +109,7 @@ impl Body {
     }
 
     #[inline(always)]
-    fn finite_element_force<const W: usize, const P: usize, const L: usize>(
+    fn finite_element_force<const W: usize, const P: usize, V: Pack>(
         &mut self,
         e: usize,
         first: usize,
@@ -115,23 +121,25 @@ impl Body {
         let at = e * lanes + first;
         let heat = self.element_heat::<W>(e, first, rise, self.solid.stiffness_varies());
         let (volume, weight) = (self.mesh.elements[e].volume, self.mesh.elements[e].weight);
-        let mut gradients = [[[[0.0; W]; 3]; 3]; POINTS];
+        let mut gradients = [[[V::splat(0.0); 3]; 3]; POINTS];
         let mut excess = [0.0; W];
-        let mut largest = [0.0f64; W];
-        for q in 0..POINTS {
-            gradients[q] = displacement_gradient(&self.mesh.elements[e].shape[q], displacement);
-            let point = volume_excess(&gradients[q]);
-            for l in 0..W {
-                let inverted = point[l] <= -1.0;
-                excess[l] += if inverted { f64::NAN } else { weight[q] / volume * point[l] };
-            }
-            for component in gradients[q].as_flattened() {
+        let mut largest = V::splat(0.0);
+        for (chunk, gradient) in gradients[..POINTS / P].iter_mut().enumerate() {
+            let of_points: [TwoPoint<Lanes<W>>; P] = std::array::from_fn(|p| {
+                displacement_gradient(&self.mesh.elements[e].shape[chunk * P + p], displacement)
+            });
+            *gradient =
+                std::array::from_fn(|i| std::array::from_fn(|j| pack::<W, P, V>(|p| &of_points[p][i][j])));
+            largest = gradient.as_flattened().iter().fold(largest, |largest, &h| h.larger(largest));
+            let point = volume_excess(gradient);
+            for p in 0..P {
+                let (point, share) = (unpack::<W, V>(point, p), weight[chunk * P + p] / volume);
                 for l in 0..W {
-                    largest[l] = largest[l].max(component[l].abs());
+                    let inverted = point[l] <= -1.0;
+                    excess[l] += if inverted { f64::NAN } else { share * point[l] };
                 }
             }
         }
-        let largest = largest.into_iter().fold(0.0, f64::max);
         // p/J̄, by which ∂J/∂F gives the stress.
         let mut pressure = [0.0; W];
         let ln_ratio = log_1p(&excess);
@@ -148,59 +156,42 @@ impl Body {
         if let Some(stiffness) = &heat.stiffness {
             self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
         }
-        let small = largest <= SMALL;
+        let small = largest.largest() <= SMALL;
         tangent.small[at] = small;
+        let pressure_of_points = pack::<W, P, V>(|_| &pressure);
         let mut any_flows = false;
         let mut force = [[[0.0; W]; VALUES]; CORNERS];
-        for chunk in (0..POINTS).step_by(P) {
-            let gradient: TwoPoint<L> = std::array::from_fn(|i| {
-                std::array::from_fn(|j| join::<W, L>(|p, l| gradients[chunk + p][i][j][l]))
-            });
-            let f = deformation_gradient(&gradient);
-            let excess = cauchy_green_excess(&gradient);
+        for (chunk, gradient) in gradients[..POINTS / P].iter().enumerate() {
+            let chunk = chunk * P;
+            let f = deformation_gradient(gradient);
             let cofactors = cofactors(&f);
-            let (stress, flows) = if small {
-                let small = SmallLog::new(&excess);
-                let log_strain = small.log_strain();
-                let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, log_strain, &heat);
-                (small.first_piola(&f, &log_stress), flows)
-            } else {
-                let spectral = Spectral::new(&excess);
-                let log_strain = spectral.log_strain();
-                let (log_stress, flows) = self.log_stress::<W, P, L>(e, chunk, first, log_strain, &heat);
-                let frame = PointFrame::new(spectral, &f, &log_stress);
-                let moduli = self.log_moduli::<W, L>(e, chunk, first, flows, heat.stiffness.as_ref());
-                let mut moduli = frame.tangent(&moduli);
-                add_volume_curvature(&join::<W, L>(|_, l| pressure[l]), &f, &mut moduli);
+            let log = tangent.rules.log(&cauchy_green_excess(gradient));
+            let (log_stress, flows) = self.log_stress::<W, P, V>(e, chunk, first, &log.strain(), &heat);
+            let second = log.second_piola(&log_stress);
+            any_flows |= flows;
+            if !small {
+                let moduli = self.log_moduli::<W, P, V>(e, chunk, first, flows, heat.stiffness.as_ref());
+                let mut moduli = moduli::tangent(&log, &f, &log_stress, &second, &moduli);
+                add_volume_curvature(pressure_of_points, &f, &mut moduli);
+                let values = moduli.iter().chain(cofactors.as_flattened());
                 for p in 0..P {
                     let q = chunk + p;
-                    let mut keep = |i: usize, value: &Lanes<L>| {
-                        let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
-                        let target = &mut tangent.point[place..place + W];
-                        (0..W).for_each(|l| target[l] = (weight[q] * value[p * W + l]) as f32);
-                    };
-                    for i in 0..ENTRIES {
-                        keep(i, &moduli[i]);
-                    }
-                    for i in 0..9 {
-                        keep(ENTRIES + i, &cofactors[i / 3][i % 3]);
+                    let place = (e * POINTS + q) * POINT_VALUES * lanes + first;
+                    for (target, &value) in tangent.point[place..].chunks_mut(lanes).zip(values.clone()) {
+                        let value = unpack::<W, V>(value, p);
+                        (0..W).for_each(|l| target[l] = (weight[q] * value[l]) as f32);
                     }
                 }
-                (frame.first_piola(), flows)
-            };
-            any_flows |= flows;
+            }
+            let stress: TwoPoint<V> = first_piola(&f, &second);
             for p in 0..P {
                 let q = chunk + p;
-                let mut of_point = [[[0.0; W]; 3]; 3];
-                for i in 0..3 {
-                    for j in 0..3 {
-                        let (deviatoric, cofactor) = (&stress[i][j][p * W..], &cofactors[i][j][p * W..]);
-                        for l in 0..W {
-                            let sum = fma(pressure[l], cofactor[l], deviatoric[l]);
-                            of_point[i][j][l] = weight[q] * sum;
-                        }
-                    }
-                }
+                let of_point = std::array::from_fn(|i| {
+                    std::array::from_fn(|j| {
+                        let sum = pressure_of_points.mul_add(cofactors[i][j], stress[i][j]);
+                        unpack::<W, V>(V::splat(weight[q]) * sum, p)
+                    })
+                });
                 add_stress_force(&self.mesh.elements[e].shape[q], &of_point, &mut force);
             }
         }
@@ -210,55 +201,44 @@ impl Body {
 
     /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.
     #[inline(always)]
-    fn log_stress<const W: usize, const P: usize, const L: usize>(
+    fn log_stress<const W: usize, const P: usize, V: Pack>(
         &mut self,
         e: usize,
         chunk: usize,
         first: usize,
-        log_strain: [Lanes<L>; TENSOR],
+        log_strain: &Symmetric<V>,
         heat: &ElementHeat<W>,
-    ) -> ([Lanes<L>; TENSOR], bool) {
-        let mut deviator = log_strain;
-        for l in 0..L {
-            let third = (log_strain[0][l] + log_strain[1][l] + log_strain[2][l]) / 3.0;
-            for component in &mut deviator[..3] {
-                component[l] -= third;
-            }
-        }
-        let mut log_stress = [[0.0; L]; TENSOR];
+    ) -> (Symmetric<V>, bool) {
+        let third = V::splat(1.0 / 3.0) * (log_strain[0] + log_strain[1] + log_strain[2]);
+        let deviator: Symmetric<V> =
+            std::array::from_fn(|v| if v < 3 { log_strain[v] - third } else { log_strain[v] });
         let stale = self.tangent.flows[e * self.mesh.sectors.columns() + first];
         let mut flows = false;
-        for p in 0..P {
-            let of_point = deviator.map(|component| part::<W, L>(&component, p));
+        let of_points: [[Lanes<W>; TENSOR]; P] = std::array::from_fn(|p| {
+            let of_point = deviator.map(|component| unpack::<W, V>(component, p));
             let (stress, flowing) =
                 self.point_stress::<W>(e, chunk + p, first, &of_point, heat.at_point(chunk + p), stale);
             flows |= flowing;
-            for (joined, component) in log_stress.iter_mut().zip(&stress) {
-                joined[p * W..][..W].copy_from_slice(component);
-            }
-        }
-        (log_stress, flows)
+            stress
+        });
+        (std::array::from_fn(|v| pack::<W, P, V>(|p| &of_points[p][v])), flows)
     }
 
     /// Moduli in logarithmic strain after [`Body::log_stress`].
     #[inline(always)]
-    fn log_moduli<const W: usize, const L: usize>(
+    fn log_moduli<const W: usize, const P: usize, V: Pack>(
         &self,
         e: usize,
         chunk: usize,
         first: usize,
         flows: bool,
         stiffness: Option<&Lanes<W>>,
-    ) -> LogModuli<L> {
-        let coefficient = |i: usize| join::<W, L>(|p, l| self.coefficient::<W>(e, chunk + p, i, first)[l]);
-        let scaled = |i: usize| {
-            join::<W, L>(|p, l| {
-                stiffness.map_or(1.0, |factor| factor[l]) * self.coefficient::<W>(e, chunk + p, i, first)[l]
-            })
-        };
+    ) -> LogModuli<V> {
+        let coefficient = |i: usize| pack::<W, P, V>(|p| self.coefficient::<W>(e, chunk + p, i, first));
+        let stiffness = stiffness.map_or(V::splat(1.0), |factor| pack::<W, P, V>(|_| factor));
         LogModuli {
-            shear: scaled(0),
-            radial: scaled(1),
+            shear: stiffness * coefficient(0),
+            radial: stiffness * coefficient(1),
             // Stale where nothing flows, and its factor zero.
             direction: flows.then(|| std::array::from_fn(|i| coefficient(2 + i))),
         }
@@ -283,7 +263,7 @@ impl Body {
         // Change of ∫J dV.
         let mut growth = [0.0; W];
         for q in 0..POINTS {
-            let gradient: TwoPoint<W> = displacement_gradient(&element.shape[q], displacement);
+            let gradient: TwoPoint<Lanes<W>> = displacement_gradient(&element.shape[q], displacement);
             stresses[q] = symmetric_product(|i| value(q, i), &gradient);
             for i in 0..9 {
                 let (cofactor, component) = (value(q, ENTRIES + i), &gradient[i / 3][i % 3]);
@@ -313,16 +293,27 @@ impl Body {
     }
 }
 
-/// Lanes of several points, W angles each, side by side.
-#[inline(always)]
-fn join<const W: usize, const L: usize>(value: impl Fn(usize, usize) -> f64) -> Lanes<L> {
-    std::array::from_fn(|lane| value(lane / W, lane % W))
+/// ln(1 + x), small x to all digits.
+fn log_1p<const W: usize>(x: &Lanes<W>) -> Lanes<W> {
+    x.map(f64::ln_1p)
 }
 
-/// The lanes of point p of those side by side.
+/// P points of W angles each, side by side.
 #[inline(always)]
-fn part<const W: usize, const L: usize>(joined: &Lanes<L>, p: usize) -> Lanes<W> {
-    std::array::from_fn(|l| joined[p * W + l])
+fn pack<'a, const W: usize, const P: usize, V: Pack>(of_point: impl Fn(usize) -> &'a [f64]) -> V {
+    let mut lanes = [0.0; MOST_LANES];
+    for p in 0..P {
+        lanes[p * W..][..W].copy_from_slice(&of_point(p)[..W]);
+    }
+    V::load(&lanes)
+}
+
+/// The angles of point p of those side by side.
+#[inline(always)]
+fn unpack<const W: usize, V: Pack>(packed: V, p: usize) -> Lanes<W> {
+    let mut lanes = [0.0; MOST_LANES];
+    packed.store(&mut lanes);
+    std::array::from_fn(|l| lanes[p * W + l])
 }
 
 #[cfg(test)]
