@@ -69,7 +69,14 @@ pub fn deformation_gradient<V: Pack>(h: &TwoPoint<V>) -> TwoPoint<V> {
 /// C − 1 = h + hᵀ + hᵀh.
 #[inline(always)]
 pub fn cauchy_green_excess<V: Pack>(h: &TwoPoint<V>) -> Symmetric<V> {
-    PAIR.map(|(a, b)| h.iter().fold(h[a][b] + h[b][a], |sum, row| row[a].mul_add(row[b], sum)))
+    let mut c = [V::splat(0.0); 6];
+    for (v, (a, b)) in PAIR.into_iter().enumerate() {
+        c[v] = h[a][b] + h[b][a];
+        for row in h {
+            c[v] = row[a].mul_add(row[b], c[v]);
+        }
+    }
+    c
 }
 
 /// Index that follows i, cyclically.
@@ -80,12 +87,14 @@ pub const fn after(i: usize) -> usize {
 /// ∂J/∂F, the cofactors of F.
 #[inline(always)]
 pub fn cofactors<V: Pack>(f: &TwoPoint<V>) -> TwoPoint<V> {
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
+    let mut cofactors = *f;
+    for i in 0..3 {
+        for j in 0..3 {
             let (k, m, n, o) = (after(i), after(after(i)), after(j), after(after(j)));
-            f[k][n].mul_add(f[m][o], -(f[k][o] * f[m][n]))
-        })
-    })
+            cofactors[i][j] = f[k][n].mul_add(f[m][o], -(f[k][o] * f[m][n]));
+        }
+    }
+    cofactors
 }
 
 /// J − 1, to all digits for small gradients: tr h + tr cof h + det h.

@@ -76,10 +76,18 @@ impl<V: Pack> LogStrain<'_, V> {
         let mut sum = [V::splat(0.0); 6];
         for &(t, weight) in self.points {
             let resolvent = resolvent(t, &self.excess);
-            sum = std::array::from_fn(|v| V::splat(0.5 * weight).mul_add(resolvent[v], sum[v]));
+            for v in 0..6 {
+                sum[v] = V::splat(0.5 * weight).mul_add(resolvent[v], sum[v]);
+            }
         }
         // Matrices that commute have a symmetric product.
-        PAIR.map(|(i, j)| row_times(&self.excess, i, &sum, j))
+        let mut strain = sum;
+        for i in 0..3 {
+            for j in i..3 {
+                strain[PLACE[i][j]] = row_times(&self.excess, i, &sum, j);
+            }
+        }
+        strain
     }
 
     /// S of the stress T that works on E.
@@ -88,7 +96,9 @@ impl<V: Pack> LogStrain<'_, V> {
         let mut second = [V::splat(0.0); 6];
         for &(t, weight) in self.points {
             let congruent = congruence(&resolvent(t, &self.excess), log_stress);
-            second = std::array::from_fn(|v| V::splat(weight).mul_add(congruent[v], second[v]));
+            for v in 0..6 {
+                second[v] = V::splat(weight).mul_add(congruent[v], second[v]);
+            }
         }
         second
     }
@@ -101,9 +111,9 @@ impl<V: Pack> LogStrain<'_, V> {
         let mut second = first;
         for &(t, weight) in self.points {
             let a = resolvent(t, &self.excess);
-            add_square(&a.map(|x| V::splat(weight) * x), &a, &mut first);
+            add_square(V::splat(weight), &a, &a, &mut first);
             let b = congruence(&a, log_stress);
-            add_square(&b.map(|x| V::splat(-4.0 * weight * t) * x), &a, &mut second);
+            add_square(V::splat(-4.0 * weight * t), &b, &a, &mut second);
         }
         (first, second)
     }
@@ -151,26 +161,40 @@ fn times<V: Pack>(row: &[V; 3], b: &Symmetric<V>, j: usize) -> V {
 /// ABA of symmetric A and B.
 #[inline(always)]
 fn congruence<V: Pack>(a: &Symmetric<V>, b: &Symmetric<V>) -> Symmetric<V> {
-    let rows: [[V; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| row_times(a, i, b, j)));
-    PAIR.map(|(i, j)| times(&rows[i], a, j))
+    let zero = V::splat(0.0);
+    let mut product = [zero; 6];
+    for i in 0..3 {
+        let mut row = [zero; 3];
+        for j in 0..3 {
+            row[j] = row_times(a, i, b, j);
+        }
+        for j in i..3 {
+            product[PLACE[i][j]] = times(&row, a, j);
+        }
+    }
+    product
 }
 
-/// Adds e_v:(A e_w B) over the symmetric units e_v of [`PAIR`], shears of two halves, made symmetric in A and B.
-/// For A = B it is component v of A e_w A. Places below the diagonal stay as they are.
+/// Adds factor·e_v:(A e_w B) over the symmetric units e_v of [`PAIR`], shears of two halves, made symmetric in A
+/// and B. For A = B it is component v of A e_w A. Places below the diagonal stay as they are.
 #[inline(always)]
-fn add_square<V: Pack>(a: &Symmetric<V>, b: &Symmetric<V>, sum: &mut [Symmetric<V>; 6]) {
-    let half = V::splat(0.5);
+fn add_square<V: Pack>(factor: V, a: &Symmetric<V>, b: &Symmetric<V>, sum: &mut [Symmetric<V>; 6]) {
+    let half = V::splat(0.5) * factor;
+    let mut scaled = *a;
+    for x in &mut scaled {
+        *x = half * *x;
+    }
     // A_ac B_bd + A_bd B_ac.
-    let both = |a_c: usize, b_d: usize| a[a_c].mul_add(b[b_d], a[b_d] * b[a_c]);
+    let both = |a_c: usize, b_d: usize| scaled[a_c].mul_add(b[b_d], scaled[b_d] * b[a_c]);
     for v in 0..6 {
         for w in v..6 {
             let ((p, q), (r, s)) = (PAIR[v], PAIR[w]);
-            let straight = half * both(PLACE[p][r], PLACE[q][s]);
+            let straight = both(PLACE[p][r], PLACE[q][s]);
             let place = &mut sum[v][w];
-            *place = if v < 3 || w < 3 {
+            *place = if v < 3 {
                 *place + straight
             } else {
-                half.mul_add(straight + half * both(PLACE[p][s], PLACE[q][r]), *place)
+                V::splat(0.5).mul_add(straight + both(PLACE[p][s], PLACE[q][r]), *place)
             };
         }
     }

@@ -35,9 +35,12 @@ pub fn tangent<V: Pack>(
 ) -> [V; ENTRIES] {
     let material = material_moduli(log, log_stress, moduli);
     // H_jm = ½ Σ F_ij dF_im + F_im dF_ij, so that row v of the moduli gives Σ_m F_im times the place of (j, m).
-    let rows: [[V; 9]; 6] = std::array::from_fn(|v| {
-        std::array::from_fn(|at| pulled(&f[at / 3], at % 3, |place| material[v][place]))
-    });
+    let mut rows = [[V::splat(0.0); 9]; 6];
+    for v in 0..6 {
+        for i in 0..9 {
+            rows[v][i] = pulled(&f[i / 3], i % 3, |place| material[v][place]);
+        }
+    }
     let mut tangent = [V::splat(0.0); ENTRIES];
     for i in 0..9 {
         for j in i..9 {
@@ -59,8 +62,8 @@ pub fn tangent<V: Pack>(
 /// Σ_m F_im x_jm of a symmetric x, given a row of F.
 #[inline(always)]
 fn pulled<V: Pack>(row: &[V; 3], j: usize, x: impl Fn(usize) -> V) -> V {
-    let [first, middle, last] = PLACE[j].map(x);
-    row[0].mul_add(first, row[1].mul_add(middle, row[2] * last))
+    let [first, middle, last] = PLACE[j];
+    row[0].mul_add(x(first), row[1].mul_add(x(middle), row[2] * x(last)))
 }
 
 /// ∂S/∂(½C) over the symmetric units of which shears are two halves.
@@ -71,30 +74,31 @@ fn material_moduli<V: Pack>(
     moduli: &LogModuli<V>,
 ) -> [Symmetric<V>; 6] {
     let (mut first, mut material) = log.derivatives(log_stress);
-    // Components of K on a unit, in columns; twice for the shears where tensors are contracted.
     for v in 0..6 {
         for w in 0..v {
             first[v][w] = first[w][v];
         }
     }
-    let doubled: [Symmetric<V>; 6] =
-        std::array::from_fn(|v| if v < 3 { first[v] } else { first[v].map(|x| x + x) });
-    let trace: Symmetric<V> =
-        std::array::from_fn(|v| V::splat(1.0 / 3.0) * moduli.shear * (first[0][v] + first[1][v] + first[2][v]));
-    let flow = moduli.direction.as_ref().map(|n| -> Symmetric<V> {
-        std::array::from_fn(|v| (1..6).fold(n[0] * doubled[0][v], |sum, u| n[u].mul_add(doubled[u][v], sum)))
-    });
+    // Row v of K holds what tensors e_v are contracted with; a contraction counts shears twice.
+    let contracted = |x: &Symmetric<V>, y: &Symmetric<V>| {
+        let shears = x[3].mul_add(y[3], x[4].mul_add(y[4], x[5] * y[5]));
+        x[0].mul_add(y[0], x[1].mul_add(y[1], x[2].mul_add(y[2], shears + shears)))
+    };
+    let (mut trace, mut flow) = ([V::splat(0.0); 6], [V::splat(0.0); 6]);
+    for v in 0..6 {
+        trace[v] = first[v][0] + first[v][1] + first[v][2];
+        if let Some(n) = &moduli.direction {
+            flow[v] = contracted(n, &first[v]);
+        }
+    }
+    let third = V::splat(-1.0 / 3.0) * moduli.shear;
     for v in 0..6 {
         for w in v..6 {
-            let product = (1..6).fold(first[0][v] * doubled[0][w], |sum, u| first[u][v].mul_add(doubled[u][w], sum));
-            let of_trace = first[0][w] + first[1][w] + first[2][w];
-            let mut sum = moduli.shear.mul_add(product, material[v][w]);
-            sum = sum - trace[v] * of_trace;
-            if let Some(flow) = &flow {
-                sum = (moduli.radial * flow[v]).mul_add(flow[w], sum);
-            }
-            material[v][w] = sum;
-            material[w][v] = sum;
+            let product = contracted(&first[v], &first[w]);
+            let with_trace = (third * trace[v]).mul_add(trace[w], material[v][w]);
+            let with_flow = (moduli.radial * flow[v]).mul_add(flow[w], with_trace);
+            material[v][w] = moduli.shear.mul_add(product, with_flow);
+            material[w][v] = material[v][w];
         }
     }
     material
