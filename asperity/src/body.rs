@@ -14,6 +14,7 @@ use crate::element::{
 use crate::lanes::Lanes;
 use crate::material::{Solid, Trial};
 use crate::sectors::VECTOR_PARITY;
+use wide::{f64x4, f64x8};
 
 mod energies;
 mod heat;
@@ -361,7 +362,11 @@ impl Body {
     /// at the last internal force. Only elements that flow, have other moduli or large displacement gradients
     /// have a share in it.
     pub fn stiffness_loss(&mut self, u: &[f64], force: &mut [f64]) {
-        by_lanes!(self.stiffness_loss_lanes(u, force));
+        match self.mesh.sectors.columns() {
+            1 => self.stiffness_loss_lanes::<1, f64>(u, force),
+            n if n % 8 == 0 => self.stiffness_loss_lanes::<8, f64x8>(u, force),
+            _ => self.stiffness_loss_lanes::<4, f64x4>(u, force),
+        }
     }
 
     /// Product with the consistent tangent itself.

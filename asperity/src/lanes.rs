@@ -36,6 +36,9 @@ pub trait Pack:
     /// The first numbers of a slice.
     fn load(from: &[f64]) -> Self;
 
+    /// The first numbers of a slice in single precision.
+    fn load_single(from: &[f32]) -> Self;
+
     /// To the first places of a slice.
     fn store(self, to: &mut [f64]);
 
@@ -58,6 +61,11 @@ impl Pack for f64 {
     #[inline(always)]
     fn load(from: &[f64]) -> Self {
         from[0]
+    }
+
+    #[inline(always)]
+    fn load_single(from: &[f32]) -> Self {
+        f64::from(from[0])
     }
 
     #[inline(always)]
@@ -93,6 +101,12 @@ macro_rules! pack {
             fn load(from: &[f64]) -> Self {
                 let first: &[f64; $width] = from[..$width].try_into().expect("so many");
                 Self::new(*first)
+            }
+
+            #[inline(always)]
+            fn load_single(from: &[f32]) -> Self {
+                let first: &[f32; $width] = from[..$width].try_into().expect("so many");
+                Self::new(first.map(f64::from))
             }
 
             #[inline(always)]

@@ -8,11 +8,12 @@ use super::{Body, TENSOR};
 #[cfg(test)]
 use crate::elastic;
 use crate::element::{CORNERS, POINTS, VALUES, deviators_and_dilatation, stress_force};
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Pack};
 use crate::sectors::VECTOR_PARITY;
 
 impl Body {
-    pub(super) fn stiffness_loss_lanes<const W: usize>(&mut self, u: &[f64], force: &mut [f64]) {
+    /// V has room for W angles.
+    pub(super) fn stiffness_loss_lanes<const W: usize, V: Pack>(&mut self, u: &[f64], force: &mut [f64]) {
         force.fill(0.0);
         self.on_slope.fill(0.0);
         self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
@@ -26,7 +27,7 @@ impl Body {
                 }
                 let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
                 let loss = if large {
-                    self.finite_loss(e, first, &displacement)
+                    self.finite_loss::<W, V>(e, first, &displacement)
                 } else {
                     self.small_loss(e, first, &displacement)
                 };

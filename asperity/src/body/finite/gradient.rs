@@ -4,7 +4,7 @@
 //! basis (e_r, e_θ, e_z) of the material point before deformation: `h[i][j]` = ∂u_i/∂X_J.
 
 use crate::element::{CORNERS, ShapeAtPoint, VALUES};
-use crate::lanes::{Lanes, Pack, add_scaled};
+use crate::lanes::Pack;
 
 /// Components (i, J).
 pub type TwoPoint<T> = [[T; 3]; 3];
@@ -18,41 +18,61 @@ pub const PAIR: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (
 /// Place in [`PAIR`] of two indices.
 pub const PLACE: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
-/// ∂u_i/∂X_J at a Gauss point.
+/// Derivatives of a corner's shape function at as many Gauss points as fit beside the angles.
+pub type PackedShape<V> = [[V; 3]; CORNERS];
+
+/// (∂/∂r, 1/r, ∂/∂z) of each corner at the points that `of_points` gives.
 #[inline(always)]
-pub fn displacement_gradient<const W: usize>(
-    shape: &[ShapeAtPoint; CORNERS],
-    values: &[[Lanes<W>; VALUES]; CORNERS],
-) -> TwoPoint<Lanes<W>> {
-    let mut h = [[[0.0; W]; 3]; 3];
-    for (n, v) in shape.iter().zip(values) {
+pub fn packed_shape<const P: usize, V: Pack>(
+    of_points: [&[ShapeAtPoint; CORNERS]; P],
+    spread: impl Fn([f64; P]) -> V,
+) -> PackedShape<V> {
+    let mut shape = [[spread([0.0; P]); 3]; CORNERS];
+    for (corner, packed) in shape.iter_mut().enumerate() {
+        let of_corner = of_points.map(|shape| &shape[corner]);
+        *packed = [
+            spread(of_corner.map(|n| n.dr)),
+            spread(of_corner.map(|n| n.over_r)),
+            spread(of_corner.map(|n| n.dz)),
+        ];
+    }
+    shape
+}
+
+/// ∂u_i/∂X_J at Gauss points.
+#[inline(always)]
+pub fn displacement_gradient<V: Pack>(
+    shape: &PackedShape<V>,
+    values: &[[V; VALUES]; CORNERS],
+) -> TwoPoint<V> {
+    let mut h = [[V::splat(0.0); 3]; 3];
+    for ([dr, over_r, dz], v) in shape.iter().zip(values) {
         for i in 0..3 {
-            add_scaled(&mut h[i][0], n.dr, &v[i]);
-            add_scaled(&mut h[i][1], n.over_r, &v[i + 3]);
-            add_scaled(&mut h[i][2], n.dz, &v[i]);
+            h[i][0] = dr.mul_add(v[i], h[i][0]);
+            h[i][1] = over_r.mul_add(v[i + 3], h[i][1]);
+            h[i][2] = dz.mul_add(v[i], h[i][2]);
         }
         // The basis turns with θ.
-        add_scaled(&mut h[0][1], -n.over_r, &v[1]);
-        add_scaled(&mut h[1][1], n.over_r, &v[0]);
+        h[0][1] = (-*over_r).mul_add(v[1], h[0][1]);
+        h[1][1] = over_r.mul_add(v[0], h[1][1]);
     }
     h
 }
 
 /// Adds the forces on the corners that work as the stress P, already times the point's weight.
 #[inline(always)]
-pub fn add_stress_force<const W: usize>(
-    shape: &[ShapeAtPoint; CORNERS],
-    stress: &TwoPoint<Lanes<W>>,
-    force: &mut [[Lanes<W>; VALUES]; CORNERS],
+pub fn add_stress_force<V: Pack>(
+    shape: &PackedShape<V>,
+    stress: &TwoPoint<V>,
+    force: &mut [[V; VALUES]; CORNERS],
 ) {
-    for (n, f) in shape.iter().zip(force) {
+    for ([dr, over_r, dz], f) in shape.iter().zip(force) {
         for i in 0..3 {
-            add_scaled(&mut f[i], n.dr, &stress[i][0]);
-            add_scaled(&mut f[i], n.dz, &stress[i][2]);
-            add_scaled(&mut f[i + 3], n.over_r, &stress[i][1]);
+            f[i] = dr.mul_add(stress[i][0], dz.mul_add(stress[i][2], f[i]));
+            f[i + 3] = over_r.mul_add(stress[i][1], f[i + 3]);
         }
-        add_scaled(&mut f[1], -n.over_r, &stress[0][1]);
-        add_scaled(&mut f[0], n.over_r, &stress[1][1]);
+        f[1] = (-*over_r).mul_add(stress[0][1], f[1]);
+        f[0] = over_r.mul_add(stress[1][1], f[0]);
     }
 }
 

@@ -18,11 +18,11 @@ use super::heat::ElementHeat;
 use super::{Body, TENSOR};
 use crate::elastic;
 use crate::element::{CORNERS, POINTS, VALUES};
-use crate::lanes::{Lanes, Pack, fma};
+use crate::lanes::{Lanes, Pack};
 use crate::sectors::VECTOR_PARITY;
 use gradient::{
-    Symmetric, TwoPoint, add_stress_force, cauchy_green_excess, cofactors, deformation_gradient,
-    displacement_gradient, volume_excess,
+    Symmetric, add_stress_force, cauchy_green_excess, cofactors, deformation_gradient,
+    displacement_gradient, packed_shape, volume_excess,
 };
 use log_strain::{Rules, first_piola};
 use moduli::{ENTRIES, LogModuli, add_volume_curvature, symmetric_product};
@@ -121,15 +121,17 @@ impl Body {
         let at = e * lanes + first;
         let heat = self.element_heat::<W>(e, first, rise, self.solid.stiffness_varies());
         let (volume, weight) = (self.mesh.elements[e].volume, self.mesh.elements[e].weight);
-        let mut gradients = [[[V::splat(0.0); 3]; 3]; POINTS];
+        let zero = V::splat(0.0);
+        let values = packed_values::<W, P, V>(displacement);
+        let shapes = |chunk: usize| {
+            let of_points = std::array::from_fn(|p| &self.mesh.elements[e].shape[chunk * P + p]);
+            packed_shape::<P, V>(of_points, spread::<W, P, V>)
+        };
+        let mut gradients = [[[zero; 3]; 3]; POINTS];
         let mut excess = [0.0; W];
-        let mut largest = V::splat(0.0);
+        let mut largest = zero;
         for (chunk, gradient) in gradients[..POINTS / P].iter_mut().enumerate() {
-            let of_points: [TwoPoint<Lanes<W>>; P] = std::array::from_fn(|p| {
-                displacement_gradient(&self.mesh.elements[e].shape[chunk * P + p], displacement)
-            });
-            *gradient =
-                std::array::from_fn(|i| std::array::from_fn(|j| pack::<W, P, V>(|p| &of_points[p][i][j])));
+            *gradient = displacement_gradient(&shapes(chunk), &values);
             largest = gradient.as_flattened().iter().fold(largest, |largest, &h| h.larger(largest));
             let point = volume_excess(gradient);
             for p in 0..P {
@@ -160,7 +162,7 @@ impl Body {
         tangent.small[at] = small;
         let pressure_of_points = pack::<W, P, V>(|_| &pressure);
         let mut any_flows = false;
-        let mut force = [[[0.0; W]; VALUES]; CORNERS];
+        let mut force = [[zero; VALUES]; CORNERS];
         for (chunk, gradient) in gradients[..POINTS / P].iter().enumerate() {
             let chunk = chunk * P;
             let f = deformation_gradient(gradient);
@@ -183,20 +185,16 @@ impl Body {
                     }
                 }
             }
-            let stress: TwoPoint<V> = first_piola(&f, &second);
-            for p in 0..P {
-                let q = chunk + p;
-                let of_point = std::array::from_fn(|i| {
-                    std::array::from_fn(|j| {
-                        let sum = pressure_of_points.mul_add(cofactors[i][j], stress[i][j]);
-                        unpack::<W, V>(V::splat(weight[q]) * sum, p)
-                    })
-                });
-                add_stress_force(&self.mesh.elements[e].shape[q], &of_point, &mut force);
+            let mut stress = first_piola(&f, &second);
+            let weight = spread::<W, P, V>(std::array::from_fn(|p| weight[chunk + p]));
+            for (stress, cofactor) in stress.as_flattened_mut().iter_mut().zip(cofactors.as_flattened()) {
+                *stress = weight * pressure_of_points.mul_add(*cofactor, *stress);
             }
+            let of_points = std::array::from_fn(|p| &self.mesh.elements[e].shape[chunk + p]);
+            add_stress_force(&packed_shape::<P, V>(of_points, spread::<W, P, V>), &stress, &mut force);
         }
         self.tangent.flows[at] = any_flows;
-        force
+        summed::<W, P, V>(&force)
     }
 
     /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.
@@ -246,7 +244,7 @@ impl Body {
 
     /// Share in [`Body::stiffness_loss`] of an element with large displacement gradients.
     #[inline(always)]
-    pub(super) fn finite_loss<const W: usize>(
+    pub(super) fn finite_loss<const W: usize, V: Pack>(
         &self,
         e: usize,
         first: usize,
@@ -257,34 +255,30 @@ impl Body {
         let tangent = self.finite.as_ref().expect("of a body at finite strain");
         let value = |q: usize, i: usize| {
             let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
-            &tangent.point[place..place + W]
+            V::load_single(&tangent.point[place..place + W])
         };
-        let mut stresses = [[[[0.0; W]; 3]; 3]; POINTS];
+        let zero = V::splat(0.0);
+        let values = packed_values::<W, 1, V>(displacement);
+        let shape = |q: usize| packed_shape::<1, V>([&element.shape[q]], spread::<W, 1, V>);
+        let mut stresses = [[[zero; 3]; 3]; POINTS];
         // Change of ∫J dV.
-        let mut growth = [0.0; W];
+        let mut growth = zero;
         for q in 0..POINTS {
-            let gradient: TwoPoint<Lanes<W>> = displacement_gradient(&element.shape[q], displacement);
+            let gradient = displacement_gradient(&shape(q), &values);
             stresses[q] = symmetric_product(|i| value(q, i), &gradient);
-            for i in 0..9 {
-                let (cofactor, component) = (value(q, ENTRIES + i), &gradient[i / 3][i % 3]);
-                for l in 0..W {
-                    growth[l] = fma(f64::from(cofactor[l]), component[l], growth[l]);
-                }
+            for (i, component) in gradient.as_flattened().iter().enumerate() {
+                growth = value(q, ENTRIES + i).mul_add(*component, growth);
             }
         }
-        for l in 0..W {
-            growth[l] *= tangent.volumetric[e * lanes + first + l];
-        }
-        let mut nodal_force = [[[0.0; W]; VALUES]; CORNERS];
+        growth = growth * V::load(&tangent.volumetric[e * lanes + first..][..W]);
+        let mut nodal_force = [[zero; VALUES]; CORNERS];
         for q in 0..POINTS {
-            for i in 0..9 {
-                let (cofactor, component) = (value(q, ENTRIES + i), &mut stresses[q][i / 3][i % 3]);
-                for l in 0..W {
-                    component[l] = fma(f64::from(cofactor[l]), growth[l], component[l]);
-                }
+            for (i, component) in stresses[q].as_flattened_mut().iter_mut().enumerate() {
+                *component = value(q, ENTRIES + i).mul_add(growth, *component);
             }
-            add_stress_force(&element.shape[q], &stresses[q], &mut nodal_force);
+            add_stress_force(&shape(q), &stresses[q], &mut nodal_force);
         }
+        let nodal_force = summed::<W, 1, V>(&nodal_force);
         let mut loss = elastic::element_force(element, self.solid.moduli, displacement);
         for (loss, force) in loss.as_flattened_mut().iter_mut().zip(nodal_force.as_flattened()) {
             (0..W).for_each(|l| loss[l] -= force[l]);
@@ -306,6 +300,42 @@ fn pack<'a, const W: usize, const P: usize, V: Pack>(of_point: impl Fn(usize) ->
         lanes[p * W..][..W].copy_from_slice(&of_point(p)[..W]);
     }
     V::load(&lanes)
+}
+
+/// The same number at all angles of a point.
+#[inline(always)]
+fn spread<const W: usize, const P: usize, V: Pack>(of_points: [f64; P]) -> V {
+    if P == 1 {
+        return V::splat(of_points[0]);
+    }
+    let mut lanes = [0.0; MOST_LANES];
+    for p in 0..P {
+        lanes[p * W..][..W].fill(of_points[p]);
+    }
+    V::load(&lanes)
+}
+
+/// Values at the corners, the same for all points.
+#[inline(always)]
+fn packed_values<const W: usize, const P: usize, V: Pack>(
+    values: &[[Lanes<W>; VALUES]; CORNERS],
+) -> [[V; VALUES]; CORNERS] {
+    values.each_ref().map(|corner| corner.each_ref().map(|value| pack::<W, P, V>(|_| value)))
+}
+
+/// Forces on the corners, of all points together.
+#[inline(always)]
+fn summed<const W: usize, const P: usize, V: Pack>(
+    force: &[[V; VALUES]; CORNERS],
+) -> [[Lanes<W>; VALUES]; CORNERS] {
+    force.map(|corner| {
+        corner.map(|packed| {
+            (1..P).fold(unpack::<W, V>(packed, 0), |sum, p| {
+                let point = unpack::<W, V>(packed, p);
+                std::array::from_fn(|l| sum[l] + point[l])
+            })
+        })
+    })
 }
 
 /// The angles of point p of those side by side.

@@ -6,7 +6,7 @@
 
 use super::gradient::{PLACE, Symmetric, TwoPoint, after};
 use super::log_strain::LogStrain;
-use crate::lanes::{Lanes, Pack, fma};
+use crate::lanes::Pack;
 
 /// Independent entries of the symmetric ∂P/∂F: 9·10/2, row by row.
 pub const ENTRIES: usize = 45;
@@ -134,22 +134,14 @@ pub fn add_volume_curvature<V: Pack>(factor: V, f: &TwoPoint<V>, tangent: &mut [
 
 /// y = A x for a symmetric 9 × 9 matrix, whose entries are `at(place)`.
 #[inline(always)]
-pub fn symmetric_product<'a, const W: usize>(
-    at: impl Fn(usize) -> &'a [f32],
-    x: &TwoPoint<Lanes<W>>,
-) -> TwoPoint<Lanes<W>> {
-    let mut y = [[[0.0; W]; 3]; 3];
+pub fn symmetric_product<V: Pack>(at: impl Fn(usize) -> V, x: &TwoPoint<V>) -> TwoPoint<V> {
+    let mut y = [[V::splat(0.0); 3]; 3];
     for i in 0..9 {
         for j in i..9 {
-            let stored = at(entry(i, j));
-            let a: Lanes<W> = std::array::from_fn(|l| f64::from(stored[l]));
-            for l in 0..W {
-                y[i / 3][i % 3][l] = fma(a[l], x[j / 3][j % 3][l], y[i / 3][i % 3][l]);
-            }
+            let a = at(entry(i, j));
+            y[i / 3][i % 3] = a.mul_add(x[j / 3][j % 3], y[i / 3][i % 3]);
             if i != j {
-                for l in 0..W {
-                    y[j / 3][j % 3][l] = fma(a[l], x[i / 3][i % 3][l], y[j / 3][j % 3][l]);
-                }
+                y[j / 3][j % 3] = a.mul_add(x[i / 3][i % 3], y[j / 3][j % 3]);
             }
         }
     }
