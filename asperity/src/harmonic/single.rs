@@ -5,6 +5,9 @@
 //! one pattern, so the factor consists of 3 × 3 blocks, and a sweep goes through a vector once per
 //! block instead of three times.
 //!
+//! What does not depend on θ has no u_θ, so that one harmonic alone takes 2 × 2 blocks over (u_r, u_z), and leaves
+//! u_θ as it is.
+//!
 //! The rings of the contact come last, the outermost first: a sweep may stop before any of them,
 //! and what it leaves is the stiffness of the body as the rings within feel it.
 
@@ -14,6 +17,12 @@ use super::{FieldKind, HarmonicFactors};
 const SIZE: usize = 3;
 
 type Wide<const M: usize> = [f32; M];
+
+/// Row and column of the entries of a block.
+const FULL: [(usize, usize); SIZE * SIZE] =
+    [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)];
+/// Those over (u_r, u_z), which are all of one harmonic alone.
+const PLANE: [(usize, usize); 4] = [(0, 0), (0, 2), (2, 0), (2, 2)];
 
 /// Factor over nodes, harmonics as lanes.
 #[derive(Debug)]
@@ -25,7 +34,7 @@ pub struct SingleFactors {
     /// Of the blocks below the diagonal, per node.
     start: Vec<u32>,
     row: Vec<u32>,
-    /// 3 × 3 blocks, row by row.
+    /// Those of `places`, block by block.
     block: Vec<f32>,
     /// Per node the inverse diagonal (3 values) and what is below it (10, 20, 21).
     diagonal: Vec<f32>,
@@ -66,7 +75,7 @@ impl SingleFactors {
                 let unknown = factors.row[first[0] + k] as usize;
                 assert!(unknown.is_multiple_of(SIZE));
                 single.row.push(single.place(unknown / SIZE) as u32);
-                for (r, c) in (0..SIZE * SIZE).map(|i| (i / SIZE, i % SIZE)) {
+                for &(r, c) in single.places() {
                     single.block.extend(entry(first[c] + k + r).iter().map(|&x| x as f32));
                 }
             }
@@ -84,6 +93,10 @@ impl SingleFactors {
         }
     }
 
+    fn places(&self) -> &'static [(usize, usize)] {
+        if self.harmonics == 1 { &PLANE } else { &FULL }
+    }
+
     fn add_contact_columns(&mut self) {
         let (lanes, n) = (self.harmonics, SIZE * self.rings);
         for slot in 0..self.rings {
@@ -97,7 +110,7 @@ impl SingleFactors {
             }
             for below in slot + 1..self.rings {
                 self.row.push((self.interior + below) as u32);
-                for (r, c) in (0..SIZE * SIZE).map(|i| (i / SIZE, i % SIZE)) {
+                for &(r, c) in self.places() {
                     self.block.extend(entry(SIZE * below + r, j + c).iter().map(|&x| x as f32));
                 }
             }
@@ -176,7 +189,7 @@ impl SingleFactors {
     pub fn forward(&self, x: &mut [f32], rings: usize) {
         let nodes = self.interior + self.rings - rings;
         match self.harmonics {
-            1 => self.forward_lanes::<1>(x, nodes),
+            1 => self.forward_in_plane(x, nodes),
             4 => self.forward_lanes::<4>(x, nodes),
             8 => self.forward_lanes::<8>(x, nodes),
             16 => self.forward_lanes::<16>(x, nodes),
@@ -188,11 +201,47 @@ impl SingleFactors {
     pub fn backward(&self, x: &mut [f32], rings: usize) {
         let nodes = self.interior + self.rings - rings;
         match self.harmonics {
-            1 => self.backward_lanes::<1>(x, nodes),
+            1 => self.backward_in_plane(x, nodes),
             4 => self.backward_lanes::<4>(x, nodes),
             8 => self.backward_lanes::<8>(x, nodes),
             16 => self.backward_lanes::<16>(x, nodes),
             lanes => (0..lanes).for_each(|lane| self.backward_one(x, nodes, lane)),
+        }
+    }
+
+    fn forward_in_plane(&self, x: &mut [f32], nodes: usize) {
+        let (x, _) = x.as_chunks_mut::<SIZE>();
+        let (diagonal, _) = self.diagonal.as_chunks::<6>();
+        let (block, _) = self.block.as_chunks::<{ PLANE.len() }>();
+        for j in 0..nodes {
+            let [over_r, _, over_z, _, z_r, _] = diagonal[j];
+            let r = x[j][0] * over_r;
+            let z = (x[j][2] - z_r * r) * over_z;
+            (x[j][0], x[j][2]) = (r, z);
+            let entries = self.start[j] as usize..self.start[j + 1] as usize;
+            for ([rr, rz, zr, zz], &i) in block[entries.clone()].iter().zip(&self.row[entries]) {
+                let y = &mut x[i as usize];
+                y[0] -= rr * r + rz * z;
+                y[2] -= zr * r + zz * z;
+            }
+        }
+    }
+
+    fn backward_in_plane(&self, x: &mut [f32], nodes: usize) {
+        let (x, _) = x.as_chunks_mut::<SIZE>();
+        let (diagonal, _) = self.diagonal.as_chunks::<6>();
+        let (block, _) = self.block.as_chunks::<{ PLANE.len() }>();
+        for j in (0..nodes).rev() {
+            let [over_r, _, over_z, _, z_r, _] = diagonal[j];
+            let [mut r, _, mut z] = x[j];
+            let entries = self.start[j] as usize..self.start[j + 1] as usize;
+            for ([rr, rz, zr, zz], &i) in block[entries.clone()].iter().zip(&self.row[entries]) {
+                let y = &x[i as usize];
+                r -= rr * y[0] + zr * y[2];
+                z -= rz * y[0] + zz * y[2];
+            }
+            z *= over_z;
+            (x[j][0], x[j][2]) = ((r - z_r * z) * over_r, z);
         }
     }
 
@@ -347,12 +396,16 @@ mod tests {
         pattern.factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m)).unwrap()
     }
 
-    /// A force that every harmonic has its share of, zero where the axis has no unknowns.
+    /// A force that every harmonic has its share of, zero where the axis has no unknowns, without a hoop component
+    /// if it does not depend on θ.
     fn force(factors: &HarmonicFactors) -> Vec<f64> {
         let nodal: Vec<f64> =
             (0..factors.on_axis.len() * 3 * factors.harmonics()).map(|i| (0.7 * i as f64).sin()).collect();
         let mut modal = vec![0.0; factors.modal_length()];
         factors.to_modal(&nodal, &mut modal);
+        if factors.harmonics() == 1 {
+            modal.iter_mut().skip(1).step_by(SIZE).for_each(|hoop| *hoop = 0.0);
+        }
         modal
     }
 
