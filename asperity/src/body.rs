@@ -11,7 +11,7 @@
 use crate::element::{
     CORNERS, POINTS, RevolvedMesh, deviators_and_dilatation, shape_at_points, stress_force,
 };
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Pack, lanes_of};
 use crate::material::{Solid, Trial};
 use crate::sectors::VECTOR_PARITY;
 use wide::{f64x4, f64x8};
@@ -60,13 +60,13 @@ pub struct Body {
 const TENSOR: usize = 6;
 const COEFFICIENTS: usize = 8;
 
-/// Runs the body with W lanes at a time.
+/// Runs the body with so many angles at a time, and the pack that they fill.
 macro_rules! by_lanes {
     ($self:ident . $method:ident ( $($argument:expr),* )) => {
         match $self.mesh.sectors.columns() {
-            1 => $self.$method::<1>($($argument),*),
-            n if n % 8 == 0 => $self.$method::<8>($($argument),*),
-            _ => $self.$method::<4>($($argument),*),
+            1 => $self.$method::<1, f64>($($argument),*),
+            n if n % 8 == 0 => $self.$method::<8, f64x8>($($argument),*),
+            _ => $self.$method::<4, f64x4>($($argument),*),
         }
     };
 }
@@ -141,22 +141,27 @@ impl Body {
         }
     }
 
-    fn internal_force_varying<const W: usize>(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        self.internal_force_lanes::<W, true>(u, rise, force);
-    }
-
-    fn internal_force_constant<const W: usize>(
+    fn internal_force_varying<const W: usize, V: Pack>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
         force: &mut [f64],
     ) {
-        self.internal_force_lanes::<W, false>(u, rise, force);
+        self.internal_force_lanes::<W, V, true>(u, rise, force);
+    }
+
+    fn internal_force_constant<const W: usize, V: Pack>(
+        &mut self,
+        u: &[f64],
+        rise: Option<&[f64]>,
+        force: &mut [f64],
+    ) {
+        self.internal_force_lanes::<W, V, false>(u, rise, force);
     }
 
     /// VARYING: whether the moduli depend on temperature.
     #[inline(always)]
-    fn internal_force_lanes<const W: usize, const VARYING: bool>(
+    fn internal_force_lanes<const W: usize, V: Pack, const VARYING: bool>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
@@ -170,8 +175,9 @@ impl Body {
             for first in (0..lanes).step_by(W) {
                 let heat = self.element_heat::<W>(e, first, rise, VARYING);
                 let element = &self.mesh.elements[e];
-                let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
+                let displacement = self.mesh.gather_vector::<V>(u, &self.slope, element, first);
                 let (deviators, dilatation) = deviators_and_dilatation(element, &displacement);
+                let dilatation: Lanes<W> = lanes_of(dilatation);
                 let mut mean_stress = [0.0; W];
                 for l in 0..W {
                     mean_stress[l] = self.solid.moduli.bulk * (dilatation[l] - heat.thermal[l]);
@@ -183,20 +189,19 @@ impl Body {
                 }
                 self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
                 self.trial.rise[at..at + W].copy_from_slice(&heat.mean_rise);
-                let mut stresses = [[[0.0; W]; TENSOR]; POINTS];
+                let mean_stress = V::load(&mean_stress);
+                let mut stresses = [[mean_stress; TENSOR]; POINTS];
                 let (stale, mut flows) = (self.tangent.flows[at], false);
                 for q in 0..POINTS {
-                    let (mut stress, flowing) =
-                        self.point_stress::<W>(e, q, first, &deviators[q], heat.at_point(q), stale);
+                    let deviator = deviators[q].map(lanes_of);
+                    let (stress, flowing) =
+                        self.point_stress::<W>(e, q, first, &deviator, heat.at_point(q), stale);
                     flows |= flowing;
-                    let weight = self.mesh.elements[e].weight[q];
-                    for (i, component) in stress.iter_mut().enumerate() {
-                        for l in 0..W {
-                            let mean = if i < 3 { mean_stress[l] } else { 0.0 };
-                            component[l] = weight * (component[l] + mean);
-                        }
+                    let weight = V::splat(self.mesh.elements[e].weight[q]);
+                    for (i, (joined, component)) in stresses[q].iter_mut().zip(&stress).enumerate() {
+                        let deviatoric = V::load(component);
+                        *joined = weight * if i < 3 { deviatoric + mean_stress } else { deviatoric };
                     }
-                    stresses[q] = stress;
                 }
                 self.tangent.flows[at] = flows;
                 let nodal_force = stress_force(&self.mesh.elements[e], &stresses);
@@ -362,11 +367,7 @@ impl Body {
     /// at the last internal force. Only elements that flow, have other moduli or large displacement gradients
     /// have a share in it.
     pub fn stiffness_loss(&mut self, u: &[f64], force: &mut [f64]) {
-        match self.mesh.sectors.columns() {
-            1 => self.stiffness_loss_lanes::<1, f64>(u, force),
-            n if n % 8 == 0 => self.stiffness_loss_lanes::<8, f64x8>(u, force),
-            _ => self.stiffness_loss_lanes::<4, f64x4>(u, force),
-        }
+        by_lanes!(self.stiffness_loss_lanes(u, force));
     }
 
     /// Product with the consistent tangent itself.

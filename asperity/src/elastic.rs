@@ -1,7 +1,7 @@
 //! Linear isotropic elasticity on the revolved mesh: element stiffness and matrix-free product.
 
 use crate::element::{CORNERS, Element, RevolvedMesh, VALUES, deviators_and_dilatation, stress_force};
-use crate::lanes::{Lanes, fma};
+use crate::lanes::Pack;
 
 /// Elastic moduli, in units of the problem's stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,19 +21,17 @@ impl Moduli {
 
 /// Forces of an element from the values of its corners, elastic.
 #[inline(always)]
-pub fn element_force<const W: usize>(
+pub fn element_force<V: Pack>(
     element: &Element,
     moduli: Moduli,
-    values: &[[Lanes<W>; VALUES]; CORNERS],
-) -> [[Lanes<W>; VALUES]; CORNERS] {
+    values: &[[V; VALUES]; CORNERS],
+) -> [[V; VALUES]; CORNERS] {
     let (mut stress, dilatation) = deviators_and_dilatation(element, values);
     for (stress, &weight) in stress.iter_mut().zip(&element.weight) {
-        let (shear, bulk) = (2.0 * moduli.shear * weight, moduli.bulk * weight);
+        let (shear, mean) =
+            (V::splat(2.0 * moduli.shear * weight), V::splat(moduli.bulk * weight) * dilatation);
         for (i, component) in stress.iter_mut().enumerate() {
-            for l in 0..W {
-                let volumetric = if i < 3 { bulk * dilatation[l] } else { 0.0 };
-                component[l] = fma(shear, component[l], volumetric);
-            }
+            *component = if i < 3 { shear.mul_add(*component, mean) } else { shear * *component };
         }
     }
     stress_force(element, &stress)
@@ -46,13 +44,13 @@ pub fn element_stiffness(mesh: &RevolvedMesh, e: usize, moduli: Moduli, m: usize
     let slope = [-(m as f64), m as f64, -(m as f64)];
     let mut matrix = vec![0.0; 12 * 12];
     for j in 0..12 {
-        let mut unit = [[[0.0; 1]; VALUES]; CORNERS];
-        unit[j / 3][j % 3] = [1.0];
-        unit[j / 3][j % 3 + 3] = [slope[j % 3]];
-        let force = element_force::<1>(&mesh.elements[e], moduli, &unit);
+        let mut unit = [[0.0; VALUES]; CORNERS];
+        unit[j / 3][j % 3] = 1.0;
+        unit[j / 3][j % 3 + 3] = slope[j % 3];
+        let force = element_force::<f64>(&mesh.elements[e], moduli, &unit);
         for i in 0..12 {
             let f = &force[i / 3];
-            matrix[i * 12 + j] = f[i % 3][0] + slope[i % 3] * f[i % 3 + 3][0];
+            matrix[i * 12 + j] = f[i % 3] + slope[i % 3] * f[i % 3 + 3];
         }
     }
     matrix
@@ -115,8 +113,8 @@ mod tests {
                     // Only the node's own values are wanted; the rest of the fields stays zero.
                     mesh.sectors.differentiate(&VECTOR_PARITY, &u, &mut slope);
                     for first in 0..count {
-                        let values = mesh.gather_vector::<1>(&u, &slope, element, first);
-                        let f = element_force::<1>(element, moduli, &values);
+                        let values = mesh.gather_vector::<f64>(&u, &slope, element, first);
+                        let f = element_force(element, moduli, &values);
                         mesh.scatter_vector(&f, element, first, &mut force, &mut on_slope);
                     }
                     mesh.sectors.add_transposed(&VECTOR_PARITY, &on_slope, &mut force);

@@ -8,7 +8,7 @@
 //!
 //! Symmetric tensors are stored as (rr, θθ, zz, rθ, θz, zr), shear components unscaled.
 
-use crate::lanes::{Lanes, add_scaled, fma};
+use crate::lanes::{Lanes, Pack};
 use crate::mesh::MeridianMesh;
 use crate::sectors::Sectors;
 
@@ -152,23 +152,24 @@ impl RevolvedMesh {
         (0..ring.len() * columns).map(|i| ring[i / columns] * self.sectors.weight()).collect()
     }
 
-    /// Displacements of an element's corners and their derivatives in θ, at W angles from `first` on.
+    /// Displacements of an element's corners and their derivatives in θ, at as many angles from `first` on as a
+    /// pack holds.
     #[inline(always)]
-    pub fn gather_vector<const W: usize>(
+    pub fn gather_vector<V: Pack>(
         &self,
         field: &[f64],
         derivative: &[f64],
         element: &Element,
         first: usize,
-    ) -> [[Lanes<W>; VALUES]; CORNERS] {
+    ) -> [[V; VALUES]; CORNERS] {
         let columns = self.sectors.columns();
-        let mut values = [[[0.0; W]; VALUES]; CORNERS];
+        let mut values = [[V::splat(0.0); VALUES]; CORNERS];
         for (values, &node) in values.iter_mut().zip(&element.nodes) {
             let base = node as usize * 3 * columns + first;
             for c in 0..3 {
                 let at = base + c * columns;
-                values[c].copy_from_slice(&field[at..at + W]);
-                values[c + 3].copy_from_slice(&derivative[at..at + W]);
+                values[c] = V::load(&field[at..]);
+                values[c + 3] = V::load(&derivative[at..]);
             }
         }
         values
@@ -176,9 +177,9 @@ impl RevolvedMesh {
 
     /// Adds forces on the corners' displacements and on their derivatives to fields of each.
     #[inline(always)]
-    pub fn scatter_vector<const W: usize>(
+    pub fn scatter_vector<V: Pack>(
         &self,
-        values: &[[Lanes<W>; VALUES]; CORNERS],
+        values: &[[V; VALUES]; CORNERS],
         element: &Element,
         first: usize,
         field: &mut [f64],
@@ -189,12 +190,8 @@ impl RevolvedMesh {
             let base = node as usize * 3 * columns + first;
             for c in 0..3 {
                 let at = base + c * columns;
-                for (target, value) in field[at..at + W].iter_mut().zip(&values[c]) {
-                    *target += value;
-                }
-                for (target, value) in on_derivative[at..at + W].iter_mut().zip(&values[c + 3]) {
-                    *target += value;
-                }
+                (V::load(&field[at..]) + values[c]).store(&mut field[at..]);
+                (V::load(&on_derivative[at..]) + values[c + 3]).store(&mut on_derivative[at..]);
             }
         }
     }
@@ -235,41 +232,38 @@ impl RevolvedMesh {
 
 /// Deviatoric strains of all Gauss points and the mean dilatation of the element (B̄).
 #[inline(always)]
-pub fn deviators_and_dilatation<const W: usize>(
+pub fn deviators_and_dilatation<V: Pack>(
     element: &Element,
-    values: &[[Lanes<W>; VALUES]; CORNERS],
-) -> ([[Lanes<W>; 6]; POINTS], Lanes<W>) {
+    values: &[[V; VALUES]; CORNERS],
+) -> ([[V; 6]; POINTS], V) {
+    let zero = V::splat(0.0);
     // u_r + ∂u_θ/∂θ.
-    let mut hoop = [[0.0; W]; CORNERS];
+    let mut hoop = [zero; CORNERS];
     for (hoop, v) in hoop.iter_mut().zip(values) {
-        for l in 0..W {
-            hoop[l] = v[0][l] + v[4][l];
-        }
+        *hoop = v[0] + v[4];
     }
-    let mut strains = [[[0.0; W]; 6]; POINTS];
-    let mut dilatation = [0.0; W];
+    let mut strains = [[zero; 6]; POINTS];
+    let mut dilatation = zero;
     let inverse_volume = 1.0 / element.volume;
     for q in 0..POINTS {
         let e = &mut strains[q];
         for ((n, v), hoop) in element.shape[q].iter().zip(values).zip(&hoop) {
             let (half_dr, half_dz, half_over_r) = (0.5 * n.dr, 0.5 * n.dz, 0.5 * n.over_r);
-            add_scaled(&mut e[0], n.dr, &v[0]);
-            add_scaled(&mut e[1], n.over_r, hoop);
-            add_scaled(&mut e[2], n.dz, &v[2]);
-            add_scaled(&mut e[3], half_dr - half_over_r, &v[1]);
-            add_scaled(&mut e[3], half_over_r, &v[3]);
-            add_scaled(&mut e[4], half_dz, &v[1]);
-            add_scaled(&mut e[4], half_over_r, &v[5]);
-            add_scaled(&mut e[5], half_dr, &v[2]);
-            add_scaled(&mut e[5], half_dz, &v[0]);
+            let mut add = |i: usize, factor: f64, value: V| e[i] = V::splat(factor).mul_add(value, e[i]);
+            add(0, n.dr, v[0]);
+            add(1, n.over_r, *hoop);
+            add(2, n.dz, v[2]);
+            add(3, half_dr - half_over_r, v[1]);
+            add(3, half_over_r, v[3]);
+            add(4, half_dz, v[1]);
+            add(4, half_over_r, v[5]);
+            add(5, half_dr, v[2]);
+            add(5, half_dz, v[0]);
         }
-        let share = element.weight[q] * inverse_volume;
-        for l in 0..W {
-            let trace = e[0][l] + e[1][l] + e[2][l];
-            dilatation[l] = fma(share, trace, dilatation[l]);
-            for component in &mut e[..3] {
-                component[l] -= trace / 3.0;
-            }
+        let trace = e[0] + e[1] + e[2];
+        dilatation = V::splat(element.weight[q] * inverse_volume).mul_add(trace, dilatation);
+        for component in &mut e[..3] {
+            *component = V::splat(-1.0 / 3.0).mul_add(trace, *component);
         }
     }
     (strains, dilatation)
@@ -277,29 +271,25 @@ pub fn deviators_and_dilatation<const W: usize>(
 
 /// Forces on the corners of the stresses (already times the points' weights) at all Gauss points.
 #[inline(always)]
-pub fn stress_force<const W: usize>(
-    element: &Element,
-    stress: &[[Lanes<W>; 6]; POINTS],
-) -> [[Lanes<W>; VALUES]; CORNERS] {
-    let mut force = [[[0.0; W]; VALUES]; CORNERS];
+pub fn stress_force<V: Pack>(element: &Element, stress: &[[V; 6]; POINTS]) -> [[V; VALUES]; CORNERS] {
+    let mut force = [[V::splat(0.0); VALUES]; CORNERS];
     for (shape, s) in element.shape.iter().zip(stress) {
         for (n, f) in shape.iter().zip(&mut force) {
-            add_scaled(&mut f[0], n.dr, &s[0]);
-            add_scaled(&mut f[0], n.dz, &s[5]);
-            add_scaled(&mut f[1], n.dr - n.over_r, &s[3]);
-            add_scaled(&mut f[1], n.dz, &s[4]);
-            add_scaled(&mut f[2], n.dz, &s[2]);
-            add_scaled(&mut f[2], n.dr, &s[5]);
-            add_scaled(&mut f[3], n.over_r, &s[3]);
-            add_scaled(&mut f[4], n.over_r, &s[1]);
-            add_scaled(&mut f[5], n.over_r, &s[4]);
+            let mut add = |i: usize, factor: f64, value: V| f[i] = V::splat(factor).mul_add(value, f[i]);
+            add(0, n.dr, s[0]);
+            add(0, n.dz, s[5]);
+            add(1, n.dr - n.over_r, s[3]);
+            add(1, n.dz, s[4]);
+            add(2, n.dz, s[2]);
+            add(2, n.dr, s[5]);
+            add(3, n.over_r, s[3]);
+            add(4, n.over_r, s[1]);
+            add(5, n.over_r, s[4]);
         }
     }
     // The hoop stress works on u_r + ∂u_θ/∂θ.
     for f in &mut force {
-        for l in 0..W {
-            f[0][l] += f[4][l];
-        }
+        f[0] = f[0] + f[4];
     }
     force
 }

@@ -23,12 +23,7 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
 /// As many numbers as a vector register holds. Where a loop over lanes is long and its values are many, the
 /// compiler halves its vectors and spills them: the logarithm at finite strain takes half the time on these.
 pub trait Pack:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// The same number throughout.
     fn splat(x: f64) -> Self;
@@ -134,6 +129,14 @@ macro_rules! pack {
 
 pack!(f64x4, 4);
 pack!(f64x8, 8);
+
+/// The numbers of a pack.
+#[inline(always)]
+pub fn lanes_of<const W: usize, V: Pack>(pack: V) -> Lanes<W> {
+    let mut lanes = [0.0; W];
+    pack.store(&mut lanes);
+    lanes
+}
 
 /// Each lane, not negative, to the power n.
 #[inline(always)]

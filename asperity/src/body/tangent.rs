@@ -8,7 +8,7 @@ use super::{Body, TENSOR};
 #[cfg(test)]
 use crate::elastic;
 use crate::element::{CORNERS, POINTS, VALUES, deviators_and_dilatation, stress_force};
-use crate::lanes::{Lanes, Pack};
+use crate::lanes::Pack;
 use crate::sectors::VECTOR_PARITY;
 
 impl Body {
@@ -25,11 +25,11 @@ impl Body {
                 if !large && !self.tangent.flows[at] && self.at_first_stiffness::<W>(at) {
                     continue;
                 }
-                let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
+                let displacement = self.mesh.gather_vector::<V>(u, &self.slope, element, first);
                 let loss = if large {
-                    self.finite_loss::<W, V>(e, first, &displacement)
+                    self.finite_loss::<V>(e, first, &displacement)
                 } else {
-                    self.small_loss(e, first, &displacement)
+                    self.small_loss::<W, V>(e, first, &displacement)
                 };
                 self.mesh.scatter_vector(&loss, element, first, force, &mut self.on_slope);
             }
@@ -44,46 +44,36 @@ impl Body {
 
     /// Share of an element at small strain.
     #[inline(always)]
-    fn small_loss<const W: usize>(
+    fn small_loss<const W: usize, V: Pack>(
         &self,
         e: usize,
         first: usize,
-        displacement: &[[Lanes<W>; VALUES]; CORNERS],
-    ) -> [[Lanes<W>; VALUES]; CORNERS] {
+        displacement: &[[V; VALUES]; CORNERS],
+    ) -> [[V; VALUES]; CORNERS] {
         let element = &self.mesh.elements[e];
         let at = e * self.mesh.sectors.columns() + first;
-        let mut stiffness = [1.0; W];
-        if !self.tangent.stiffness.is_empty() {
-            stiffness.copy_from_slice(&self.tangent.stiffness[at..][..W]);
-        }
-        let two_shear = 2.0 * self.solid.moduli.shear;
+        let one = V::splat(1.0);
+        let stiffness =
+            if self.tangent.stiffness.is_empty() { one } else { V::load(&self.tangent.stiffness[at..]) };
+        let two_shear = V::splat(2.0 * self.solid.moduli.shear);
         let (mut stresses, dilatation) = deviators_and_dilatation(element, displacement);
-        let mut mean = [0.0; W];
-        for l in 0..W {
-            mean[l] = (1.0 - stiffness[l]) * self.solid.moduli.bulk * dilatation[l];
-        }
+        let mean = (one - stiffness) * V::splat(self.solid.moduli.bulk) * dilatation;
         for q in 0..POINTS {
-            let coefficient = |i: usize| self.coefficient::<W>(e, q, i, first);
-            let (shear, radial) = (coefficient(0), coefficient(1));
+            let coefficient = |i: usize| V::load(self.coefficient::<W>(e, q, i, first));
             let stress = &mut stresses[q];
             // n is stale where nothing flows, and its factor zero.
-            let mut projection = [0.0; W];
+            let mut projection = V::splat(0.0);
             for i in 0..TENSOR {
-                let direction = coefficient(2 + i);
-                let factor = if i < 3 { 1.0 } else { 2.0 };
-                for l in 0..W {
-                    projection[l] += factor * direction[l] * stress[i][l];
-                }
+                let twice = if i < 3 { stress[i] } else { stress[i] + stress[i] };
+                projection = coefficient(2 + i).mul_add(twice, projection);
             }
-            let weight = element.weight[q];
+            let weight = V::splat(element.weight[q]);
+            let shear = weight * (two_shear - stiffness * coefficient(0));
+            let radial = weight * (stiffness * coefficient(1) * projection);
             for (i, component) in stress.iter_mut().enumerate() {
-                let direction = coefficient(2 + i);
-                for l in 0..W {
-                    let mean = if i < 3 { mean[l] } else { 0.0 };
-                    let shear = two_shear - stiffness[l] * shear[l];
-                    let radial = stiffness[l] * radial[l] * projection[l];
-                    component[l] = weight * (shear * component[l] - radial * direction[l] + mean);
-                }
+                let of_flow = radial * coefficient(2 + i);
+                let rest = if i < 3 { weight.mul_add(mean, -of_flow) } else { -of_flow };
+                *component = shear.mul_add(*component, rest);
             }
         }
         stress_force(element, &stresses)
@@ -91,13 +81,13 @@ impl Body {
 
     /// Product of the elastic stiffness at T₀.
     #[cfg(test)]
-    pub(super) fn elastic_product_lanes<const W: usize>(&mut self, u: &[f64], force: &mut [f64]) {
+    pub(super) fn elastic_product_lanes<const W: usize, V: Pack>(&mut self, u: &[f64], force: &mut [f64]) {
         force.fill(0.0);
         self.on_slope.fill(0.0);
         self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
         for element in &self.mesh.elements {
             for first in (0..self.mesh.sectors.columns()).step_by(W) {
-                let displacement = self.mesh.gather_vector::<W>(u, &self.slope, element, first);
+                let displacement = self.mesh.gather_vector::<V>(u, &self.slope, element, first);
                 let nodal_force = elastic::element_force(element, self.solid.moduli, &displacement);
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }

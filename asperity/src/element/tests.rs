@@ -1,3 +1,5 @@
+use wide::f64x4;
+
 use super::*;
 use crate::mesh::MeshSize;
 use crate::sectors::VECTOR_PARITY;
@@ -32,8 +34,10 @@ fn linear_displacements_have_their_exact_strain_everywhere() {
     mesh.sectors.differentiate(&VECTOR_PARITY, &u, &mut slope);
     for element in &mesh.elements {
         for first in [0, 4] {
-            let local = mesh.gather_vector::<4>(&u, &slope, element, first);
+            let local = mesh.gather_vector::<f64x4>(&u, &slope, element, first);
             let (deviators, dilatation) = deviators_and_dilatation(element, &local);
+            let deviators = deviators.map(|of_point| of_point.map(|component| component.to_array()));
+            let dilatation = dilatation.to_array();
             for l in 0..4 {
                 let (sin, cos) = mesh.sectors.angles()[first + l].sin_cos();
                 let (exx, eyy, ezz, exz): (f64, f64, f64, f64) = (0.3, 0.7, 0.1, 0.15);
@@ -71,29 +75,23 @@ fn volumes_are_those_of_the_body_of_revolution() {
 fn forces_are_transposes_of_strains() {
     let mesh = mesh(Sectors::full(4));
     let element = &mesh.elements[3];
-    let values: [[Lanes<4>; VALUES]; CORNERS] = std::array::from_fn(|a| {
-        std::array::from_fn(|c| std::array::from_fn(|l| ((a * 31 + c * 7 + l) as f64 * 0.7).sin()))
-    });
+    let values: [[f64; VALUES]; CORNERS] =
+        std::array::from_fn(|a| std::array::from_fn(|c| ((a * 31 + c * 7) as f64 * 0.7).sin()));
     // A deviatoric stress, so that the mean dilatation drops out.
-    let stress: [[Lanes<4>; 6]; POINTS] = std::array::from_fn(|q| {
-        let mut s: [Lanes<4>; 6] =
-            std::array::from_fn(|i| std::array::from_fn(|l| ((q * 13 + i * 5 + l) as f64 * 1.3).cos()));
-        for l in 0..4 {
-            s[2][l] = -s[0][l] - s[1][l];
-        }
+    let stress: [[f64; 6]; POINTS] = std::array::from_fn(|q| {
+        let mut s: [f64; 6] = std::array::from_fn(|i| ((q * 13 + i * 5) as f64 * 1.3).cos());
+        s[2] = -s[0] - s[1];
         s
     });
     let (deviators, _) = deviators_and_dilatation(element, &values);
     let force = stress_force(element, &stress);
-    for l in 0..4 {
-        let inner: f64 = (0..POINTS)
-            .flat_map(|q| (0..6).map(move |i| (q, i)))
-            .map(|(q, i)| if i < 3 { 1.0 } else { 2.0 } * stress[q][i][l] * deviators[q][i][l])
-            .sum();
-        let outer: f64 = (0..CORNERS)
-            .flat_map(|a| (0..VALUES).map(move |c| (a, c)))
-            .map(|(a, c)| force[a][c][l] * values[a][c][l])
-            .sum();
-        assert!((inner - outer).abs() < 1e-11 * inner.abs().max(1.0));
-    }
+    let inner: f64 = (0..POINTS)
+        .flat_map(|q| (0..6).map(move |i| (q, i)))
+        .map(|(q, i)| if i < 3 { 1.0 } else { 2.0 } * stress[q][i] * deviators[q][i])
+        .sum();
+    let outer: f64 = (0..CORNERS)
+        .flat_map(|a| (0..VALUES).map(move |c| (a, c)))
+        .map(|(a, c)| force[a][c] * values[a][c])
+        .sum();
+    assert!((inner - outer).abs() < 1e-11 * inner.abs().max(1.0));
 }

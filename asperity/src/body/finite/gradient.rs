@@ -121,7 +121,5 @@ pub fn cofactors<V: Pack>(f: &TwoPoint<V>) -> TwoPoint<V> {
 #[inline(always)]
 pub fn volume_excess<V: Pack>(h: &TwoPoint<V>) -> V {
     let cofactors = cofactors(h);
-    (0..3).fold(V::splat(0.0), |sum, i| {
-        sum + (h[i][i] + h[0][i].mul_add(cofactors[0][i], cofactors[i][i]))
-    })
+    (0..3).fold(V::splat(0.0), |sum, i| sum + (h[i][i] + h[0][i].mul_add(cofactors[0][i], cofactors[i][i])))
 }

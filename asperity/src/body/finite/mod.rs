@@ -21,8 +21,8 @@ use crate::element::{CORNERS, POINTS, VALUES};
 use crate::lanes::{Lanes, Pack};
 use crate::sectors::VECTOR_PARITY;
 use gradient::{
-    Symmetric, add_stress_force, cauchy_green_excess, cofactors, deformation_gradient,
-    displacement_gradient, packed_shape, volume_excess,
+    Symmetric, add_stress_force, cauchy_green_excess, cofactors, deformation_gradient, displacement_gradient,
+    packed_shape, volume_excess,
 };
 use log_strain::{Rules, first_piola};
 use moduli::{ENTRIES, LogModuli, add_volume_curvature, symmetric_product};
@@ -76,14 +76,14 @@ impl Body {
     pub(super) fn finite_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
         // Points beside angles where these alone do not fill a vector register.
         match self.mesh.sectors.columns() {
-            1 => self.finite_force_lanes::<1, 4, f64x4>(u, rise, force),
-            n if n % 8 == 0 => self.finite_force_lanes::<8, 1, f64x8>(u, rise, force),
-            _ => self.finite_force_lanes::<4, 2, f64x8>(u, rise, force),
+            1 => self.finite_force_lanes::<1, 4, f64, f64x4>(u, rise, force),
+            n if n % 8 == 0 => self.finite_force_lanes::<8, 1, f64x8, f64x8>(u, rise, force),
+            _ => self.finite_force_lanes::<4, 2, f64x4, f64x8>(u, rise, force),
         }
     }
 
-    /// W angles and P points at a time, which V has room for.
-    fn finite_force_lanes<const W: usize, const P: usize, V: Pack>(
+    /// W angles at a time, which A has room for, and P points of them, for which V has it.
+    fn finite_force_lanes<const W: usize, const P: usize, A: Pack, V: Pack>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
@@ -97,9 +97,9 @@ impl Body {
         for e in 0..self.mesh.elements.len() {
             for first in (0..lanes).step_by(W) {
                 let displacement =
-                    self.mesh.gather_vector::<W>(u, &self.slope, &self.mesh.elements[e], first);
+                    self.mesh.gather_vector::<A>(u, &self.slope, &self.mesh.elements[e], first);
                 let nodal_force =
-                    self.finite_element_force::<W, P, V>(e, first, &displacement, rise, &mut tangent);
+                    self.finite_element_force::<W, P, A, V>(e, first, &displacement, rise, &mut tangent);
                 let element = &self.mesh.elements[e];
                 self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
             }
@@ -109,20 +109,20 @@ impl Body {
     }
 
     #[inline(always)]
-    fn finite_element_force<const W: usize, const P: usize, V: Pack>(
+    fn finite_element_force<const W: usize, const P: usize, A: Pack, V: Pack>(
         &mut self,
         e: usize,
         first: usize,
-        displacement: &[[Lanes<W>; VALUES]; CORNERS],
+        displacement: &[[A; VALUES]; CORNERS],
         rise: Option<&[f64]>,
         tangent: &mut FiniteTangent,
-    ) -> [[Lanes<W>; VALUES]; CORNERS] {
+    ) -> [[A; VALUES]; CORNERS] {
         let lanes = self.mesh.sectors.columns();
         let at = e * lanes + first;
         let heat = self.element_heat::<W>(e, first, rise, self.solid.stiffness_varies());
         let (volume, weight) = (self.mesh.elements[e].volume, self.mesh.elements[e].weight);
         let zero = V::splat(0.0);
-        let values = packed_values::<W, P, V>(displacement);
+        let values = packed_values::<W, P, A, V>(displacement);
         let shapes = |chunk: usize| {
             let of_points = std::array::from_fn(|p| &self.mesh.elements[e].shape[chunk * P + p]);
             packed_shape::<P, V>(of_points, spread::<W, P, V>)
@@ -194,7 +194,7 @@ impl Body {
             add_stress_force(&packed_shape::<P, V>(of_points, spread::<W, P, V>), &stress, &mut force);
         }
         self.tangent.flows[at] = any_flows;
-        summed::<W, P, V>(&force)
+        summed::<W, P, A, V>(&force)
     }
 
     /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.
@@ -244,33 +244,31 @@ impl Body {
 
     /// Share in [`Body::stiffness_loss`] of an element with large displacement gradients.
     #[inline(always)]
-    pub(super) fn finite_loss<const W: usize, V: Pack>(
+    pub(super) fn finite_loss<V: Pack>(
         &self,
         e: usize,
         first: usize,
-        displacement: &[[Lanes<W>; VALUES]; CORNERS],
-    ) -> [[Lanes<W>; VALUES]; CORNERS] {
+        displacement: &[[V; VALUES]; CORNERS],
+    ) -> [[V; VALUES]; CORNERS] {
         let element = &self.mesh.elements[e];
         let lanes = self.mesh.sectors.columns();
         let tangent = self.finite.as_ref().expect("of a body at finite strain");
         let value = |q: usize, i: usize| {
-            let place = ((e * POINTS + q) * POINT_VALUES + i) * lanes + first;
-            V::load_single(&tangent.point[place..place + W])
+            V::load_single(&tangent.point[((e * POINTS + q) * POINT_VALUES + i) * lanes + first..])
         };
         let zero = V::splat(0.0);
-        let values = packed_values::<W, 1, V>(displacement);
-        let shape = |q: usize| packed_shape::<1, V>([&element.shape[q]], spread::<W, 1, V>);
+        let shape = |q: usize| packed_shape([&element.shape[q]], |[x]| V::splat(x));
         let mut stresses = [[[zero; 3]; 3]; POINTS];
         // Change of ∫J dV.
         let mut growth = zero;
         for q in 0..POINTS {
-            let gradient = displacement_gradient(&shape(q), &values);
+            let gradient = displacement_gradient(&shape(q), displacement);
             stresses[q] = symmetric_product(|i| value(q, i), &gradient);
             for (i, component) in gradient.as_flattened().iter().enumerate() {
                 growth = value(q, ENTRIES + i).mul_add(*component, growth);
             }
         }
-        growth = growth * V::load(&tangent.volumetric[e * lanes + first..][..W]);
+        growth = growth * V::load(&tangent.volumetric[e * lanes + first..]);
         let mut nodal_force = [[zero; VALUES]; CORNERS];
         for q in 0..POINTS {
             for (i, component) in stresses[q].as_flattened_mut().iter_mut().enumerate() {
@@ -278,10 +276,9 @@ impl Body {
             }
             add_stress_force(&shape(q), &stresses[q], &mut nodal_force);
         }
-        let nodal_force = summed::<W, 1, V>(&nodal_force);
         let mut loss = elastic::element_force(element, self.solid.moduli, displacement);
         for (loss, force) in loss.as_flattened_mut().iter_mut().zip(nodal_force.as_flattened()) {
-            (0..W).for_each(|l| loss[l] -= force[l]);
+            *loss = *loss - *force;
         }
         loss
     }
@@ -317,25 +314,34 @@ fn spread<const W: usize, const P: usize, V: Pack>(of_points: [f64; P]) -> V {
 
 /// Values at the corners, the same for all points.
 #[inline(always)]
-fn packed_values<const W: usize, const P: usize, V: Pack>(
-    values: &[[Lanes<W>; VALUES]; CORNERS],
+fn packed_values<const W: usize, const P: usize, A: Pack, V: Pack>(
+    values: &[[A; VALUES]; CORNERS],
 ) -> [[V; VALUES]; CORNERS] {
-    values.each_ref().map(|corner| corner.each_ref().map(|value| pack::<W, P, V>(|_| value)))
+    let mut packed = [[V::splat(0.0); VALUES]; CORNERS];
+    for (packed, value) in packed.as_flattened_mut().iter_mut().zip(values.as_flattened()) {
+        let mut lanes = [0.0; MOST_LANES];
+        for p in 0..P {
+            value.store(&mut lanes[p * W..]);
+        }
+        *packed = V::load(&lanes);
+    }
+    packed
 }
 
 /// Forces on the corners, of all points together.
 #[inline(always)]
-fn summed<const W: usize, const P: usize, V: Pack>(
+fn summed<const W: usize, const P: usize, A: Pack, V: Pack>(
     force: &[[V; VALUES]; CORNERS],
-) -> [[Lanes<W>; VALUES]; CORNERS] {
-    force.map(|corner| {
-        corner.map(|packed| {
-            (1..P).fold(unpack::<W, V>(packed, 0), |sum, p| {
-                let point = unpack::<W, V>(packed, p);
-                std::array::from_fn(|l| sum[l] + point[l])
-            })
-        })
-    })
+) -> [[A; VALUES]; CORNERS] {
+    let mut sums = [[A::splat(0.0); VALUES]; CORNERS];
+    for (sum, packed) in sums.as_flattened_mut().iter_mut().zip(force.as_flattened()) {
+        let mut lanes = [0.0; MOST_LANES];
+        packed.store(&mut lanes);
+        for p in 0..P {
+            *sum = *sum + A::load(&lanes[p * W..]);
+        }
+    }
+    sums
 }
 
 /// The angles of point p of those side by side.

@@ -52,7 +52,8 @@ fn derivatives_are_those_of_the_approximant() {
     let rules = Rules::new();
     let log_stress = [0.7, -0.4, 0.1, 0.9, -0.3, 0.5];
     for size in [3e-3, 0.05, 0.3, 1.0] {
-        let h: TwoPoint<f64> = [[0.3, -0.5, 0.2], [0.1, 0.4, -0.6], [-0.2, 0.7, 0.5]].map(|row| row.map(|x| size * x));
+        let h: TwoPoint<f64> =
+            [[0.3, -0.5, 0.2], [0.1, 0.4, -0.6], [-0.2, 0.7, 0.5]].map(|row| row.map(|x| size * x));
         let x = cauchy_green_excess(&h);
         let log = rules.log(&x);
         let (first, second) = log.derivatives(&log_stress);
@@ -74,18 +75,30 @@ fn derivatives_are_those_of_the_approximant() {
             let of_stress = difference(&|log| log.second_piola(&log_stress));
             for v in 0..6 {
                 let (i, j) = at(v, w);
-                assert!((of_strain[v] - first[i][j]).abs() < 1e-8, "{size}: {} {}", of_strain[v], first[i][j]);
-                assert!((of_stress[v] - second[i][j]).abs() < 1e-7, "{size}: {} {}", of_stress[v], second[i][j]);
+                assert!(
+                    (of_strain[v] - first[i][j]).abs() < 1e-8,
+                    "{size}: {} {}",
+                    of_strain[v],
+                    first[i][j]
+                );
+                assert!(
+                    (of_stress[v] - second[i][j]).abs() < 1e-7,
+                    "{size}: {} {}",
+                    of_stress[v],
+                    second[i][j]
+                );
             }
         }
         // S:½dC = T:dE.
         let stress = log.second_piola(&log_stress);
         for w in 0..6 {
             let twice = |v: usize| if v < 3 { 1.0 } else { 2.0 };
-            let work: f64 = (0..6).map(|v| {
-                let (i, j) = at(v, w);
-                twice(v) * log_stress[v] * first[i][j]
-            }).sum();
+            let work: f64 = (0..6)
+                .map(|v| {
+                    let (i, j) = at(v, w);
+                    twice(v) * log_stress[v] * first[i][j]
+                })
+                .sum();
             assert!((work - stress[w]).abs() < 1e-13, "{work} {}", stress[w]);
         }
     }
