@@ -302,8 +302,12 @@ fn pack<'a, const W: usize, const P: usize, V: Pack>(of_point: impl Fn(usize) ->
 /// The same number at all angles of a point.
 #[inline(always)]
 fn spread<const W: usize, const P: usize, V: Pack>(of_points: [f64; P]) -> V {
+    // To write single numbers and read them as a vector right away makes the machine wait.
     if P == 1 {
         return V::splat(of_points[0]);
+    }
+    if W == 1 {
+        return V::load(&of_points);
     }
     let mut lanes = [0.0; MOST_LANES];
     for p in 0..P {
@@ -320,7 +324,12 @@ fn packed_values<const W: usize, const P: usize, A: Pack, V: Pack>(
     let mut packed = [[V::splat(0.0); VALUES]; CORNERS];
     for (packed, value) in packed.as_flattened_mut().iter_mut().zip(values.as_flattened()) {
         let mut lanes = [0.0; MOST_LANES];
-        for p in 0..P {
+        value.store(&mut lanes);
+        if W == 1 {
+            *packed = V::splat(lanes[0]);
+            continue;
+        }
+        for p in 1..P {
             value.store(&mut lanes[p * W..]);
         }
         *packed = V::load(&lanes);
