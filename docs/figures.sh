@@ -24,9 +24,9 @@ mkdir -p "$data"
 [ $# -gt 0 ] || set -- friction run convergence bearing transition press no-end-state
 
 cargo build --locked --release --workspace --bins --examples
-asperity=target/release/asperity
-roughsurface=target/release/roughsurface
-examples=target/release/examples
+asperity=${CARGO_TARGET_DIR:-target}/release/asperity
+roughsurface=${CARGO_TARGET_DIR:-target}/release/roughsurface
+examples=${CARGO_TARGET_DIR:-target}/release/examples
 
 for figure; do
     begun=$SECONDS

@@ -15,7 +15,7 @@ fi
     target/python/bin/pip install -q meshio xarray netCDF4 matplotlib snakemake
 }
 cargo build --locked --release --workspace
-PATH=$PWD/target/release:$PWD/target/python/bin:$PATH
+PATH=${CARGO_TARGET_DIR:-$PWD/target}/release:$PWD/target/python/bin:$PATH
 output=$(mktemp -d)
 trap 'rm -rf "$output"' EXIT
 
