@@ -11,7 +11,7 @@ use crate::slide::Increments;
 const NO_HEAT_SHARE: f64 = 0.25;
 
 /// Relative residual at which a step counts as solved.
-pub const NEWTON_TOLERANCE: f64 = 5e-7;
+pub const NEWTON_TOLERANCE: f64 = 2e-7;
 /// Updates of temperature and contact edge in a step.
 const COUPLING_LIMIT: usize = 4;
 /// Increments of the press for each element per contact radius, and at most in all.
