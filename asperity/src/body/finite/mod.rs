@@ -52,6 +52,7 @@ pub struct FiniteTangent {
     small: Vec<bool>,
     /// ψ'' over ∫J dV of each element: (K − p)/(V J̄²), p the mean stress.
     volumetric: Vec<f64>,
+    /// For the logarithm.
     rules: Rules,
 }
 

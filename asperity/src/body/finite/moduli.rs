@@ -79,7 +79,7 @@ fn material_moduli<V: Pack>(
             first[v][w] = first[w][v];
         }
     }
-    // Row v of K holds what tensors e_v are contracted with; a contraction counts shears twice.
+    // Row v is the tensor K:e_v, e_v the symmetric unit; a contraction of two tensors counts shears twice.
     let contracted = |x: &Symmetric<V>, y: &Symmetric<V>| {
         let shears = x[3].mul_add(y[3], x[4].mul_add(y[4], x[5] * y[5]));
         x[0].mul_add(y[0], x[1].mul_add(y[1], x[2].mul_add(y[2], shears + shears)))
