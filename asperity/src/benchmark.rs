@@ -29,6 +29,7 @@ pub struct Kernels {
     body: Body,
     contact: Contact,
     single: SingleFactors,
+    places: Vec<u32>,
     preconditioner: Preconditioner,
     conduction: Conduction,
     flat: Flat,
@@ -82,6 +83,7 @@ impl Kernels {
             timings: Timings::default(),
             body,
             contact,
+            places: single.places_before(0).collect(),
             single,
             flat,
             displacement,
@@ -105,7 +107,8 @@ impl Kernels {
 
     /// At the last internal force.
     pub fn tangent_product(&mut self) {
-        self.body.stiffness_loss(&self.displacement, &mut self.force);
+        let zone = self.body.inelastic_zone();
+        self.body.stiffness_loss(&zone, &self.displacement, &mut self.force);
     }
 
     /// About 940 operations for an element that flows at one angle: strains and forces 288 each, the rest
@@ -123,8 +126,8 @@ impl Kernels {
 
     /// Forward and backward, down to the contact.
     pub fn sweeps(&mut self) {
-        self.single.forward(&mut self.sweep, 0);
-        self.single.backward(&mut self.sweep, 0);
+        self.single.forward(&mut self.sweep, &self.places);
+        self.single.backward(&mut self.sweep, &self.places);
         // Neither growing nor vanishing, whatever the number of calls.
         self.sweep.iter_mut().enumerate().for_each(|(i, x)| *x = (0.1 * (i % 64) as f32) - 3.2);
     }

@@ -28,6 +28,7 @@ use heat::PointHeat;
 pub use mises::LargestMises;
 pub use nodal::NODAL;
 pub use state::BodyState;
+pub use tangent::InelasticZone;
 
 /// Consistent tangent at points that flow: 2G(1 − softening)·dev − radial·(n:e)n.
 #[derive(Clone, Debug)]
@@ -364,17 +365,17 @@ impl Body {
     }
 
     /// Product with a displacement of what the elastic stiffness at T₀ has more than the consistent tangent
-    /// at the last internal force. Only elements that flow, have other moduli or large displacement gradients
-    /// have a share in it.
-    pub fn stiffness_loss(&mut self, u: &[f64], force: &mut [f64]) {
-        by_lanes!(self.stiffness_loss_lanes(u, force));
+    /// at the last internal force. Reads and writes the entries of the zone alone: elsewhere the product is zero.
+    pub fn stiffness_loss(&mut self, zone: &InelasticZone, u: &[f64], force: &mut [f64]) {
+        by_lanes!(self.stiffness_loss_lanes(zone, u, force));
     }
 
     /// Product with the consistent tangent itself.
     #[cfg(test)]
     pub fn tangent_product(&mut self, u: &[f64], force: &mut [f64]) {
         let mut loss = vec![0.0; force.len()];
-        self.stiffness_loss(u, &mut loss);
+        let zone = self.inelastic_zone();
+        self.stiffness_loss(&zone, u, &mut loss);
         by_lanes!(self.elastic_product_lanes(u, force));
         force.iter_mut().zip(&loss).for_each(|(force, loss)| *force -= loss);
     }

@@ -109,6 +109,7 @@ pub mod recording;
 mod resolution;
 pub mod revolved;
 pub mod run_file;
+mod runs;
 mod scalars;
 pub mod scene;
 pub mod scene_file;

@@ -14,6 +14,9 @@ use faer::{Mat, MatMut, Par, Spec};
 use crate::contact::{Contact, NodeStiffness};
 use crate::harmonic::{FieldKind, HarmonicFactors, SingleFactors};
 use crate::timings::{Kernel, Timings};
+pub use search::Search;
+
+mod search;
 
 /// The contact stiffness is not positive definite.
 #[derive(Debug)]
@@ -22,8 +25,9 @@ pub struct Indefinite;
 pub struct Preconditioner {
     factors: Arc<HarmonicFactors>,
     single: SingleFactors,
-    modal: Vec<f64>,
     sweep: Vec<f32>,
+    /// Places in the sweeps outside the dense system.
+    places: Vec<u32>,
     /// Number of rings in the dense system, its elastic part, and the Cholesky factor of the whole; index (ring,
     /// component, harmonic), rings from the outside in, as the sweeps have them.
     rings: usize,
@@ -38,8 +42,8 @@ impl Preconditioner {
     pub fn new(factors: Arc<HarmonicFactors>) -> Self {
         let single = SingleFactors::new(&factors);
         Self {
-            modal: vec![0.0; factors.modal_length()],
             sweep: vec![0.0; single.len()],
+            places: single.places_before(0).collect(),
             single,
             factors,
             rings: 0,
@@ -70,6 +74,7 @@ impl Preconditioner {
             self.work =
                 MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f32>(n, Par::Seq, Spec::default()));
             self.rings = rings;
+            self.places = self.single.places_before(rings).collect();
         }
         self.inside.clear();
         if rings > 0 {
@@ -92,23 +97,27 @@ impl Preconditioner {
     /// `solution` = M⁻¹ `residual`.
     pub fn apply(&mut self, residual: &[f64], solution: &mut [f64], timings: &mut Timings) {
         let clock = Instant::now();
-        self.factors.to_modal(residual, &mut self.modal);
-        self.single.load(&self.modal, &mut self.sweep);
-        self.single.forward(&mut self.sweep, self.rings);
-        let n = self.factor.nrows();
-        if n > 0 {
-            let places = self.sweep.len() - n;
-            llt::solve::solve_in_place(
-                self.factor.as_ref(),
-                MatMut::from_column_major_slice_mut(&mut self.sweep[places..], n, 1),
-                Par::Seq,
-                MemStack::new(&mut self.work),
-            );
-        }
-        self.single.backward(&mut self.sweep, self.rings);
-        self.single.store(&self.sweep, &mut self.modal);
-        self.factors.to_nodal(&self.modal, solution);
+        let nodes = 0..self.single.nodes();
+        self.single.load(&self.factors, residual, nodes.clone(), &mut self.sweep);
+        self.single.forward(&mut self.sweep, &self.places);
+        solve_dense(&self.factor, &mut self.work, &mut self.sweep);
+        self.single.backward(&mut self.sweep, &self.places);
+        self.single.store(&self.factors, &self.sweep, nodes, solution);
         timings.since(Kernel::Preconditioner, clock);
+    }
+}
+
+/// Between the sweeps: the rings in contact, which come last.
+fn solve_dense(factor: &Mat<f32>, work: &mut MemBuffer, sweep: &mut [f32]) {
+    let n = factor.nrows();
+    if n > 0 {
+        let first = sweep.len() - n;
+        llt::solve::solve_in_place(
+            factor.as_ref(),
+            MatMut::from_column_major_slice_mut(&mut sweep[first..], n, 1),
+            Par::Seq,
+            MemStack::new(work),
+        );
     }
 }
 

@@ -9,24 +9,70 @@ use super::{Body, TENSOR};
 use crate::elastic;
 use crate::element::{CORNERS, POINTS, VALUES, deviators_and_dilatation, stress_force};
 use crate::lanes::Pack;
+use crate::runs::Runs;
 use crate::sectors::VECTOR_PARITY;
 
+/// Where the tangent at the last internal force is not the elastic stiffness at T₀: elements that flow, have other
+/// moduli or large displacement gradients.
+pub struct InelasticZone {
+    elements: Vec<u32>,
+    /// Nodes of these elements and of the contact.
+    pub nodes: Vec<usize>,
+    /// Displacements of these nodes.
+    pub entries: Runs,
+}
+
 impl Body {
-    /// V has room for W angles.
-    pub(super) fn stiffness_loss_lanes<const W: usize, V: Pack>(&mut self, u: &[f64], force: &mut [f64]) {
-        force.fill(0.0);
-        self.on_slope.fill(0.0);
-        self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
+    /// The zone at the last internal force.
+    pub fn inelastic_zone(&self) -> InelasticZone {
         let lanes = self.mesh.sectors.columns();
-        for (e, element) in self.mesh.elements.iter().enumerate() {
+        let elements: Vec<u32> = (0..self.mesh.elements.len())
+            .filter(|e| (0..lanes).step_by(self.group()).any(|first| self.is_inelastic(e * lanes + first)))
+            .map(|e| e as u32)
+            .collect();
+        let mut touched = vec![false; self.mesh.node_count()];
+        let of_elements = elements.iter().flat_map(|&e| &self.mesh.elements[e as usize].nodes);
+        of_elements.chain(&self.mesh.meridian.contact).for_each(|&node| touched[node as usize] = true);
+        let nodes: Vec<usize> = (0..touched.len()).filter(|&node| touched[node]).collect();
+        let entries = Runs::of_blocks(nodes.iter().copied(), 3 * lanes);
+        InelasticZone { elements, nodes, entries }
+    }
+
+    /// Whether the tangent of a group of angles of an element is another than the elastic one.
+    fn is_inelastic(&self, at: usize) -> bool {
+        let moduli = &self.tangent.stiffness;
+        self.is_large(at)
+            || self.tangent.flows[at]
+            || !moduli.is_empty() && moduli[at..at + self.group()].iter().any(|&factor| factor != 1.0)
+    }
+
+    /// Whether the moduli of small strain will not do.
+    fn is_large(&self, at: usize) -> bool {
+        self.finite.as_ref().is_some_and(|tangent| !tangent.is_small(at))
+    }
+
+    /// V has room for W angles.
+    pub(super) fn stiffness_loss_lanes<const W: usize, V: Pack>(
+        &mut self,
+        zone: &InelasticZone,
+        u: &[f64],
+        force: &mut [f64],
+    ) {
+        for run in zone.entries.iter() {
+            force[run.clone()].fill(0.0);
+            self.on_slope[run.clone()].fill(0.0);
+            self.mesh.sectors.differentiate(&VECTOR_PARITY, &u[run.clone()], &mut self.slope[run]);
+        }
+        let lanes = self.mesh.sectors.columns();
+        for e in zone.elements.iter().map(|&e| e as usize) {
+            let element = &self.mesh.elements[e];
             for first in (0..lanes).step_by(W) {
                 let at = e * lanes + first;
-                let large = self.finite.as_ref().is_some_and(|tangent| !tangent.is_small(at));
-                if !large && !self.tangent.flows[at] && self.at_first_stiffness::<W>(at) {
+                if !self.is_inelastic(at) {
                     continue;
                 }
                 let displacement = self.mesh.gather_vector::<V>(u, &self.slope, element, first);
-                let loss = if large {
+                let loss = if self.is_large(at) {
                     self.finite_loss::<V>(e, first, &displacement)
                 } else {
                     self.small_loss::<W, V>(e, first, &displacement)
@@ -34,12 +80,9 @@ impl Body {
                 self.mesh.scatter_vector(&loss, element, first, force, &mut self.on_slope);
             }
         }
-        self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
-    }
-
-    /// Whether the moduli are those at T₀.
-    fn at_first_stiffness<const W: usize>(&self, at: usize) -> bool {
-        self.tangent.stiffness.is_empty() || self.tangent.stiffness[at..][..W] == [1.0; W]
+        for run in zone.entries.iter() {
+            self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope[run.clone()], &mut force[run]);
+        }
     }
 
     /// Share of an element at small strain.

@@ -150,77 +150,92 @@ impl HarmonicFactors {
 
     /// Harmonics of a nodal force.
     pub fn to_modal(&self, field: &[f64], modal: &mut [f64]) {
-        let components = self.kind.components();
-        let columns = self.harmonics();
-        for node in 0..self.on_axis.len() {
-            // The places of its components follow each other; on the axis one component adds to another.
-            let first = self.position[node * components];
-            if first == ABSENT {
-                continue;
+        let size = self.node_size();
+        for (node, force) in field.chunks_exact(size).enumerate() {
+            if let Some(first) = self.first_place(node) {
+                self.node_to_modal(node, force, &mut modal[first * self.harmonics()..][..size]);
             }
-            if self.on_axis[node] {
-                modal[first as usize * columns..][..components * columns].fill(0.0);
-            }
-            for c in 0..components {
-                let place = first as usize + c;
-                let source = &field[(node * components + c) * columns..][..columns];
-                let target = place * columns;
-                if self.on_axis[node] {
-                    self.axis_to_modal(source, c, target, modal);
-                } else {
-                    let table = self.transform.transposed(self.kind.parity(c));
-                    small_product(1.0, table, source, &mut modal[target..target + columns]);
-                }
-            }
-        }
-    }
-
-    /// Axis nodes have u_z of m = 0 and the translation of m = 1, to which u_θ adds with −1.
-    fn axis_to_modal(&self, source: &[f64], component: usize, target: usize, modal: &mut [f64]) {
-        let columns = self.harmonics();
-        match (self.kind, component) {
-            (FieldKind::Vector, 0) if columns > 1 => {
-                modal[target + 1] += dot(&self.transform.even[columns..2 * columns], source);
-            }
-            (FieldKind::Vector, 1) if columns > 1 => {
-                // The place of u_r is the one before.
-                modal[target - columns + 1] -= dot(&self.transform.odd[columns..2 * columns], source);
-            }
-            (FieldKind::Vector, 0 | 1) => {}
-            _ => modal[target] += dot(&self.transform.even[..columns], source),
         }
     }
 
     /// Nodal values of modal ones; fixed nodes get zero.
     pub fn to_nodal(&self, modal: &[f64], field: &mut [f64]) {
-        let components = self.kind.components();
+        let size = self.node_size();
+        for (node, values) in field.chunks_exact_mut(size).enumerate() {
+            match self.first_place(node) {
+                Some(first) => self.node_to_nodal(node, &modal[first * self.harmonics()..][..size], values),
+                None => values.fill(0.0),
+            }
+        }
+    }
+
+    /// Values of one node: components times angles or harmonics.
+    pub fn node_size(&self) -> usize {
+        self.kind.components() * self.harmonics()
+    }
+
+    /// Place of the first component of a node, unless it is fixed; those of the others follow.
+    fn first_place(&self, node: usize) -> Option<usize> {
+        let place = self.position[node * self.kind.components()];
+        (place != ABSENT).then_some(place as usize)
+    }
+
+    /// Harmonics of the force on one node that is not fixed, both over components.
+    #[inline(always)]
+    pub fn node_to_modal(&self, node: usize, force: &[f64], modal: &mut [f64]) {
         let columns = self.harmonics();
-        for node in 0..self.on_axis.len() {
-            for c in 0..components {
-                let place = self.position[node * components + c];
-                let target = &mut field[(node * components + c) * columns..][..columns];
-                if place == ABSENT {
-                    target.fill(0.0);
-                    continue;
-                }
-                let source = &modal[place as usize * columns..][..columns];
-                let table = self.transform.of(self.kind.parity(c));
-                if !self.on_axis[node] {
-                    small_product(1.0, table, source, target);
-                } else if self.kind == FieldKind::Vector && c < 2 {
-                    target.fill(0.0);
-                    if columns > 1 {
-                        let translation = modal[(place as usize - c) * columns + 1];
-                        let translation = if c == 1 { -translation } else { translation };
-                        for (t, w) in target.iter_mut().zip(&table[columns..2 * columns]) {
-                            *t = translation * w;
-                        }
-                    }
-                } else {
-                    for (t, w) in target.iter_mut().zip(&table[..columns]) {
-                        *t = source[0] * w;
-                    }
-                }
+        if self.on_axis[node] {
+            return self.axis_to_modal(force, modal);
+        }
+        for (c, (source, target)) in
+            force.chunks_exact(columns).zip(modal.chunks_exact_mut(columns)).enumerate()
+        {
+            small_product(1.0, self.transform.transposed(self.kind.parity(c)), source, target);
+        }
+    }
+
+    /// Values of one node that is not fixed.
+    #[inline(always)]
+    pub fn node_to_nodal(&self, node: usize, modal: &[f64], values: &mut [f64]) {
+        let columns = self.harmonics();
+        if self.on_axis[node] {
+            return self.axis_to_nodal(modal, values);
+        }
+        for (c, (source, target)) in
+            modal.chunks_exact(columns).zip(values.chunks_exact_mut(columns)).enumerate()
+        {
+            small_product(1.0, self.transform.of(self.kind.parity(c)), source, target);
+        }
+    }
+
+    /// Axis nodes have u_z of m = 0 and, in the place of u_r, the translation of m = 1, to which u_θ adds with −1.
+    fn axis_to_modal(&self, force: &[f64], modal: &mut [f64]) {
+        let columns = self.harmonics();
+        let first = columns..2 * columns;
+        modal.fill(0.0);
+        let axial = match self.kind {
+            FieldKind::Scalar => 0,
+            FieldKind::Vector => 2 * columns,
+        };
+        modal[axial] = dot(&self.transform.even[..columns], &force[axial..]);
+        if self.kind == FieldKind::Vector && columns > 1 {
+            modal[1] = dot(&self.transform.even[first.clone()], force)
+                - dot(&self.transform.odd[first.clone()], &force[first]);
+        }
+    }
+
+    fn axis_to_nodal(&self, modal: &[f64], values: &mut [f64]) {
+        let columns = self.harmonics();
+        for (c, target) in values.chunks_exact_mut(columns).enumerate() {
+            let table = self.transform.of(self.kind.parity(c));
+            let (value, harmonic) = match (self.kind, c) {
+                (FieldKind::Vector, 0 | 1) if columns == 1 => (0.0, 0),
+                (FieldKind::Vector, 0) => (modal[1], 1),
+                (FieldKind::Vector, 1) => (-modal[1], 1),
+                _ => (modal[c * columns], 0),
+            };
+            for (t, w) in target.iter_mut().zip(&table[harmonic * columns..]) {
+                *t = value * w;
             }
         }
     }

@@ -57,18 +57,23 @@ impl HarmonicFactors {
         let (value, _) = self.value.as_chunks::<M>();
         let (diagonal, _) = self.inverse_diagonal.as_chunks::<M>();
         for j in (0..self.interior).rev() {
-            let mut xj = x[j];
+            // Sums that need not wait for each other; from the end, so that memory is fetched ahead.
+            let mut sums = [[0.0; M]; 4];
             let entries = self.column_start[j] as usize..self.column_start[j + 1] as usize;
-            for (v, &i) in value[entries.clone()].iter().zip(&self.row[entries]) {
-                let xi = &x[i as usize];
-                for l in 0..M {
-                    xj[l] = fma(-v[l], xi[l], xj[l]);
+            let (values, rows) = (&value[entries.clone()], &self.row[entries]);
+            for (values, rows) in values.rchunks(sums.len()).zip(rows.rchunks(sums.len())) {
+                for ((sum, v), &i) in sums.iter_mut().zip(values).zip(rows) {
+                    let xi = &x[i as usize];
+                    for l in 0..M {
+                        sum[l] = fma(v[l], xi[l], sum[l]);
+                    }
                 }
             }
+            let xj = &mut x[j];
             for l in 0..M {
-                xj[l] *= diagonal[j][l];
+                let sum = (sums[0][l] + sums[1][l]) + (sums[2][l] + sums[3][l]);
+                xj[l] = (xj[l] - sum) * diagonal[j][l];
             }
-            x[j] = xj;
         }
     }
 
