@@ -110,7 +110,7 @@ impl HarmonicPattern {
             MemStack::new(&mut memory),
         )
         .map_err(|_| FactorError::Memory)?;
-        let factor_pattern = FactorPattern::new(symbolic.col_ptr(), symbolic.row_idx());
+        let factor_pattern = FactorPattern::new(symbolic.col_ptr(), symbolic.row_idx(), &column_start, &row);
         Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic, factor_pattern })
     }
 
@@ -258,7 +258,7 @@ impl HarmonicPattern {
         let value = |entry: usize| std::array::from_fn(|l| values[entry * lanes + first + l]);
         let lower = self
             .factor_pattern
-            .cholesky::<M>(&self.column_start, &self.row, value)
+            .cholesky::<M>(value)
             .map_err(|lane| FactorError::NotPositiveDefinite { harmonic: first + lane })?;
         let columns = self.symbolic.col_ptr();
         for j in 0..self.interior {
