@@ -28,8 +28,17 @@ pub fn markdown(report: &Report) -> String {
         100.0 * report.covered(),
         HONEST.1,
     );
-    text.push_str("True error over its estimate:\n\n| quantity | honest | least | median | largest |\n|---|---|---|---|---|\n");
     // Writing to a String cannot fail.
+    let _ = writeln!(
+        text,
+        "What `accuracy` is about is the worst of `mu`, `mu_static`, `Q`, `P` and `area` of a scene: in {} of {} scenes\n\
+         the largest true error is between {} and {} times the largest estimate, which may be that of another quantity.\n",
+        report.honest_scenes(),
+        report.scenes.len(),
+        HONEST.0,
+        HONEST.1,
+    );
+    text.push_str("True error over its estimate:\n\n| quantity | honest | least | median | largest |\n|---|---|---|---|---|\n");
     for quantity in JUDGED {
         let QuantityReport { share, ratios: [least, median, largest], .. } = report.of(quantity);
         let name = quantity.descriptor().name;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use tables::quantity::Quantity;
 
 use super::{Record, Role, WORKING_ELEMENTS, scenes};
-use crate::error_budget::{Companions, ErrorBudget, ErrorSource};
+use crate::error_budget::{CONTROLLED, Companions, ErrorBudget, ErrorSource};
 use crate::problem::Problem;
 use crate::quantities::MAIN;
 use crate::resolution::Resolution;
@@ -82,6 +82,18 @@ pub struct SceneReport {
     /// Position in [`scenes::SCENES`].
     pub scene: usize,
     pub judged: Vec<Judged>,
+}
+
+impl SceneReport {
+    /// What the accuracy asked of a scene is about: the largest true error over the largest estimate, relative to
+    /// their quantities, among those that it is asked of. The two need not be of the same quantity.
+    pub fn worst_ratio(&self) -> f64 {
+        let largest = |of: fn(&Judged) -> f64| {
+            let asked = self.judged.iter().filter(|judged| CONTROLLED.contains(&judged.quantity));
+            asked.map(|judged| of(judged) / judged.scale).fold(0.0, f64::max)
+        };
+        largest(|judged| judged.error().abs()) / largest(Judged::estimate)
+    }
 }
 
 /// What is known of one quantity over all scenes.
@@ -161,6 +173,12 @@ impl Report {
         share(self.all())
     }
 
+    /// Number of scenes whose worst error is neither too large nor too small for their worst estimate.
+    pub fn honest_scenes(&self) -> usize {
+        let honest = |scene: &&SceneReport| (HONEST.0..=HONEST.1).contains(&scene.worst_ratio());
+        self.scenes.iter().filter(honest).count()
+    }
+
     /// Share of true errors that are no larger than an honest estimate allows.
     pub fn covered(&self) -> f64 {
         let (mut covered, mut all) = (0u32, 0u32);
@@ -238,4 +256,33 @@ fn judge(runs: &HashMap<Role, Scalars>, scene: &Scene) -> Vec<Judged> {
         }
     };
     JUDGED.into_iter().map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_error_of_a_scene_is_over_its_worst_estimate() {
+        let judged = |quantity, error: f64, estimate: f64| Judged {
+            quantity,
+            value: 2.0,
+            scale: 2.0,
+            parts: [2.0 * error, 0.0, 0.0, 0.0],
+            estimates: [0.0, 2.0 * estimate, 0.0, 0.0],
+            orders: [None, None],
+        };
+        let scene = SceneReport {
+            scene: 0,
+            judged: vec![
+                judged(Quantity::Mu, -0.03, 0.01),
+                judged(Quantity::Load, 0.001, 0.04),
+                // Of no concern to the accuracy.
+                judged(Quantity::EnergyRelease, 0.5, 0.1),
+            ],
+        };
+        assert!((scene.worst_ratio() - 0.75).abs() < 1e-12);
+        let report = Report { scenes: vec![scene], missing: Vec::new() };
+        assert_eq!((report.honest_scenes(), report.share()), (1, 0.0));
+    }
 }
