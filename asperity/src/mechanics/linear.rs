@@ -188,9 +188,9 @@ mod tests {
     /// What is left of the residual is found with products of the whole tangent, which the solver never makes.
     #[test]
     fn the_answer_in_the_inelastic_zone_solves_the_whole_system() {
-        for (case, kinematics) in [("interference-5", false), ("interference-100", true)] {
+        for (case, finite_strain) in [("interference-5", false), ("interference-100", true)] {
             let case = hard_cases::all().into_iter().find(|known| known.name == case).unwrap();
-            let problem = Problem { finite_strain: kinematics, ..Problem::new(&case.scene().unwrap()) };
+            let problem = Problem { finite_strain, ..Problem::new(&case.scene().unwrap()) };
             let size = MeshSize::new(problem.expected_contact_radius(), 6);
             let (pressed, _) = press::press_on(&problem, size, 8).unwrap();
             let (body, contact, displacement) = pressed.into_parts();
