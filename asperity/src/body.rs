@@ -4,15 +4,16 @@
 //! Stress at a Gauss point: deviator s = 2G(e − ε_p), mean stress p = K(ε̄_v − 3∫α dθ̄), where the
 //! dilatation ε̄_v and the temperature rise θ̄ are means over the element (B̄), and G and K those
 //! of the element at θ̄. All moduli are f = E(T)/E(T₀) times those at T₀, so that the stresses over
-//! f are those of the moduli at T₀ with a yield strength over f. Consistent tangent
-//! of the radial return: de Souza Neto, Perić & Owen, Computational Methods for Plasticity
-//! (2008), eq. (7.120).
+//! f are those of the moduli at T₀ with a yield strength over f. How stress and plastic strain go on over a step is
+//! the material's: [`Solid::flow`]. Its derivative is not symmetric where the stress turns; the tangent here is symmetric,
+//! a few per cent off in long steps and exact in short ones and along proportional paths, where it is the consistent one of
+//! the radial return (de Souza Neto, Perić & Owen, Computational Methods for Plasticity (2008), eq. (7.120)).
 
 use crate::element::{
     CORNERS, POINTS, RevolvedMesh, deviators_and_dilatation, shape_at_points, stress_force,
 };
 use crate::lanes::{Lanes, Pack, lanes_of};
-use crate::material::{Solid, Trial};
+use crate::material::{Solid, StrainPath};
 use crate::sectors::VECTOR_PARITY;
 use wide::{f64x4, f64x8};
 
@@ -30,7 +31,7 @@ pub use nodal::NODAL;
 pub use state::BodyState;
 pub use tangent::InelasticZone;
 
-/// Consistent tangent at points that flow: 2G(1 − softening)·dev − radial·(n:e)n.
+/// Tangent at points that flow: 2G·across·dev + radial·(n:e)n.
 #[derive(Clone, Debug)]
 struct Tangent {
     /// Per element and group of lanes: whether any point flows. Where none does, the plastic strains of the
@@ -194,13 +195,11 @@ impl Body {
                 let mut stresses = [[mean_stress; TENSOR]; POINTS];
                 let (stale, mut flows) = (self.tangent.flows[at], false);
                 for q in 0..POINTS {
-                    let deviator = deviators[q].map(lanes_of);
                     let (stress, flowing) =
-                        self.point_stress::<W>(e, q, first, &deviator, heat.at_point(q), stale);
+                        self.point_stress::<W, V>(e, q, first, &deviators[q], heat.at_point(q), stale);
                     flows |= flowing;
                     let weight = V::splat(self.mesh.elements[e].weight[q]);
-                    for (i, (joined, component)) in stresses[q].iter_mut().zip(&stress).enumerate() {
-                        let deviatoric = V::load(component);
+                    for (i, (joined, &deviatoric)) in stresses[q].iter_mut().zip(&stress).enumerate() {
                         *joined = weight * if i < 3 { deviatoric + mean_stress } else { deviatoric };
                     }
                 }
@@ -218,35 +217,34 @@ impl Body {
         self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
     }
 
-    /// Radial return at one point: deviatoric stress and whether any lane flows; `stale`: whether any point of
+    /// Stress at one point: its deviator and whether any lane flows; `stale`: whether any point of
     /// the element did the time before.
     #[inline(always)]
-    fn point_stress<const W: usize>(
+    fn point_stress<const W: usize, V: Pack>(
         &mut self,
         e: usize,
         q: usize,
         first: usize,
-        deviator: &[Lanes<W>; TENSOR],
+        deviator: &[V; TENSOR],
         heat: PointHeat<'_, W>,
         stale: bool,
-    ) -> ([Lanes<W>; TENSOR], bool) {
+    ) -> ([V; TENSOR], bool) {
         let lanes = self.mesh.sectors.columns();
         let point = e * POINTS + q;
         let tensor = |i: usize| (point * TENSOR + i) * lanes + first;
         let scalar = point * lanes + first;
         let two_shear = 2.0 * self.solid.moduli.shear;
 
-        let mut stress = [[0.0; W]; TENSOR];
-        let mut squared = [0.0; W];
-        for i in 0..TENSOR {
-            let plastic = &self.committed.plastic_strain[tensor(i)..tensor(i) + W];
-            let factor = if i < 3 { 1.5 } else { 3.0 };
-            for l in 0..W {
-                stress[i][l] = two_shear * (deviator[i][l] - plastic[l]);
-                squared[l] += factor * stress[i][l] * stress[i][l];
-            }
-        }
-        let over_stiffness = |factor: f64, l: usize| heat.stiffness.map_or(factor, |f| factor / f[l]);
+        let mut squared = V::splat(0.0);
+        let mut stress: [V; TENSOR] = std::array::from_fn(|i| {
+            let plastic = V::load(&self.committed.plastic_strain[tensor(i)..]);
+            let component = V::splat(two_shear) * (deviator[i] - plastic);
+            squared = (V::splat(if i < 3 { 1.5 } else { 3.0 }) * component).mul_add(component, squared);
+            component
+        });
+        let squared: Lanes<W> = lanes_of(squared);
+        let over_stiffness =
+            |factor: f64, l: usize| heat.stiffness.map_or(factor, |[now, _]| factor / now[l]);
         // No softening factor need be evaluated where the lowest one in the element keeps the
         // points elastic.
         let strength = &self.committed.strength[scalar..scalar + W];
@@ -286,53 +284,62 @@ impl Body {
             self.tangent.coefficients[coefficient(1)..coefficient(1) + W].fill(0.0);
         }
         if any {
-            let shear = self.solid.moduli.shear;
-            let lanes_of = |values: &[f64]| -> Lanes<W> { std::array::from_fn(|l| values[scalar + l]) };
-            let trial = Trial {
+            let at_start = |values: &[f64]| -> Lanes<W> { std::array::from_fn(|l| values[scalar + l]) };
+            let mut start = [[0.0; W]; TENSOR];
+            for (i, start) in start.iter_mut().enumerate() {
+                start.copy_from_slice(&self.committed.deviator[tensor(i)..tensor(i) + W]);
+                if let Some([_, before]) = heat.stiffness {
+                    (0..W).for_each(|l| start[l] /= before[l]);
+                }
+            }
+            let elastic: [Lanes<W>; TENSOR] = stress.map(lanes_of);
+            let path = StrainPath {
                 flowing,
-                stress: squared.map(f64::sqrt),
-                strain: lanes_of(&self.committed.accumulated),
-                strength: lanes_of(&self.committed.strength),
+                start: &start,
+                elastic: &elastic,
+                strain: at_start(&self.committed.accumulated),
+                strength: at_start(&self.committed.strength),
                 softening,
                 guess,
             };
-            let end = self.solid.return_map(&trial);
-            // Zero where nothing flows: what follows is for all lanes at once.
-            let (mut increments, mut ratio, mut radial) = ([0.0; W], [0.0; W], [0.0; W]);
-            let mut over_norm = [0.0; W];
+            let end = self.solid.flow(&path);
+            let stiffness = 3.0 * self.solid.moduli.shear;
+            // Elastic where nothing flows: what follows is for all lanes at once.
+            let (mut across, mut radial) = ([two_shear; W], [0.0; W]);
             for l in (0..W).filter(|&l| flowing[l]) {
-                let (increment, stress) = (end.increment[l], trial.stress[l]);
-                self.trial.accumulated[scalar + l] = trial.strain[l] + increment;
+                self.trial.accumulated[scalar + l] = path.strain[l] + end.increment[l];
                 self.trial.strength[scalar + l] = end.strength[l];
-                increments[l] = increment * 1.5f64.sqrt();
-                ratio[l] = 3.0 * shear * increment / stress;
-                // 6G²(Δγ/q − 1/(3G + H)) n⊗n with unit n: never positive. A strength that falls counts
-                // as constant, so that the tangent stays definite.
+                // Along the stress the tangent is 2GH/(3G + H). A strength that falls counts as constant, so that
+                // it stays definite; and nowhere is it stiffer along the stress than across.
                 let slope = end.slope[l].max(0.0);
-                radial[l] = 6.0 * shear * shear * (increment / stress - 1.0 / (3.0 * shear + slope));
-                over_norm[l] = 1.5f64.sqrt() / stress;
+                across[l] = two_shear * end.across[l];
+                radial[l] = (two_shear * (1.0 - stiffness / (stiffness + slope)) - across[l]).min(0.0);
             }
-            let kept = ratio.map(|ratio| 1.0 - ratio);
             let at = coefficient(0);
-            self.tangent.coefficients[at..at + W].copy_from_slice(&kept.map(|kept| two_shear * kept));
+            self.tangent.coefficients[at..at + W].copy_from_slice(&across);
             let at = coefficient(1);
             self.tangent.coefficients[at..at + W].copy_from_slice(&radial);
             for i in 0..TENSOR {
                 let (direction, plastic) = (coefficient(2 + i), tensor(i));
                 let direction = &mut self.tangent.coefficients[direction..direction + W];
                 let plastic = &mut self.trial.plastic_strain[plastic..plastic + W];
+                let mut at_end = elastic[i];
                 for l in 0..W {
-                    direction[l] = stress[i][l] * over_norm[l];
-                    plastic[l] += increments[l] * direction[l];
-                    stress[i][l] *= kept[l];
+                    let flows = flowing[l];
+                    let flown = end.radius[l] * end.direction[i][l];
+                    direction[l] = if flows { end.direction[i][l] } else { 0.0 };
+                    at_end[l] = if flows { flown } else { at_end[l] };
+                    // What of the strain is not elastic.
+                    plastic[l] += (elastic[i][l] - at_end[l]) / two_shear;
                 }
+                stress[i] = V::load(&at_end);
             }
         }
-        for i in 0..TENSOR {
-            if let Some(stiffness) = heat.stiffness {
-                (0..W).for_each(|l| stress[i][l] *= stiffness[l]);
+        for (i, component) in stress.iter_mut().enumerate() {
+            if let Some([now, _]) = heat.stiffness {
+                *component = *component * V::load(now);
             }
-            self.trial.deviator[tensor(i)..tensor(i) + W].copy_from_slice(&stress[i]);
+            component.store(&mut self.trial.deviator[tensor(i)..]);
         }
         (stress, any)
     }

@@ -100,12 +100,11 @@ impl ErrorBudget {
             Quantity::ALL.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
         };
         let sectors = sectors_share(run.sectors, coarser.other_sectors().sectors);
-        let press = coarser.press_increments as f64 / run.press_increments as f64;
         Self {
             parts: [
                 [0.0; QUANTITIES],
                 difference(other_sectors, &|_| sectors),
-                difference(longer_steps, &|quantity| steps_share(quantity, press)),
+                difference(longer_steps, &steps_share),
                 difference(looser_solver, &|_| 1.0),
             ],
             brackets: [0.0; QUANTITIES],
@@ -180,8 +179,7 @@ pub fn of_press(
 ) -> [f64; 2] {
     let elements = run.elements_per_radius as f64;
     let mesh = mesh_share(elements / coarser.elements_per_radius as f64) * (fine - coarse).abs();
-    let increments = coarser.press_increments as f64 / run.press_increments as f64;
-    let steps = increments * (coarse - longer_steps).abs();
+    let steps = (coarse - longer_steps).abs();
     [mesh + power * edge_share(elements) * fine.abs(), steps]
 }
 
@@ -211,20 +209,15 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
     }
 }
 
-/// Error of the increments over what those twice as large change on the coarse mesh; `press` is the
-/// number of increments of the coarse press over that of the run.
-fn steps_share(quantity: Quantity, press: f64) -> f64 {
+/// Error of the increments over what those twice as large change on the coarse mesh.
+fn steps_share(quantity: Quantity) -> f64 {
     use Quantity::*;
     const INCEPTION_ORDER: f64 = 0.5;
     match quantity {
-        // First order in the increments of the press, of which the run has more.
-        LoadPress | AreaPress | ContactRadius => press,
-        // Where the last point lets go depends on increments long before, slowly and unevenly: G of titanium at
-        // 3 omega_c is 105.4, 102.3, 102.2 and 101.6 J/m2 with increments of 20, 3.3, 0.8 and 0.2 per cent of the slip
-        // at 8 elements, and falls by 0.7 and 1.0 per cent with two further halvings at 16.
-        EnergyRelease | InceptionSlip => 0.5 * (1.0 + press) / (2f64.powf(INCEPTION_ORDER) - 1.0),
-        // First order in the increments of the slide, and what is left of the press.
-        _ => 0.5 * (1.0 + press),
+        // Where the last point lets go changes in jumps as the increments end elsewhere.
+        EnergyRelease | InceptionSlip => 1.0 / (2f64.powf(INCEPTION_ORDER) - 1.0),
+        // First order.
+        _ => 1.0,
     }
 }
 
@@ -260,8 +253,7 @@ mod tests {
         let longer = coarser.longer_steps();
         let [_, steps] = of_press([of(&run), of(&coarser), of(&longer)], &run, &coarser, 0.0);
         let change = 0.4 / longer.press_increments as f64 - 0.4 / coarser.press_increments as f64;
-        let share = coarser.press_increments as f64 / run.press_increments as f64;
-        assert!((steps - share * change).abs() < 1e-12);
+        assert!((steps - change).abs() < 1e-12);
         let elements = |r: &Resolution| value(r.elements_per_radius, f64::INFINITY);
         let values = [elements(&run), elements(&coarser), elements(&coarser)];
         let [mesh, steps] = of_press(values, &run, &coarser, 0.0);

@@ -138,24 +138,45 @@ pub fn lanes_of<const W: usize, V: Pack>(pack: V) -> Lanes<W> {
     lanes
 }
 
+/// A method of packs, and of single numbers, applied to each lane.
+macro_rules! lane_by_lane {
+    ($x:ident, $pack:ident => $packed:expr, $single:expr) => {{
+        let mut y = [0.0; W];
+        let (x8, x) = $x.as_chunks::<8>();
+        let (y8, rest) = y.as_chunks_mut::<8>();
+        for (x, y) in x8.iter().zip(y8) {
+            type $pack = f64x8;
+            *y = $packed($pack::new(*x)).to_array();
+        }
+        let (x4, x) = x.as_chunks::<4>();
+        let (y4, rest) = rest.as_chunks_mut::<4>();
+        for (x, y) in x4.iter().zip(y4) {
+            type $pack = f64x4;
+            *y = $packed($pack::new(*x)).to_array();
+        }
+        for (&x, y) in x.iter().zip(rest) {
+            *y = $single(x);
+        }
+        y
+    }};
+}
+
 /// Each lane, not negative, to the power n.
 #[inline(always)]
 pub fn powers<const W: usize>(x: &Lanes<W>, n: f64) -> Lanes<W> {
-    let mut y = [0.0; W];
-    let (x8, x) = x.as_chunks::<8>();
-    let (y8, rest) = y.as_chunks_mut::<8>();
-    for (x, y) in x8.iter().zip(y8) {
-        *y = f64x8::new(*x).powf_simd(f64x8::splat(n)).to_array();
-    }
-    let (x4, x) = x.as_chunks::<4>();
-    let (y4, rest) = rest.as_chunks_mut::<4>();
-    for (x, y) in x4.iter().zip(y4) {
-        *y = f64x4::new(*x).powf_simd(f64x4::splat(n)).to_array();
-    }
-    for (x, y) in x.iter().zip(rest) {
-        *y = x.powf(n);
-    }
-    y
+    lane_by_lane!(x, P => |x: P| x.powf_simd(P::splat(n)), |x: f64| x.powf(n))
+}
+
+/// e to the power of each lane.
+#[inline(always)]
+pub fn exponentials<const W: usize>(x: &Lanes<W>) -> Lanes<W> {
+    lane_by_lane!(x, P => |x: P| x.exp(), f64::exp)
+}
+
+/// The natural logarithm of each lane.
+#[inline(always)]
+pub fn logarithms<const W: usize>(x: &Lanes<W>) -> Lanes<W> {
+    lane_by_lane!(x, P => |x: P| x.ln(), f64::ln)
 }
 
 /// y += scale·M·x for a small square matrix stored column by column.

@@ -10,9 +10,11 @@ use crate::elastic::Moduli;
 use crate::lanes::{Lanes, powers};
 use crate::scene::{Hardening, Material, Softening};
 
+mod flow;
 mod return_map;
 
-pub use return_map::Trial;
+pub use flow::StrainPath;
+use return_map::Trial;
 
 /// The material in dimensionless form.
 #[derive(Clone, Debug)]

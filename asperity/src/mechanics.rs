@@ -22,6 +22,11 @@ const REFRESH: f64 = 3e-2;
 /// Where the shear strength is many times the pressure, the points that stick, slip and touch are found
 /// a few at a time: at 0.001 omega_c that took up to 50 iterations, elsewhere fewer than 30.
 const NEWTON_LIMIT: usize = 60;
+/// Share of a Newton step that is none, and how many of them in a row show that no step leads on: a point that
+/// touches takes hold at once, and where the body pushes it off again by that, there is no equilibrium with this
+/// increment.
+const NO_STEP: f64 = 1e-6;
+const STALLED_LIMIT: usize = 3;
 /// Share of the friction that may be gone without so: more than the outermost ring of the coarsest mesh has
 /// is another problem than the one posed. Ordinary slides stay below 0.02; at 0.001 omega_c, with a
 /// shear strength of some twenty times the pressure, all of the friction went.
@@ -30,8 +35,8 @@ const MOST_WITHOUT: f64 = 0.2;
 /// Why a step was not solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StepFailure {
-    #[error("Newton's method did not converge in {NEWTON_LIMIT} iterations (residual {residual:.1e})")]
-    Newton { residual: f64 },
+    #[error("Newton's method did not converge in {iterations} iterations (residual {residual:.1e})")]
+    Newton { iterations: usize, residual: f64 },
     #[error("a number is not finite")]
     NotFinite,
     #[error("the contact stiffness is not positive definite")]
@@ -127,7 +132,7 @@ impl Mechanics {
         let mut around =
             surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
         self.internal_force(&u[..size], &around);
-        let mut last = f64::INFINITY;
+        let (mut last, mut stalled) = (f64::INFINITY, 0);
         let mut flutter = Flutter::new(self.contact.len());
         for iteration in 0..NEWTON_LIMIT {
             let flat = Flat { interference: u.get(size).copied().unwrap_or(flat.interference), ..flat };
@@ -179,7 +184,11 @@ impl Mechanics {
                     if next.is_some() {
                         self.internal_force(&u[..size], &around);
                     }
-                    self.line_search(&mut u, &mut trial, &line, &around);
+                    let step = self.line_search(&mut u, &mut trial, &line, &around);
+                    stalled = if step < NO_STEP { stalled + 1 } else { 0 };
+                    if stalled > STALLED_LIMIT {
+                        return Err(StepFailure::Newton { iterations: iteration + 1, residual: last });
+                    }
                     if near && !ahead {
                         next = surroundings(&mut self.body, &mut self.contact, iteration + 1);
                     }
@@ -194,7 +203,7 @@ impl Mechanics {
         }
         match flutter.share(&self.contact, &around.limit) {
             share if share > MOST_WITHOUT => Err(StepFailure::Flutter { share }),
-            _ => Err(StepFailure::Newton { residual: last }),
+            _ => Err(StepFailure::Newton { iterations: NEWTON_LIMIT, residual: last }),
         }
     }
 

@@ -110,7 +110,7 @@ def results(path):
         if line.strip().startswith("total force") and "FLATNODES" in line:
             time = float(line.split("time")[1])
             forces = numbers(text[i + 2])
-        if "area, normal force" in line:
+        if "area," in line and "normal force" in line:
             area = next(numbers(x)[0] for x in text[i + 1 :] if numbers(x))
     return time, forces, area
 

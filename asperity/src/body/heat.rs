@@ -10,8 +10,8 @@ pub(super) struct PointHeat<'a, const W: usize> {
     pub(super) rise: &'a Lanes<W>,
     /// No point of the element has a lower softening factor.
     pub(super) weakest: f64,
-    /// E(T)/E(T₀) of the element, unless constant.
-    pub(super) stiffness: Option<&'a Lanes<W>>,
+    /// E(T)/E(T₀) of the element, now and at the end of the step before, unless constant.
+    pub(super) stiffness: Option<[&'a Lanes<W>; 2]>,
 }
 
 /// Temperature and what it does in one element.
@@ -22,13 +22,16 @@ pub(super) struct ElementHeat<const W: usize> {
     pub(super) weakest: f64,
     /// E(T)/E(T₀), unless constant.
     pub(super) stiffness: Option<Lanes<W>>,
+    /// The same at the end of the step before.
+    stiffness_before: Lanes<W>,
     /// Volumetric thermal strain.
     pub(super) thermal: Lanes<W>,
 }
 
 impl<const W: usize> ElementHeat<W> {
     pub(super) fn at_point(&self, q: usize) -> PointHeat<'_, W> {
-        PointHeat { rise: &self.point_rise[q], weakest: self.weakest, stiffness: self.stiffness.as_ref() }
+        let stiffness = self.stiffness.as_ref().map(|now| [now, &self.stiffness_before]);
+        PointHeat { rise: &self.point_rise[q], weakest: self.weakest, stiffness }
     }
 }
 
@@ -51,8 +54,15 @@ impl Body {
             self.solid.lowest_softening_factor(coldest, hottest)
         });
         let stiffness = varying.then(|| mean_rise.map(|rise| self.solid.stiffness_factor(rise)));
+        let stiffness_before = match varying {
+            true => {
+                let at = e * self.mesh.sectors.columns() + first;
+                std::array::from_fn(|l| self.solid.stiffness_factor(self.committed.rise[at + l]))
+            }
+            false => [1.0; W],
+        };
         let thermal = self.solid.thermal_dilatation(&mean_rise);
-        ElementHeat { point_rise, mean_rise, weakest, stiffness, thermal }
+        ElementHeat { point_rise, mean_rise, weakest, stiffness, stiffness_before, thermal }
     }
 
     /// Temperature rise at the Gauss points and its mean over the element.

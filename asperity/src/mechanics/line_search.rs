@@ -77,7 +77,7 @@ impl Mechanics {
     }
 
     /// Goes along a line until the slope of the energy has fallen enough; leaves `u` there, with
-    /// the internal force of that point.
+    /// the internal force of that point. Returns how far that is.
     ///
     /// Where a full step goes too far, that is mostly because points of the contact touch, lift off
     /// or begin to slip on the way. So the next try is the root of the body's slope, taken as
@@ -88,7 +88,7 @@ impl Mechanics {
         trial: &mut Vec<f64>,
         line: &Line,
         around: &Surroundings,
-    ) {
+    ) -> f64 {
         const TRIES: usize = 8;
         let initial = line.initial_slope();
         // Steps that fall short and that go too far, each with the slope of the body alone.
@@ -130,5 +130,6 @@ impl Mechanics {
             };
         }
         std::mem::swap(u, trial);
+        step
     }
 }

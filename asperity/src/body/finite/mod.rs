@@ -18,7 +18,7 @@ use super::heat::ElementHeat;
 use super::{Body, TENSOR};
 use crate::elastic;
 use crate::element::{CORNERS, POINTS, VALUES};
-use crate::lanes::{Lanes, Pack};
+use crate::lanes::{Lanes, Pack, lanes_of};
 use crate::sectors::VECTOR_PARITY;
 use gradient::{
     Symmetric, add_stress_force, cauchy_green_excess, cofactors, deformation_gradient, displacement_gradient,
@@ -169,7 +169,7 @@ impl Body {
             let f = deformation_gradient(gradient);
             let cofactors = cofactors(&f);
             let log = tangent.rules.log(&cauchy_green_excess(gradient));
-            let (log_stress, flows) = self.log_stress::<W, P, V>(e, chunk, first, &log.strain(), &heat);
+            let (log_stress, flows) = self.log_stress::<W, P, A, V>(e, chunk, first, &log.strain(), &heat);
             let second = log.second_piola(&log_stress);
             any_flows |= flows;
             if !small {
@@ -200,7 +200,7 @@ impl Body {
 
     /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.
     #[inline(always)]
-    fn log_stress<const W: usize, const P: usize, V: Pack>(
+    fn log_stress<const W: usize, const P: usize, A: Pack, V: Pack>(
         &mut self,
         e: usize,
         chunk: usize,
@@ -214,11 +214,11 @@ impl Body {
         let stale = self.tangent.flows[e * self.mesh.sectors.columns() + first];
         let mut flows = false;
         let of_points: [[Lanes<W>; TENSOR]; P] = std::array::from_fn(|p| {
-            let of_point = deviator.map(|component| unpack::<W, V>(component, p));
+            let of_point = deviator.map(|component| A::load(&unpack::<W, V>(component, p)));
             let (stress, flowing) =
-                self.point_stress::<W>(e, chunk + p, first, &of_point, heat.at_point(chunk + p), stale);
+                self.point_stress::<W, A>(e, chunk + p, first, &of_point, heat.at_point(chunk + p), stale);
             flows |= flowing;
-            stress
+            stress.map(lanes_of)
         });
         (std::array::from_fn(|v| pack::<W, P, V>(|p| &of_points[p][v])), flows)
     }
