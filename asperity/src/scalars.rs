@@ -36,6 +36,8 @@ pub struct Scalars {
     brackets: [f64; QUANTITIES],
     /// T₀, K.
     start: f64,
+    /// Whether the press was elastic: less deep than first yield without friction.
+    pub elastic: bool,
     pub inception: InceptionCriterion,
     pub levelled: bool,
 }
@@ -76,7 +78,8 @@ impl Scalars {
             Quantity::InceptionSlip => inception.slip_bracket * units.length,
             _ => 0.0,
         });
-        Self { values, brackets, start, inception: inception.criterion, levelled: levelled(history) }
+        let elastic = problem.interference < problem.critical_interference;
+        Self { values, brackets, start, elastic, inception: inception.criterion, levelled: levelled(history) }
     }
 
     pub fn value(&self, quantity: Quantity) -> f64 {

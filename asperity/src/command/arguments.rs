@@ -178,7 +178,7 @@ pub(super) struct HonestyArguments {
     /// Scenes to run, by number from 1, as in 1,4,7 [default: all]
     #[arg(long, value_name = "N,N...", value_delimiter = ',', value_parser = scene_number)]
     pub(super) scenes: Vec<usize>,
-    /// Run also what tells the orders of convergence and the true error of the sectors
+    /// Run also what tells the orders of convergence
     #[arg(long)]
     pub(super) thorough: bool,
     /// Run nothing; judge what the journal holds

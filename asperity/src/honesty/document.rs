@@ -12,27 +12,56 @@ pub fn markdown(report: &Report) -> String {
          Written by `asperity honesty --output FILE`; the runs are kept in its journal, so that the study can\n\
          be interrupted, continued and judged anew (`--judge-only`). {} of {} scenes are judged, at\n\
          {WORKING_ELEMENTS} elements per contact radius and otherwise as the default accuracy chooses.\n\n\
-         True errors are against runs with two (some: three) times the elements, a quarter of the increments\n\
-         and twice the angles, each alone, extrapolated with order 1.5 in the elements and 1 in the\n\
-         increments. They are themselves known to about a quarter. Honest is a true error between {}\n\
-         and {} times the estimate, or both below {} % of the value.\n\
-         One constant of the estimates, that of the contact edge, was chosen among three by these same\n\
-         scenes; the others were not.\n\n\
-         **{:.0} % of the estimates are honest; {:.0} % of the true errors are at most {} times the estimate.**\n\n",
+         True errors are against runs with four times the elements, a quarter of the increments and twice the\n\
+         angles, each alone, extrapolated with order 1.5 in the elements and 1 in the increments. Honest\n\
+         is a true error between {} and {} times the estimate, or both below {} % of the value.\n\n",
         report.scenes.len(),
         scenes::SCENES.len(),
         HONEST.0,
         HONEST.1,
         100.0 * NEGLIGIBLE,
+    );
+    let parts = [
+        (
+            0..scenes::SEEN,
+            "Scenes by which two constants of the estimates were chosen",
+            "that of the contact edge, among three, and the order in the elements of friction below first yield",
+        ),
+        (
+            scenes::SEEN..scenes::SCENES.len(),
+            "Scenes that nothing was chosen by",
+            "other materials, chosen before they were run",
+        ),
+    ];
+    for (positions, title, remark) in parts {
+        let part = report.part(positions);
+        if part.scenes.is_empty() {
+            continue;
+        }
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "## {title}\n\n({remark})\n");
+        summary(&part, &mut text);
+        scene_table(&part, &mut text);
+    }
+    if !report.missing.is_empty() {
+        text.push_str("Not judged:\n\n");
+    }
+    for (scene, reason) in &report.missing {
+        let (preset, interference, slip_rate) = scenes::SCENES[*scene];
+        let _ = writeln!(text, "- {}: {reason}", scenes::name(preset, interference, slip_rate));
+    }
+    text
+}
+
+fn summary(report: &Report, text: &mut String) {
+    let _ = writeln!(
+        text,
+        "**{:.0} % of the estimates are honest; {:.0} % of the true errors are at most {} times the estimate.**\n\n\
+         What `accuracy` is about is the worst of `mu`, `mu_static`, `Q`, `P` and `area` of a scene: in {} of {} scenes\n\
+         the largest true error is between {} and {} times the largest estimate, which may be that of another quantity.\n",
         100.0 * report.share(),
         100.0 * report.covered(),
         HONEST.1,
-    );
-    // Writing to a String cannot fail.
-    let _ = writeln!(
-        text,
-        "What `accuracy` is about is the worst of `mu`, `mu_static`, `Q`, `P` and `area` of a scene: in {} of {} scenes\n\
-         the largest true error is between {} and {} times the largest estimate, which may be that of another quantity.\n",
         report.honest_scenes(),
         report.scenes.len(),
         HONEST.0,
@@ -45,6 +74,9 @@ pub fn markdown(report: &Report) -> String {
         let percent = 100.0 * share;
         let _ = writeln!(text, "| {name} | {percent:.0} % | {least:.2} | {median:.2} | {largest:.2} |");
     }
+}
+
+fn scene_table(report: &Report, text: &mut String) {
     text.push_str(
         "\nTrue error in % (in brackets as estimated; of the rise, for temperatures):\n\n| scene |",
     );
@@ -64,12 +96,5 @@ pub fn markdown(report: &Report) -> String {
         }
         text.push('\n');
     }
-    if !report.missing.is_empty() {
-        text.push_str("\nNot judged:\n\n");
-    }
-    for (scene, reason) in &report.missing {
-        let (preset, interference, slip_rate) = scenes::SCENES[*scene];
-        let _ = writeln!(text, "- {}: {reason}", scenes::name(preset, interference, slip_rate));
-    }
-    text
+    text.push('\n');
 }

@@ -2,9 +2,8 @@
 //! errors compared with the estimates.
 //!
 //! The sources of error are taken one at a time, each against a run in which it alone is several
-//! times smaller: two or three times the elements, and from these the limit at order 1.5; a quarter of
-//! the increments, and from these the limit at order 1; twice the angles, or what these change on the
-//! coarse mesh. Their effects add up to the true error; what they do to each other is an error of an
+//! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the increments, and
+//! from these the limit at order 1; twice the angles. Their effects add up to the true error; what they do to each other is an error of an
 //! error. The solver's part is a hundredth of the others and left out.
 
 mod document;
@@ -26,7 +25,7 @@ pub use report::{Judged, QuantityReport, Report};
 use crate::resolution::Resolution;
 use crate::simulate::{Watch, press_coarsely, sample};
 
-/// n_c of the runs whose estimates are judged; the finest have two or three times as many.
+/// n_c of the runs whose estimates are judged; the finest have four times as many.
 pub const WORKING_ELEMENTS: usize = 8;
 
 /// What a run of the study is for.
@@ -40,17 +39,19 @@ pub enum Role {
     CoarseSteps,
     CoarseSolver,
     /// Those that tell its true errors.
-    TwiceElements,
-    ThreeTimesElements,
+    FourTimesElements,
     MoreSectors,
-    HalfSteps,
     QuarterSteps,
+    /// Those that tell the orders of convergence.
+    TwiceElements,
+    HalfSteps,
 }
 
 impl Role {
     /// What the judgement of a scene needs; the long runs first.
-    pub const NEEDED: [Role; 7] = [
-        Role::TwiceElements,
+    pub const NEEDED: [Role; 8] = [
+        Role::FourTimesElements,
+        Role::MoreSectors,
         Role::QuarterSteps,
         Role::Working,
         Role::Coarse,
@@ -58,8 +59,8 @@ impl Role {
         Role::CoarseSteps,
         Role::CoarseSolver,
     ];
-    /// What tells the limit and the orders of convergence better.
-    pub const THOROUGH: [Role; 3] = [Role::ThreeTimesElements, Role::MoreSectors, Role::HalfSteps];
+    /// What tells the orders of convergence.
+    pub const THOROUGH: [Role; 2] = [Role::TwiceElements, Role::HalfSteps];
 
     fn resolution(self, working: &Resolution) -> Resolution {
         let coarse = working.coarse();
@@ -70,7 +71,7 @@ impl Role {
             Role::CoarseSteps => coarse.longer_steps(),
             Role::CoarseSolver => coarse.looser_solver(),
             Role::TwiceElements => working.finer_mesh(2),
-            Role::ThreeTimesElements => working.finer_mesh(3),
+            Role::FourTimesElements => working.finer_mesh(4),
             Role::MoreSectors => Resolution { sectors: 2 * working.sectors, ..*working },
             Role::HalfSteps => working.shorter_steps(2),
             Role::QuarterSteps => working.shorter_steps(4),

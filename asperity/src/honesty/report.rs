@@ -119,21 +119,6 @@ fn of_limit(refinement: f64, order: f64) -> f64 {
     1.0 / (1.0 - refinement.powf(-order))
 }
 
-/// Order at which values at h, h/2 and h/3 change by `ratio` in the first step over the second,
-/// if there is one between 0.2 and 5.
-fn mesh_order(ratio: f64) -> Option<f64> {
-    let of = |order: f64| (1.0 - 2f64.powf(-order)) / (2f64.powf(-order) - 3f64.powf(-order)) - ratio;
-    let (mut low, mut high) = (0.2, 5.0);
-    if of(low) > 0.0 || of(high) < 0.0 {
-        return None;
-    }
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if of(middle) > 0.0 { high = middle } else { low = middle }
-    }
-    Some(0.5 * (low + high))
-}
-
 impl Report {
     /// Of the records of a journal.
     pub fn new(records: &[Record]) -> Self {
@@ -162,6 +147,15 @@ impl Report {
             }
         }
         report
+    }
+
+    /// The part of the study with the scenes at the given positions.
+    pub fn part(&self, positions: std::ops::Range<usize>) -> Self {
+        let is_in = |scene: usize| positions.contains(&scene);
+        Self {
+            scenes: self.scenes.iter().filter(|scene| is_in(scene.scene)).cloned().collect(),
+            missing: self.missing.iter().filter(|missing| is_in(missing.0)).cloned().collect(),
+        }
     }
 
     pub fn all(&self) -> impl Iterator<Item = &Judged> {
@@ -227,30 +221,22 @@ fn judge(runs: &HashMap<Role, Scalars>, scene: &Scene) -> Vec<Judged> {
         let against = |role: Role| value(role).map_or(0.0, |there| here - there);
         let order = |values: [Option<f64>; 3]| {
             let [Some(first), Some(second), Some(third)] = values else { return None };
-            Some((first - second) / (second - third))
+            // Of values at h, h/2 and h/4.
+            Some((first - second) / (second - third)).filter(|ratio| *ratio > 1.0).map(f64::log2)
         };
         Judged {
             quantity,
             value: here,
             scale: if quantity.is_temperature() { (here - start).max(1.0) } else { here.abs() },
             parts: [
-                match value(Role::ThreeTimesElements) {
-                    Some(finest) => (here - finest) * of_limit(3.0, 1.5),
-                    None => against(Role::TwiceElements) * of_limit(2.0, 1.5),
-                },
-                match value(Role::MoreSectors) {
-                    Some(more) => here - more,
-                    None => companions.coarse.value(quantity) - companions.other_sectors.value(quantity),
-                },
+                against(Role::FourTimesElements) * of_limit(4.0, 1.5),
+                against(Role::MoreSectors),
                 against(Role::QuarterSteps) * of_limit(4.0, 1.0),
                 0.0,
             ],
             orders: [
-                order([Some(here), value(Role::TwiceElements), value(Role::ThreeTimesElements)])
-                    .and_then(mesh_order),
-                order([Some(here), value(Role::HalfSteps), value(Role::QuarterSteps)])
-                    .filter(|ratio| *ratio > 1.0)
-                    .map(f64::log2),
+                order([Some(here), value(Role::TwiceElements), value(Role::FourTimesElements)]),
+                order([Some(here), value(Role::HalfSteps), value(Role::QuarterSteps)]),
             ],
             estimates: ErrorSource::ALL.map(|source| budget.part(source, quantity)),
         }
