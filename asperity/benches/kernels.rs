@@ -58,6 +58,15 @@ fn internal_force_at_finite_strain(bencher: Bencher, size: (usize, usize)) {
     bencher.bench_local(|| kernels.internal_force());
 }
 
+/// The return mapping.
+#[divan::bench]
+fn plastic_flow(bencher: Bencher) {
+    let kernels = kernels(SIZES[0]);
+    counted(bencher, kernels.flow_work(), || {
+        black_box(kernels.flow());
+    });
+}
+
 #[divan::bench(args = SIZES)]
 fn tangent_product(bencher: Bencher, size: (usize, usize)) {
     let mut kernels = kernels(size);

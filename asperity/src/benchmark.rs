@@ -5,6 +5,8 @@ use crate::body::Body;
 use crate::conduction::{Conduction, ContactHeat};
 use crate::contact::{Contact, Flat};
 use crate::harmonic::SingleFactors;
+use crate::lanes::Lanes;
+use crate::material::StrainPath;
 use crate::mechanics::Mechanics;
 use crate::preconditioner::Preconditioner;
 use crate::press::press_on;
@@ -15,8 +17,13 @@ use crate::sectors::Sectors;
 use crate::slide::Slide;
 use crate::timings::Timings;
 
-/// Rise that the conduction step and the return mapping are given, K.
+/// Rise that the conduction step and the internal force are given, K.
 const RISE: f64 = 50.0;
+/// Angles that flow together, and so many groups of them.
+const LANES: usize = 8;
+const PATHS: usize = 1024;
+/// Deviators at the start of a strain path and, if it were elastic, at its end.
+type Ends = [[Lanes<LANES>; 6]; 2];
 
 /// Arithmetic operations and bytes of one call, counted by hand.
 #[derive(Clone, Copy, Debug)]
@@ -34,11 +41,22 @@ pub struct Kernels {
     conduction: Conduction,
     flat: Flat,
     displacement: Vec<f64>,
+    paths: Vec<Ends>,
     rise: Vec<f64>,
     force: Vec<f64>,
     sweep: Vec<f32>,
     timings: Timings,
     steps: usize,
+}
+
+/// Turning by some tens of degrees, to one and a half to two times the strength.
+fn strain_path(n: usize) -> Ends {
+    let lane = |l: usize, phase: f64| (0.7 * (n * LANES + l) as f64 + phase).sin();
+    let start: Lanes<LANES> = std::array::from_fn(|l| 0.6 + 0.1 * lane(l, 0.0));
+    let shear: Lanes<LANES> = std::array::from_fn(|l| 1.3 + 0.2 * lane(l, 1.0));
+    let zero = [0.0; LANES];
+    let half = start.map(|s| -0.5 * s);
+    [[half, half, start, zero, zero, zero], [half, half, start, zero, start, shear]]
 }
 
 struct Constant(Vec<f64>);
@@ -81,6 +99,7 @@ impl Kernels {
             conduction: Conduction::new(&mesh, problem.heat_capacity).expect("factors"),
             preconditioner: Preconditioner::new(discretisation.factors.clone()),
             timings: Timings::default(),
+            paths: (0..PATHS).map(strain_path).collect(),
             body,
             contact,
             places: single.places_before(0).collect(),
@@ -103,6 +122,29 @@ impl Kernels {
     pub fn internal_force(&mut self) {
         let further: Vec<f64> = self.displacement.iter().map(|u| 1.02 * u).collect();
         self.body.internal_force(&further, Some(&self.rise), &mut self.force);
+    }
+
+    /// Of many points, all below yield at first and beyond it in the end, in a first iteration.
+    pub fn flow(&self) -> f64 {
+        let mut sum = 0.0;
+        for [start, elastic] in &self.paths {
+            let end = self.body.solid.flow(&StrainPath {
+                flowing: [true; LANES],
+                start,
+                elastic,
+                strain: [0.01; LANES],
+                strength: [self.body.solid.hardening_factor(0.01); LANES],
+                softening: [1.0; LANES],
+                guess: [0.0; LANES],
+            });
+            sum += end.increment[0] + end.direction[0][0];
+        }
+        sum
+    }
+
+    /// About 500 operations a point, a power counted as sixty, an exponential and a logarithm as thirty.
+    pub fn flow_work(&self) -> Work {
+        Work { operations: PATHS * LANES * 500, bytes: PATHS * size_of::<Ends>() }
     }
 
     /// At the last internal force.

@@ -50,8 +50,8 @@ fn energy_missing(s: &SlideStep) -> f64 {
 }
 
 /// The work of the flat is stored or dissipated, but for the curvature of the forces within a step,
-/// which a tighter solver does not mend: 3e-8 of the work of the slide are missing, all of it before
-/// gross slip. Heat enters, stays or leaves.
+/// which a tighter solver does not mend, but shorter increments do: in increments of 0.3, 0.15 and 0.1 of the slip 4e-7,
+/// 1.1e-7 and 1.3e-8 of the work of the slide are missing, all of it before gross slip. Heat enters, stays or leaves.
 #[test]
 fn ledgers_close_at_finite_strain() {
     let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, 50.0, mesh(6, 8));
@@ -59,6 +59,8 @@ fn ledgers_close_at_finite_strain() {
     scene.interface.taylor_quinney = 0.9;
     scene.loading.slip_rate = 3.0;
     scene.loading.slip_distance = 0.5;
+    // Increments alone: mesh and sectors are given.
+    scene.numerics.accuracy = 0.002;
     let outcome = run_with(&scene, Kinematics::Finite);
     let end = last(&outcome);
     assert!(end.plastic_strain_max > 0.03 && end.temperature_max > 330.0, "{end:?}");

@@ -20,6 +20,9 @@ const POISSON: f64 = 0.499;
 /// τ₀ = f_τ σ_Y/√3 low enough that the body stays elastic.
 const STRENGTH_FACTOR: f64 = 0.1;
 const FRICTION: f64 = 0.05;
+/// Mesh and sectors are given: only the increments follow the accuracy. They are a fifth of the slip, as the curves are
+/// read between them along straight lines.
+const ACCURACY: f64 = 0.009;
 
 const SAVKOOR: &str = "Savkoor 1987; Chateauminois & Fretigny 2008, doi 10.1140/epje/i2008-10376-5";
 const MINDLIN: &str = "Mindlin 1949, doi 10.1115/1.4009973";
@@ -40,6 +43,7 @@ pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
 fn scene_of(law: FrictionLaw, elements: usize) -> (Scene, Hertz) {
     let mut scene = scene(plain_material(POISSON), law, 0.05, mesh(elements, 4));
     scene.interface.strength_factor = STRENGTH_FACTOR;
+    scene.numerics.accuracy = ACCURACY;
     let hertz = Hertz::of(&scene);
     (scene, hertz)
 }
@@ -76,7 +80,6 @@ fn curves(
 fn shear(elements: usize, watch: &dyn Watch) -> Rows {
     let run = |elements: usize, accuracy: f64| -> Result<_, SimulationError> {
         let (mut scene, hertz) = scene_of(FrictionLaw::ShearStrength, elements);
-        // Mesh and sectors are given: only the increments follow the accuracy.
         scene.numerics.accuracy = accuracy;
         let strength = STRENGTH_FACTOR * scene.material.yield_strength / 3f64.sqrt();
         let (g, a) = (hertz.tangential_modulus, hertz.contact_radius);
@@ -84,7 +87,7 @@ fn shear(elements: usize, watch: &dyn Watch) -> Rows {
         let outcome = slide(scene, &hertz, gross, watch)?;
         Ok((outcome, PI * a * a * strength, gross, stick_stiffness(g, a)))
     };
-    let (coarse, fine) = (run(elements / 2, 0.02)?, run(elements, 0.02)?);
+    let (coarse, fine) = (run(elements / 2, ACCURACY)?, run(elements, ACCURACY)?);
     let shorter = run(elements / 2, 0.0018)?;
     let (_, full, gross, stiffness) = fine;
     let (force, stick) = (constant_shear::force_fraction, constant_shear::stick_radius_fraction);
