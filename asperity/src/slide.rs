@@ -36,7 +36,7 @@ const INCEPTION_WIDTH: f64 = 0.01;
 /// 0.03 (20 omega_c); under stronger ones a layer of elements shears without end.
 const MOST_STRAIN_IN_STICK: f64 = 0.5;
 const STILL_STICKING: f64 = 0.5;
-/// Growth of the increments once the contact slides, over that before: no more than 0.07 per cent of friction and 0.02
+/// Growth of the increments once the contact slides, over that before: no more than 0.08 per cent of friction and 0.02
 /// of the rise of temperature hang on it in ten slides between 0.1 and 100 omega_c.
 const WHILE_SLIDING: f64 = 2.0;
 /// Number of increments at least, for a growth of 15 %. From 24 to 12 of them mu changed by 0.003, 0.01, 0.02, 0.27

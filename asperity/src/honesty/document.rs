@@ -30,7 +30,7 @@ pub fn markdown(report: &Report) -> String {
         (
             scenes::SEEN..scenes::SCENES.len(),
             "Scenes that nothing was chosen by",
-            "other materials, chosen before they were run",
+            "five other materials, materials and slip rates in turn",
         ),
     ];
     for (positions, title, remark) in parts {

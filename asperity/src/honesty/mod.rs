@@ -2,9 +2,10 @@
 //! errors compared with the estimates.
 //!
 //! The sources of error are taken one at a time, each against a run in which it alone is several
-//! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the increments, and
-//! from these the limit at order 1; twice the angles. Their effects add up to the true error; what they do to each other is an error of an
-//! error. The solver's part is a hundredth of the others and left out.
+//! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the
+//! increments, and from these the limit at order 1; twice the angles. Their effects add up to the true
+//! error; what they do to each other is an error of an error. The solver's part is a hundredth of the
+//! others and left out.
 
 mod document;
 mod record;

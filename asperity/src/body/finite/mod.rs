@@ -10,7 +10,8 @@
 //! ψ = ∫ G |dev(E − E_p)|² dV + V ½K (ln J̄ − 3∫α dθ̄)²,
 //! ```
 //!
-//! so that force and tangent derive from a potential, and the tangent is symmetric. Stress
+//! from which force and tangent derive where nothing flows; where a point does, the tangent is made of that of
+//! [`Solid::flow`](crate::material::Solid::flow), and symmetric as that is. Stress
 //! deviator and mean stress in [`BodyState`] are those that work on E per undeformed volume:
 //! where the principal axes do not turn, Kirchhoff's.
 
