@@ -106,7 +106,7 @@ impl Mechanics {
     /// position of the flat is returned.
     ///
     /// Where the load is held, the interference is one more unknown: the last entry of all vectors,
-    /// with the load that is missing as its residual. Both belong to the minimum of one energy.
+    /// with the load that is missing as its residual. The system stays symmetric.
     ///
     /// `surroundings` gives temperature and shear limits; it is asked anew in each iteration, with
     /// the trial state of the one before but the contact where a full step takes it, if that is a short one, and

@@ -56,7 +56,7 @@ pub struct Flow<const W: usize> {
 }
 
 /// From where on the path the stress is on the yield surface, and how it goes on from there.
-struct Contact<const W: usize> {
+struct Onset<const W: usize> {
     /// Share of the path that is elastic.
     elastic: Lanes<W>,
     /// Radius of the yield surface there.
@@ -83,12 +83,12 @@ struct Turn<const W: usize> {
 impl Solid {
     /// The state at the end of a strain path.
     pub fn flow<const W: usize>(&self, path: &StrainPath<W>) -> Flow<W> {
-        let contact = path.contact();
-        let mean = self.mean_radius(path, &contact);
-        let turn = Turn::new(&std::array::from_fn(|l| contact.left[l] / mean[l]), &contact.cosine);
+        let onset = path.onset();
+        let mean = self.mean_radius(path, &onset);
+        let turn = Turn::new(&std::array::from_fn(|l| onset.left[l] / mean[l]), &onset.cosine);
         let end = self.return_map(&Trial {
             flowing: path.flowing,
-            stress: std::array::from_fn(|l| (contact.radius[l] + mean[l] * turn.advance[l]) / TO_RADIUS),
+            stress: std::array::from_fn(|l| (onset.radius[l] + mean[l] * turn.advance[l]) / TO_RADIUS),
             strain: path.strain,
             strength: path.strength,
             softening: path.softening,
@@ -100,11 +100,11 @@ impl Solid {
             strength: end.strength,
             slope: end.slope,
             radius,
-            direction: path.direction(&contact, &turn),
+            direction: path.direction(&onset, &turn),
             across: std::array::from_fn(|l| {
-                let of_contact = turn.of_start[l] * contact.elastic[l] / contact.radius[l];
-                let of_path = turn.of_path_over_x[l] * (1.0 - contact.elastic[l]) / mean[l];
-                (radius[l] * (of_contact + of_path)).min(1.0)
+                let of_onset = turn.of_start[l] * onset.elastic[l] / onset.radius[l];
+                let of_path = turn.of_path_over_x[l] * (1.0 - onset.elastic[l]) / mean[l];
+                (radius[l] * (of_onset + of_path)).min(1.0)
             }),
         }
     }
@@ -112,24 +112,24 @@ impl Solid {
     /// Mean radius of the yield surface while the point flows: between that at first and that at the end, as the
     /// radial return would have it after one iteration of Newton's method.
     #[inline(always)]
-    fn mean_radius<const W: usize>(&self, path: &StrainPath<W>, contact: &Contact<W>) -> Lanes<W> {
+    fn mean_radius<const W: usize>(&self, path: &StrainPath<W>, onset: &Onset<W>) -> Lanes<W> {
         let mut end: Lanes<W> = std::array::from_fn(|l| TO_RADIUS * path.softening[l] * path.strength[l]);
         if !matches!(self.hardening, Hardening::None) {
             let stiffness = 2.0 * self.moduli.shear / TO_RADIUS;
             // As if hardening took up none of the stress: somewhat too far.
-            let most: Lanes<W> = std::array::from_fn(|l| (contact.trial[l] - end[l]).max(0.0) / stiffness);
+            let most: Lanes<W> = std::array::from_fn(|l| (onset.trial[l] - end[l]).max(0.0) / stiffness);
             let strain: Lanes<W> = std::array::from_fn(|l| path.strain[l] + most[l]);
             let (strength, slope) = self.hardened_lanes(&strain);
             for l in 0..W {
                 let factor = TO_RADIUS * path.softening[l];
                 let (radius, slope) = (factor * strength[l], factor * slope[l]);
                 let back = (radius - end[l]) / (stiffness + slope);
-                let hardened = (radius - slope * back).min(contact.trial[l]);
+                let hardened = (radius - slope * back).min(onset.trial[l]);
                 end[l] = if most[l] > 0.0 { hardened } else { end[l] };
             }
         }
         // No surface is left of a molten point.
-        std::array::from_fn(|l| (0.5 * (contact.radius[l] + end[l])).max(1e-12 * contact.length[l]))
+        std::array::from_fn(|l| (0.5 * (onset.radius[l] + end[l])).max(1e-12 * onset.length[l]))
     }
 }
 
@@ -137,7 +137,7 @@ impl<const W: usize> StrainPath<'_, W> {
     /// The yield surface has the radius that the strength has at the temperature of the end, or shrinks to it if the
     /// start is outside of that.
     #[inline(always)]
-    fn contact(&self) -> Contact<W> {
+    fn onset(&self) -> Onset<W> {
         let (mut start, mut along, mut length) = ([0.0; W], [0.0; W], [0.0; W]);
         for i in 0..TENSOR {
             let factor = if i < 3 { 1.0 } else { 2.0 };
@@ -148,7 +148,7 @@ impl<const W: usize> StrainPath<'_, W> {
                 length[l] += factor * change * change;
             }
         }
-        let mut contact = Contact {
+        let mut onset = Onset {
             elastic: [0.0; W],
             radius: [0.0; W],
             cosine: [0.0; W],
@@ -171,22 +171,22 @@ impl<const W: usize> StrainPath<'_, W> {
             let change = length[l].sqrt();
             let radius = (first + elastic * shrinks).max(1e-12 * change).max(f64::MIN_POSITIVE);
             let cosine = (along[l] + elastic * length[l]) / (radius * change).max(f64::MIN_POSITIVE);
-            contact.elastic[l] = elastic;
-            contact.radius[l] = radius;
-            contact.cosine[l] = cosine.clamp(-1.0, 1.0);
-            contact.length[l] = change;
-            contact.left[l] = (1.0 - elastic) * change;
+            onset.elastic[l] = elastic;
+            onset.radius[l] = radius;
+            onset.cosine[l] = cosine.clamp(-1.0, 1.0);
+            onset.length[l] = change;
+            onset.left[l] = (1.0 - elastic) * change;
         }
-        contact
+        onset
     }
 
     #[inline(always)]
-    fn direction(&self, contact: &Contact<W>, turn: &Turn<W>) -> [Lanes<W>; TENSOR] {
+    fn direction(&self, onset: &Onset<W>, turn: &Turn<W>) -> [Lanes<W>; TENSOR] {
         let (mut of_start, mut of_change) = ([0.0; W], [0.0; W]);
         for l in 0..W {
-            of_start[l] = turn.of_start[l] / contact.radius[l];
-            let of_path = turn.of_path[l] / contact.length[l].max(f64::MIN_POSITIVE);
-            of_change[l] = of_start[l] * contact.elastic[l] + of_path;
+            of_start[l] = turn.of_start[l] / onset.radius[l];
+            let of_path = turn.of_path[l] / onset.length[l].max(f64::MIN_POSITIVE);
+            of_change[l] = of_start[l] * onset.elastic[l] + of_path;
         }
         let mut direction = [[0.0; W]; TENSOR];
         for i in 0..TENSOR {
