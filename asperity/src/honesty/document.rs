@@ -29,7 +29,7 @@ pub fn markdown(report: &Report) -> String {
         ),
         (
             scenes::SEEN..scenes::SCENES.len(),
-            "Scenes that nothing was chosen by",
+            "Scenes that no constant of the estimates was chosen by",
             "five other materials, materials and slip rates in turn",
         ),
     ];
