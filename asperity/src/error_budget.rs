@@ -11,6 +11,7 @@
 
 use tables::quantity::Quantity;
 
+use crate::heating::HeatEffect;
 use crate::mesh::EDGE_SIZE;
 use crate::resolution::Resolution;
 use crate::scalars::Scalars;
@@ -24,7 +25,7 @@ pub enum ErrorSource {
     Sectors,
     /// Increments of press and slide, which are also the steps in time.
     Steps,
-    /// Residual of equilibrium, and of the coupling with heat and contact edge.
+    /// Residual of equilibrium, and of the coupling with heat and contact edge, or what leaving out that of heat does.
     Solver,
 }
 
@@ -50,11 +51,14 @@ pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 4],
     /// What the increment in which sliding begins leaves open: of the steps, too.
     brackets: [f64; QUANTITIES],
+    /// What heat that does not act back would have changed: of the solver's coupling.
+    left_out: [f64; QUANTITIES],
 }
 
 impl Default for ErrorBudget {
     fn default() -> Self {
-        Self { parts: [[0.0; QUANTITIES]; 4], brackets: [0.0; QUANTITIES] }
+        let none = [0.0; QUANTITIES];
+        Self { parts: [none; 4], brackets: none, left_out: none }
     }
 }
 
@@ -108,7 +112,7 @@ impl ErrorBudget {
                 difference(longer_steps, &|_| 1.0),
                 difference(looser_solver, &|_| 1.0),
             ],
-            brackets: [0.0; QUANTITIES],
+            ..Self::default()
         }
     }
 
@@ -135,6 +139,22 @@ impl ErrorBudget {
         self
     }
 
+    /// Adds what heat would have changed if it acted back, while it slides.
+    pub fn leave_heat_out(&mut self, effect: &HeatEffect, values: &Scalars) {
+        use Quantity::*;
+        self.left_out = Quantity::ALL.map(|quantity| {
+            let share = match quantity {
+                Mu | MuPeak | TemperatureMax | TemperatureMean => effect.friction(),
+                Friction | EnergyWeakening => effect.softening,
+                Load | Area => effect.load,
+                // Nothing is warm yet.
+                MuStatic | FrictionStatic | EnergyRelease | InceptionSlip | ContactRadius | LoadPress
+                | AreaPress => 0.0,
+            };
+            share * values.magnitude(quantity)
+        });
+    }
+
     /// Nothing is known: errors as large as the values.
     pub fn unknown(fine: &Scalars) -> Self {
         let mut budget = Self::default();
@@ -143,8 +163,12 @@ impl ErrorBudget {
     }
 
     pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
-        let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
-        self.parts[source as usize][quantity as usize] + bracket
+        let more = match source {
+            ErrorSource::Steps => self.brackets[quantity as usize],
+            ErrorSource::Solver => self.left_out[quantity as usize],
+            ErrorSource::Mesh | ErrorSource::Sectors => 0.0,
+        };
+        self.parts[source as usize][quantity as usize] + more
     }
 
     pub fn total(&self, quantity: Quantity) -> f64 {

@@ -91,6 +91,7 @@ pub mod fracture;
 pub mod friction_law;
 pub mod hard_cases;
 mod harmonic;
+mod heating;
 pub mod honesty;
 mod kinematics;
 mod lanes;

@@ -1,14 +1,9 @@
-//! What the asked accuracy means for mesh, sectors, increments and heat.
+//! What the asked accuracy means for mesh, sectors and increments.
 
 use crate::error_budget::RelativeParts;
 use crate::mesh::{GROWTH_ZONE, MeshSize};
-use crate::problem::SHEAR_RATIO;
-use crate::scene::{Numerics, Scene, Softening, Switch};
+use crate::scene::Numerics;
 use crate::slide::Increments;
-
-/// Heat changes friction by about the softening number L (steady state: L/(1 + 8L/3π)); it is left
-/// out when the scene leaves the choice and that is below this share of the asked accuracy.
-const NO_HEAT_SHARE: f64 = 0.25;
 
 /// Relative residual at which a step counts as solved.
 pub const NEWTON_TOLERANCE: f64 = 2e-7;
@@ -169,52 +164,12 @@ impl Resolution {
     }
 }
 
-/// L = f_h τ₀ V a/(k ΔT_m): how much frictional heat can soften the contact; ΔT_m is the rise at
-/// which the strength vanishes (or is lowest).
-pub fn softening_number(scene: &Scene, slip_rate: f64, contact_radius: f64) -> f64 {
-    let range = match &scene.material.softening {
-        Softening::None => return 0.0,
-        Softening::JohnsonCook { melting, .. } => melting - scene.loading.temperature,
-        Softening::Table { temperature, .. } => {
-            temperature.last().copied().unwrap_or(f64::INFINITY) - scene.loading.temperature
-        }
-    };
-    let strength = scene.interface.strength_factor * SHEAR_RATIO * scene.material.yield_strength;
-    scene.interface.heat_partition * strength * slip_rate * contact_radius
-        / (scene.material.thermal_conductivity * range.max(1.0))
-}
-
 /// How often the layer of elements at the surface is halved, whatever n_c: until it is no thicker than 4/n_c
 /// of the layer that frictional heat reaches while the flat passes over the contact, √(κa/V) = a/√Pe. Under the
 /// interface the body softens in that layer, and yields there.
 pub fn surface_halvings(peclet: f64) -> u32 {
     const MOST: f64 = 6.0;
     (peclet.sqrt() / 8.0).log2().ceil().clamp(0.0, MOST) as u32
-}
-
-/// Whether heat is computed; says why not.
-pub fn choose_heat(scene: &Scene, slip_rate: f64, number: f64, notes: &mut Vec<String>) -> bool {
-    let left_out = match scene.model.heat {
-        Switch::Off => Some("heat is switched off".to_string()),
-        _ if slip_rate == 0.0 => Some("the slip rate is 0, the isothermal limit".to_string()),
-        Switch::On => None,
-        Switch::Auto if !scene.interface.law.rubs() => Some("there is no friction".to_string()),
-        Switch::Auto if number < NO_HEAT_SHARE * scene.numerics.accuracy => Some(format!(
-            "the softening number f_h tau_0 V a/(k dT_m) = {number:.2e} changes friction by at most about {:.2} %",
-            100.0 * number
-        )),
-        Switch::Auto => None,
-    };
-    match left_out {
-        Some(reason) => {
-            notes.push(format!("heat is left out: {reason}"));
-            false
-        }
-        None => {
-            notes.push(format!("heat is included: softening number f_h tau_0 V a/(k dT_m) = {number:.2e}"));
-            true
-        }
-    }
 }
 
 #[cfg(test)]

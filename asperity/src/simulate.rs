@@ -12,6 +12,7 @@ use std::time::Instant as Clock;
 use tables::quantity::Quantity;
 
 use crate::error_budget::ErrorBudget;
+use crate::heating::Heat;
 use crate::kinematics::slide_as_strained;
 use crate::outcome::{Account, Outcome};
 use crate::press::Increment;
@@ -171,6 +172,9 @@ pub(crate) fn slide_refined(
     let mut stopped = false;
     let known = budget.is_some();
     let mut budget = budget.unwrap_or_else(|| ErrorBudget::unknown(&scalars));
+    if task.heat == Heat::OneWay {
+        budget.leave_heat_out(&task.effect, &scalars);
+    }
     if known {
         for _ in 0..refinements {
             let (_, parts) = budget.worst(&scalars);
@@ -225,7 +229,7 @@ pub(crate) fn slide_refined(
         elements_per_radius: resolution.elements_per_radius,
         sectors: resolution.sectors,
         unknowns: fine.unknowns,
-        heat: task.heat,
+        heat: task.heat != Heat::LeftOut,
         finite_strain: problem.finite_strain,
         steps: fine.history.len() - 1,
         cutbacks: cutbacks + companions.iter().map(|(_, slid)| slid.cutbacks).sum::<usize>(),

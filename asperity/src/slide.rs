@@ -132,10 +132,17 @@ impl Guess {
     }
 }
 
+/// Heat of a slide.
+pub struct SlideHeat {
+    pub conduction: Conduction,
+    /// Whether temperatures soften and expand the contact.
+    pub acts_back: bool,
+}
+
 pub struct Slide<'a> {
     problem: &'a Problem,
     pub mechanics: Mechanics,
-    conduction: Option<Conduction>,
+    heat: Option<SlideHeat>,
     /// VR/κ.
     speed: f64,
     interference: f64,
@@ -155,12 +162,12 @@ pub struct Slide<'a> {
 }
 
 impl<'a> Slide<'a> {
-    /// A slide from the pressed state `mechanics`, at dimensionless speed VR/κ; with heat if
-    /// `conduction` is given.
+    /// A slide from the pressed state `mechanics`, at dimensionless speed VR/κ; with heat if that
+    /// is given.
     pub fn new(
         problem: &'a Problem,
         mechanics: Mechanics,
-        conduction: Option<Conduction>,
+        heat: Option<SlideHeat>,
         speed: f64,
         increments: Increments,
     ) -> Self {
@@ -171,7 +178,7 @@ impl<'a> Slide<'a> {
             finest: 0.0,
             problem,
             mechanics,
-            conduction,
+            heat,
             speed,
             sources: HeatSources::default(),
             history: Vec::new(),
@@ -292,7 +299,7 @@ impl<'a> Slide<'a> {
         let Guess { displacement: start, interference, edges } = guess;
         let flat = Flat { interference, displacement: to };
         let problem = self.problem;
-        let conduction = &mut self.conduction;
+        let mut coupled = self.heat.as_mut().filter(|heat| heat.acts_back);
         let mut heated: Option<(Vec<f64>, HeatBalance)> = None;
         let mut failure = None;
         let mut last_limit: Option<Vec<f64>> = None;
@@ -325,7 +332,7 @@ impl<'a> Slide<'a> {
                 let state = if iteration == 0 { &body.committed } else { &body.trial };
                 let hardened = interface_hardening(problem, body, contact, state);
                 let mut rise = None;
-                if let Some(conduction) = conduction.as_mut() {
+                if let Some(SlideHeat { conduction, .. }) = &mut coupled {
                     let clock = Clock::now();
                     // The first guess heats as the step before did.
                     sources = if iteration == 0 {
@@ -333,7 +340,7 @@ impl<'a> Slide<'a> {
                     } else {
                         HeatSources::of(problem, body, contact, dt)
                     };
-                    match sources.heat(problem, conduction, contact, &hardened, dt) {
+                    match sources.heat(problem, conduction, contact, Some(&hardened), dt) {
                         Ok(result) => {
                             rise = Some(result.0.clone());
                             heated = Some(result);
@@ -385,6 +392,13 @@ impl<'a> Slide<'a> {
             let guess = Guess { interference: flat.interference, ..self.state() };
             return Ok(Attempt::PastInception(Beyond { slip: to, guess }));
         }
+        if let Some(heat) = self.heat.as_mut().filter(|heat| !heat.acts_back) {
+            let clock = Clock::now();
+            let Mechanics { body, contact, .. } = &self.mechanics;
+            sources = HeatSources::of(problem, body, contact, dt);
+            heated = Some(sources.heat(problem, &mut heat.conduction, contact, None, dt)?);
+            self.mechanics.timings.add(Kernel::Heat, clock.elapsed().as_secs_f64());
+        }
         instant.interference = flat.interference;
         let old = Flat { interference: self.interference, displacement: from };
         let interface = self.mechanics.contact.step_work(old, flat);
@@ -399,7 +413,7 @@ impl<'a> Slide<'a> {
         instant.plastic += energies.plastic;
         instant.thermal_expansion += energies.thermal_expansion;
         instant.moduli_softening += energies.moduli_softening;
-        if let (Some((rise, balance)), Some(conduction)) = (heated, self.conduction.as_mut()) {
+        if let (Some((rise, balance)), Some(SlideHeat { conduction, .. })) = (heated, self.heat.as_mut()) {
             instant.heat_in += balance.contact + balance.body;
             instant.heat_out += balance.base + balance.gap;
             instant.heat_stored = conduction.stored(&rise);
@@ -433,7 +447,7 @@ impl<'a> Slide<'a> {
     /// Keeps the fields of the present state.
     pub fn record_fields(&mut self) {
         let now = self.history.last().expect("starts with the press");
-        self.recorder.keep(now, &self.mechanics, self.conduction.as_ref());
+        self.recorder.keep(now, &self.mechanics, self.heat.as_ref().map(|heat| &heat.conduction));
     }
 }
 

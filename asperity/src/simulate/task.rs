@@ -11,13 +11,14 @@ use crate::body::Body;
 use crate::body_fields::BodyFields;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
+use crate::heating::{Heat, HeatEffect, choose_heat};
 use crate::mechanics::{Effort, Mechanics};
 use crate::problem::Discretisation;
 use crate::recording::{Fields, Recorder};
-use crate::resolution::{Resolution, choose_heat, softening_number, surface_halvings};
+use crate::resolution::{Resolution, surface_halvings};
 use crate::scalars::Scalars;
 use crate::sectors::Sectors;
-use crate::slide::{Slide, SlideFailure};
+use crate::slide::{Slide, SlideFailure, SlideHeat};
 use crate::standing;
 use crate::timings::{Kernel, Timings};
 
@@ -57,9 +58,11 @@ pub struct Slid {
 /// What all slides at one slip rate share.
 pub(super) struct Task<'a> {
     pub(super) pressed: &'a Pressed,
-    /// VR/κ.
+    /// VR/κ, 0 without heat.
     pub(super) speed: f64,
-    pub(super) heat: bool,
+    pub(super) heat: Heat,
+    /// Of heat, whatever is done about it.
+    pub(super) effect: HeatEffect,
     /// Of the meshes, see [`surface_halvings`].
     surface_halvings: u32,
     pub(super) watch: &'a dyn Watch,
@@ -73,9 +76,10 @@ impl<'a> Task<'a> {
         notes: &mut Vec<String>,
     ) -> Self {
         let units = pressed.problem.units;
-        let number = softening_number(&pressed.scene, slip_rate, pressed.contact_radius * units.length);
-        let heat = choose_heat(&pressed.scene, slip_rate, number, notes);
-        let mut task = Self { pressed, speed: slip_rate / units.speed(), heat, surface_halvings: 0, watch };
+        let effect = HeatEffect::expected(&pressed.scene, slip_rate, pressed.contact_radius * units.length);
+        let heat = choose_heat(&pressed.scene, slip_rate, &effect, notes);
+        let speed = if heat == Heat::LeftOut { 0.0 } else { slip_rate / units.speed() };
+        let mut task = Self { pressed, speed, heat, effect, surface_halvings: 0, watch };
         // The coarsest mesh of the run decides what all of them have.
         let coarse = pressed.resolution.coarse();
         let fit = |halvings: &u32| {
@@ -103,15 +107,16 @@ impl<'a> Task<'a> {
         let displacement = mesh.sectors.spread(&pressed.displacement);
         let factors = discretisation.factors.clone();
         let mechanics = Mechanics::new(body, contact, factors, displacement, resolution.tolerance);
-        let conduction = if self.heat {
-            let conduction =
-                Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
-            Some(conduction.with_properties(problem.thermal_properties.clone()))
-        } else {
-            None
+        let heat = match self.heat {
+            Heat::LeftOut => None,
+            Heat::OneWay | Heat::Coupled => {
+                let conduction =
+                    Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
+                let conduction = conduction.with_properties(problem.thermal_properties.clone());
+                Some(SlideHeat { conduction, acts_back: self.heat == Heat::Coupled })
+            }
         };
-        let speed = if self.heat { self.speed } else { 0.0 };
-        let mut slide = Slide::new(problem, mechanics, conduction, speed, resolution.increments);
+        let mut slide = Slide::new(problem, mechanics, heat, self.speed, resolution.increments);
         slide.mechanics.timings.since(Kernel::Setup, clock);
         // Each mesh slides as far in units of its own contact radius.
         let radius = pressed.contact.radius(&pressed.contact.committed);
@@ -182,7 +187,7 @@ impl<'a> Task<'a> {
 
     /// aV/κ, 0 without heat.
     fn peclet(&self) -> f64 {
-        if self.heat { self.speed * self.pressed.contact_radius } else { 0.0 }
+        self.speed * self.pressed.contact_radius
     }
 
     /// A warning where the layer that frictional heat reaches is thinner than that of the elements at the surface,

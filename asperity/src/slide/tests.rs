@@ -21,7 +21,7 @@ fn ready(problem: &Problem) -> Slide<'_> {
     let mechanics = Mechanics::new(body, contact, factors, displacement, NEWTON_TOLERANCE);
     let increments = Increments { growth: 0.3, coupling_limit: 4 };
     // VR/κ of 1 m/s, steel and 1 mm.
-    Slide::new(problem, mechanics, Some(conduction), 80.0, increments)
+    Slide::new(problem, mechanics, Some(SlideHeat { conduction, acts_back: true }), 80.0, increments)
 }
 
 /// Forty steps are cut back once after it was solved; the same small steps without any cut-back give
@@ -102,7 +102,7 @@ fn a_reversed_slide_closes_its_loop() {
     let problem =
         problem_of(&["loading.interference=0.5", "interface.strength_factor=0.2", "model.heat=off"]);
     let mut slide = ready(&problem);
-    (slide.conduction, slide.speed) = (None, 0.0);
+    (slide.heat, slide.speed) = (None, 0.0);
     let radius = (slide.history[0].area / std::f64::consts::PI).sqrt();
     // Twice the elastic displacement τa/G at gross slip: the contact slips all over, but only towards the end.
     let far = 2.0 * problem.strength_factor * SHEAR_RATIO * radius / problem.solid.moduli.shear;

@@ -4,7 +4,7 @@ use tables::closed_forms::hertz;
 
 use super::cost::Case;
 use super::journal::{Index, Point};
-use crate::resolution::{choose_heat, softening_number};
+use crate::heating::{Heat, HeatEffect, choose_heat};
 use crate::scene::Scene;
 
 /// With so many interferences or more, one cell of the middle, of the smallest and of the largest are run first:
@@ -80,8 +80,9 @@ impl<'a> Layout<'a> {
             );
             let interference = self.interference(row);
             let radius = hertz::contact_radius(scene.radius, interference * critical);
-            let number = softening_number(scene, self.slip_rates[column], radius);
-            let heated = choose_heat(scene, self.slip_rates[column], number, &mut Vec::new());
+            let slip_rate = self.slip_rates[column];
+            let effect = HeatEffect::expected(scene, slip_rate, radius);
+            let heated = choose_heat(scene, slip_rate, &effect, &mut Vec::new()) == Heat::Coupled;
             Case { interference, column, heated }
         };
         let rows = 0..self.rows();
