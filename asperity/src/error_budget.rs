@@ -1,4 +1,4 @@
-//! What each number may be off by, and why: mesh, sectors, steps, solver.
+//! What each number may be off by, and why: mesh, sectors, steps, solver, model.
 //!
 //! Every run has companions on a mesh half as fine, which cost little: one as it is, and one each
 //! with another N_θ, with increments twice as large and with a solver less exact. The difference
@@ -11,7 +11,7 @@
 
 use tables::quantity::Quantity;
 
-use crate::heating::HeatEffect;
+use crate::left_out::LeftOut;
 use crate::mesh::EDGE_SIZE;
 use crate::resolution::Resolution;
 use crate::scalars::Scalars;
@@ -25,13 +25,20 @@ pub enum ErrorSource {
     Sectors,
     /// Increments of press and slide, which are also the steps in time.
     Steps,
-    /// Residual of equilibrium, and of the coupling with heat and contact edge, or what leaving out that of heat does.
+    /// Residual of equilibrium, and of the coupling with heat and contact edge.
     Solver,
+    /// What the model leaves out, see [`LeftOut`].
+    Model,
 }
 
 impl ErrorSource {
-    pub const ALL: [ErrorSource; 4] =
-        [ErrorSource::Mesh, ErrorSource::Sectors, ErrorSource::Steps, ErrorSource::Solver];
+    pub const ALL: [ErrorSource; 5] = [
+        ErrorSource::Mesh,
+        ErrorSource::Sectors,
+        ErrorSource::Steps,
+        ErrorSource::Solver,
+        ErrorSource::Model,
+    ];
 
     pub fn name(self) -> &'static str {
         match self {
@@ -39,6 +46,7 @@ impl ErrorSource {
             ErrorSource::Sectors => "sectors",
             ErrorSource::Steps => "steps",
             ErrorSource::Solver => "solver",
+            ErrorSource::Model => "model",
         }
     }
 }
@@ -48,17 +56,14 @@ const QUANTITIES: usize = Quantity::ALL.len();
 /// Estimated absolute errors of all quantities, SI, by source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
-    parts: [[f64; QUANTITIES]; 4],
+    parts: [[f64; QUANTITIES]; 5],
     /// What the increment in which sliding begins leaves open: of the steps, too.
     brackets: [f64; QUANTITIES],
-    /// What heat that does not act back would have changed: of the solver's coupling.
-    left_out: [f64; QUANTITIES],
 }
 
 impl Default for ErrorBudget {
     fn default() -> Self {
-        let none = [0.0; QUANTITIES];
-        Self { parts: [none; 4], brackets: none, left_out: none }
+        Self { parts: [[0.0; QUANTITIES]; 5], brackets: [0.0; QUANTITIES] }
     }
 }
 
@@ -69,11 +74,12 @@ pub struct RelativeParts {
     pub sectors: f64,
     pub steps: f64,
     pub solver: f64,
+    pub model: f64,
 }
 
 impl RelativeParts {
     pub fn total(&self) -> f64 {
-        self.mesh + self.sectors + self.steps + self.solver
+        self.mesh + self.sectors + self.steps + self.solver + self.model
     }
 }
 
@@ -111,6 +117,7 @@ impl ErrorBudget {
                 // First order in the increments.
                 difference(longer_steps, &|_| 1.0),
                 difference(looser_solver, &|_| 1.0),
+                [0.0; QUANTITIES],
             ],
             ..Self::default()
         }
@@ -139,20 +146,10 @@ impl ErrorBudget {
         self
     }
 
-    /// Adds what heat would have changed if it acted back, while it slides.
-    pub fn leave_heat_out(&mut self, effect: &HeatEffect, values: &Scalars) {
-        use Quantity::*;
-        self.left_out = Quantity::ALL.map(|quantity| {
-            let share = match quantity {
-                Mu | MuPeak | TemperatureMax | TemperatureMean => effect.friction(),
-                Friction | EnergyWeakening => effect.softening,
-                Load | Area => effect.load,
-                // Nothing is warm yet.
-                MuStatic | FrictionStatic | EnergyRelease | InceptionSlip | ContactRadius | LoadPress
-                | AreaPress => 0.0,
-            };
-            share * values.magnitude(quantity)
-        });
+    /// The model's part.
+    pub fn set_model(&mut self, left_out: &LeftOut, values: &Scalars) {
+        self.parts[ErrorSource::Model as usize] =
+            Quantity::ALL.map(|quantity| left_out.share(quantity) * values.magnitude(quantity));
     }
 
     /// Nothing is known: errors as large as the values.
@@ -163,12 +160,8 @@ impl ErrorBudget {
     }
 
     pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
-        let more = match source {
-            ErrorSource::Steps => self.brackets[quantity as usize],
-            ErrorSource::Solver => self.left_out[quantity as usize],
-            ErrorSource::Mesh | ErrorSource::Sectors => 0.0,
-        };
-        self.parts[source as usize][quantity as usize] + more
+        let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
+        self.parts[source as usize][quantity as usize] + bracket
     }
 
     pub fn total(&self, quantity: Quantity) -> f64 {
@@ -185,6 +178,7 @@ impl ErrorBudget {
                 sectors: of(ErrorSource::Sectors),
                 steps: of(ErrorSource::Steps),
                 solver: of(ErrorSource::Solver),
+                model: of(ErrorSource::Model),
             }
         };
         CONTROLLED
@@ -302,7 +296,7 @@ mod tests {
     fn a_run_is_refined_in_what_it_lacks() {
         let run = Resolution::choose(&numerics());
         let with = |mesh: f64, sectors: f64, steps: f64| {
-            run.refine(&numerics(), &RelativeParts { mesh, sectors, steps, solver: 0.0 })
+            run.refine(&numerics(), &RelativeParts { mesh, sectors, steps, ..Default::default() })
         };
         assert!(with(0.01, 0.005, 0.004).is_none());
         let finer = with(0.04, 0.0, 0.0).unwrap();

@@ -95,6 +95,7 @@ mod heating;
 pub mod honesty;
 mod kinematics;
 mod lanes;
+mod left_out;
 mod material;
 mod mechanics;
 mod mesh;

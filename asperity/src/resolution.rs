@@ -132,7 +132,7 @@ impl Resolution {
             return None;
         }
         let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
-        let mut others = parts.sectors + parts.steps + parts.solver;
+        let mut others = parts.sectors + parts.steps + parts.solver + parts.model;
         if parts.sectors > 0.25 * accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
             sectors *= 2;
             others -= 0.75 * parts.sectors;

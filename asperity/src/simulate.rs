@@ -172,9 +172,7 @@ pub(crate) fn slide_refined(
     let mut stopped = false;
     let known = budget.is_some();
     let mut budget = budget.unwrap_or_else(|| ErrorBudget::unknown(&scalars));
-    if task.heat == Heat::OneWay {
-        budget.leave_heat_out(&task.effect, &scalars);
-    }
+    budget.set_model(&task.left_out(&fine), &scalars);
     if known {
         for _ in 0..refinements {
             let (_, parts) = budget.worst(&scalars);

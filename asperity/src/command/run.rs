@@ -141,7 +141,11 @@ fn account(outcome: &Outcome) -> String {
         if account.heat { "simulated" } else { "left out" },
         if account.finite_strain { "finite" } else { "small" },
     );
-    let _ = writeln!(text, "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}", "", "mesh", "sectors", "steps", "solver");
+    let _ = writeln!(
+        text,
+        "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}{:>8}",
+        "", "mesh", "sectors", "steps", "solver", "model"
+    );
     for quantity in Quantity::ALL {
         let value = estimate(&outcome.summary, quantity).value.abs();
         let _ = write!(text, "  {:20}", quantity.descriptor().name);

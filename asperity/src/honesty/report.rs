@@ -26,18 +26,18 @@ pub const NEGLIGIBLE: f64 = 5e-4;
 /// use asperity::honesty::Judged;
 /// use tables::quantity::Quantity;
 ///
-/// // By mesh, angles, increments and solver: the mesh errs by 2 % of the value, 3 % are estimated.
+/// // By mesh, angles, increments, solver and model: the mesh errs by 2 % of the value, 3 % are estimated.
 /// let judged = Judged {
 ///     quantity: Quantity::Mu,
 ///     value: 0.3,
 ///     scale: 0.3,
-///     parts: [0.006, 0.0, 0.0, 0.0],
-///     estimates: [0.008, 0.0, 0.001, 0.0],
+///     parts: [0.006, 0.0, 0.0, 0.0, 0.0],
+///     estimates: [0.008, 0.0, 0.001, 0.0, 0.0],
 ///     orders: [Some(1.5), None],
 /// };
 /// assert!((judged.ratio() - 2.0 / 3.0).abs() < 1e-12 && judged.is_honest());
 /// // Ten times the error that there is says no more than none at all.
-/// assert!(!Judged { estimates: [0.06, 0.0, 0.0, 0.0], ..judged }.is_honest());
+/// assert!(!Judged { estimates: [0.06, 0.0, 0.0, 0.0, 0.0], ..judged }.is_honest());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
@@ -47,9 +47,9 @@ pub struct Judged {
     /// What errors are relative to: the value, or the rise of temperature.
     pub scale: f64,
     /// Value − reference by source, in the order of [`ErrorSource::ALL`].
-    pub parts: [f64; 4],
+    pub parts: [f64; 5],
     /// Estimated, by source.
-    pub estimates: [f64; 4],
+    pub estimates: [f64; 5],
     /// Order in the mesh and in the increments that the three runs show, if they do.
     pub orders: [Option<f64>; 2],
 }
@@ -233,6 +233,7 @@ fn judge(runs: &HashMap<Role, Scalars>, scene: &Scene) -> Vec<Judged> {
                 against(Role::MoreSectors),
                 against(Role::QuarterSteps) * of_limit(4.0, 1.0),
                 0.0,
+                0.0,
             ],
             orders: [
                 order([Some(here), value(Role::TwiceElements), value(Role::FourTimesElements)]),
@@ -254,8 +255,8 @@ mod tests {
             quantity,
             value: 2.0,
             scale: 2.0,
-            parts: [2.0 * error, 0.0, 0.0, 0.0],
-            estimates: [0.0, 2.0 * estimate, 0.0, 0.0],
+            parts: [2.0 * error, 0.0, 0.0, 0.0, 0.0],
+            estimates: [0.0, 2.0 * estimate, 0.0, 0.0, 0.0],
             orders: [None, None],
         };
         let scene = SceneReport {

@@ -12,11 +12,13 @@ use crate::body_fields::BodyFields;
 use crate::conduction::Conduction;
 use crate::contact::Contact;
 use crate::heating::{Heat, HeatEffect, choose_heat};
+use crate::left_out::LeftOut;
 use crate::mechanics::{Effort, Mechanics};
 use crate::problem::Discretisation;
 use crate::recording::{Fields, Recorder};
 use crate::resolution::{Resolution, surface_halvings};
 use crate::scalars::Scalars;
+use crate::scene::Kinematics;
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure, SlideHeat};
 use crate::standing;
@@ -207,6 +209,16 @@ impl<'a> Task<'a> {
     /// Whether the hemisphere has room for the mesh.
     pub(super) fn fits(&self, resolution: &Resolution) -> bool {
         self.at_surface(resolution).mesh_size(self.pressed.contact_radius).fits()
+    }
+
+    /// What the scene did not ask to leave out.
+    pub(super) fn left_out(&self, slid: &Slid) -> LeftOut {
+        let small = self.pressed.scene.model.kinematics == Kinematics::Auto;
+        let strain = slid.history.last().map_or(0.0, |instant| instant.plastic_strain_max);
+        LeftOut {
+            heat: (self.heat == Heat::OneWay).then_some(self.effect),
+            strain: if small { strain } else { 0.0 },
+        }
     }
 
     pub(super) fn scalars(&self, mesh: &PressedMesh, slid: &Slid) -> Scalars {
