@@ -58,7 +58,7 @@ pub use task::{ContactPoints, Slid};
 ///
 /// # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
 /// #             [loading]\ninterference = 5\nslip_rate = 0\n\
-/// #             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+/// #             [model]\nkinematics = \"small\"\n[numerics]\nelements_per_radius = 4\nsectors = 4\n";
 /// # let scene = parse_scene(text, "this example", &[])?;
 /// match simulate(&scene, &Impatient::default()) {
 ///     Err(SimulationError::Cancelled { partial: Some(outcome) }) => assert!(outcome.slide.len() > 1),

@@ -48,7 +48,7 @@ A scene (SI units, kelvin). Values of optional sections and keys are those taken
   [model]                        # optional
   heat = \"auto\"                  # or \"on\", \"off\"
   kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic
-                                 # strain of a coarse slide exceeds the accuracy asked for
+                                 # strain of a coarse slide exceeds 1/20 of the accuracy
   [numerics]                     # optional
   accuracy = 0.02                # relative; elements_per_radius and sectors fix what it else chooses
 
