@@ -27,7 +27,7 @@ pub enum ErrorSource {
     Steps,
     /// Residual of equilibrium, and of the coupling with heat and contact edge.
     Solver,
-    /// What the model leaves out, see [`LeftOut`].
+    /// What the model leaves out: heat that does not act back on the contact, finite strain.
     Model,
 }
 
