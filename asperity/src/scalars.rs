@@ -13,8 +13,8 @@ use crate::slide::{Instant, NO_STICK};
 /// Sliding has begun when dQ/ds is below this share of its first value.
 const STIFFNESS_SHARE: f64 = 0.01;
 /// dQ/ds is that of so large a share of the slip at least: in the short increments that enclose sliding inception Q
-/// wobbles as single points let go. G of titanium at 10 omega_c and 1 m/s was 605, 527 and 590 J/m2 on 8, 16 and 32
-/// elements by increments one by one, and is 605, 608 and 610.
+/// wobbles as single points let go. G of titanium at 10 omega_c and 1 m/s was 521, 454 and 509 J/m2 on 8, 16 and 32
+/// elements by increments one by one, and is 521, 524 and 526.
 const STIFFNESS_SPAN: f64 = 0.2;
 /// Relative change of μ over the last quarter of the slide below which it has levelled off.
 const LEVEL: f64 = 0.02;
