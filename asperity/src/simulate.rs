@@ -202,6 +202,7 @@ pub(crate) fn slide_refined(
                 budget.set_mesh(&next_scalars, &scalars, &finer, &resolution);
             }
             budget = budget.refined(&resolution, &finer);
+            budget.set_model(&task.left_out(&next), &next_scalars);
             (mesh, fine, scalars, resolution) = (next_mesh, next, next_scalars, finer);
         }
         let (quantity, parts) = budget.worst(&scalars);
