@@ -40,7 +40,11 @@ pub fn slide_as_strained(
         })
     });
     match finite {
-        Ok(_) | Err(SimulationError::Cancelled { .. }) => finite,
+        Ok(_) | Err(SimulationError::Cancelled { partial: Some(_) }) => finite,
+        // Stopped before it slid at finite strain: the coarse slide at small strain is what there is.
+        Err(SimulationError::Cancelled { partial: None }) => {
+            slide_as_pressed(pressed, slip_rate, Some(small), watch)
+        }
         Err(error) => match slide_as_pressed(pressed, slip_rate, Some(small), watch) {
             Ok(mut outcome) => {
                 outcome.account.warnings.push(format!("at small strain, as finite strain failed: {error}"));
@@ -83,11 +87,11 @@ fn what_is_left_out(strain: f64) -> String {
 fn what_changes(small: &Probe, finite: &Probe) -> String {
     let strain = small.plastic_strain();
     if !(small.complete() && finite.complete()) {
-        return format!("finite strain: at small strain the plastic strain reaches {strain:.2}");
+        return format!("finite strain: at small strain the plastic strain reaches {strain:.4}");
     }
     let change = |of: Quantity| 100.0 * (finite.value(of) / small.value(of) - 1.0);
     format!(
-        "finite strain, as the plastic strain reaches {strain:.2} on a coarse mesh; there it changes mu by \
+        "finite strain, as the plastic strain reaches {strain:.4} on a coarse mesh; there it changes mu by \
          {:+.1} %, mu_static by {:+.1} %, P by {:+.1} %, A by {:+.1} %",
         change(Quantity::Mu),
         change(Quantity::MuStatic),

@@ -187,7 +187,11 @@ impl Mechanics {
                     let step = self.line_search(&mut u, &mut trial, &line, &around);
                     stalled = if step < NO_STEP { stalled + 1 } else { 0 };
                     if stalled > STALLED_LIMIT {
-                        return Err(StepFailure::Newton { iterations: iteration + 1, residual: last });
+                        let further = |p: usize| u[p] + direction[p];
+                        if !flutter.waver(&mut self.contact, further, flat, &around.limit) {
+                            return Err(StepFailure::Newton { iterations: iteration + 1, residual: last });
+                        }
+                        stalled = 0;
                     }
                     if near && !ahead {
                         next = surroundings(&mut self.body, &mut self.contact, iteration + 1);

@@ -22,8 +22,8 @@ fn start(directory: &Path, arguments: &str) -> Child {
         .unwrap()
 }
 
-/// Sends the signal once a line of progress is seen; yields the exit status and what was said after.
-fn interrupt_at(mut child: Child, signal: &str, seen: impl Fn(&str) -> bool) -> (Option<i32>, String) {
+/// Sends the signals once a line of progress is seen; yields the exit status and what was said after.
+fn interrupt_at(mut child: Child, signals: &[&str], seen: impl Fn(&str) -> bool) -> (Option<i32>, String) {
     let mut stderr = BufReader::new(child.stderr.take().unwrap());
     let mut line = String::new();
     loop {
@@ -33,8 +33,10 @@ fn interrupt_at(mut child: Child, signal: &str, seen: impl Fn(&str) -> bool) -> 
             break;
         }
     }
-    let kill = Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
-    assert!(kill.success());
+    for signal in signals {
+        let kill = Command::new("kill").args([signal, &*child.id().to_string()]).status().unwrap();
+        assert!(kill.success());
+    }
     let mut said = String::new();
     stderr.read_to_string(&mut said).unwrap();
     (child.wait().unwrap().code(), said)
@@ -48,7 +50,7 @@ fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
     for signal in ["-INT", "-TERM"] {
         let child = start(directory.path(), "run scene.toml -o run.nc --plot run.svg --vtu body");
         let (status, said) =
-            interrupt_at(child, signal, |line| line.contains("step ") && !line.contains("coarse mesh"));
+            interrupt_at(child, &[signal], |line| line.contains("step ") && !line.contains("coarse mesh"));
         assert_eq!(status, Some(1), "{said}");
         let last = said.lines().last().unwrap();
         for part in ["error: stopped on request", "run.nc", "cannot be continued"] {
@@ -69,6 +71,21 @@ fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
     }
 }
 
+/// As `timeout` ends a program: by a signal to it and, at once, another to its group. The run is then in its press at
+/// finite strain, after a coarse slide at small strain, and that is kept.
+#[test]
+fn two_signals_at_once_are_one_request_and_lose_nothing() {
+    let directory = tempfile::tempdir().unwrap();
+    let numerics = "[numerics]\nelements_per_radius = 24\n";
+    let scene = format!("{MATERIAL}[loading]\ninterference = 5\nslip_rate = 0\n{numerics}");
+    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    let child = start(directory.path(), "run scene.toml -o run.nc");
+    let (status, said) = interrupt_at(child, &["-TERM", "-TERM"], |line| line.starts_with("slide"));
+    assert_eq!(status, Some(1), "{said}");
+    let file = DatasetReader::open(&directory.path().join("run.nc")).expect(&said);
+    assert_eq!(file.attribute_text("completion").unwrap(), "incomplete: stopped on request");
+}
+
 #[test]
 fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
     let directory = tempfile::tempdir().unwrap();
@@ -77,7 +94,7 @@ fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
     );
     std::fs::write(directory.path().join("request.toml"), request).unwrap();
     let child = start(directory.path(), "tabulate request.toml -o table.nc --jobs 1");
-    let (status, said) = interrupt_at(child, "-INT", |line| line.contains("1 of 3 cells"));
+    let (status, said) = interrupt_at(child, &["-INT"], |line| line.contains("1 of 3 cells"));
     assert_eq!(status, Some(1), "{said}");
     assert!(!directory.path().join("table.nc").exists());
     assert!(directory.path().join("table.nc.part").exists());

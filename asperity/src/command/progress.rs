@@ -1,9 +1,8 @@
 //! Progress on stderr, and the wish to stop.
 
 use std::io::IsTerminal;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant as Clock;
+use std::sync::{Mutex, OnceLock};
+use std::time::{Duration, Instant as Clock};
 
 use asperity::simulate::Watch;
 use asperity::tabulate::{CellResult, Index, Standing, TableWatch};
@@ -11,16 +10,23 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Display;
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// When it was first asked to stop.
+static INTERRUPTED: OnceLock<Clock> = OnceLock::new();
+
+/// Signals within that time are one request: `timeout` and batch systems send one to the program and, at once, one to
+/// the group of processes that it is in.
+const SAME_REQUEST: Duration = Duration::from_millis(500);
 
 /// From now on the first interrupt, or the signal that ends a batch job, asks to stop, so that results
 /// can be saved; the second stops at once.
 pub fn watch_for_interrupt() {
-    let handler = || {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+    let handler = || match INTERRUPTED.get() {
+        None => {
+            let _ = INTERRUPTED.set(Clock::now());
+            eprintln!("stopping; once more to stop without saving");
         }
-        eprintln!("stopping; once more to stop without saving");
+        Some(first) if first.elapsed() > SAME_REQUEST => std::process::exit(130),
+        Some(_) => {}
     };
     // Without a handler an interrupt ends the program, which is acceptable.
     let _ = ctrlc::set_handler(handler);
@@ -140,7 +146,7 @@ impl Watch for Progress {
     }
 
     fn cancelled(&self) -> bool {
-        INTERRUPTED.load(Ordering::Relaxed)
+        INTERRUPTED.get().is_some()
     }
 }
 
@@ -152,7 +158,7 @@ impl TableWatch for Progress {
     }
 
     fn cancelled(&self) -> bool {
-        INTERRUPTED.load(Ordering::Relaxed)
+        INTERRUPTED.get().is_some()
     }
 }
 

@@ -151,7 +151,13 @@ fn account(outcome: &Outcome) -> String {
         let _ = write!(text, "  {:20}", quantity.descriptor().name);
         for source in ErrorSource::ALL {
             let part = 100.0 * outcome.budget.part(source, quantity) / value;
-            let _ = write!(text, "{part:>8.3}");
+            let part = match part {
+                // Of nothing, or of what is no more than rounding.
+                1000.0.. => ">999".into(),
+                part if part.is_nan() => "-".into(),
+                part => format!("{part:.3}"),
+            };
+            let _ = write!(text, "{part:>8}");
         }
         let _ = writeln!(text);
     }

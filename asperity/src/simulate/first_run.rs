@@ -31,8 +31,7 @@ impl Task<'_> {
     /// needs; only its mesh is a guess.
     ///
     /// Where a contact outgrows its mesh, all is repeated on wider ones as long as there is room.
-    /// `probe` is the first of the companions, if that was made. Where one was cancelled, the
-    /// coarse run is what there is.
+    /// `probe` is the first of the companions, if that was made.
     pub(super) fn first_run(
         &self,
         mut probe: Option<Probe>,
@@ -47,7 +46,7 @@ impl Task<'_> {
                 (start, probe) = (wider, None);
                 continue;
             }
-            let mut companions = self.companions(&start, probe.take(), |done, standing| {
+            let companions = self.companions(&start, probe.take(), |done, standing| {
                 progress(COMPANIONS * done, &format!("coarse mesh: {standing}"));
             })?;
             let slides = companions.iter().map(|(_, slid)| slid);
@@ -57,11 +56,7 @@ impl Task<'_> {
             }
             let cancelled = |slid: &Slid| matches!(slid.failure, Some(SlideFailure::Cancelled));
             if slides.clone().any(cancelled) {
-                let (mesh, fine) = companions.swap_remove(COARSE);
-                let scalars = self.scalars(&mesh, &fine);
-                let fine = Slid { failure: Some(SlideFailure::Cancelled), ..fine };
-                let resolution = start.coarse();
-                return Ok(FirstRun { companions, resolution, mesh, fine, scalars, budget: None, notes });
+                return Ok(self.coarse_alone(companions, start.coarse(), notes));
             }
             let complete = slides.clone().all(|slid| slid.failure.is_none());
             let scalars: Vec<_> = companions.iter().map(|(mesh, slid)| self.scalars(mesh, slid)).collect();
@@ -75,9 +70,15 @@ impl Task<'_> {
                 resolution = start.refine_beside_mesh(&self.pressed.scene.numerics, &parts);
                 budget = Some(beside_mesh.refined(&start, &resolution));
             }
-            let (mesh, fine) = self.slide(&resolution, |done, standing| {
+            let slid = self.slide(&resolution, |done, standing| {
                 progress(COMPANIONS + (1.0 - COMPANIONS) * done, standing);
-            })?;
+            });
+            let (mesh, fine) = match slid {
+                Err(SimulationError::Cancelled { .. }) => {
+                    return Ok(self.coarse_alone(companions, coarser, notes));
+                }
+                slid => slid?,
+            };
             if let Some(wider) = self.wider(&start, [&fine].into_iter(), &mut notes) {
                 start = wider;
                 continue;
@@ -92,6 +93,14 @@ impl Task<'_> {
             }
             return Ok(FirstRun { companions, resolution, mesh, fine, scalars: fine_scalars, budget, notes });
         }
+    }
+
+    /// Stopped before there was a fine run: the coarse one is what there is.
+    fn coarse_alone(&self, mut companions: Vec<Run>, resolution: Resolution, notes: Vec<String>) -> FirstRun {
+        let (mesh, fine) = companions.swap_remove(COARSE);
+        let scalars = self.scalars(&mesh, &fine);
+        let fine = Slid { failure: Some(SlideFailure::Cancelled), ..fine };
+        FirstRun { companions, resolution, mesh, fine, scalars, budget: None, notes }
     }
 
     /// A resolution with more room, where one of the slides has outgrown its mesh and the hemisphere

@@ -6,7 +6,9 @@ use crate::mesh::MeshSize;
 use crate::press;
 use crate::problem::Discretisation;
 use crate::resolution::NEWTON_TOLERANCE;
+use crate::scene_file::parse_scene;
 use crate::sectors::Sectors;
+use crate::simulate::{Unwatched, simulate};
 
 /// A hot slide in plastic contact, coarse, ready to start.
 fn ready(problem: &Problem) -> Slide<'_> {
@@ -156,4 +158,21 @@ fn a_slide_that_stops_cools_and_restarts() {
     let spent = again.elastic + again.plastic + again.friction_work + again.thermal_expansion;
     let off = again.work - spent - again.moduli_softening - again.springs;
     assert!(off.abs() < 1e-3 * again.work, "{off} of {}", again.work);
+}
+
+/// A point at the edge that its own friction pushes off the flat, and that comes back without it: no equilibrium is
+/// between the two for any increment, and steps were cut back for ever.
+#[test]
+fn points_that_waver_do_not_cut_steps_back() {
+    let text = "[material]\npreset = \"steel-304\"\n[asperity]\nradius = 1e-3\n\
+                [loading]\ninterference = 0.2\nslip_rate = 0\n[model]\nkinematics = \"small\"\n\
+                [numerics]\nelements_per_radius = 8\nsectors = 8\naccuracy = 0.5\n";
+    let scene = parse_scene(text, "this test", &[]).unwrap();
+    let outcome = simulate(&scene, &Unwatched).unwrap();
+    assert_eq!(outcome.account.cutbacks, 0);
+    // What such a point loses is far below what the mesh leaves open.
+    let finer = parse_scene(text, "this test", &["numerics.elements_per_radius=12".into()]).unwrap();
+    let finer = simulate(&finer, &Unwatched).unwrap().summary.mu;
+    let mu = outcome.summary.mu;
+    assert!((mu.value - finer.value).abs() < mu.error, "{mu:?} {finer:?}");
 }
