@@ -4,8 +4,9 @@
 //! Source: the limit of small strain; first law of thermodynamics. Constitutive law and element are
 //! verified beside their code: closed forms of Hencky's law, rotation, an expanding tube.
 
-use asperity::outcome::{Outcome, SlideStep};
+use asperity::outcome::{ErrorSource, Outcome, SlideStep};
 use asperity::scene::{FrictionLaw, Hardening, Kinematics, Scene};
+use tables::quantity::Quantity;
 use tests::{assert_close, last, mesh, plain_material, run, scene, steel_4340};
 
 fn run_with(scene: &Scene, kinematics: Kinematics) -> Outcome {
@@ -90,4 +91,25 @@ fn auto_takes_finite_strain_where_strains_are_large() {
     assert_eq!(auto.slide, finite.slide);
     assert!(auto.account.finite_strain);
     assert!(auto.summary.mu.value != small.summary.mu.value);
+}
+
+/// What small strain leaves out at 20 ω_c is about the largest plastic strain of mu, as the model's part of its error
+/// says; and `auto` takes finite strain from a twentieth of the accuracy on.
+#[test]
+fn what_small_strain_leaves_out_is_in_the_error() {
+    let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, 20.0, mesh(6, 4));
+    scene.loading.slip_distance = 0.3;
+    let finite = run_with(&scene, Kinematics::Finite);
+    let auto = |twentieths: f64| {
+        let mut scene = scene.clone();
+        scene.numerics.accuracy = twentieths * 20.0 * last(&finite).plastic_strain_max;
+        run_with(&scene, Kinematics::Auto)
+    };
+    let (small, large) = (auto(1.1), auto(0.9));
+    assert!(!small.account.finite_strain && large.account.finite_strain);
+    let part = |outcome: &Outcome| outcome.budget.part(ErrorSource::Model, Quantity::Mu);
+    let change = (small.summary.mu.value - finite.summary.mu.value).abs();
+    println!("mu changes by {change:.5}, estimate {:.5}", part(&small));
+    assert!(change < part(&small) && change > 0.5 * part(&small), "{change} {}", part(&small));
+    assert_eq!(part(&large), 0.0);
 }

@@ -8,19 +8,28 @@ use crate::outcome::{Outcome, SlideStep};
 use crate::quantities::estimate;
 use crate::timings::Timings;
 
-/// Number of slips at which histories are kept.
-const SLIP_POINTS: usize = 49;
-/// The first spacing is about 0.3 % of the slide: contacts of low interference start to slip
-/// after about a percent of their radius.
-const GRADING: f64 = 5.0;
+/// Number of intervals between the slips at which histories are kept.
+const INTERVALS: usize = 72;
+/// First of these slips, over a₀. Contacts slip all over at 2τ_c/(πG*), 0.0009 of copper and 0.005 of 4340 steel, and
+/// the friction of a surface rises up to there.
+const FIRST_SLIP: f64 = 1e-4;
 
-/// Slips s/a₀ from 0 to `slip_distance` (in a₀), dense at the start.
+/// Slips s/a₀ from 0 to `slip_distance` (in a₀), dense at the start. They do not depend on the metal, so that the cells
+/// of all tables have them in common.
 pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
-    let last = (SLIP_POINTS - 1) as f64;
-    (0..SLIP_POINTS)
-        .map(|k| match k as f64 / last {
-            1.0 => slip_distance,
-            share => slip_distance * (GRADING * share).sinh() / GRADING.sinh(),
+    let n = INTERVALS as f64;
+    let first = |grading: f64| slip_distance * (grading / n).sinh() / grading.sinh();
+    // The larger the grading the smaller the first slip; at the most it is 1e-19 of the distance.
+    let (mut low, mut high) = (1e-3, 40.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if first(middle) > FIRST_SLIP { low = middle } else { high = middle }
+    }
+    let grading = 0.5 * (low + high);
+    (0..=INTERVALS)
+        .map(|k| match k {
+            INTERVALS => slip_distance,
+            k => slip_distance * (grading * k as f64 / n).sinh() / grading.sinh(),
         })
         .collect()
 }
@@ -108,10 +117,17 @@ mod tests {
 
     #[test]
     fn slips_rise_from_zero_to_the_end() {
-        let slips = slip_grid(2.0);
-        assert_eq!((slips[0], slips[SLIP_POINTS - 1]), (0.0, 2.0));
-        assert!(slips.windows(2).all(|pair| pair[1] > pair[0]));
-        assert!(slips[1] < 0.006);
+        for distance in [0.001, 0.02, 2.0, 20.0] {
+            let slips = slip_grid(distance);
+            assert_eq!((slips[0], slips[INTERVALS]), (0.0, distance));
+            assert!(slips.windows(2).all(|pair| pair[1] > pair[0]));
+            // Weakening goes by the logarithm of slip.
+            let late = slips[1..].windows(2).skip(INTERVALS / 2);
+            assert!(late.map(|pair| pair[1] / pair[0]).fold(1.0, f64::max) < 1.2);
+        }
+        // Partial slip of copper, and of 4340 steel.
+        let until = |end: f64| slip_grid(2.0).iter().filter(|slip| (1e-9..=end).contains(*slip)).count();
+        assert_eq!((until(0.0009), until(0.005)), (7, 21));
     }
 
     #[test]
