@@ -44,7 +44,7 @@ const fn column<T>(
 
 #[rustfmt::skip]
 const SLIDE: [Column<SlideStep>; 20] = [
-    column("slip", "m", "displacement of the flat less that of the surface", |s| s.slip),
+    column("slip", "m", "displacement of the flat", |s| s.slip),
     column("interference", "1", "interference over that of first yield", |s| s.interference),
     column("time", "s", "time since the start of the slide", |s| s.time),
     column("Q", "N", "friction force", |s| s.friction),
@@ -141,6 +141,9 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
         let descriptor = quantity.descriptor();
         // The bare name belongs to the history, where there is one.
         let (name, moment) = match is_history(descriptor.name) {
+            true if quantity == Quantity::TemperatureMax => {
+                (format!("{}_end", descriptor.name), ", highest of the slide")
+            }
             true => (format!("{}_end", descriptor.name), ", last value"),
             false => (descriptor.name.to_owned(), ""),
         };

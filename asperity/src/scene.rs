@@ -276,6 +276,21 @@ impl Scene {
         scene.loading.temperature = temperature;
         scene
     }
+
+    /// A sentence where the constants, which hold at the initial temperature, are hardly those that the softening law
+    /// has there: those of a preset hold at its reference temperature. To be asked of scenes as they are read.
+    pub fn strength_elsewhere(&self) -> Option<String> {
+        const NONE: f64 = 0.01;
+        let temperature = self.loading.temperature;
+        let factor = self.material.softening.factor(temperature);
+        ((factor - 1.0).abs() > NONE).then(|| {
+            format!(
+                "yield_strength is taken to hold at loading.temperature, {temperature} K, where the softening law \
+                 gives {factor:.3} of its strength; if the constants hold where that is 1, as those of presets do, a \
+                 table with table.temperature = [..] has them at other temperatures"
+            )
+        })
+    }
 }
 
 #[cfg(test)]

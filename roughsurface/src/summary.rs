@@ -39,7 +39,7 @@ const COLUMNS: [Column; 8] = [
     ("G [J/m2]", |f| f.energy_release.map_or("-".into(), |energy| format!("{:.3e}", energy.value))),
     ("G_weakening", |f| format!("{:.3e}", f.weakening_energy.value)),
     ("area fraction", |f| format!("{:.3e}", f.sliding.area_fraction.value)),
-    ("separation [m]", |f| format!("{:.3e}", f.sliding.separation.value)),
+    ("separation [m]", |f| format!("{:.3e}", f.pressed.separation.value)),
     ("outside table", |f| {
         if f.outside_table < 5e-5 { "-".into() } else { format!("{:.2} %", 100.0 * f.outside_table) }
     }),

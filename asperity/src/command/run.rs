@@ -30,7 +30,10 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let result = simulate_recorded(&scene, &recording, &progress);
     progress.clear();
     match result {
-        Ok(outcome) => report(&scene, &outcome, None, arguments, display),
+        Ok(mut outcome) => {
+            outcome.account.warnings.extend(scene.strength_elsewhere());
+            report(&scene, &outcome, None, arguments, display)
+        }
         Err(error) => {
             let reason = error.to_string();
             let partial = match error {
@@ -43,7 +46,8 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
                 None => {
                     Err(Failure::Run(format!("{reason}; the slide had not begun, there is nothing to save")))
                 }
-                Some(outcome) => {
+                Some(mut outcome) => {
+                    outcome.account.warnings.extend(scene.strength_elsewhere());
                     report(&scene, &outcome, Some(&reason), arguments, display)?;
                     let output = arguments.output.display();
                     Err(Failure::Run(format!(

@@ -30,13 +30,12 @@ impl Interpolant {
 
     /// a₀ below the first row, m.
     pub(super) fn contact_radius_below(&self, first: usize, log_interference: f64) -> f64 {
-        let depth = log_interference - self.log_interference[first];
-        let knot = self.log_interference[first].exp();
+        let descent = self.descent(first, log_interference);
         self.elastic.continued(
-            self.elastic.contact_radius(knot * depth.exp()),
-            self.elastic.contact_radius(knot),
+            self.elastic.contact_radius(descent.here()),
+            self.elastic.contact_radius(descent.knot),
             self.log_contact_radius[first].exp(),
-            depth,
+            descent.kept(),
         )
     }
 }

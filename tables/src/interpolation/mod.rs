@@ -29,7 +29,7 @@ use crate::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 use crate::quantity::Quantity;
 use crate::steffen::{self, Location, locate};
 use crate::table::Table;
-use elastic::Elastic;
+use elastic::{Descent, Elastic};
 use nodes::{FIELDS, Field, Nodes, Values};
 
 /// A slip rate or interference closer than this to the end of an axis, relatively, is on it.
@@ -176,6 +176,11 @@ impl Interpolant {
         Ok((values, self.nodes.relative_error(place, rate, slip)))
     }
 
+    fn descent(&self, first: usize, log_interference: f64) -> Descent {
+        let knot = self.log_interference[first];
+        Descent { knot: knot.exp(), depth: log_interference - knot }
+    }
+
     /// Below the first row: elastic, in the ratio to elasticity that the row has.
     fn below(
         &self,
@@ -184,13 +189,12 @@ impl Interpolant {
         rate: Location,
         slip: f64,
     ) -> Result<(Values, Values), Absent> {
-        let depth = log_interference - self.log_interference[first];
-        let knot = self.log_interference[first].exp();
         let ratio = slip / self.contact_radius_below(first, log_interference);
         let place = Location { index: first, t: 0.0 };
         let slip = self.nodes.locate_slip(ratio);
         let row = self.row(first, rate, slip)?;
-        let (values, spread) = self.elastic.below(knot, depth, ratio, &row);
+        let descent = self.descent(first, log_interference);
+        let (values, spread) = self.elastic.below(descent, ratio, &row);
         let mut error = self.nodes.relative_error(place, rate, slip);
         for (error, spread) in error.iter_mut().zip(spread) {
             *error += spread;
@@ -354,7 +358,7 @@ impl AsperityLaw for Table {
         }))
     }
 
-    /// G times the area of the press, which stands for that at inception.
+    /// G times the area at inception.
     fn energy_release(
         &self,
         radius: f64,
@@ -365,7 +369,8 @@ impl AsperityLaw for Table {
             return Ok(Some(Estimate::default()));
         }
         let ask = |quantity| self.estimate(quantity, radius, interference, slip_rate);
-        let (per_area, area) = (ask(Quantity::EnergyRelease)?, ask(Quantity::AreaPress)?);
+        let (per_area, inception) = (ask(Quantity::EnergyRelease)?, ask(Quantity::InceptionSlip)?);
+        let area = self.response(radius, interference, slip_rate, inception.value)?.area;
         Ok(Some(Estimate {
             value: per_area.value * area.value,
             error: per_area.error * area.value + per_area.value.abs() * area.error,

@@ -28,6 +28,10 @@ pub(super) type Values = [f64; FIELDS];
 const QUANTITIES: [Quantity; FIELDS] =
     [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax];
 
+/// The same up to sliding inception.
+const BEFORE_SLIDING: [Quantity; FIELDS] =
+    [Quantity::LoadPress, Quantity::FrictionStatic, Quantity::AreaPress, Quantity::TemperatureMax];
+
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
 
@@ -51,9 +55,7 @@ impl Nodes {
         let mut nodes = Self {
             rates,
             histories: table.grid().map(|(i, j)| history(table, i, j, base)).collect(),
-            given: (table.grid().map(|(i, j)| given_error(table, i, j, base)))
-                .flat_map(|error| std::iter::repeat_n(error, slip.len()))
-                .collect(),
+            given: table.grid().flat_map(|(i, j)| given_errors(table, i, j, base)).collect(),
             misfit: Default::default(),
             slip,
         };
@@ -296,20 +298,34 @@ fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
     (states.into_iter().enumerate()).map(|(k, state)| [state, slope(k)]).collect()
 }
 
-fn given_error(table: &Table, i: usize, j: usize, base: f64) -> Values {
+/// Relative error of the results of a cell at each slip: from those of static friction, and of load and area after
+/// the press, up to inception, along straight lines to those at the end.
+fn given_errors(table: &Table, i: usize, j: usize, base: f64) -> Vec<Values> {
+    let slips = &table.axes().slip;
     let Some(cell) = table.cell(i, j) else {
-        return [f64::NAN; FIELDS];
+        return vec![[f64::NAN; FIELDS]; slips.len()];
     };
-    QUANTITIES.map(|quantity| {
+    let relative = |quantity: Quantity| {
         let shift = if quantity.is_temperature() { base } else { 0.0 };
         let (value, error) = (cell[quantity].value - shift, cell[quantity].error);
-        if error == 0.0 || value == 0.0 {
-            // An unheated contact has an exact temperature, whatever its error says.
-            0.0
-        } else {
-            (error / value).abs()
-        }
-    })
+        // An unheated contact has an exact temperature, whatever its error says.
+        if error == 0.0 || value == 0.0 { 0.0 } else { (error / value).abs() }
+    };
+    let begins = cell[Quantity::InceptionSlip].value / cell[Quantity::ContactRadius].value;
+    let begins = if begins.is_finite() { begins } else { 0.0 };
+    let ends = slips.last().copied().unwrap_or(0.0);
+    let last = QUANTITIES.map(relative);
+    // Where nothing is known of the beginning, as of the end.
+    let first: Values = std::array::from_fn(|f| match relative(BEFORE_SLIDING[f]) {
+        error if error.is_nan() => last[f],
+        error => error,
+    });
+    (slips.iter())
+        .map(|slip| {
+            let share = if ends > begins { ((slip - begins) / (ends - begins)).clamp(0.0, 1.0) } else { 1.0 };
+            std::array::from_fn(|f| first[f] + share * (last[f] - first[f]))
+        })
+        .collect()
 }
 
 /// ln a₀ of each row: a₀ belongs to the press and does not depend on the slip rate.

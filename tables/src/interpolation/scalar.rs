@@ -1,6 +1,6 @@
 //! Scalars of a table between its points.
 
-use super::elastic::{Elastic, fade};
+use super::elastic::{Descent, Elastic};
 use super::nodes::FIELDS;
 use super::{Absent, Interpolant};
 use crate::law::{Estimate, LookupError};
@@ -38,9 +38,18 @@ impl Table {
         let (mut value, mut error) =
             self.between(interpolant, quantity, base, place, rate).map_err(absent)?;
         if depth < 0.0 {
-            let knot = self.axes().interference[first];
-            let continued = below(&interpolant.elastic, quantity, knot, depth, value);
+            let row =
+                |quantity| self.between(interpolant, quantity, 0.0, place, rate).map(|(value, _)| value);
+            let of_row = |quantity| row(quantity).unwrap_or(f64::NAN);
+            let below = Below {
+                elastic: &interpolant.elastic,
+                descent: Descent { knot: self.axes().interference[first], depth },
+                load: of_row(Quantity::Load),
+                area: of_row(Quantity::Area),
+            };
+            let (continued, spread) = below.continued(quantity, value);
             error *= if value == 0.0 { 1.0 } else { (continued / value).abs() };
+            error += spread * continued.abs();
             value = continued;
         }
         let scale = ratio.powi(quantity.descriptor().radius_exponent);
@@ -85,37 +94,59 @@ impl Table {
     }
 }
 
-/// Elastic asymptote of each scalar, matched to the first row as the response is.
-fn below(elastic: &Elastic, quantity: Quantity, knot: f64, depth: f64, row: f64) -> f64 {
-    let here = knot * depth.exp();
-    let asymptote = |at: f64| -> Option<f64> {
+/// Below the first row, which bears `load` on `area` while it slides.
+struct Below<'a> {
+    elastic: &'a Elastic,
+    descent: Descent,
+    load: f64,
+    area: f64,
+}
+
+impl Below<'_> {
+    /// A scalar continued from its value in the row as the response is, and the relative error of that.
+    fn continued(&self, quantity: Quantity, row: f64) -> (f64, f64) {
         use Quantity::*;
-        match quantity {
-            Load | LoadPress => Some(elastic.load(at)),
-            Area | AreaPress => Some(elastic.area(at)),
-            ContactRadius => Some(elastic.contact_radius(at)),
-            Friction | FrictionStatic => elastic.sliding_friction(at),
-            Mu | MuStatic | MuPeak => Some(elastic.sliding_friction(at)? / elastic.load(at)),
-            InceptionSlip => elastic.inception_slip(at),
-            EnergyRelease => elastic.energy_release(at),
+        let Self { elastic, descent, .. } = *self;
+        let (here, knot) = (descent.here(), descent.knot);
+        let from = |asymptote: &dyn Fn(f64) -> f64, row: f64, share: f64| {
+            elastic.continued(asymptote(here), asymptote(knot), row, share)
+        };
+        let load = |at: f64| elastic.load(at);
+        let area = |at: f64| elastic.area(at);
+        let kept = |asymptote: &dyn Fn(f64) -> f64| from(asymptote, row, descent.kept());
+        // What friction has beside the area fades, as heat does.
+        let friction = |row: f64| {
+            let area_here = from(&area, self.area, descent.kept());
+            let strength = |at: f64| elastic.sliding_friction(at).map_or(f64::NAN, |q| q / area(at));
+            area_here * from(&strength, row / self.area, descent.fade())
+        };
+        let rubs = elastic.sliding_friction(here).is_some();
+        let value = match quantity {
+            TemperatureMax | TemperatureMean => row * descent.fade(),
+            Load | LoadPress => kept(&load),
+            Area | AreaPress => kept(&area),
+            ContactRadius => kept(&|at| elastic.contact_radius(at)),
             // Weakening by a slight heating: drop of strength and slip both go with a.
-            EnergyWeakening => Some(elastic.area(at)),
-            TemperatureMax | TemperatureMean => None,
-        }
-    };
-    match (asymptote(here), asymptote(knot)) {
-        (Some(asymptote), Some(at_knot)) => {
-            if quantity == Quantity::EnergyWeakening {
-                return row * asymptote / at_knot;
+            EnergyWeakening if rubs => row * area(here) / area(knot),
+            Friction | FrictionStatic if rubs => friction(row),
+            Mu | MuStatic | MuPeak if rubs => {
+                friction(row * self.load) / from(&load, self.load, descent.kept())
             }
-            elastic.continued(asymptote, at_knot, row, depth)
-        }
-        _ if quantity.is_temperature() => row * fade(depth),
-        // No strength of its own: friction coefficients stay, forces go with the load.
-        _ => match quantity.descriptor().units {
-            "1" => row,
-            "N" => row * elastic.load(here) / elastic.load(knot),
-            _ => row * elastic.contact_radius(here) / elastic.contact_radius(knot),
-        },
+            InceptionSlip if rubs => kept(&|at| elastic.inception_slip(at).unwrap_or(f64::NAN)),
+            EnergyRelease if rubs => kept(&|at| elastic.energy_release(at).unwrap_or(f64::NAN)),
+            // No strength of its own: friction coefficients stay, forces go with the load.
+            _ => match quantity.descriptor().units {
+                "1" => row,
+                "N" => row * load(here) / load(knot),
+                _ => row * elastic.contact_radius(here) / elastic.contact_radius(knot),
+            },
+        };
+        let faded = descent.faded(self.load / load(knot)).max(descent.faded(self.area / area(knot)));
+        let spread = match quantity {
+            TemperatureMax | TemperatureMean => 0.0,
+            LoadPress | AreaPress | ContactRadius => faded,
+            _ => faded + elastic.lifted(descent),
+        };
+        (value, spread)
     }
 }

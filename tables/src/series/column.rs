@@ -81,8 +81,13 @@ pub(super) struct Units {
 
 impl Units {
     /// Powers of yield strength and contact modulus: at equal ω/ω_c a contact radius is in proportion to
-    /// σ_Y/E*, a stress to σ_Y.
+    /// σ_Y/E*, a stress to σ_Y. Elastic slip is in proportion to the contact radius and to σ_Y/E* once more.
     fn powers(quantity: Quantity) -> (i32, i32) {
+        match quantity {
+            Quantity::InceptionSlip => return (2, -2),
+            Quantity::EnergyRelease => return (3, -2),
+            _ => {}
+        }
         match quantity.descriptor().units {
             "m" => (1, -1),
             "m2" => (2, -2),
