@@ -251,7 +251,7 @@ fn mesh_order(quantity: Quantity, elastic: bool) -> f64 {
 /// Error of the finer of two runs over their difference.
 fn mesh_share(refinement: f64, order: f64) -> f64 {
     // Meshes that hardly differ tell hardly anything.
-    1.0 / (refinement.powf(order) - 1.0).max(0.5)
+    1.0 / (refinement.powf(order) - 1.0).abs().max(0.5)
 }
 
 #[cfg(test)]
@@ -290,6 +290,20 @@ mod tests {
     fn meshes_that_hardly_differ_do_not_blow_the_estimate_up() {
         assert!((mesh_share(2.0, 1.5) - 1.0 / (2f64.powf(1.5) - 1.0)).abs() < 1e-12);
         assert_eq!(mesh_share(1.01, 1.5), 2.0);
+    }
+
+    /// 3 + 2 n^-1.5 on every mesh that a scene may ask for: the error is found whichever of the two is the finer.
+    #[test]
+    fn every_mesh_has_another_beside_it() {
+        let value = |elements: usize| 3.0 + 2.0 * (elements as f64).powf(-1.5);
+        for elements in [4, 5, 6, 7, 8, 12, 48] {
+            let run = Resolution::choose(&Numerics { elements_per_radius: Some(elements), ..numerics() });
+            let other = run.coarse();
+            let refinement = elements as f64 / other.elements_per_radius as f64;
+            let change = (value(elements) - value(other.elements_per_radius)).abs();
+            let ratio = mesh_share(refinement, 1.5) * change / (value(elements) - 3.0);
+            assert!((0.7..1.01).contains(&ratio), "{elements}: {ratio}");
+        }
     }
 
     #[test]

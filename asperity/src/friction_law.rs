@@ -150,9 +150,16 @@ impl FrictionLaw {
         matches!(self, Self::ShearStrength | Self::FullStick)
     }
 
-    /// Whether slip makes heat.
+    /// Whether there is any friction.
     pub(crate) fn rubs(&self) -> bool {
-        *self != Self::Frictionless
+        match *self {
+            Self::Frictionless => false,
+            Self::Coulomb { friction, .. } => friction > 0.0,
+            Self::BriscoeTabor { film_strength, pressure_coefficient, .. } => {
+                film_strength > 0.0 || pressure_coefficient > 0.0
+            }
+            Self::ShearStrength | Self::FullStick => true,
+        }
     }
 }
 
@@ -218,5 +225,17 @@ mod tests {
         assert!((film(1e9, 0.05, false) - 0.6).abs() < 1e-15);
         assert_eq!(limit(FrictionLaw::FullStick), f64::INFINITY);
         assert_eq!(limit(FrictionLaw::Frictionless), 0.0);
+    }
+
+    #[test]
+    fn no_friction_is_none_by_any_law() {
+        let film = |film_strength, pressure_coefficient| FrictionLaw::BriscoeTabor {
+            film_strength,
+            pressure_coefficient,
+            cap: true,
+        };
+        let coulomb = |friction| FrictionLaw::Coulomb { friction, cap: true };
+        assert!([FrictionLaw::Frictionless, coulomb(0.0), film(0.0, 0.0)].iter().all(|law| !law.rubs()));
+        assert!([coulomb(0.1), film(1e8, 0.0), film(0.0, 0.1)].iter().all(FrictionLaw::rubs));
     }
 }

@@ -55,11 +55,15 @@ impl HeatEffect {
     }
 
     fn in_words(&self) -> String {
+        if self.softening >= 1.0 {
+            return "at its full strength the contact would melt".into();
+        }
+        let load =
+            if self.load < 1.0 { format!("by {:.2} %", 100.0 * self.load) } else { "altogether".into() };
         format!(
-            "a rise of about {:.2} K takes {:.2} % of the strength and changes the load by {:.2} %",
+            "a rise of about {:.2} K takes {:.2} % of the strength and changes the load {load}",
             self.rise,
             100.0 * self.softening,
-            100.0 * self.load
         )
     }
 }
@@ -71,6 +75,10 @@ pub fn choose_heat(scene: &Scene, slip_rate: f64, effect: &HeatEffect, notes: &m
         Switch::Off => left_out("it is switched off"),
         _ if slip_rate == 0.0 => left_out("the slip rate is 0, the isothermal limit"),
         Switch::Auto if !scene.interface.law.rubs() => left_out("there is no friction"),
+        Switch::Auto if scene.interface.heat_partition == 0.0 => (
+            Heat::OneWay,
+            "heat does not act back: that of friction does not enter, that of plastic work is small".into(),
+        ),
         Switch::Auto if effect.friction() < ONE_WAY_SHARE * scene.numerics.accuracy => {
             (Heat::OneWay, format!("heat does not act back: {}, which the errors include", effect.in_words()))
         }

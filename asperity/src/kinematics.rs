@@ -89,14 +89,17 @@ fn what_changes(small: &Probe, finite: &Probe) -> String {
     if !(small.complete() && finite.complete()) {
         return format!("finite strain: at small strain the plastic strain reaches {strain:.4}");
     }
-    let change = |of: Quantity| 100.0 * (finite.value(of) / small.value(of) - 1.0);
+    let changes: Vec<String> = [Quantity::Mu, Quantity::MuStatic, Quantity::Load, Quantity::Area]
+        .into_iter()
+        .filter(|of| small.value(*of) != 0.0)
+        .map(|of| {
+            let change = 100.0 * (finite.value(of) / small.value(of) - 1.0);
+            format!("{} by {change:+.1} %", of.descriptor().name)
+        })
+        .collect();
     format!(
-        "finite strain, as the plastic strain reaches {strain:.4} on a coarse mesh; there it changes mu by \
-         {:+.1} %, mu_static by {:+.1} %, P by {:+.1} %, A by {:+.1} %",
-        change(Quantity::Mu),
-        change(Quantity::MuStatic),
-        change(Quantity::Load),
-        change(Quantity::Area)
+        "finite strain, as the plastic strain reaches {strain:.4} on a coarse mesh; there it changes {}",
+        changes.join(", ")
     )
 }
 

@@ -65,12 +65,15 @@ impl Resolution {
         MeshSize { contact_radius, elements_per_radius, growth_zone, surface_halvings }
     }
 
-    /// On a mesh half as fine, all else alike.
+    /// On a mesh half as fine, all else alike; of the coarsest meshes, which have none that are coarser beside
+    /// them, on one and a half times as fine a mesh.
     pub fn coarse(&self) -> Self {
-        let coarse = Self::new((self.elements_per_radius / 2).max(4), self.sectors, self.increments.growth);
-        // No finer than this one, where this is as coarse as can be.
-        let elements_per_radius = coarse.elements_per_radius.min(self.elements_per_radius);
-        Self { elements_per_radius, growth_zone: self.growth_zone, ..coarse }
+        let elements = match self.elements_per_radius {
+            n @ ..6 => n + n / 2,
+            n => (n / 2).max(4),
+        };
+        let coarse = Self::new(elements, self.sectors, self.increments.growth);
+        Self { growth_zone: self.growth_zone, ..coarse }
     }
 
     /// The same with more room for the contact to grow.

@@ -53,9 +53,12 @@ impl Scalars {
         let units = problem.units;
         let last = history.last().expect("a history starts with the press");
         let pressed = press.last().expect("a press has increments");
-        let inception = inception(history);
+        // Of a press alone, or without friction, there is nothing but rounding.
+        let rubs = problem.law.rubs() && history.len() > 1;
+        let inception = if rubs { inception(history) } else { Inception::none(history) };
+        let friction = if rubs { last.friction } else { 0.0 };
         let mu = |i: &Instant| {
-            if i.load > 0.0 { i.friction / i.load } else { 0.0 }
+            if rubs && i.load > 0.0 { i.friction / i.load } else { 0.0 }
         };
         let energy = units.stress * units.length;
         let start = scene.loading.temperature;
@@ -64,7 +67,7 @@ impl Scalars {
             Quantity::MuStatic if inception.load > 0.0 => inception.friction / inception.load,
             Quantity::MuStatic => 0.0,
             Quantity::MuPeak => history.iter().map(mu).fold(0.0, f64::max),
-            Quantity::Friction => last.friction * units.force(),
+            Quantity::Friction => friction * units.force(),
             Quantity::FrictionStatic => inception.friction * units.force(),
             Quantity::Load => last.load * units.force(),
             Quantity::LoadPress => pressed.load * units.force(),
@@ -72,7 +75,8 @@ impl Scalars {
             Quantity::AreaPress => pressed.area * units.area(),
             Quantity::ContactRadius => (pressed.area / PI).sqrt() * units.length,
             Quantity::EnergyRelease => inception.energy_release * energy,
-            Quantity::EnergyWeakening => weakening(history) * energy,
+            Quantity::EnergyWeakening if rubs => weakening(history) * energy,
+            Quantity::EnergyWeakening => 0.0,
             Quantity::TemperatureMax => start + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
             Quantity::TemperatureMean => start + last.rise_mean,
             Quantity::InceptionSlip => inception.slip * units.length,
@@ -132,6 +136,20 @@ fn inception(history: &[Instant]) -> Inception {
 }
 
 impl Inception {
+    /// Of what does not slide, or without friction.
+    fn none(history: &[Instant]) -> Self {
+        let load = history.last().map_or(0.0, |instant| instant.load);
+        Self {
+            criterion: InceptionCriterion::None,
+            slip: 0.0,
+            friction: 0.0,
+            load,
+            energy_release: 0.0,
+            slip_bracket: 0.0,
+            energy_bracket: 0.0,
+        }
+    }
+
     /// At `slip`, somewhere between the states n − 1 and n.
     fn at(history: &[Instant], slip: f64, n: usize, criterion: InceptionCriterion) -> Self {
         let state = between(history, slip);

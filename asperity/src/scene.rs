@@ -218,6 +218,9 @@ pub struct Model {
     pub kinematics: Kinematics,
 }
 
+/// n_c that a scene may ask for.
+pub const ELEMENTS_PER_RADIUS: std::ops::RangeInclusive<usize> = 4..=256;
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numerics {
     /// Relative; chooses what is not given.

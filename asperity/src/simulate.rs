@@ -219,7 +219,7 @@ pub(crate) fn slide_refined(
     }
     watch.progress("slide", 1.0, "");
 
-    summary::warn(scene, &fine.history, &mut warnings);
+    summary::warn(scene, &fine.history, scalars.inception, &mut warnings);
     warnings.extend(task.unresolved_layer(&resolution));
     notes.insert(0, resolution.describe());
     let mut timings = fine.timings;

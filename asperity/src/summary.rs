@@ -4,7 +4,9 @@ use tables::law::Estimate;
 use tables::quantity::Quantity;
 
 use crate::error_budget::ErrorBudget;
-use crate::outcome::{Account, ContactGrid, ContactStatus, Outcome, PressStep, SlideStep, Snapshot, Summary};
+use crate::outcome::{
+    Account, ContactGrid, ContactStatus, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot, Summary,
+};
 use crate::press::Increment;
 use crate::problem::Problem;
 use crate::scalars::Scalars;
@@ -16,7 +18,14 @@ use crate::slide::Instant;
 const LARGE_STRAIN: f64 = 0.2;
 
 /// What the reader must know.
-pub fn warn(scene: &Scene, history: &[Instant], warnings: &mut Vec<String>) {
+pub fn warn(scene: &Scene, history: &[Instant], inception: InceptionCriterion, warnings: &mut Vec<String>) {
+    if inception == InceptionCriterion::None && history.len() > 1 && scene.interface.law.rubs() {
+        warnings.push(
+            "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are those of \
+             its end; a longer slip_distance lets it begin"
+                .into(),
+        );
+    }
     let equal_strength = scene.interface.strength_factor >= 1.0 && scene.interface.law.holds_like_the_body();
     let plastic = history.last().is_some_and(|i| i.plastic_strain_max > 0.0);
     if equal_strength && scene.material.hardening == Hardening::None && plastic {

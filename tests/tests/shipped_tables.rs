@@ -4,6 +4,8 @@ use std::path::Path;
 
 use asperity::quantities::estimate;
 use asperity::scene_file::parse_scene;
+use tables::closed_forms::partial_slip::constant_shear;
+use tables::law::AsperityLaw;
 use tables::quantity::Quantity;
 use tables::shipped;
 use tables::statistics::ErrorStatistics;
@@ -75,5 +77,25 @@ fn below_their_first_row_tables_agree_with_runs() {
             let most = if quantity == EnergyRelease { 0.4 } else { 0.1 };
             assert!(there.error < most * there.value, "{share} {quantity:?}: {there:?}");
         }
+    }
+}
+
+/// Friction of an elastic contact of copper, which slips all over at a thousandth of its radius, rises along the table as
+/// it does under a constant shear strength (Savkoor 1987).
+#[test]
+fn tables_show_partial_slip() {
+    let table = shipped::table("copper").unwrap();
+    let omega = table.axes().interference[0];
+    let Metadata { asperity_radius: radius, contact_modulus, poisson_ratio, yield_strength, .. } =
+        *table.metadata();
+    let tangential = contact_modulus * (1.0 - poisson_ratio) / (2.0 * (2.0 - poisson_ratio));
+    let a = table.estimate(Quantity::ContactRadius, radius, omega, 0.0).unwrap().value;
+    let gross = constant_shear::gross_slip_displacement(yield_strength / 3f64.sqrt(), tangential, a);
+    let sliding = table.estimate(Quantity::FrictionStatic, radius, omega, 0.0).unwrap().value;
+    for share in [0.1, 0.2, 0.4, 0.6] {
+        let friction = table.response(radius, omega, 0.0, share * gross).unwrap().friction;
+        let (here, there) = (friction.value / sliding, constant_shear::force_fraction(share));
+        println!("{share}: {here:.3} {there:.3}, stated {:.3}", friction.error / sliding);
+        assert!((here - there).abs() < 0.02 * there, "{share}: {here} {there}");
     }
 }

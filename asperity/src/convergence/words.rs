@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Convergence, Run, SHOWN};
+use crate::scene::ELEMENTS_PER_RADIUS;
 
 /// A row per run: cost, and for each quantity the error and in brackets its estimate, in per cent.
 pub fn table(convergence: &Convergence) -> String {
@@ -46,6 +47,7 @@ pub fn in_words(convergence: &Convergence) -> String {
     let sweep = &convergence.runs[..convergence.runs.len() - 1];
     let cheapest = sweep
         .iter()
+        .filter(|run| ELEMENTS_PER_RADIUS.contains(&run.elements_per_radius))
         .filter(|run| convergence.worst_error(run) <= accuracy)
         .min_by(|a, b| a.cpu_time.total_cmp(&b.cpu_time));
     let advice = match cheapest {

@@ -4,8 +4,8 @@ use super::error::SceneFileError;
 use super::reader::{ACCURACY, NOT_NEGATIVE, Origin, POSITIVE, SHARE, Section};
 use crate::friction_law::{Entry, LAWS, Parameter, Value};
 use crate::scene::{
-    Control, FrictionLaw, Interface, InterfaceStrength, Kinematics, Loading, Model, Numerics, Softening,
-    Switch,
+    Control, ELEMENTS_PER_RADIUS, FrictionLaw, Interface, InterfaceStrength, Kinematics, Loading, Model,
+    Numerics, Softening, Switch,
 };
 
 /// Section `[asperity]`: the radius, m.
@@ -115,7 +115,8 @@ pub(super) fn numerics(root: &mut Section<'_>) -> Result<Numerics, SceneFileErro
     Ok(Numerics {
         accuracy: section.number("accuracy", "1", ACCURACY, Some(0.02))?,
         // The upper limits catch slips of the pen before they exhaust the memory.
-        elements_per_radius: section.count("elements_per_radius", (4, 256, 1))?,
+        elements_per_radius: section
+            .count("elements_per_radius", (*ELEMENTS_PER_RADIUS.start(), *ELEMENTS_PER_RADIUS.end(), 1))?,
         sectors: section.count("sectors", (4, 256, 4))?,
     })
 }

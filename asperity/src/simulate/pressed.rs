@@ -272,7 +272,7 @@ fn too_deep(problem: &Problem, radius: f64, fits: impl Fn(f64) -> bool) -> Simul
 
 /// Interference, in ω_c, up to which a mesh laid out for the contact radius to expect fits.
 fn deepest(problem: &Problem, fits: impl Fn(f64) -> bool) -> f64 {
-    const HALVINGS: usize = 12;
+    const HALVINGS: usize = 50;
     let asked = problem.interference / problem.critical_interference;
     let (mut fitting, mut folding) = (0.0, asked);
     for _ in 0..HALVINGS {

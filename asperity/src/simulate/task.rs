@@ -18,7 +18,7 @@ use crate::problem::Discretisation;
 use crate::recording::{Fields, Recorder};
 use crate::resolution::{Resolution, surface_halvings};
 use crate::scalars::Scalars;
-use crate::scene::Kinematics;
+use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics};
 use crate::sectors::Sectors;
 use crate::slide::{Slide, SlideFailure, SlideHeat};
 use crate::standing;
@@ -197,11 +197,16 @@ impl<'a> Task<'a> {
     pub(super) fn unresolved_layer(&self, resolution: &Resolution) -> Option<String> {
         let surface = 0.5f64.powi(self.surface_halvings as i32 + 1);
         let share = resolution.elements_per_radius as f64 / (surface * self.peclet().sqrt());
-        (share < 1.0).then(|| {
+        let frictional = self.pressed.scene.interface.heat_partition > 0.0;
+        (share < 1.0 && frictional).then(|| {
+            let enough = (resolution.elements_per_radius as f64 / share).ceil();
+            let way_out = match enough <= *ELEMENTS_PER_RADIUS.end() as f64 {
+                true => format!("elements_per_radius = {enough} would resolve it"),
+                false => "no mesh would resolve it".into(),
+            };
             format!(
                 "frictional heat stays in a layer of {share:.2} of the elements at the surface: mu may be off by \
-                 more than its error; elements_per_radius = {} would resolve it",
-                (resolution.elements_per_radius as f64 / share).ceil()
+                 more than its error; {way_out}"
             )
         })
     }

@@ -58,8 +58,8 @@ pub struct Characterize {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
-    /// Print no summary and no warnings
-    #[arg(short, long, conflicts_with = "json")]
+    /// Print nothing but errors (and the JSON, if asked for)
+    #[arg(short, long)]
     quiet: bool,
 }
 

@@ -19,8 +19,8 @@ pub struct RunOptions {
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
-    /// Print no summary and no warnings
-    #[arg(short, long, conflicts_with = "json")]
+    /// Print nothing but errors (and the JSON, if asked for)
+    #[arg(short, long)]
     pub quiet: bool,
     /// Show progress even if stderr is not a terminal
     #[arg(long)]
@@ -82,15 +82,14 @@ pub fn summarise(
     text: impl Fn() -> String,
     json: impl Fn() -> serde_json::Value,
 ) {
-    if quiet {
-        return;
-    }
-    for warning in warnings {
-        eprintln!("warning: {warning}");
+    if !quiet {
+        for warning in warnings {
+            eprintln!("warning: {warning}");
+        }
     }
     if as_json {
         print(&format!("{:#}\n", json()));
-    } else {
+    } else if !quiet {
         print(&text());
     }
 }

@@ -43,7 +43,7 @@ A surface file, surface.toml:
     [surface]
     asperity_density = 1e10     # summits per nominal area, 1/m2
     asperity_radius = 100e-6    # m
-    heights = { distribution = \"gaussian\", std = 0.5e-6 }
+    heights = { distribution = \"gaussian\", std = 0.1e-6 }
     [query]
     pressure = [1e5, 1e6]       # nominal, Pa; or separation = [..] in m
     slip_rate = [0.1, 1, 10]    # m/s

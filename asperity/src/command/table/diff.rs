@@ -31,6 +31,10 @@ pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure>
             Some((at, here, there)) => {
                 Err(Failure::Run(format!("{at} is {here} in one, {there} in the other")))
             }
+            None if comparison.only_here + comparison.only_there > 0 => Err(Failure::Run(format!(
+                "{} cells are in the first only, {} in the second only",
+                comparison.only_here, comparison.only_there
+            ))),
             None => Ok(()),
         },
     }

@@ -89,7 +89,8 @@ fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
     if !metadata.shard.is_empty() {
         line("shard", metadata.shard.clone());
     }
-    let cost: f64 = members.iter().map(Table::cost).sum();
+    // From +0: the sum of nothing is −0.
+    let cost = members.iter().map(Table::cost).fold(0.0, |sum, cost| sum + cost);
     line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
     line("made by", format!("{}, fingerprint {}", metadata.source, or_none(&metadata.fingerprint)));
     let (version, checksum) = match tables {
