@@ -70,7 +70,7 @@ pub struct Friction {
     /// Static friction coefficient, see [`inception`](crate::slip_curve::inception).
     pub mu_static: Estimate,
     /// Slip at which it is reached, m.
-    pub inception_slip: f64,
+    pub inception_slip: Estimate,
     /// Energy released by weakening, J per m² of nominal area, see
     /// [`weakening_energy`](crate::slip_curve::weakening_energy).
     pub weakening_energy: Estimate,

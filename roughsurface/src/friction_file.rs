@@ -19,7 +19,7 @@ struct Quantity {
 const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
 
 /// Every result with an error. To add an output: a line here.
-const QUANTITIES: [Quantity; 17] = [
+const QUANTITIES: [Quantity; 18] = [
     Quantity {
         name: "mu",
         units: "1",
@@ -31,6 +31,12 @@ const QUANTITIES: [Quantity; 17] = [
         units: "1",
         long_name: "friction coefficient where the friction-slip curve of the surface starts to slide",
         value: |f| f.mu_static,
+    },
+    Quantity {
+        name: "inception_slip",
+        units: "m",
+        long_name: "slip at which static friction is reached",
+        value: |f| f.inception_slip,
     },
     Quantity {
         name: "Q",
@@ -216,7 +222,6 @@ pub fn write(path: &Path, prediction: &Prediction, origin: &Origin) -> Result<()
             "largest share of the load carried beyond the range of the table during the slide",
             (|cell: &&Friction| cell.outside_table) as fn(&&Friction) -> f64,
         ),
-        ("inception_slip", "m", "slip at which static friction is reached", |cell| cell.inception_slip),
         (
             "elastic_fraction",
             "1",

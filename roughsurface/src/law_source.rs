@@ -32,6 +32,7 @@ pub enum LawSourceError {
 /// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
 /// assert!(asperity_law("model:kogut-etsion", Some(&steel), None).is_ok());
 /// assert!(asperity_law("model:kogut-etsion", None, None).is_err());
+/// assert!(asperity_law("model:no-such-law", None, None).err().unwrap().to_string().contains("jackson-green"));
 /// assert!(asperity_law("steel-4340", None, None).is_ok());
 /// assert!(asperity_law("steel-4340", None, Some(500.0)).is_err());
 /// assert!(asperity_law("no-such-table.nc", None, None).is_err());
@@ -46,10 +47,14 @@ pub fn asperity_law(
             return Err(LawSourceError::NoTemperature { name: name.to_string(), temperature });
         }
         let unknown = |reason| LawSourceError::Unknown { name: name.to_string(), reason };
-        let Some(material) = material else {
-            return Err(LawSourceError::NoMaterial { name: name.to_string() });
+        // A name that no material would help is said to be one first.
+        const ANY: ElasticPlastic =
+            ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 1e9 };
+        let law = closed_form(name, material.unwrap_or(&ANY)).map_err(unknown)?;
+        return match material {
+            Some(_) => Ok(law),
+            None => Err(LawSourceError::NoMaterial { name: name.to_string() }),
         };
-        return closed_form(name, material).map_err(unknown);
     }
     match shipped::open(asked, temperature) {
         Ok(table) => Ok(Box::new(table)),

@@ -74,7 +74,7 @@ impl SlipState {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inception {
     /// Slip at which it is reached, m.
-    pub slip: f64,
+    pub slip: Estimate,
     /// Friction coefficient there, 1.
     pub mu: Estimate,
     /// False if the curve still rises at its end: `mu` is then the end value.
@@ -85,7 +85,8 @@ pub struct Inception {
 /// [`INCEPTION_SLOPE`] of its initial value: the first maximum, or the knee of a
 /// curve that keeps creeping upwards.
 ///
-/// The error includes what every second point of the curve would have given.
+/// Errors include what every second point of the curve would have given. Up to there friction rises with the slip, so
+/// that the slip is uncertain in proportion, too.
 pub fn inception(slip: &[f64], mu: &[Estimate]) -> Inception {
     let mut found = inception_on(slip, mu);
     let coarse_slip: Vec<f64> = slip.iter().copied().step_by(2).collect();
@@ -93,13 +94,18 @@ pub fn inception(slip: &[f64], mu: &[Estimate]) -> Inception {
     if coarse_slip.len() > 2 {
         let coarse = inception_on(&coarse_slip, &coarse_mu);
         found.mu.error += (found.mu.value - coarse.mu.value).abs();
+        found.slip.error += (found.slip.value - coarse.slip.value).abs();
     }
     found
 }
 
 fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     let slope = |i: usize| (mu[i + 1].value - mu[i].value) / (slip[i + 1] - slip[i]);
-    let at_node = |i: usize, reached: bool| Inception { slip: slip[i], mu: mu[i], reached };
+    let found = |slip: f64, mu: Estimate, reached: bool| {
+        let share = if mu.value > 0.0 { mu.error / mu.value } else { 0.0 };
+        Inception { slip: Estimate { value: slip, error: slip * share }, mu, reached }
+    };
+    let at_node = |i: usize, reached: bool| found(slip[i], mu[i], reached);
     let last = slip.len() - 1;
     if last == 0 {
         return at_node(0, false);
@@ -121,11 +127,7 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     let place = start + share * (end - start);
     let at_knot = before + (after - before) * (slip[knee] - start) / (end - start);
     let rise = (place - slip[knee]) * 0.5 * (at_knot + threshold);
-    Inception {
-        slip: place,
-        mu: Estimate { value: mu[knee].value + rise, error: mu[knee].error },
-        reached: true,
-    }
+    found(place, Estimate { value: mu[knee].value + rise, error: mu[knee].error }, true)
 }
 
 /// A drop by this share of the peak is within the tolerance of the integrals, and none.
@@ -240,7 +242,9 @@ mod tests {
         let found = inception(&slip, &mu);
         assert!(found.reached);
         // Neighbouring slips differ by 12 %, which moves slopes by the square of that.
-        assert!((found.slip / (0.01 * 100f64.ln()) - 1.0).abs() < 0.02);
+        assert!((found.slip.value / (0.01 * 100f64.ln()) - 1.0).abs() < 0.02);
+        assert!((found.slip.value - 0.01 * 100f64.ln()).abs() <= found.slip.error);
+        assert!(found.slip.error < 0.1 * found.slip.value);
         assert!((found.mu.value - 0.396).abs() < 2e-4, "{}", found.mu.value);
         assert!((found.mu.value - 0.396).abs() <= found.mu.error);
     }
@@ -256,7 +260,7 @@ mod tests {
     #[test]
     fn a_rigid_curve_slides_at_once_and_a_rising_one_never() {
         let (slip, mu) = curve(|_| 0.5);
-        assert_eq!(inception(&slip, &mu).slip, 0.0);
+        assert_eq!(inception(&slip, &mu).slip.value, 0.0);
         assert_eq!(weakening_energy(&slip, &mu).value, 0.0);
         assert!(weakening_distance(&slip, &mu).value.is_nan());
         let (slip, mu) = curve(|s| s);

@@ -21,6 +21,14 @@ use super::{Display, Failure, RunArguments, command_line, outputs, print, timing
 /// Run the scene, save what there is, say how it went.
 pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
+    let end = scene.loading.slip_distance;
+    if let Some(beyond) = arguments.fields_at.iter().find(|slip| **slip > end) {
+        return Err(Failure::Input(format!(
+            "--fields-at {}: the slide ends at loading.slip_distance = {} contact radii",
+            numbers::plain(*beyond),
+            numbers::plain(end)
+        )));
+    }
     outputs::check_output(&arguments.output, &arguments.scene)?;
     outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
     outputs::check_directory(arguments.vtu.as_deref())?;

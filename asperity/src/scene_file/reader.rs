@@ -47,6 +47,8 @@ pub(super) struct Rule {
 }
 
 pub(super) const POSITIVE: Rule = Rule { text: "a positive number", accepts: |x| x > 0.0 };
+pub(super) const FOR_LOGARITHMS: Rule =
+    Rule { text: "a positive number, or any that may be if spacing = \"linear\"", accepts: |x| x > 0.0 };
 pub(super) const NOT_NEGATIVE: Rule = Rule { text: "zero or a positive number", accepts: |x| x >= 0.0 };
 pub(super) const SHARE: Rule = Rule { text: "a number from 0 to 1", accepts: |x| (0.0..=1.0).contains(&x) };
 /// Of an isotropic solid that is neither auxetic nor incompressible.

@@ -4,7 +4,7 @@ use tables::refinement::Goal;
 use toml::Value;
 
 use super::error::SceneFileError;
-use super::reader::{ACCURACY, NOT_NEGATIVE, POSITIVE, Rule, Section};
+use super::reader::{ACCURACY, FOR_LOGARITHMS, NOT_NEGATIVE, POSITIVE, Rule, Section};
 use crate::scene::Scene;
 
 /// A grid of scenes that differ in interference and slip rate, at one or at several initial temperatures.
@@ -148,7 +148,7 @@ fn range(
     logarithmic: bool,
 ) -> Result<Vec<f64>, SceneFileError> {
     let logarithmic = range.choice("spacing", &[("log", true), ("linear", false)], Some(logarithmic))?;
-    let rule = if logarithmic { POSITIVE } else { rule };
+    let rule = if logarithmic { FOR_LOGARITHMS } else { rule };
     let from = range.number("from", unit, rule, None)?;
     let to = range.number("to", unit, rule, None)?;
     if to <= from {
