@@ -111,7 +111,7 @@ fn a_table_of_several_temperatures_is_read_at_one() {
     assert_eq!(json["temperature"], serde_json::json!([298.0, 500.0, 700.0]));
     assert_eq!(json["tables"][2]["cells"]["done"], 2);
     assert!(done(&folder, "table info whole.nc --temperature 600").contains("2 done, 0 not run"));
-    for (line, lines) in [("", 1 + 6), (" --temperature 450", 1 + 2), (" --histories", 1 + 6 * 49)] {
+    for (line, lines) in [("", 1 + 6), (" --temperature 450", 1 + 2), (" --histories", 1 + 6 * 73)] {
         done(&folder, &format!("table export whole.nc -o whole.csv{line}"));
         let csv = std::fs::read_to_string(folder.join("whole.csv")).unwrap();
         assert_eq!(csv.lines().count(), lines);

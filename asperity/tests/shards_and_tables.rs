@@ -155,7 +155,7 @@ fn a_table_is_described_plotted_and_exported() {
     for label in ["friction coefficient", "friction stress", "energy release", "highest temperature"] {
         assert!(svg.contains(label), "{label}");
     }
-    for (histories, lines) in [(None, 5), (Some("--histories"), 1 + 4 * 49)] {
+    for (histories, lines) in [(None, 5), (Some("--histories"), 1 + 4 * 73)] {
         let arguments = ["table", "export", "whole.nc", "-o", "table.csv"].into_iter().chain(histories);
         let export = asperity(&folder, &arguments.collect::<Vec<_>>());
         assert_eq!(export.status.code(), Some(0));

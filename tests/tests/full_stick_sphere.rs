@@ -20,8 +20,12 @@ const AREA: f64 = 0.012;
 
 /// (load, area) in full stick over those without friction.
 fn ratios(poisson: f64, mesh: Mesh) -> (f64, f64) {
-    let [slip, stick] = [FrictionLaw::Frictionless, FrictionLaw::FullStick]
-        .map(|law| press(&scene(plain_material(poisson), law, 0.3, mesh)));
+    let [slip, stick] = [FrictionLaw::Frictionless, FrictionLaw::FullStick].map(|law| {
+        let mut scene = scene(plain_material(poisson), law, 0.3, mesh);
+        // Mesh and sectors are given: this is for the increments, on which what sticks depends.
+        scene.numerics.accuracy = 0.002;
+        press(&scene)
+    });
     let (slip, stick) = (pressed(&slip), pressed(&stick));
     (stick.load / slip.load, stick.area / slip.area)
 }
