@@ -12,8 +12,8 @@
 # press         the example press_curves: press.svg
 # no-end-state  the example no_end_state: no-end-state.svg
 #
-# What they are drawn from is kept in target/figures. Processor time: run 7 s, convergence 87 s, friction one
-# minute, bearing and transition 1 s, press 42 s, no-end-state 260 s, and that of the build.
+# What they are drawn from is kept in target/figures. Wall time on two cores: run 2 s, convergence 15 s, friction 40 s,
+# bearing and transition 1 s, press 10 s, no-end-state a few minutes, and that of the build.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
