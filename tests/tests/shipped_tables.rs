@@ -59,9 +59,9 @@ fn below_their_first_row_tables_agree_with_runs() {
     let table = shipped::table("steel-4340").unwrap();
     let Metadata { asperity_radius: radius, .. } = *table.metadata();
     let first = table.axes().interference[0];
-    for share in [0.7, 0.5, 0.3] {
+    for (share, slip_rate) in [(0.7, 0.0), (0.5, 0.0), (0.3, 0.0), (0.7, 10.0), (0.5, 10.0)] {
         let text = format!(
-            "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = {radius}\n[loading]\nslip_rate = 0\n\
+            "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = {radius}\n[loading]\nslip_rate = {slip_rate}\n\
              interference = {}\n[model]\nkinematics = \"small\"\n[numerics]\nelements_per_radius = 12\nsectors = 8\n",
             share * first
         );
@@ -70,7 +70,7 @@ fn below_their_first_row_tables_agree_with_runs() {
             [LoadPress, AreaPress, Load, Area, Friction, Mu, MuStatic, InceptionSlip, EnergyRelease]
         {
             let here = estimate(&outcome.summary, quantity);
-            let there = table.estimate(quantity, radius, share * first, 0.0).unwrap();
+            let there = table.estimate(quantity, radius, share * first, slip_rate).unwrap();
             let (off, allowed) = ((there.value - here.value).abs(), there.error + here.error);
             println!("{share} {quantity:?}: {here:?} {there:?}, {:.2} of the errors", off / allowed);
             assert!(off < allowed, "{share} {quantity:?}: {here:?} {there:?}");

@@ -122,7 +122,7 @@ impl Elastic {
             [(load, self.load(here), self.load(knot)), (area, self.area(here), self.area(knot))]
         {
             values[field] = self.continued(asymptote, at_knot, row[field], descent.kept());
-            spread[field] = descent.faded(values[field] / asymptote) + lifted;
+            spread[field] = descent.doubt(values[field] / asymptote) + lifted;
         }
         if let (Some(asymptote), Some(at_knot)) = (self.friction(here, slip), self.friction(knot, slip)) {
             let per_area = values[area] / self.area(here);
@@ -165,9 +165,12 @@ impl Descent {
         if self.knot <= 1.0 { 1.0 } else { self.fade() }
     }
 
-    /// Doubt about a ratio to the asymptote that fades.
-    pub(super) fn faded(self, ratio: f64) -> f64 {
-        let doubt = (ratio - 1.0).abs() * (1.0 - self.kept());
+    /// Doubt about a ratio to the asymptote: all of what fades, and a share of what is kept. The expansion of a hot
+    /// contact gives 4340 steel at 10 m/s 1.42, 1.46, 1.49 and 1.53 times the load at 0.1, 0.07, 0.05 and 0.03 ω_c.
+    pub(super) fn doubt(self, ratio: f64) -> f64 {
+        const OF_KEPT: f64 = 0.3;
+        let share = if self.kept() < 1.0 { 1.0 } else { OF_KEPT };
+        let doubt = share * (ratio - 1.0).abs() * (1.0 - self.fade());
         if doubt.is_finite() { doubt } else { 0.0 }
     }
 }

@@ -141,11 +141,12 @@ impl Below<'_> {
                 _ => row * elastic.contact_radius(here) / elastic.contact_radius(knot),
             },
         };
-        let faded = descent.faded(self.load / load(knot)).max(descent.faded(self.area / area(knot)));
+        let sliding = descent.doubt(self.load / load(knot)).max(descent.doubt(self.area / area(knot)));
         let spread = match quantity {
             TemperatureMax | TemperatureMean => 0.0,
-            LoadPress | AreaPress | ContactRadius => faded,
-            _ => faded + elastic.lifted(descent),
+            LoadPress | AreaPress | ContactRadius if descent.kept() == 1.0 => 0.0,
+            LoadPress | AreaPress | ContactRadius => sliding,
+            _ => sliding + elastic.lifted(descent),
         };
         (value, spread)
     }
