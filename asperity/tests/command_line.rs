@@ -46,6 +46,7 @@ fn bad_input_is_refused_before_any_work() {
         &["loading.interferance", "did you mean interference?"],
     );
     refused(&with(&["--plot", "run.pdf"]), &["run.pdf", "svg, png"]);
+    refused(&with(&["--fields-at", "1,5"]), &["--fields-at 5", "loading.slip_distance = 2"]);
     refused(&["run", "none.toml", "-o", "run.nc"], &["none.toml", "cannot be read"]);
     refused(&["run", "scene.toml", "-o", "none/run.nc"], &["none/run.nc", "cannot be written"]);
     refused(&["run", "scene.toml", "-o", "scene.toml"], &["is the input"]);
@@ -99,4 +100,63 @@ fn materials_are_listed_with_units_and_sources() {
     for part in ["youngs_modulus", "873.15 K: 6.51e10", "1008.15 K: 5000", "EN 1993-1-2:2005", "checked: "] {
         assert!(carbon.contains(part), "{carbon}");
     }
+}
+
+/// Where there is no friction the numbers are none, not rounding, and where sliding does not begin or the strength is
+/// that of another temperature, a warning says so.
+#[test]
+fn a_run_says_what_its_numbers_are_not() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("scene.toml"), SCENE).unwrap();
+    let run = |set: &[&str]| {
+        let coarse = ["numerics.elements_per_radius=4", "numerics.sectors=4", "numerics.accuracy=0.5"];
+        let set = coarse.iter().chain(set).flat_map(|change| ["--set", change]);
+        let arguments: Vec<&str> =
+            ["run", "scene.toml", "-o", "run.nc", "--json", "-v"].into_iter().chain(set).collect();
+        let output = asperity(directory.path(), &arguments);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        (serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap(), said)
+    };
+    for set in [
+        &["loading.slip_distance=0"][..],
+        &["interface.law=coulomb", "interface.friction=0"],
+        &["interface.law=frictionless"],
+    ] {
+        let (json, said) = run(set);
+        for name in ["mu", "mu_static", "Q", "G", "inception_slip"] {
+            assert_eq!(json["summary"][name]["value"], 0.0, "{set:?} {name}");
+        }
+        assert!(!said.contains("NaN") && !said.contains("warning"), "{set:?} {said}");
+    }
+    let begun = "sliding has not begun";
+    assert!(!run(&[]).1.contains(begun));
+    assert!(run(&["loading.interference=100", "loading.slip_distance=0.005"]).1.contains(begun));
+    assert!(run(&["loading.temperature=700"]).1.contains("yield_strength is taken to hold at"));
+}
+
+/// `-v` tells the notes of cells whether or not the table is a resumed one; tables without a common cell differ.
+#[test]
+fn tables_tell_notes_and_differ_in_their_cells() {
+    let directory = tempfile::tempdir().unwrap();
+    let coarse =
+        "[numerics]\nelements_per_radius = 4\nsectors = 4\naccuracy = 0.5\n[loading]\nslip_distance = 0.02\n";
+    std::fs::write(directory.path().join("request.toml"), format!("{REQUEST}{coarse}")).unwrap();
+    for (table, interference) in [("one.nc", "[1]"), ("other.nc", "[2]")] {
+        let set = format!("table.interference={interference}");
+        let output =
+            asperity(directory.path(), &["tabulate", "request.toml", "-o", table, "-v", "--set", &set]);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        assert!(
+            said.contains("4 elements per contact radius") && !said.contains("interrupted run"),
+            "{said}"
+        );
+    }
+    let diff =
+        |other: &str| asperity(directory.path(), &["table", "diff", "one.nc", other, "--tolerance", "0.1"]);
+    assert_eq!(diff("one.nc").status.code(), Some(0));
+    let output = diff("other.nc");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("1 cells are in the first only, 1 in the second only"));
 }

@@ -99,8 +99,10 @@ fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArgument
             eprintln!("failed: {}: {reason}", tabulation.label(index));
         }
     }
-    if display.verbose && arguments.resume {
-        eprintln!("{} cells were taken from the interrupted run", tabulation.resumed);
+    if display.verbose {
+        if arguments.resume {
+            eprintln!("{} cells were taken from the interrupted run", tabulation.resumed);
+        }
         for (index, finished) in tabulation.done() {
             for note in &finished.notes {
                 eprintln!("note: {}: {note}", tabulation.label(index));

@@ -43,7 +43,7 @@ impl Table {
             let of_row = |quantity| row(quantity).unwrap_or(f64::NAN);
             let below = Below {
                 elastic: &interpolant.elastic,
-                descent: Descent { knot: self.axes().interference[first], depth },
+                descent: interpolant.descent(first, interference.ln()),
                 load: of_row(Quantity::Load),
                 area: of_row(Quantity::Area),
             };

@@ -355,6 +355,23 @@ fn the_isothermal_limit_is_that_of_the_table() {
     }
 }
 
+/// G of a cell is per area at inception.
+#[test]
+fn energy_is_that_of_the_area_at_inception() {
+    let mut table = table();
+    let (row, rate) = (3, 2);
+    let cell = table.cell(row, rate).unwrap().clone();
+    let a0 = cell[Quantity::ContactRadius].value;
+    let slips = table.axes().slip.clone();
+    let area = cell[Quantity::Area].value;
+    let grown = slips.iter().map(|slip| area * (1.0 + 0.1 * slip)).collect();
+    let cell = cell.with_history(Quantity::Area, grown).with(Quantity::InceptionSlip, 0.5 * a0, 0.0);
+    table.set_cell(row, rate, cell).unwrap();
+    let (omega, rate) = (table.axes().interference[row], table.axes().slip_rate[rate]);
+    let energy = table.energy_release(RADIUS, omega, rate).unwrap().unwrap();
+    assert!(relative(energy.value, 1e-3 * a0 * 1.05 * area) < 1e-9, "{energy:?}");
+}
+
 /// Errors before the contact slides are those of static friction.
 #[test]
 fn errors_go_from_those_of_static_friction_to_those_of_the_end() {
