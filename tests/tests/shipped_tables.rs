@@ -51,17 +51,19 @@ fn stated_errors_are_those_of_the_tables() {
     assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
 
-/// Below its first row the table of 4340 steel agrees with runs within what both say of their errors, and that is not
-/// much.
+/// Below their first row tables agree with runs within what both say of their errors, and that is not much. Titanium
+/// conducts badly: hot contacts are the hardest there.
 #[test]
 fn below_their_first_row_tables_agree_with_runs() {
     use Quantity::*;
-    let table = shipped::table("steel-4340").unwrap();
-    let Metadata { asperity_radius: radius, .. } = *table.metadata();
-    let first = table.axes().interference[0];
-    for (share, slip_rate) in [(0.7, 0.0), (0.5, 0.0), (0.3, 0.0), (0.7, 10.0), (0.5, 10.0)] {
+    let cold = [0.7, 0.5, 0.3].map(|share| ("steel-4340", share, 0.0));
+    let hot = [("steel-4340", 0.7, 10.0), ("steel-4340", 0.5, 10.0), ("titanium-6al4v", 0.5, 10.0)];
+    for (metal, share, slip_rate) in cold.into_iter().chain(hot) {
+        let table = shipped::table(metal).unwrap();
+        let Metadata { asperity_radius: radius, .. } = *table.metadata();
+        let first = table.axes().interference[0];
         let text = format!(
-            "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = {radius}\n[loading]\nslip_rate = {slip_rate}\n\
+            "[material]\npreset = \"{metal}\"\n[asperity]\nradius = {radius}\n[loading]\nslip_rate = {slip_rate}\n\
              interference = {}\n[model]\nkinematics = \"small\"\n[numerics]\nelements_per_radius = 12\nsectors = 8\n",
             share * first
         );
@@ -74,7 +76,13 @@ fn below_their_first_row_tables_agree_with_runs() {
             let (off, allowed) = ((there.value - here.value).abs(), there.error + here.error);
             println!("{share} {quantity:?}: {here:?} {there:?}, {:.2} of the errors", off / allowed);
             assert!(off < allowed, "{share} {quantity:?}: {here:?} {there:?}");
-            let most = if quantity == EnergyRelease { 0.4 } else { 0.1 };
+            let most = if quantity == EnergyRelease {
+                0.4
+            } else if slip_rate > 0.0 {
+                0.25
+            } else {
+                0.1
+            };
             assert!(there.error < most * there.value, "{share} {quantity:?}: {there:?}");
         }
     }

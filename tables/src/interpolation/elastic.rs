@@ -166,9 +166,10 @@ impl Descent {
     }
 
     /// Doubt about a ratio to the asymptote: all of what fades, and a share of what is kept. The expansion of a hot
-    /// contact gives 4340 steel at 10 m/s 1.42, 1.46, 1.49 and 1.53 times the load at 0.1, 0.07, 0.05 and 0.03 ω_c.
+    /// contact gives 4340 steel at 10 m/s 1.42, 1.46, 1.49 and 1.53 times the load at 0.1, 0.07, 0.05 and 0.03 ω_c, and more
+    /// to titanium, where 0.3 of it was not enough.
     pub(super) fn doubt(self, ratio: f64) -> f64 {
-        const OF_KEPT: f64 = 0.3;
+        const OF_KEPT: f64 = 0.6;
         let share = if self.kept() < 1.0 { 1.0 } else { OF_KEPT };
         let doubt = share * (ratio - 1.0).abs() * (1.0 - self.fade());
         if doubt.is_finite() { doubt } else { 0.0 }

@@ -114,11 +114,11 @@ impl Below<'_> {
         let load = |at: f64| elastic.load(at);
         let area = |at: f64| elastic.area(at);
         let kept = |asymptote: &dyn Fn(f64) -> f64| from(asymptote, row, descent.kept());
-        // What friction has beside the area fades, as heat does.
+        let shear = |at: f64| elastic.sliding_friction(at).unwrap_or(f64::NAN);
+        // What sliding friction has beside the area fades, as heat does; static friction knows no heat.
+        let strength = |at: f64| shear(at) / area(at);
         let friction = |row: f64| {
-            let area_here = from(&area, self.area, descent.kept());
-            let strength = |at: f64| elastic.sliding_friction(at).map_or(f64::NAN, |q| q / area(at));
-            area_here * from(&strength, row / self.area, descent.fade())
+            from(&area, self.area, descent.kept()) * from(&strength, row / self.area, descent.fade())
         };
         let rubs = elastic.sliding_friction(here).is_some();
         let value = match quantity {
@@ -128,10 +128,10 @@ impl Below<'_> {
             ContactRadius => kept(&|at| elastic.contact_radius(at)),
             // Weakening by a slight heating: drop of strength and slip both go with a.
             EnergyWeakening if rubs => row * area(here) / area(knot),
-            Friction | FrictionStatic if rubs => friction(row),
-            Mu | MuStatic | MuPeak if rubs => {
-                friction(row * self.load) / from(&load, self.load, descent.kept())
-            }
+            Friction if rubs => friction(row),
+            Mu if rubs => friction(row * self.load) / from(&load, self.load, descent.kept()),
+            FrictionStatic if rubs => kept(&shear),
+            MuStatic | MuPeak if rubs => kept(&|at| shear(at) / load(at)),
             InceptionSlip if rubs => kept(&|at| elastic.inception_slip(at).unwrap_or(f64::NAN)),
             EnergyRelease if rubs => kept(&|at| elastic.energy_release(at).unwrap_or(f64::NAN)),
             // No strength of its own: friction coefficients stay, forces go with the load.
@@ -142,10 +142,16 @@ impl Below<'_> {
             },
         };
         let sliding = descent.doubt(self.load / load(knot)).max(descent.doubt(self.area / area(knot)));
+        let fades = |row: f64| {
+            let faded = from(&strength, row / self.area, descent.fade()) / strength(here);
+            (faded - 1.0).abs() * (1.0 - descent.fade())
+        };
         let spread = match quantity {
             TemperatureMax | TemperatureMean => 0.0,
             LoadPress | AreaPress | ContactRadius if descent.kept() == 1.0 => 0.0,
             LoadPress | AreaPress | ContactRadius => sliding,
+            Friction if rubs => sliding + elastic.lifted(descent) + fades(row),
+            Mu if rubs => sliding + elastic.lifted(descent) + fades(row * self.load),
             _ => sliding + elastic.lifted(descent),
         };
         (value, spread)
