@@ -169,3 +169,26 @@ impl Column<'_> {
         value / Units::of(quantity, self.units.members[member])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::closed_forms::partial_slip::constant_shear;
+    use crate::closed_forms::{ElasticPlastic, hertz};
+
+    /// At first yield, for one Poisson's ratio: slip of gross slip, and what it dissipates per area, up to a factor.
+    #[test]
+    fn elastic_slip_and_its_energy_do_not_change_in_their_units() {
+        let at = |yield_strength: f64, youngs_modulus: f64| {
+            let metal = ElasticPlastic { youngs_modulus, poisson_ratio: 0.3, yield_strength };
+            let a = hertz::contact_radius(1e-3, metal.critical_interference(1e-3));
+            let slip = constant_shear::gross_slip_displacement(yield_strength, youngs_modulus, a);
+            let unit = |quantity| Units::of(quantity, (yield_strength, youngs_modulus));
+            [slip / unit(Quantity::InceptionSlip), yield_strength * slip / unit(Quantity::EnergyRelease)]
+        };
+        let (cold, hot) = (at(800e6, 200e9), at(300e6, 150e9));
+        for (cold, hot) in cold.into_iter().zip(hot) {
+            assert!((hot / cold - 1.0).abs() < 1e-12, "{cold} {hot}");
+        }
+    }
+}
