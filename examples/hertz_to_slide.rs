@@ -6,8 +6,8 @@
 //!
 //!     cargo run --release -p examples --example hertz_to_slide
 
-use asperity::numbers::with_error;
-use asperity::scene_file::parse_scene;
+use asperity::output::numbers::with_error;
+use asperity::scene::file::parse_scene;
 use asperity::simulate::{Unwatched, press, slide};
 use tables::closed_forms::{ElasticPlastic, closed_form};
 

@@ -9,7 +9,7 @@
 
 use std::path::Path;
 
-use asperity::outcome::Outcome;
+use asperity::simulate::outcome::Outcome;
 use asperity::{Unwatched, parse_scene, simulate};
 use tables::figure::{Axis, Curve, Figure, Panel};
 

@@ -9,7 +9,7 @@
 
 use std::path::Path;
 
-use asperity::scene_file::parse_scene;
+use asperity::scene::file::parse_scene;
 use asperity::simulate::{Unwatched, press};
 use tables::closed_forms::{hertz, jackson_green, kogut_etsion};
 use tables::figure::{Axis, Curve, Drawn, Figure, Panel};

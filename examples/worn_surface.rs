@@ -10,8 +10,8 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::provenance;
-use asperity::scene_file::parse_request;
+use asperity::output::provenance;
+use asperity::scene::file::parse_request;
 use asperity::simulate::Unwatched;
 use asperity::tabulate::{Options, tabulate};
 use roughsurface::friction::{Prediction, Settings, predict};

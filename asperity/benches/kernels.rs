@@ -6,9 +6,9 @@
 //! limits to compare with: fused multiply-adds from registers on one core, and a triad through
 //! arrays larger than any cache. One thread, so leave the other cores idle as well.
 
-use asperity::benchmark::{Kernels, Work};
 use asperity::scene::Scene;
-use asperity::scene_file::parse_scene;
+use asperity::scene::file::parse_scene;
+use asperity::studies::benchmark::{Kernels, Work};
 use divan::counter::{BytesCount, ItemsCount};
 use divan::{Bencher, black_box};
 

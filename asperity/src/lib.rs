@@ -3,8 +3,8 @@
 //!
 //! Friction is not put in: a contact point slips where its shear stress reaches the shear strength
 //! of the material at its own temperature. A [`scene::Scene`] says what is simulated (read from TOML
-//! by [`scene_file`]), [`mod@simulate`] presses and slides it, an [`outcome::Outcome`] holds the histories
-//! and the scalars with their errors, [`run_file`] writes them. [`mod@tabulate`] runs a grid of
+//! by [`scene::file`]), [`mod@simulate`] presses and slides it, an [`Outcome`] holds the histories
+//! and the scalars with their errors, [`output::run_file`] writes them. [`mod@tabulate`] runs a grid of
 //! interferences and slip rates into a [`tables::table::Table`], from which the crate `roughsurface`
 //! builds rough surfaces.
 //!
@@ -35,10 +35,11 @@
 //! A run, its file, its figure and its fields for ParaView:
 //!
 //! ```
-//! use asperity::recording::Recording;
-//! use asperity::revolved::Extent;
+//! use asperity::loading::recording::Recording;
+//! use asperity::output::revolved::Extent;
 //! use asperity::simulate::{Unwatched, simulate_recorded};
-//! use asperity::{figures, provenance, run_file, scene_file, vtu};
+//! use asperity::output::{figures, provenance, run_file, vtu};
+//! use asperity::scene::file::parse_scene;
 //!
 //! let text = r#"
 //! [material]
@@ -53,7 +54,7 @@
 //! elements_per_radius = 4  # very coarse
 //! sectors = 4
 //! "#;
-//! let scene = scene_file::parse_scene(text, "this example", &[])?;
+//! let scene = parse_scene(text, "this example", &[])?;
 //! let recording = Recording { body: true, ..Recording::default() };
 //! let outcome = simulate_recorded(&scene, &recording, &Unwatched)?;
 //! assert!(outcome.summary.mu_static.value > 0.2 && outcome.summary.mu_static.value < 0.35);
@@ -71,61 +72,19 @@
 //!
 //! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
 
-#[doc(hidden)]
-pub mod benchmark;
-mod body;
-pub mod body_fields;
-mod conduction;
-mod contact;
-mod contact_edge;
-mod contact_maps;
-pub mod convergence;
-mod curve;
-mod elastic;
-mod element;
-mod error_budget;
-#[cfg(test)]
-mod fake;
-pub mod figures;
-pub mod fracture;
-pub mod friction_law;
-pub mod hard_cases;
-mod harmonic;
-mod heating;
-pub mod honesty;
-mod kinematics;
-mod lanes;
-mod left_out;
+mod discretisation;
+mod heat;
+pub mod interface;
+pub mod loading;
 mod material;
-mod mechanics;
-mod mesh;
-pub mod numbers;
-pub mod outcome;
-mod preconditioner;
-pub mod presets;
-mod press;
-mod problem;
-pub mod provenance;
-pub mod quantities;
-pub mod recording;
-mod resolution;
-pub mod revolved;
-pub mod run_file;
-mod runs;
-mod scalars;
+pub mod output;
 pub mod scene;
-pub mod scene_file;
-mod sectors;
 pub mod simulate;
-mod slide;
-mod standing;
-mod summary;
+pub mod solver;
+pub mod studies;
 pub mod tabulate;
-pub mod timings;
-pub mod verification;
-pub mod vtu;
 
-pub use outcome::Outcome;
 pub use scene::Scene;
-pub use scene_file::{parse_scene, read_scene};
+pub use scene::file::{parse_scene, read_scene};
+pub use simulate::outcome::Outcome;
 pub use simulate::{Unwatched, simulate};

@@ -86,7 +86,7 @@ fn materials_are_listed_with_units_and_sources() {
     let here = Path::new(".");
     let list = text(&asperity(here, &["materials"]).stdout);
     let names: Vec<&str> = list.lines().map(|line| line.split(' ').next().unwrap()).collect();
-    assert_eq!(names, asperity::presets::names());
+    assert_eq!(names, asperity::scene::presets::names());
     assert!(names.contains(&"copper") && names.len() >= 7, "{list}");
     let steel = text(&asperity(here, &["materials", "steel-4340"]).stdout);
     let line = steel.lines().find(|line| line.starts_with("yield_strength")).unwrap();

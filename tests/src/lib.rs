@@ -7,10 +7,10 @@
 
 pub mod programs;
 
-use asperity::outcome::Outcome;
 use asperity::scene::Scene;
+use asperity::simulate::outcome::Outcome;
 use asperity::simulate::{Unwatched, simulate};
-pub use asperity::verification::setup::*;
+pub use asperity::studies::verification::setup::*;
 
 /// Runs a scene that must converge.
 pub fn run(scene: &Scene) -> Outcome {

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use asperity::friction_law::LAWS;
-use asperity::scene_file::{parse_request, parse_scene, write_request, write_scene};
+use asperity::interface::friction_law::LAWS;
+use asperity::scene::file::{parse_request, parse_scene, write_request, write_scene};
 use roughsurface::heights::DISTRIBUTIONS;
 use roughsurface::surface_file::SurfaceFile;
 use tests::programs::{execute, stderr};

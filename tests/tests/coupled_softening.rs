@@ -12,8 +12,8 @@
 //! elastic; the flat slides 2000 times as far as gross slip takes; the heat capacity is what gives
 //! the wanted Fo at the end.
 
-use asperity::outcome::Outcome;
 use asperity::scene::{FrictionLaw, Softening, Switch};
+use asperity::simulate::outcome::Outcome;
 use tests::{Hertz, Mesh, assert_close, last, mesh, plain_material, richardson, run, scene};
 
 /// ΔT_m, K.

@@ -4,8 +4,8 @@
 //! Source: the limit of small strain; first law of thermodynamics. Constitutive law and element are
 //! verified beside their code: closed forms of Hencky's law, rotation, an expanding tube.
 
-use asperity::outcome::{ErrorSource, Outcome, SlideStep};
 use asperity::scene::{FrictionLaw, Hardening, Kinematics, Scene};
+use asperity::simulate::outcome::{ErrorSource, Outcome, SlideStep};
 use tables::quantity::Quantity;
 use tests::{assert_close, last, mesh, plain_material, run, scene, steel_4340};
 

@@ -8,8 +8,8 @@
 //! Hence the mean rise is f_h Q V/(h_g A + G) with G between these, and h_g A times it goes to the
 //! flat.
 
-use asperity::outcome::Outcome;
 use asperity::scene::{FrictionLaw, Switch};
+use asperity::simulate::outcome::Outcome;
 use std::f64::consts::PI;
 use tests::{Hertz, last, mesh, plain_material, run, scene};
 

@@ -4,8 +4,8 @@
 //! Source: the law itself, τ_c = f_τ σ_y(ε_p)/√3: no contact is sheared more than the strongest
 //! point of the body allows, and none that slips less than the virgin one does.
 
-use asperity::outcome::Outcome;
 use asperity::scene::{FrictionLaw, Hardening, InterfaceStrength};
+use asperity::simulate::outcome::Outcome;
 use tests::{assert_close, last, mesh, plain_material, pressed, run, scene};
 
 const FACTOR: f64 = 0.8;

@@ -6,8 +6,8 @@
 //! Parameters: ν = 0.3, σ_Y/E = 1/5000, ω₀ = 0.3 ω_c, so that a = 0.00025 R: what the finite
 //! sphere adds is of order a/R and lost beside the mesh.
 
-use asperity::outcome::Outcome;
 use asperity::scene::FrictionLaw;
+use asperity::simulate::outcome::Outcome;
 use tests::{Hertz, Mesh, assert_close, mesh, plain_material, press, pressed, relative, richardson, scene};
 
 fn on(mesh: Mesh) -> (Hertz, Outcome) {

@@ -9,7 +9,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use asperity::scene_file::{parse_request, parse_scene};
+use asperity::scene::file::{parse_request, parse_scene};
 use roughsurface::surface_file::SurfaceFile;
 use roughsurface::topography::read as topography;
 use roughsurface::topography::read::Reading;

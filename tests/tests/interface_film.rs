@@ -10,7 +10,7 @@ use tests::{assert_close, last, mesh, plain_material, run, scene};
 
 const FILM_STRENGTH: f64 = 5e6;
 
-fn slide(pressure_coefficient: f64, cap: bool) -> asperity::outcome::Outcome {
+fn slide(pressure_coefficient: f64, cap: bool) -> asperity::simulate::outcome::Outcome {
     let law = FrictionLaw::BriscoeTabor { film_strength: FILM_STRENGTH, pressure_coefficient, cap };
     let mut scene = scene(plain_material(0.3), law, 5.0, mesh(8, 8));
     scene.loading.slip_distance = 0.02;

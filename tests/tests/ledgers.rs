@@ -7,9 +7,9 @@
 //! the elastic energy given up by moduli that fall with temperature,
 //! for the heat  heat in = heat stored + heat out.
 
-use asperity::outcome::{Outcome, SlideStep};
 use asperity::scene::FrictionLaw;
-use asperity::scene_file::parse_scene;
+use asperity::scene::file::parse_scene;
+use asperity::simulate::outcome::{Outcome, SlideStep};
 use tests::{assert_close, last, mesh, run, scene, steel_4340};
 
 fn slide(gap_conductance: f64) -> Outcome {

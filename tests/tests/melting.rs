@@ -5,8 +5,8 @@
 //! Source: frictional heat vanishes with the strength, at the latest at the melting point; so the
 //! contact may approach that temperature and not pass it while plastic heat is left out.
 
+use asperity::scene::file::parse_scene;
 use asperity::scene::{FrictionLaw, Material, Softening};
-use asperity::scene_file::parse_scene;
 use tests::{mesh, run, scene, steel_4340};
 
 /// Hottest contact of a fast slide, of which every number must be finite.

@@ -11,8 +11,8 @@
 //! flat everywhere, whereas the slip, and with it the computed traction, is off that direction
 //! by an angle of order ν/(4 − 2ν) times the size of the slip.
 
-use asperity::outcome::{InceptionCriterion, Outcome};
 use asperity::scene::{FrictionLaw, Scene};
+use asperity::simulate::outcome::{InceptionCriterion, Outcome};
 use std::f64::consts::PI;
 use tables::closed_forms::partial_slip::{constant_shear, mindlin, stick_stiffness};
 use tests::{Hertz, assert_close, at_slip, last, mesh, plain_material, pressed, run, scene};

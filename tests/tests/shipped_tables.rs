@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use asperity::quantities::estimate;
-use asperity::scene_file::parse_scene;
+use asperity::scene::file::parse_scene;
+use asperity::simulate::quantities::estimate;
 use tables::closed_forms::partial_slip::constant_shear;
 use tables::law::AsperityLaw;
 use tables::quantity::Quantity;

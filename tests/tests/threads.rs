@@ -4,7 +4,7 @@
 //! nothing. Source: a cell depends on its scene alone; every sum has a fixed order.
 
 use asperity::scene::FrictionLaw;
-use asperity::scene_file::Request;
+use asperity::scene::file::Request;
 use asperity::simulate::Unwatched;
 use asperity::tabulate::{Options, Tabulation, tabulate};
 use tables::quantity::Quantity;

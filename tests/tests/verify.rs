@@ -1,7 +1,7 @@
 //! The rows of `asperity verify --quick`, each against its own source.
 
 use asperity::simulate::Unwatched;
-use asperity::verification::{Extent, GROUPS};
+use asperity::studies::verification::{Extent, GROUPS};
 
 #[test]
 fn every_row_of_the_quick_verification_passes() {

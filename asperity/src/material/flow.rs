@@ -9,7 +9,7 @@
 //! of 0.3 of the slip that is up to 0.4 per cent of the static friction and five of the energy release, here a tenth.
 
 use super::{Solid, Trial};
-use crate::lanes::{Lanes, exponentials, logarithms};
+use crate::material::lanes::{Lanes, exponentials, logarithms};
 use crate::scene::Hardening;
 
 /// Components of a symmetric tensor: rr, θθ, zz, rθ, θz, zr.
@@ -71,7 +71,7 @@ struct Onset<const W: usize> {
 }
 
 /// Where the stress has turned to: s/R = of_start·s_c/R_c + of_path·Δe/|Δe|.
-struct Turn<const W: usize> {
+struct DeviatorRotation<const W: usize> {
     of_start: Lanes<W>,
     of_path: Lanes<W>,
     /// of_path/x.
@@ -85,7 +85,7 @@ impl Solid {
     pub fn flow<const W: usize>(&self, path: &StrainPath<W>) -> Flow<W> {
         let onset = path.onset();
         let mean = self.mean_radius(path, &onset);
-        let turn = Turn::new(&std::array::from_fn(|l| onset.left[l] / mean[l]), &onset.cosine);
+        let turn = DeviatorRotation::new(&std::array::from_fn(|l| onset.left[l] / mean[l]), &onset.cosine);
         let end = self.return_map(&Trial {
             flowing: path.flowing,
             stress: std::array::from_fn(|l| (onset.radius[l] + mean[l] * turn.advance[l]) / TO_RADIUS),
@@ -181,7 +181,7 @@ impl<const W: usize> StrainPath<'_, W> {
     }
 
     #[inline(always)]
-    fn direction(&self, onset: &Onset<W>, turn: &Turn<W>) -> [Lanes<W>; TENSOR] {
+    fn direction(&self, onset: &Onset<W>, turn: &DeviatorRotation<W>) -> [Lanes<W>; TENSOR] {
         let (mut of_start, mut of_change) = ([0.0; W], [0.0; W]);
         for l in 0..W {
             of_start[l] = turn.of_start[l] / onset.radius[l];
@@ -199,7 +199,7 @@ impl<const W: usize> StrainPath<'_, W> {
     }
 }
 
-impl<const W: usize> Turn<W> {
+impl<const W: usize> DeviatorRotation<W> {
     /// After x, from an angle of that cosine c: with cosh x + c sinh x and so on, without large numbers.
     #[inline(always)]
     fn new(x: &Lanes<W>, cosine: &Lanes<W>) -> Self {

@@ -1,7 +1,7 @@
 //! Radial return to the yield surface.
 
 use super::Solid;
-use crate::lanes::{Lanes, powers};
+use crate::material::lanes::{Lanes, powers};
 use crate::scene::Hardening;
 
 /// Points whose stress would be too high if they stayed elastic. G is that of T₀: where the moduli have changed,

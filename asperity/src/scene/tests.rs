@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::material::Solid;
-use crate::scene_file::parse_scene;
+use crate::scene::file::parse_scene;
 
 /// At 300 K, with properties over temperature.
 fn scene(softening: &str, hardening: &str) -> Scene {

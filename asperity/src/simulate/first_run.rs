@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::pressed::PressedMesh;
 use super::task::{Run, Slid, Task};
 use super::{Probe, SimulationError};
-use crate::error_budget::{Companions, ErrorBudget};
-use crate::resolution::Resolution;
-use crate::scalars::Scalars;
-use crate::slide::SlideFailure;
+use crate::loading::slide::SlideFailure;
+use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget};
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::scalars::Scalars;
 
 /// A run and its companions on the coarse mesh.
 pub(super) struct FirstRun {
@@ -64,7 +64,7 @@ impl Task<'_> {
             let mut resolution = start;
             let mut budget = None;
             if let ([coarse, other_sectors, longer_steps, looser_solver], true) = (&scalars[..], complete) {
-                let companions = Companions { coarse, other_sectors, longer_steps, looser_solver };
+                let companions = AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver };
                 let beside_mesh = ErrorBudget::beside_mesh(&companions, &start, &coarser);
                 let (_, parts) = beside_mesh.worst(coarse);
                 resolution = start.refine_beside_mesh(&self.pressed.scene.numerics, &parts);

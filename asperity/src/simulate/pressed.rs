@@ -1,22 +1,22 @@
 //! The press, on as many meshes as slides ask for.
 
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant as Clock;
+use std::time::Instant;
 
 use rayon::prelude::*;
 use tables::law::Estimate;
 
 use super::{SimulationError, Watch};
-use crate::body::{Body, LargestMises};
-use crate::contact::Contact;
-use crate::error_budget;
-use crate::mechanics::Effort;
-use crate::mesh::MeshSize;
-use crate::press::{self, Increment, PressFailure};
-use crate::problem::Problem;
-use crate::recording::Recording;
-use crate::resolution::Resolution;
+use crate::discretisation::body::{Body, LargestMises};
+use crate::discretisation::mesh::MeshSize;
+use crate::interface::contact::Contact;
+use crate::loading::press::{self, Increment, PressFailure};
+use crate::loading::problem::Problem;
+use crate::loading::recording::Recording;
 use crate::scene::Scene;
+use crate::simulate::accuracy::error_budget;
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::solver::newton::Effort;
 
 /// The pressed asperity on one mesh.
 pub(super) struct PressedMesh {
@@ -49,7 +49,7 @@ pub struct Pressed {
 
 /// Press on the coarse mesh alone: what [`sample`] starts from.
 pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
-    let clock = Clock::now();
+    let clock = Instant::now();
     let problem = Problem::new(scene);
     let resolution = Resolution::choose(&scene.numerics);
     let expected = problem.expected_contact_radius();
@@ -70,7 +70,7 @@ pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
 /// Press the asperity to the interference of the scene, in full stick and without heat.
 ///
 /// ```
-/// use asperity::scene_file::parse_scene;
+/// use asperity::scene::file::parse_scene;
 /// use asperity::simulate::{Unwatched, press, slide};
 ///
 /// let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
@@ -84,7 +84,7 @@ pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
-    let clock = Clock::now();
+    let clock = Instant::now();
     let problem = Problem::new(scene);
     let fine = Resolution::choose(&scene.numerics);
     let coarse = fine.coarse();
@@ -189,7 +189,7 @@ impl Pressed {
         let known = meshes.iter().find(|mesh| {
             mesh.size.elements_per_radius == resolution.elements_per_radius
                 && mesh.size.growth_zone == resolution.growth_zone
-                && mesh.size.surface_halvings == resolution.surface_halvings
+                && mesh.size.thermal_layer_refinements == resolution.thermal_layer_refinements
                 && mesh.press_increments == resolution.press_increments
         });
         if let Some(mesh) = known {
@@ -219,7 +219,7 @@ pub(super) fn press_mesh(
     /// Layouts that may be tried where the contact reaches the rim of the mesh: its radius is then
     /// not known yet.
     const LAYOUTS_PAST_RIM: usize = 8;
-    let clock = Clock::now();
+    let clock = Instant::now();
     let Resolution { press_increments, growth_zone, .. } = *resolution;
     let size_for = |contact_radius: f64| resolution.mesh_size(contact_radius);
     let on = |mut contact_radius: f64, increments: usize| {

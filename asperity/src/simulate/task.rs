@@ -1,28 +1,27 @@
 //! One slide on one mesh, and with its companions.
 
 use std::sync::Arc;
-use std::time::Instant as Clock;
+use std::time::Instant;
 
 use rayon::prelude::*;
 
 use super::pressed::{PressedMesh, press_error};
 use super::{Pressed, Probe, SimulationError, Watch};
-use crate::body::Body;
-use crate::body_fields::BodyFields;
-use crate::conduction::Conduction;
-use crate::contact::Contact;
-use crate::heating::{Heat, HeatEffect, choose_heat};
-use crate::left_out::LeftOut;
-use crate::mechanics::{Effort, Mechanics};
-use crate::problem::Discretisation;
-use crate::recording::{Fields, Recorder};
-use crate::resolution::{Resolution, surface_halvings};
-use crate::scalars::Scalars;
+use crate::discretisation::body::Body;
+use crate::discretisation::collocation::Collocation;
+use crate::heat::conduction::Conduction;
+use crate::heat::expected::{Heat, HeatEffect, choose_heat};
+use crate::interface::contact::Contact;
+use crate::loading::body_fields::BodyFields;
+use crate::loading::problem::Discretisation;
+use crate::loading::recording::{Fields, Recorder};
+use crate::loading::slide::{Slide, SlideFailure, SlideHeat};
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics};
-use crate::sectors::Sectors;
-use crate::slide::{Slide, SlideFailure, SlideHeat};
-use crate::standing;
-use crate::timings::{Kernel, Timings};
+use crate::simulate::accuracy::modelling_error::ModellingError;
+use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements};
+use crate::simulate::scalars::Scalars;
+use crate::solver::newton::{Effort, Mechanics};
+use crate::solver::timings::{Kernel, Timings};
 
 /// A slide and the pressed mesh that it started on.
 pub(super) type Run = (Arc<PressedMesh>, Slid);
@@ -46,7 +45,7 @@ pub struct ContactPoints {
 
 /// One slide on one mesh, as far as it came.
 pub struct Slid {
-    pub history: Vec<crate::slide::Instant>,
+    pub history: Vec<crate::loading::slide::SlideState>,
     pub fields: Vec<Fields>,
     pub body: Option<BodyFields>,
     pub grid: ContactPoints,
@@ -65,8 +64,8 @@ pub(super) struct Task<'a> {
     pub(super) heat: Heat,
     /// Of heat, whatever is done about it.
     pub(super) effect: HeatEffect,
-    /// Of the meshes, see [`surface_halvings`].
-    surface_halvings: u32,
+    /// Of the meshes, see [`thermal_layer_refinements`].
+    thermal_layer_refinements: u32,
     pub(super) watch: &'a dyn Watch,
 }
 
@@ -80,15 +79,16 @@ impl<'a> Task<'a> {
         let units = pressed.problem.units;
         let effect = HeatEffect::expected(&pressed.scene, slip_rate, pressed.contact_radius * units.length);
         let heat = choose_heat(&pressed.scene, slip_rate, &effect, notes);
-        let speed = if heat == Heat::LeftOut { 0.0 } else { slip_rate / units.speed() };
-        let mut task = Self { pressed, speed, heat, effect, surface_halvings: 0, watch };
+        let speed = if heat == Heat::ModellingError { 0.0 } else { slip_rate / units.speed() };
+        let mut task = Self { pressed, speed, heat, effect, thermal_layer_refinements: 0, watch };
         // The coarsest mesh of the run decides what all of them have.
         let coarse = pressed.resolution.coarse();
         let fit = |halvings: &u32| {
-            let resolution = Resolution { surface_halvings: *halvings, ..coarse };
+            let resolution = Resolution { thermal_layer_refinements: *halvings, ..coarse };
             resolution.mesh_size(pressed.contact_radius).fits()
         };
-        task.surface_halvings = (1..=surface_halvings(task.peclet())).rev().find(fit).unwrap_or(0);
+        task.thermal_layer_refinements =
+            (1..=thermal_layer_refinements(task.peclet())).rev().find(fit).unwrap_or(0);
         task
     }
 
@@ -100,9 +100,10 @@ impl<'a> Task<'a> {
         let problem = &self.pressed.problem;
         let resolution = &self.at_surface(resolution);
         let pressed = self.pressed.mesh(resolution, self.watch)?;
-        let clock = Clock::now();
-        let discretisation = Discretisation::new(problem, pressed.size, Sectors::full(resolution.sectors))
-            .map_err(|e| press_error(e.into()))?;
+        let clock = Instant::now();
+        let discretisation =
+            Discretisation::new(problem, pressed.size, Collocation::full(resolution.sectors))
+                .map_err(|e| press_error(e.into()))?;
         let mesh = &discretisation.mesh;
         let body = Body::revolve(&pressed.body, mesh.clone());
         let contact = Contact::revolve(&pressed.contact, mesh, problem.contact_modulus);
@@ -110,7 +111,7 @@ impl<'a> Task<'a> {
         let factors = discretisation.factors.clone();
         let mechanics = Mechanics::new(body, contact, factors, displacement, resolution.tolerance);
         let heat = match self.heat {
-            Heat::LeftOut => None,
+            Heat::ModellingError => None,
             Heat::OneWay | Heat::Coupled => {
                 let conduction =
                     Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
@@ -127,7 +128,7 @@ impl<'a> Task<'a> {
         slide.record_fields();
         let failure = slide
             .run(distance, |done, history| {
-                progress(done, &standing::in_words(&problem.units, history));
+                progress(done, &crate::loading::progress::in_words(&problem.units, history));
                 !self.watch.cancelled()
             })
             .err();
@@ -184,7 +185,7 @@ impl<'a> Task<'a> {
 
     /// The resolution with the mesh as thin at the surface as heat needs it.
     fn at_surface(&self, resolution: &Resolution) -> Resolution {
-        Resolution { surface_halvings: self.surface_halvings, ..*resolution }
+        Resolution { thermal_layer_refinements: self.thermal_layer_refinements, ..*resolution }
     }
 
     /// aV/κ, 0 without heat.
@@ -195,7 +196,7 @@ impl<'a> Task<'a> {
     /// A warning where the layer that frictional heat reaches is thinner than that of the elements at the surface,
     /// however thin these are made.
     pub(super) fn unresolved_layer(&self, resolution: &Resolution) -> Option<String> {
-        let surface = 0.5f64.powi(self.surface_halvings as i32 + 1);
+        let surface = 0.5f64.powi(self.thermal_layer_refinements as i32 + 1);
         let share = resolution.elements_per_radius as f64 / (surface * self.peclet().sqrt());
         let frictional = self.pressed.scene.interface.heat_partition > 0.0;
         (share < 1.0 && frictional).then(|| {
@@ -217,10 +218,10 @@ impl<'a> Task<'a> {
     }
 
     /// What the scene did not ask to leave out.
-    pub(super) fn left_out(&self, slid: &Slid) -> LeftOut {
+    pub(super) fn modelling_error(&self, slid: &Slid) -> ModellingError {
         let small = self.pressed.scene.model.kinematics == Kinematics::Auto;
         let strain = slid.history.last().map_or(0.0, |instant| instant.plastic_strain_max);
-        LeftOut {
+        ModellingError {
             heat: (self.heat == Heat::OneWay).then_some(self.effect),
             strain: if small { strain } else { 0.0 },
         }

@@ -4,9 +4,9 @@ use tables::quantity::Quantity;
 use tables::steffen::Steffen;
 use tables::table::Cell;
 
-use crate::outcome::{Outcome, SlideStep};
-use crate::quantities::estimate;
-use crate::timings::Timings;
+use crate::simulate::outcome::{Outcome, SlideStep};
+use crate::simulate::quantities::estimate;
+use crate::solver::timings::Timings;
 
 /// Number of intervals between the slips at which histories are kept.
 const INTERVALS: usize = 72;
@@ -113,7 +113,7 @@ fn resample(outcome: &Outcome, slips: &[f64], temperature: f64) -> [Vec<f64>; 5]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fake::{self, Fake};
+    use crate::simulate::fake::{self, Fake};
 
     #[test]
     fn slips_rise_from_zero_to_the_end() {

@@ -4,7 +4,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard};
-use std::time::Instant as Clock;
+use std::time::Instant;
 
 use rayon::prelude::*;
 
@@ -24,7 +24,7 @@ pub struct Grid<'a, S> {
     /// Row-major, as everything that is kept for each cell.
     wanted: &'a [bool],
     watch: &'a dyn TableWatch,
-    clock: Clock,
+    clock: Instant,
     ledger: Mutex<Ledger<'a>>,
     /// The journal failed: results would be lost.
     stopped: AtomicBool,
@@ -73,7 +73,7 @@ pub fn run<S: Simulator>(
         slips: work.slips,
         wanted: work.wanted,
         watch,
-        clock: Clock::now(),
+        clock: Instant::now(),
         ledger: Mutex::new(Ledger {
             known,
             journal,

@@ -17,8 +17,8 @@ use tables::table::Cell;
 
 use super::cell::Finished;
 use super::shard::Shard;
-use crate::provenance::{FINGERPRINT, SOURCE};
-use crate::timings::Timings;
+use crate::output::provenance::{FINGERPRINT, SOURCE};
+use crate::solver::timings::Timings;
 
 /// Cell of the grid: index of the row (the interference; at several initial temperatures those of the
 /// first, then those of the next) and of the slip rate.

@@ -4,7 +4,7 @@ use tables::closed_forms::hertz;
 
 use super::cost::Case;
 use super::journal::{Index, Point};
-use crate::heating::{Heat, HeatEffect, choose_heat};
+use crate::heat::expected::{Heat, HeatEffect, choose_heat};
 use crate::scene::Scene;
 
 /// With so many interferences or more, one cell of the middle, of the smallest and of the largest are run first:

@@ -22,11 +22,11 @@ pub use cell::{Finished, slip_grid};
 pub use journal::{CellResult, Index, Journal, JournalError, Point};
 pub use shard::Shard;
 
-use crate::outcome::Outcome;
 use crate::scene::Scene;
-use crate::scene_file::{Request, write_request};
+use crate::scene::file::{Request, write_request};
+use crate::simulate::outcome::Outcome;
 use crate::simulate::{self, Pressed, SimulationError, Watch};
-use crate::timings::Timings;
+use crate::solver::timings::Timings;
 use cost::CostModel;
 use grid::Work;
 use known::Known;
@@ -204,7 +204,7 @@ impl Simulator for FiniteElements {
 /// The journal remains; remove it once the table is written.
 ///
 /// ```
-/// use asperity::scene_file::parse_request;
+/// use asperity::scene::file::parse_request;
 /// use asperity::simulate::Unwatched;
 /// use asperity::tabulate::{Options, tabulate};
 /// use tables::law::AsperityLaw;

@@ -7,9 +7,9 @@ use tables::quantity::Quantity;
 use tables::series::{Tables, TemperatureSeries};
 
 use super::*;
-use crate::fake::Fake;
-use crate::scene_file::parse_request;
+use crate::scene::file::parse_request;
 use crate::simulate::Unwatched;
+use crate::simulate::fake::Fake;
 
 const REQUEST: &str = "[material]\npreset = \"titanium-6al4v\"\n[asperity]\nradius = 1e-3\n\
                        [table]\ninterference = [1, 3, 10, 30]\nslip_rate = [0, 10]\n\

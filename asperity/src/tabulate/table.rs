@@ -7,14 +7,14 @@ use tables::series::{Tables, TemperatureSeries};
 use tables::table::{Axes, Metadata, Table, TableError};
 
 use super::{Index, Tabulation};
-use crate::fracture::fracture_energy;
-use crate::numbers::plain;
-use crate::provenance::{FINGERPRINT, SOURCE};
+use crate::output::numbers::plain;
+use crate::output::provenance::{FINGERPRINT, SOURCE};
 use crate::scene::Scene;
-use crate::scene_file::write_request;
+use crate::scene::file::write_request;
+use crate::simulate::fracture::fracture_energy;
 
 impl Tabulation {
-    /// The table of all cells; `history` as in [`crate::provenance::history`]. Where points were
+    /// The table of all cells; `history` as in [`crate::output::provenance::history`]. Where points were
     /// added for a tolerance, errors include that of interpolation. Of several initial temperatures
     /// there are as many tables: see [`Tabulation::tables`].
     pub fn table(&self, history: String) -> Result<Table, TableError> {

@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::quantity::Quantity;
 
 use super::*;
-use crate::fake::Fake;
-use crate::scene_file::parse_request;
+use crate::scene::file::parse_request;
 use crate::simulate::Unwatched;
+use crate::simulate::fake::Fake;
 
 fn request() -> Request {
     let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\

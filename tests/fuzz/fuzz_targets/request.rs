@@ -1,7 +1,7 @@
 //! A request for a table: refused in a sentence, or the same when it is written and read again.
 #![no_main]
 
-use asperity::scene_file::{parse_request, write_request};
+use asperity::scene::file::{parse_request, write_request};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {

@@ -1,7 +1,7 @@
 //! A scene: refused in a sentence, or the same when it is written and read again.
 #![no_main]
 
-use asperity::scene_file::{parse_scene, write_scene};
+use asperity::scene::file::{parse_scene, write_scene};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {

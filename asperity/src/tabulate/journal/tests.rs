@@ -1,7 +1,7 @@
 //! Journals that were cut off, damaged, of others, or in use.
 
 use super::*;
-use crate::fake::{self, Fake};
+use crate::simulate::fake::{self, Fake};
 use crate::tabulate::cell::slip_grid;
 
 fn at(interference: f64, slip_rate: f64) -> Point {

@@ -1,0 +1,217 @@
+//! Arguments and options of every subcommand.
+
+use std::path::PathBuf;
+
+use asperity::tabulate::Shard;
+use clap::{Args, Parser, Subcommand};
+
+use super::{help, table};
+
+/// Friction of one spherical elastic-plastic asperity on a rigid flat.
+///
+/// Presses the asperity, slides it with frictional and plastic heating, and reports static and
+/// sliding friction with error estimates.
+#[derive(Parser)]
+#[command(name = "asperity", version, after_help = help::PROGRAM)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+    #[command(flatten)]
+    pub(super) display: Display,
+}
+
+/// What is printed.
+#[derive(Args)]
+pub(super) struct Display {
+    /// Print the summary as JSON
+    #[arg(long, global = true)]
+    pub(super) json: bool,
+    /// Print nothing but errors (and the JSON, if asked for)
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    pub(super) quiet: bool,
+    /// Print also what was chosen, why, and what it cost
+    #[arg(short, long, global = true)]
+    pub(super) verbose: bool,
+    /// Show progress on stderr even if that is not a terminal
+    #[arg(long, global = true, conflicts_with = "quiet")]
+    pub(super) progress: bool,
+}
+
+#[derive(Subcommand)]
+pub(super) enum Command {
+    /// Press and slide one asperity
+    #[command(after_help = help::RUN)]
+    Run(RunArguments),
+    /// Run a grid of interferences and slip rates, at one or at several initial temperatures
+    #[command(after_help = help::TABULATE)]
+    Tabulate(TabulateArguments),
+    /// Put the shards of a table together
+    #[command(after_help = help::MERGE)]
+    Merge(MergeArguments),
+    /// Describe, compare, plot or export tables
+    #[command(subcommand, after_help = help::TABLE)]
+    Table(table::TableCommand),
+    /// Run one scene on ever finer meshes: speed against error
+    #[command(after_help = help::CONVERGENCE)]
+    Convergence(ConvergenceArguments),
+    /// Compare the model with closed forms, published fits and conservation laws
+    ///
+    /// Exit status 1 if a row fails: if computed and reference differ by more than the estimated
+    /// error of the computed value and what the two differ by by construction.
+    #[command(after_help = help::VERIFY)]
+    Verify(VerifyArguments),
+    /// Compare the error estimates with true errors in a study of many scenes
+    #[command(after_help = help::HONESTY)]
+    Honesty(HonestyArguments),
+    /// List the material presets, or print the constants of one with their sources
+    Materials {
+        /// Name of a preset
+        name: Option<String>,
+    },
+}
+
+#[derive(Args)]
+pub(super) struct RunArguments {
+    /// Scene to run
+    #[arg(value_name = "SCENE.toml")]
+    pub(super) scene: PathBuf,
+    /// File to write the histories, scalars and contact fields to
+    #[arg(short, long, value_name = "run.nc")]
+    pub(super) output: PathBuf,
+    /// Replace a value of the scene; may be repeated
+    #[arg(long, value_name = "section.key=value")]
+    pub(super) set: Vec<String>,
+    /// Print where the time went on stderr, or in the JSON
+    #[arg(long)]
+    pub(super) timings: bool,
+    /// Plot friction, forces, area, temperature and energies against slip, and what sticks, pressure,
+    /// shear and temperature over the contact
+    #[arg(long, value_name = "FILE.svg|png")]
+    pub(super) plot: Option<PathBuf>,
+    /// Write displacement, stress, plastic strain and temperature of the body for ParaView; open
+    /// DIR/body.pvd
+    #[arg(long, value_name = "DIR")]
+    pub(super) vtu: Option<PathBuf>,
+    /// Write the whole body, not only the half that is simulated
+    #[arg(long, requires = "vtu")]
+    pub(super) vtu_whole: bool,
+    /// Slips, in contact radii a0, at which fields are kept, beside those before the slide, when half
+    /// of the contact slips, at full slip and at the end
+    #[arg(long, value_name = "SLIP,SLIP", value_delimiter = ',', value_parser = parse_slip)]
+    pub(super) fields_at: Vec<f64>,
+}
+
+#[derive(Args)]
+pub(super) struct TabulateArguments {
+    /// Request to run
+    #[arg(value_name = "REQUEST.toml")]
+    pub(super) request: PathBuf,
+    /// File to write the table to
+    #[arg(short, long, value_name = "table.nc")]
+    pub(super) output: PathBuf,
+    /// Replace a value of the request; may be repeated
+    #[arg(long, value_name = "section.key=value")]
+    pub(super) set: Vec<String>,
+    /// Threads [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(super) jobs: Option<u16>,
+    /// Continue an interrupted tabulation
+    #[arg(long)]
+    pub(super) resume: bool,
+    /// Run the part K of N only, for `asperity merge`
+    #[arg(long, value_name = "K/N")]
+    pub(super) shard: Option<Shard>,
+    /// Print where the time of all runs went on stderr, or in the JSON
+    #[arg(long)]
+    pub(super) timings: bool,
+    /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
+    #[arg(long, value_name = "FILE.svg|png")]
+    pub(super) plot: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct ConvergenceArguments {
+    /// Scene to run
+    #[arg(value_name = "SCENE.toml")]
+    pub(super) scene: PathBuf,
+    /// File to write values, errors, estimates and times to
+    #[arg(short, long, value_name = "report.nc")]
+    pub(super) output: PathBuf,
+    /// Replace a value of the scene; may be repeated
+    #[arg(long, value_name = "section.key=value")]
+    pub(super) set: Vec<String>,
+    /// Elements per contact radius of the finest mesh, a multiple of 12
+    #[arg(long, value_name = "N", default_value_t = FINEST, value_parser = clap::value_parser!(u16).range(12..=96))]
+    pub(super) finest: u16,
+    /// Plot errors against wall and processor time
+    #[arg(long, value_name = "FILE.svg|png")]
+    pub(super) plot: Option<PathBuf>,
+}
+
+/// See [`asperity::studies::convergence::FINEST`].
+const FINEST: u16 = asperity::studies::convergence::FINEST as u16;
+
+#[derive(Args)]
+pub(super) struct VerifyArguments {
+    /// A case of each group, coarsely: under a minute; with --hard, the few that the tests run
+    #[arg(long)]
+    pub(super) quick: bool,
+    /// Run the suite of hard cases instead, and say how each ended
+    #[arg(long)]
+    pub(super) hard: bool,
+    /// Only the hard cases whose name has TEXT in it
+    #[arg(long, value_name = "TEXT", requires = "hard")]
+    pub(super) only: Option<String>,
+    /// Write every hard case, the failed ones as far as they came, to DIRECTORY/NAME.nc
+    #[arg(long, value_name = "DIRECTORY", requires = "hard")]
+    pub(super) save: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct HonestyArguments {
+    /// Markdown file to write the result to
+    #[arg(short, long, value_name = "honesty.md")]
+    pub(super) output: PathBuf,
+    /// File of finished runs: what it holds is not run again
+    #[arg(long, value_name = "FILE.jsonl", default_value = "honesty.jsonl")]
+    pub(super) journal: PathBuf,
+    /// Scenes to run, by number from 1, as in 1,4,7 [default: all]
+    #[arg(long, value_name = "N,N...", value_delimiter = ',', value_parser = scene_number)]
+    pub(super) scenes: Vec<usize>,
+    /// Run also what tells the orders of convergence
+    #[arg(long)]
+    pub(super) thorough: bool,
+    /// Run nothing; judge what the journal holds
+    #[arg(long)]
+    pub(super) judge_only: bool,
+}
+
+fn scene_number(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(number) if number >= 1 => Ok(number),
+        _ => Err("scenes are numbered from 1".into()),
+    }
+}
+
+#[derive(Args)]
+pub(super) struct MergeArguments {
+    /// Tables to put together
+    #[arg(value_name = "SHARD.nc", required = true)]
+    pub(super) shards: Vec<PathBuf>,
+    /// File to write the table to
+    #[arg(short, long, value_name = "table.nc")]
+    pub(super) output: PathBuf,
+    /// Merge also if cells are missing; they stay "not run"
+    #[arg(long)]
+    pub(super) partial: bool,
+    /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
+    #[arg(long, value_name = "FILE.svg|png")]
+    pub(super) plot: Option<PathBuf>,
+}
+
+fn parse_slip(text: &str) -> Result<f64, String> {
+    match text.trim().parse() {
+        Ok(slip) if slip >= 0.0 && f64::is_finite(slip) => Ok(slip),
+        _ => Err("must be slips of at least 0, in contact radii, with commas between".into()),
+    }
+}

@@ -1,0 +1,76 @@
+//! `asperity convergence`: speed against error of one scene.
+
+use asperity::output::provenance;
+use asperity::scene::file::read_scene;
+use asperity::simulate::SimulationError;
+use asperity::studies::convergence::{self, Convergence, DIVISOR, SHOWN};
+use serde_json::json;
+
+use super::progress::{Progress, watch_for_interrupt};
+use super::{ConvergenceArguments, Display, Failure, command_line, outputs, print};
+
+/// Sweep, save, say where a coarser or finer choice pays.
+pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Result<(), Failure> {
+    let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
+    outputs::check_output(&arguments.output, &arguments.scene)?;
+    outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
+    let finest = usize::from(arguments.finest);
+    if !finest.is_multiple_of(DIVISOR) {
+        return Err(Failure::input(format!("--finest: {finest} is not a multiple of {DIVISOR}")));
+    }
+    watch_for_interrupt();
+    let progress = Progress::new(display);
+    let result = Convergence::sweep(&scene, finest, &progress);
+    progress.clear();
+    let sweep = result.map_err(|error| match error {
+        SimulationError::Unsupported(_) => Failure::input(error),
+        error => Failure::run(error),
+    })?;
+    let saved = convergence::write(&arguments.output, &scene, &sweep, &provenance::history(&command_line()));
+    if display.json {
+        print(&format!("{:#}\n", as_json(&sweep)));
+    } else if !display.quiet {
+        print(&convergence::table(&sweep));
+        print(&convergence::in_words(&sweep));
+    }
+    saved.map_err(Failure::run)?;
+    if let Some(plot) = &arguments.plot {
+        convergence::figure(&sweep).save(plot).map_err(Failure::run)?;
+    }
+    Ok(())
+}
+
+fn as_json(sweep: &Convergence) -> serde_json::Value {
+    let limits: serde_json::Map<_, _> = SHOWN
+        .iter()
+        .map(|&quantity| {
+            let limit = sweep.limit(quantity);
+            let value = json!({ "limit": limit.value, "doubt": limit.doubt, "order": limit.order });
+            (quantity.descriptor().name.to_owned(), value)
+        })
+        .collect();
+    let runs: Vec<_> = sweep
+        .runs
+        .iter()
+        .map(|run| {
+            let errors: serde_json::Map<_, _> = SHOWN
+                .iter()
+                .map(|&quantity| {
+                    let (error, estimate) = sweep.errors(run, quantity);
+                    let value = json!({ "relative_error": error, "estimated": estimate });
+                    (quantity.descriptor().name.to_owned(), value)
+                })
+                .collect();
+            json!({
+                "chosen": run.chosen,
+                "elements_per_radius": run.elements_per_radius,
+                "sectors": run.sectors,
+                "steps": run.steps,
+                "wall_time": run.wall_time,
+                "cpu_time": run.cpu_time,
+                "errors": errors,
+            })
+        })
+        .collect();
+    json!({ "accuracy": sweep.accuracy, "limits": limits, "runs": runs })
+}

@@ -1,0 +1,143 @@
+//! `asperity verify --hard`: the suite of hard cases, one line each.
+
+use asperity::output::provenance;
+use asperity::output::run_file::{self, About};
+use asperity::studies::robustness::{self, HardResult, RobustnessCase, Verdict};
+use serde_json::{Value, json};
+
+use super::progress::{Progress, watch_for_interrupt};
+use super::{Display, Failure, VerifyArguments, command_line, print};
+
+/// Share of the cases that have to end as they should.
+const ENOUGH: f64 = 0.95;
+
+/// Run the cases and report on them.
+pub fn hard(arguments: &VerifyArguments, display: &Display) -> Result<(), Failure> {
+    let mut cases = robustness::all();
+    cases.retain(|case| arguments.only.as_ref().is_none_or(|text| case.name.contains(text.as_str())));
+    cases.retain(|case| case.quick || !arguments.quick);
+    if cases.is_empty() {
+        return Err(Failure::Input("--only: no case has that in its name".into()));
+    }
+    if let Some(directory) = &arguments.save {
+        std::fs::create_dir_all(directory)
+            .map_err(|error| Failure::input(format!("{}: {error}", directory.display())))?;
+    }
+    watch_for_interrupt();
+    let text = !display.json && !display.quiet;
+    if text {
+        print(&header());
+    }
+    let mut results = Vec::new();
+    for case in cases {
+        let progress = Progress::new(display);
+        let result = case.run(&progress);
+        progress.clear();
+        let Some(result) = result else {
+            return Err(Failure::Run("stopped on request".into()));
+        };
+        if text {
+            print(&line(&case, &result));
+        }
+        save(arguments, &case, &result)?;
+        results.push((case, result));
+    }
+    let count = |is: fn(&Verdict) -> bool| results.iter().filter(|(_, result)| is(&result.verdict)).count();
+    let solved = count(|verdict| *verdict == Verdict::Solved);
+    let refused = count(|verdict| matches!(verdict, Verdict::Refused(_)));
+    let failed = results.len() - solved - refused;
+    if display.json {
+        let cases: Vec<Value> = results.iter().map(|(case, result)| as_json(case, result)).collect();
+        let all = json!({ "solved": solved, "refused": refused, "failed": failed, "cases": cases });
+        print(&format!("{all:#}\n"));
+    } else if text {
+        print(&format!(
+            "{} cases: {solved} solved, {refused} refused as they should be, {failed} failed\n",
+            results.len()
+        ));
+    }
+    match (solved + refused) as f64 >= ENOUGH * results.len() as f64 {
+        true => Ok(()),
+        false => Err(Failure::Run(format!("{failed} of {} cases failed", results.len()))),
+    }
+}
+
+fn save(arguments: &VerifyArguments, case: &RobustnessCase, result: &HardResult) -> Result<(), Failure> {
+    let (Some(directory), Some(outcome)) = (&arguments.save, &result.outcome) else {
+        return Ok(());
+    };
+    let incomplete = match &result.verdict {
+        Verdict::Solved => None,
+        Verdict::Refused(reason) | Verdict::Failed(reason) => Some(reason.as_str()),
+    };
+    let about = About { history: provenance::history(&command_line()), incomplete };
+    let path = directory.join(format!("{}.nc", case.name));
+    run_file::write(&path, &result.scene, outcome, &about).map_err(Failure::run)
+}
+
+fn header() -> String {
+    format!(
+        "{:40}{:>8}{:>6}{:>6}{:>8}{:>8}{:>9}{:>9}{:>8}{:>8}\n",
+        "case", "", "steps", "cuts", "Newton", "Krylov", "error %", "mu", "T_max", "time s"
+    )
+}
+
+fn word(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict::Solved => "solved",
+        Verdict::Refused(_) => "refused",
+        Verdict::Failed(_) => "FAILED",
+    }
+}
+
+fn line(case: &RobustnessCase, result: &HardResult) -> String {
+    let mut text = format!("{:40}{:>8}", case.name, word(&result.verdict));
+    if let Some(outcome) = &result.outcome {
+        let account = &outcome.account;
+        text += &format!(
+            "{:>6}{:>6}{:>8}{:>8}{:>9.2}{:>9.4}{:>8.0}{:>8.1}",
+            account.steps,
+            account.cutbacks,
+            account.newton_iterations,
+            account.krylov_iterations,
+            100.0 * result.error(),
+            outcome.summary.mu.value,
+            outcome.summary.temperature_max.value,
+            result.wall_time,
+        );
+    }
+    text.push('\n');
+    if let Verdict::Refused(reason) | Verdict::Failed(reason) = &result.verdict {
+        text += &format!("  {reason}\n");
+    }
+    text
+}
+
+fn as_json(case: &RobustnessCase, result: &HardResult) -> Value {
+    let reason = match &result.verdict {
+        Verdict::Solved => None,
+        Verdict::Refused(reason) | Verdict::Failed(reason) => Some(reason),
+    };
+    let account = result.outcome.as_ref().map(|outcome| {
+        let account = &outcome.account;
+        json!({
+            "steps": account.steps,
+            "cutbacks": account.cutbacks,
+            "newton_iterations": account.newton_iterations,
+            "krylov_iterations": account.krylov_iterations,
+            "relative_error": result.error(),
+            "mu": outcome.summary.mu.value,
+            "temperature_max": outcome.summary.temperature_max.value,
+            "notes": account.notes,
+            "warnings": account.warnings,
+        })
+    });
+    json!({
+        "case": case.name,
+        "set": case.set,
+        "verdict": word(&result.verdict),
+        "reason": reason,
+        "account": account,
+        "wall_time": result.wall_time,
+    })
+}

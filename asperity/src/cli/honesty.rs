@@ -1,0 +1,50 @@
+//! `asperity honesty`: true errors beside the estimates.
+
+use asperity::simulate::Watch;
+use asperity::studies::effectivity::{self, Record, Report, scenes};
+
+use super::progress::{Progress, watch_for_interrupt};
+use super::{Display, Failure, HonestyArguments, outputs, print};
+
+/// Run what the journal lacks, judge what it has.
+pub fn honesty(arguments: &HonestyArguments, display: &Display) -> Result<(), Failure> {
+    outputs::check_output(&arguments.output, &arguments.journal)?;
+    let all = scenes::SCENES.len();
+    let which: Vec<usize> = match arguments.scenes.as_slice() {
+        [] => (0..all).collect(),
+        chosen => chosen.iter().map(|number| number - 1).collect(),
+    };
+    if let Some(beyond) = which.iter().find(|&&scene| scene >= all) {
+        return Err(Failure::input(format!("--scenes: {} is not one of 1 to {all}", beyond + 1)));
+    }
+    watch_for_interrupt();
+    let progress = Progress::new(display);
+    let done = |record: &Record| {
+        if display.verbose {
+            let (preset, interference, slip_rate) = scenes::SCENES[record.scene];
+            let name = scenes::name(preset, interference, slip_rate);
+            let outcome = record.failure.as_deref().unwrap_or("done");
+            eprintln!("{name}, {:?}: {outcome}, {:.1} s", record.role, record.wall_time);
+        }
+    };
+    let which = if arguments.judge_only { &[] } else { which.as_slice() };
+    let records = effectivity::run(&arguments.journal, which, arguments.thorough, &Silent(&progress), &done)
+        .map_err(|error| Failure::run(format!("{}: {error}", arguments.journal.display())))?;
+    let report = Report::new(&records);
+    let text = effectivity::markdown(&report);
+    std::fs::write(&arguments.output, &text)
+        .map_err(|error| Failure::run(format!("{}: {error}", arguments.output.display())))?;
+    if !display.quiet {
+        print(&text);
+    }
+    Ok(())
+}
+
+/// Many runs at once: none of them is the progress of the study.
+struct Silent<'a>(&'a Progress);
+
+impl Watch for Silent<'_> {
+    fn cancelled(&self) -> bool {
+        Watch::cancelled(self.0)
+    }
+}

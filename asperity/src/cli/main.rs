@@ -1,0 +1,114 @@
+//! The program `asperity`: arguments, exit status, and one module per subcommand; see `asperity --help`.
+
+mod arguments;
+mod convergence;
+mod hard;
+mod help;
+mod honesty;
+mod materials;
+mod merge;
+mod outputs;
+mod progress;
+mod run;
+mod table;
+mod tabulate;
+mod timings;
+mod verify;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{
+    Arguments, Command, ConvergenceArguments, Display, HonestyArguments, MergeArguments, RunArguments,
+    TabulateArguments, VerifyArguments,
+};
+
+/// Why a command did not do all that was asked.
+enum Failure {
+    /// Bad input or usage: nothing was done.
+    Input(String),
+    /// A run failed: what could be saved is saved.
+    Run(String),
+}
+
+impl Failure {
+    fn input(reason: impl ToString) -> Self {
+        Self::Input(reason.to_string())
+    }
+
+    fn run(reason: impl ToString) -> Self {
+        Self::Run(reason.to_string())
+    }
+}
+
+fn main() -> ExitCode {
+    tables::rehearsal::enable();
+    let arguments = Arguments::parse();
+    let display = &arguments.display;
+    let work = || match &arguments.command {
+        Command::Run(arguments) => run::run(arguments, display),
+        Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
+        Command::Merge(arguments) => merge::merge(arguments, display),
+        Command::Table(command) => table::table(command, display),
+        Command::Convergence(arguments) => convergence::convergence(arguments, display),
+        Command::Verify(arguments) => verify::verify(arguments, display),
+        Command::Honesty(arguments) => honesty::honesty(arguments, display),
+        Command::Materials { name } => materials::materials(name.as_deref(), display),
+    };
+    let (status, reason) = match std::panic::catch_unwind(work) {
+        Ok(Ok(())) => return ExitCode::SUCCESS,
+        Ok(Err(Failure::Run(reason))) => (1, reason),
+        Ok(Err(Failure::Input(reason))) => (2, reason),
+        Err(_) => (1, "internal error, described above; please report it".into()),
+    };
+    eprintln!("error: {reason}");
+    ExitCode::from(status)
+}
+
+/// Write to stdout; a reader that has gone away is no error of ours.
+fn print(text: &str) {
+    use std::io::Write;
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}
+
+/// The command as given, for the history of the files that it writes.
+fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1).map(|argument| {
+        let argument = argument.to_string_lossy().into_owned();
+        match argument.contains(char::is_whitespace) {
+            true => format!("'{argument}'"),
+            false => argument,
+        }
+    });
+    std::iter::once("asperity".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn options_may_stand_before_or_after_the_subcommand() {
+        for line in [
+            "asperity --json run scene.toml -o run.nc",
+            "asperity run scene.toml -o run.nc --json --set a.b=1 --set a.c=2",
+        ] {
+            assert!(Arguments::try_parse_from(line.split(' ')).unwrap().display.json);
+        }
+        for line in [
+            "asperity run scene.toml",
+            "asperity tabulate r.toml -o t.nc --jobs 0",
+            "asperity run scene.toml -o run.nc --quiet -v",
+        ] {
+            assert!(Arguments::try_parse_from(line.split(' ')).is_err(), "{line}");
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! `asperity materials`: the presets and their sources.
+
+use std::fmt::Write;
+
+use asperity::output::numbers;
+use asperity::scene::TemperatureTable;
+use asperity::scene::presets::{self, ConstantValue, Preset};
+use serde_json::json;
+
+use super::{Display, Failure, print};
+
+/// List the presets, or print one with every constant.
+pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
+    let chosen: Vec<&Preset> = match name {
+        None => presets::all().iter().collect(),
+        Some(name) => vec![presets::find(name).ok_or_else(|| unknown(name))?],
+    };
+    if display.json {
+        let all: Vec<_> = chosen.iter().map(|preset| as_json(preset)).collect();
+        let value = match name {
+            None => json!(all),
+            Some(_) => all[0].clone(),
+        };
+        print(&format!("{value:#}\n"));
+        return Ok(());
+    }
+    let text = match name {
+        None => chosen.iter().map(|preset| format!("{:21}{}\n", preset.name, preset.title)).collect(),
+        Some(_) => constants(chosen[0]),
+    };
+    print(&text);
+    Ok(())
+}
+
+fn unknown(name: &str) -> Failure {
+    let names = presets::names().join(", ");
+    Failure::input(format!("materials {name}: no such preset; there are {names}"))
+}
+
+fn constants(preset: &Preset) -> String {
+    let mut text = format!("{}: {}\n", preset.name, preset.title);
+    // Writing to a String cannot fail.
+    for (group, law) in &preset.laws {
+        let _ = writeln!(text, "{group}: {law}");
+    }
+    for constant in &preset.constants {
+        let value = match &constant.value {
+            ConstantValue::Number(number) => numbers::plain(*number),
+            ConstantValue::List(_) => "list".into(),
+            ConstantValue::Table(_) => "table".into(),
+        };
+        let _ = writeln!(text, "{:24}{value:>10} {:9} {}", constant.key, constant.unit, constant.source);
+        points(&mut text, &constant.value);
+    }
+    let _ = writeln!(text, "checked: {}", preset.checked);
+    text
+}
+
+/// The points of a list or table, a few to a line.
+fn points(text: &mut String, value: &ConstantValue) {
+    let (points, per_line): (Vec<String>, usize) = match value {
+        ConstantValue::Number(_) => return,
+        ConstantValue::List(numbers) => (numbers.iter().map(|&number| numbers::plain(number)).collect(), 12),
+        ConstantValue::Table(TemperatureTable { temperature, value }) => {
+            let point = |(t, v): (&f64, &f64)| format!("{} K: {}", numbers::plain(*t), numbers::plain(*v));
+            (temperature.iter().zip(value).map(point).collect(), 5)
+        }
+    };
+    for line in points.chunks(per_line) {
+        let _ = writeln!(text, "    {}", line.join(", "));
+    }
+}
+
+fn as_json(preset: &Preset) -> serde_json::Value {
+    let constants: serde_json::Map<_, _> = preset
+        .constants
+        .iter()
+        .map(|c| {
+            let value = match &c.value {
+                ConstantValue::Number(number) => json!(number),
+                ConstantValue::List(numbers) => json!(numbers),
+                ConstantValue::Table(TemperatureTable { temperature, value }) => {
+                    json!({ "temperature": temperature, "value": value })
+                }
+            };
+            let entry = json!({ "value": value, "unit": c.unit, "source": c.source });
+            (c.key.clone(), entry)
+        })
+        .collect();
+    let laws: serde_json::Map<_, _> =
+        preset.laws.iter().map(|(group, law)| (group.clone(), json!(law))).collect();
+    json!({
+        "name": preset.name,
+        "title": preset.title,
+        "checked": preset.checked,
+        "laws": laws,
+        "constants": constants,
+    })
+}

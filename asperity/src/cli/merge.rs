@@ -1,0 +1,72 @@
+//! `asperity merge`: shards of a table put together.
+
+use std::path::Path;
+
+use asperity::output::provenance;
+use serde_json::json;
+use tables::series::Tables;
+
+use super::{Display, Failure, MergeArguments, command_line, outputs, print};
+
+/// Read the shards, check that they belong together, write the table.
+pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failure> {
+    for shard in &arguments.shards {
+        outputs::check_output(&arguments.output, shard)?;
+        outputs::check_plot(arguments.plot.as_deref(), shard)?;
+    }
+    let tables = merged(&arguments.shards)?;
+    let missing = tables.missing();
+    let cells: usize = tables.members().iter().map(|table| table.shape().0 * table.shape().1).sum();
+    if let Some(first) = missing.first()
+        && !arguments.partial
+    {
+        return Err(Failure::Input(format!(
+            "{} of {cells} cells are in none of the shards, the first at {first}; --partial merges all the same",
+            missing.len()
+        )));
+    }
+    let missing = missing.len();
+    tables.write(&arguments.output).map_err(Failure::run)?;
+    if let Some(plot) = &arguments.plot {
+        outputs::plot(&tables, plot)?;
+    }
+    let failed = tables.failures();
+    if !display.quiet {
+        for (label, reason) in &failed {
+            eprintln!("failed: {label}: {reason}");
+        }
+    }
+    let done = cells - missing - failed.len();
+    if display.json {
+        let output = arguments.output.display().to_string();
+        let summary = json!({ "output": output, "done": done, "not_run": missing, "failed": failed.len() });
+        print(&format!("{summary:#}\n"));
+    } else if !display.quiet {
+        print(&format!("{done} of {cells} cells done, {missing} not run, {} failed\n", failed.len()));
+    }
+    Ok(())
+}
+
+/// All shards in one table, which is no shard any more if nothing is missing.
+fn merged(shards: &[impl AsRef<Path>]) -> Result<Tables, Failure> {
+    let mut whole: Option<(Tables, &Path)> = None;
+    let mut histories = Vec::new();
+    for path in shards.iter().map(AsRef::as_ref) {
+        let shard = Tables::read(path).map_err(Failure::input)?;
+        histories.push(shard.members()[0].metadata().history.clone());
+        match &mut whole {
+            None => whole = Some((shard, path)),
+            Some((tables, first)) => tables.merge(&shard).map_err(|error| {
+                Failure::Input(format!("{} and {}: {error}", first.display(), path.display()))
+            })?,
+        }
+    }
+    let (mut tables, _) = whole.ok_or_else(|| Failure::input("no shards"))?;
+    histories.push(provenance::history(&command_line()));
+    let shard = match tables.missing().is_empty() {
+        true => String::new(),
+        false => tables.members()[0].metadata().shard.clone(),
+    };
+    tables.set_provenance(&histories.join("\n"), &shard);
+    Ok(tables)
+}

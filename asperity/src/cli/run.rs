@@ -1,0 +1,225 @@
+//! `asperity run`: one scene, one file, a summary.
+
+use std::fmt::Write;
+use std::time::Instant;
+
+use asperity::loading::recording::Recording;
+use asperity::output::revolved::Extent;
+use asperity::output::run_file::{self, About};
+use asperity::output::{figures, numbers, provenance, vtu};
+use asperity::scene::Scene;
+use asperity::scene::file::read_scene;
+use asperity::simulate::fracture;
+use asperity::simulate::outcome::{ErrorSource, Kernel, Outcome};
+use asperity::simulate::quantities::{estimate, inception_in_words};
+use asperity::simulate::{SimulationError, simulate_recorded};
+use serde_json::json;
+use tables::quantity::Quantity;
+
+use super::progress::{Progress, watch_for_interrupt};
+use super::{Display, Failure, RunArguments, command_line, outputs, print, timings};
+
+/// Run the scene, save what there is, say how it went.
+pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
+    let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
+    let end = scene.loading.slip_distance;
+    if let Some(beyond) = arguments.fields_at.iter().find(|slip| **slip > end) {
+        return Err(Failure::Input(format!(
+            "--fields-at {}: the slide ends at loading.slip_distance = {} contact radii",
+            numbers::plain(*beyond),
+            numbers::plain(end)
+        )));
+    }
+    outputs::check_output(&arguments.output, &arguments.scene)?;
+    outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
+    outputs::check_directory(arguments.vtu.as_deref())?;
+    watch_for_interrupt();
+    let progress = Progress::new(display);
+    let recording = Recording { slips: arguments.fields_at.clone(), body: arguments.vtu.is_some() };
+    let result = simulate_recorded(&scene, &recording, &progress);
+    progress.clear();
+    match result {
+        Ok(mut outcome) => {
+            outcome.account.warnings.extend(scene.strength_elsewhere());
+            report(&scene, &outcome, None, arguments, display)
+        }
+        Err(error) => {
+            let reason = error.to_string();
+            let partial = match error {
+                SimulationError::Unsupported(_) => return Err(Failure::Input(reason)),
+                SimulationError::NotConverged { partial, .. } | SimulationError::Cancelled { partial } => {
+                    partial
+                }
+            };
+            match partial {
+                None => {
+                    Err(Failure::Run(format!("{reason}; the slide had not begun, there is nothing to save")))
+                }
+                Some(mut outcome) => {
+                    outcome.account.warnings.extend(scene.strength_elsewhere());
+                    report(&scene, &outcome, Some(&reason), arguments, display)?;
+                    let output = arguments.output.display();
+                    Err(Failure::Run(format!(
+                        "{reason}; the steps before are in {output}; a run cannot be continued, only repeated"
+                    )))
+                }
+            }
+        }
+    }
+}
+
+fn report(
+    scene: &Scene,
+    outcome: &Outcome,
+    incomplete: Option<&str>,
+    arguments: &RunArguments,
+    display: &Display,
+) -> Result<(), Failure> {
+    let about = About { history: provenance::history(&command_line()), incomplete };
+    let clock = Instant::now();
+    let saved = run_file::write(&arguments.output, scene, outcome, &about);
+    let mut spent = outcome.account.timings;
+    spent.since(Kernel::Output, clock);
+    // The numbers are worth printing even if the disk is full.
+    if !display.quiet {
+        for warning in &outcome.account.warnings {
+            eprintln!("warning: {warning}");
+        }
+    }
+    if display.verbose {
+        eprint!("{}", account(outcome));
+    }
+    if display.json {
+        let mut json = as_json(scene, outcome, incomplete, arguments);
+        if arguments.timings {
+            json["timings"] = timings::as_json(&spent);
+        }
+        print(&format!("{json:#}\n"));
+    } else {
+        if arguments.timings {
+            eprint!("{}", timings::as_text(&spent));
+        }
+        if !display.quiet {
+            print(&summary(scene, outcome));
+        }
+    }
+    saved.map_err(Failure::run)?;
+    if let Some(plot) = &arguments.plot {
+        figures::run_figure(scene, outcome).save(plot).map_err(Failure::run)?;
+    }
+    if let Some(directory) = &arguments.vtu {
+        let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
+        vtu::write(directory, outcome, extent).map_err(Failure::run)?;
+    }
+    Ok(())
+}
+
+fn summary(scene: &Scene, outcome: &Outcome) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: String| {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{name:18}{value}");
+    };
+    line("interference", format!("{} omega_c", numbers::plain(scene.loading.interference)));
+    line("slip_rate", format!("{} m/s", numbers::plain(scene.loading.slip_rate)));
+    line("radius", format!("{} m", numbers::plain(scene.radius)));
+    line("heat_partition", numbers::plain(scene.interface.heat_partition));
+    for quantity in Quantity::ALL {
+        let descriptor = quantity.descriptor();
+        let estimate = estimate(&outcome.summary, quantity);
+        line(descriptor.name, numbers::with_error(estimate, descriptor.units));
+    }
+    for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
+        line(name, numbers::with_error(estimate, unit));
+    }
+    line("inception", inception_in_words(outcome.summary.inception).into());
+    line("levelled", if outcome.summary.levelled { "yes" } else { "no" }.into());
+    line("wall_time", format!("{:.1} s", outcome.account.wall_time));
+    text
+}
+
+fn account(outcome: &Outcome) -> String {
+    let account = &outcome.account;
+    let mut text = format!(
+        "mesh: {} elements per contact radius, {} sectors, {} unknowns\n\
+         steps: {}, cut back {} times; {} Newton and {} Krylov iterations\n\
+         heat: {}; strain: {}\n",
+        account.elements_per_radius,
+        account.sectors,
+        account.unknowns,
+        account.steps,
+        account.cutbacks,
+        account.newton_iterations,
+        account.krylov_iterations,
+        if account.heat { "simulated" } else { "left out" },
+        if account.finite_strain { "finite" } else { "small" },
+    );
+    let _ = writeln!(
+        text,
+        "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}{:>8}",
+        "", "mesh", "sectors", "steps", "solver", "model"
+    );
+    for quantity in Quantity::ALL {
+        let value = estimate(&outcome.summary, quantity).value.abs();
+        let _ = write!(text, "  {:20}", quantity.descriptor().name);
+        for source in ErrorSource::ALL {
+            let part = 100.0 * outcome.budget.part(source, quantity) / value;
+            let part = match part {
+                // Of nothing, or of what is no more than rounding.
+                1000.0.. => ">999".into(),
+                part if part.is_nan() => "-".into(),
+                part => format!("{part:.3}"),
+            };
+            let _ = write!(text, "{part:>8}");
+        }
+        let _ = writeln!(text);
+    }
+    for note in &account.notes {
+        let _ = writeln!(text, "note: {note}");
+    }
+    text
+}
+
+fn as_json(
+    scene: &Scene,
+    outcome: &Outcome,
+    incomplete: Option<&str>,
+    arguments: &RunArguments,
+) -> serde_json::Value {
+    let entry = |quantity: Quantity| {
+        let descriptor = quantity.descriptor();
+        let estimate = estimate(&outcome.summary, quantity);
+        let value = numbers::as_json(estimate, descriptor.units);
+        (descriptor.name.to_owned(), value)
+    };
+    let mut summary: serde_json::Map<_, _> = Quantity::ALL.into_iter().map(entry).collect();
+    for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
+        summary.insert(name.to_owned(), numbers::as_json(estimate, unit));
+    }
+    let account = &outcome.account;
+    json!({
+        "output": arguments.output.display().to_string(),
+        "completion": incomplete.unwrap_or("complete"),
+        "interference": scene.loading.interference,
+        "slip_rate": scene.loading.slip_rate,
+        "radius": scene.radius,
+        "heat_partition": scene.interface.heat_partition,
+        "summary": summary,
+        "inception": inception_in_words(outcome.summary.inception),
+        "levelled": outcome.summary.levelled,
+        "notes": account.notes,
+        "warnings": account.warnings,
+        "account": {
+            "elements_per_radius": account.elements_per_radius,
+            "sectors": account.sectors,
+            "unknowns": account.unknowns,
+            "heat": account.heat,
+            "finite_strain": account.finite_strain,
+            "steps": account.steps,
+            "cutbacks": account.cutbacks,
+            "newton_iterations": account.newton_iterations,
+            "krylov_iterations": account.krylov_iterations,
+            "wall_time": account.wall_time,
+        },
+    })
+}

@@ -1,0 +1,87 @@
+//! `asperity table check`: whether a table is what the program computes.
+
+use asperity::scene::file::{Request, parse_request};
+use asperity::tabulate::{Options, tabulate};
+use rand::SeedableRng;
+use rand::rngs::StdRng;
+use rand::seq::index;
+use tables::table::Table;
+
+use super::{CheckArguments, read};
+use crate::progress::{Progress, watch_for_interrupt};
+use crate::{Display, Failure, print};
+
+/// Compute some cells again, print how they compare, fail where a difference is beyond the errors.
+pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failure> {
+    let table = read(&arguments.table, &arguments.at)?;
+    let request = parse_request(&table.metadata().scene, &arguments.table, &[]).map_err(Failure::input)?;
+    let (rows, columns) = table.shape();
+    let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+    let done: Vec<_> = cells.filter(|&(i, j)| table.cell(i, j).is_some()).collect();
+    let mut random = StdRng::seed_from_u64(arguments.seed);
+    let chosen = index::sample(&mut random, done.len(), arguments.cells.min(done.len()));
+    watch_for_interrupt();
+    let mut wrong = Vec::new();
+    for (i, j) in chosen.into_iter().map(|k| done[k]) {
+        let again = computed_again(&table, &request, (i, j), display)?;
+        let comparison = table.compare(&again);
+        let beyond = comparison.quantities.iter().filter(|difference| difference.beyond_errors > 0);
+        let beyond: Vec<_> = beyond.map(|difference| difference.quantity.descriptor().name).collect();
+        let largest = comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest));
+        let difference = largest.map_or("the same to the last digit".into(), |difference| {
+            let name = difference.quantity.descriptor().name;
+            format!("largest difference {:.2e} of {name}", difference.largest)
+        });
+        if !display.quiet {
+            print(&format!("{}: {}: {difference}\n", arguments.table, table.label(i, j)));
+        }
+        let states = comparison.states.iter().map(|(_, here, there)| format!("{here} and {there}"));
+        let what: Vec<String> = states.chain(beyond.into_iter().map(str::to_owned)).collect();
+        if !what.is_empty() {
+            wrong.push(format!("{}: {}", table.label(i, j), what.join(", ")));
+        }
+    }
+    match wrong.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Run(format!(
+            "{}: cells differ by more than their errors: {}",
+            arguments.table,
+            wrong.join("; ")
+        ))),
+    }
+}
+
+/// A table of one cell.
+fn computed_again(
+    table: &Table,
+    request: &Request,
+    (i, j): (usize, usize),
+    display: &Display,
+) -> Result<Table, Failure> {
+    let axes = table.axes();
+    let request = Request {
+        interferences: vec![axes.interference[i]],
+        slip_rates: vec![axes.slip_rate[j]],
+        goal: None,
+        ..match request.temperatures.is_empty() {
+            true => request.clone(),
+            false => request.at_temperature(table.metadata().temperature),
+        }
+    };
+    let journal = std::env::temp_dir().join(format!("asperity-check-{}.part", std::process::id()));
+    let options = Options { jobs: processors(), journal: &journal, resume: false, shard: None };
+    let progress = Progress::new(display);
+    let result = tabulate(&request, &options, &progress);
+    progress.clear();
+    let (tabulation, journal) = result.map_err(Failure::run)?;
+    let again = tabulation.table(String::new()).map_err(Failure::run);
+    journal.remove().map_err(Failure::run)?;
+    if !tabulation.finished() {
+        return Err(Failure::Run("stopped on request".into()));
+    }
+    again
+}
+
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}

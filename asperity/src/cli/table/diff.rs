@@ -1,0 +1,108 @@
+//! `asperity table diff`.
+
+use std::fmt::Write;
+
+use asperity::output::numbers::plain;
+use serde_json::{Value, json};
+use tables::comparison::Comparison;
+
+use super::{DiffArguments, read};
+use crate::{Display, Failure, print};
+
+/// Compare two tables, print how they differ, fail if it is by more than allowed.
+pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure> {
+    let comparison = read(&arguments.here, &arguments.at)?.compare(&read(&arguments.there, &arguments.at)?);
+    if display.json {
+        print(&format!("{:#}\n", as_json(&comparison)));
+    } else if !display.quiet {
+        print(&text(&comparison));
+    }
+    let Some(tolerance) = arguments.tolerance else { return Ok(()) };
+    let largest = comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest));
+    match largest {
+        Some(worst) if worst.largest > tolerance => Err(Failure::Run(format!(
+            "{} differs by {} at {}, more than {}",
+            worst.quantity.descriptor().name,
+            plain(worst.largest),
+            worst.at,
+            plain(tolerance)
+        ))),
+        _ => match comparison.states.first() {
+            Some((at, here, there)) => {
+                Err(Failure::Run(format!("{at} is {here} in one, {there} in the other")))
+            }
+            None if comparison.only_here + comparison.only_there > 0 => Err(Failure::Run(format!(
+                "{} cells are in the first only, {} in the second only",
+                comparison.only_here, comparison.only_there
+            ))),
+            None => Ok(()),
+        },
+    }
+}
+
+fn text(comparison: &Comparison) -> String {
+    let Comparison { metadata, common, only_here, only_there, states, quantities } = comparison;
+    let mut text =
+        format!("{common} cells in common, {only_here} in the first only, {only_there} in the second only\n");
+    // Writing to a String cannot fail.
+    for (name, here, there) in metadata {
+        let _ = writeln!(text, "{name}: \"{here}\" and \"{there}\"");
+    }
+    for (at, here, there) in states {
+        let _ = writeln!(text, "{at}: {here} and {there}");
+    }
+    if quantities.is_empty() {
+        text.push_str("no differences in any quantity\n");
+        return text;
+    }
+    let _ = writeln!(
+        text,
+        "\n{:17} {:6} {:>11} {:>12} {:>12}   {:24} {:>14}",
+        "quantity", "unit", "largest", "first", "second", "at", "beyond errors"
+    );
+    for difference in quantities {
+        let descriptor = difference.quantity.descriptor();
+        let _ = writeln!(
+            text,
+            "{:17} {:6} {:>9.3} % {:>12} {:>12}   {:24} {:>14}",
+            descriptor.name,
+            descriptor.units,
+            100.0 * difference.largest,
+            plain(difference.values.0),
+            plain(difference.values.1),
+            difference.at,
+            format!("{} of {}", difference.beyond_errors, difference.compared),
+        );
+    }
+    text
+}
+
+fn as_json(comparison: &Comparison) -> Value {
+    let pair =
+        |(name, here, there): &(_, String, String)| json!({ "what": name, "first": here, "second": there });
+    let metadata: Vec<Value> = (comparison.metadata.iter())
+        .map(|(name, here, there)| pair(&(name.to_string(), here.clone(), there.clone())))
+        .collect();
+    let states: Vec<Value> = comparison.states.iter().map(pair).collect();
+    let quantities: serde_json::Map<String, Value> = (comparison.quantities.iter())
+        .map(|difference| {
+            let entry = json!({
+                "largest": difference.largest,
+                "at": difference.at,
+                "first": difference.values.0,
+                "second": difference.values.1,
+                "compared": difference.compared,
+                "beyond_errors": difference.beyond_errors,
+            });
+            (difference.quantity.descriptor().name.to_owned(), entry)
+        })
+        .collect();
+    json!({
+        "common": comparison.common,
+        "first_only": comparison.only_here,
+        "second_only": comparison.only_there,
+        "metadata": metadata,
+        "states": states,
+        "quantities": quantities,
+    })
+}

@@ -1,0 +1,234 @@
+//! `asperity table info`.
+
+use std::fmt::Write;
+
+use asperity::output::numbers::plain;
+use serde_json::{Value, json};
+use tables::quantity::Quantity;
+use tables::schema::{SCHEMA_VERSION, SERIES_VERSION};
+use tables::series::{Tables, TemperatureSeries};
+use tables::shipped;
+use tables::statistics::{Counts, ErrorStatistics};
+use tables::table::{Metadata, Table};
+
+use crate::{Display, Failure, print};
+
+/// Print what a table holds.
+pub fn info(tables: &Tables, asked: &str, display: &Display) {
+    if display.json {
+        let json = match tables {
+            Tables::One(table) => as_json(table, asked),
+            Tables::Series(series) => series_as_json(series, asked),
+        };
+        print(&format!("{json:#}\n"));
+    } else if !display.quiet {
+        print(&text(tables, asked, display.verbose));
+    }
+}
+
+/// Print the shipped tables, a line each.
+pub fn list(display: &Display) -> Result<(), Failure> {
+    let mut rows = Vec::new();
+    for name in shipped::names() {
+        let table = shipped::table(name).map_err(Failure::run)?;
+        let worst = |quantity: Quantity| {
+            let statistics = table.error_statistics();
+            statistics.iter().find(|of| of.quantity == quantity).map_or(f64::NAN, |of| of.largest)
+        };
+        let [mu_static, mu] = [Quantity::MuStatic, Quantity::Mu].map(worst);
+        rows.push((name, table.axes().clone(), mu_static, mu));
+    }
+    if display.json {
+        let json: Vec<Value> = (rows.iter())
+            .map(|(name, axes, mu_static, mu)| {
+                json!({
+                    "name": name,
+                    "interference": axes.interference,
+                    "slip_rate": axes.slip_rate,
+                    "mu_static_relative_error_largest": mu_static,
+                    "mu_relative_error_largest": mu,
+                })
+            })
+            .collect();
+        print(&format!("{:#}\n", Value::from(json)));
+        return Ok(());
+    }
+    for (name, axes, mu_static, mu) in rows {
+        print(&format!(
+            "{name:16} {}, {}; largest error of mu_static {}, of mu {}\n",
+            range(&axes.interference, "omega_c"),
+            range(&axes.slip_rate, "m/s"),
+            percent(mu_static),
+            percent(mu),
+        ));
+    }
+    Ok(())
+}
+
+fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
+    let members = tables.members();
+    let (axes, metadata) = (members[0].axes(), members[0].metadata());
+    let sum = |of: fn(&Counts) -> usize| members.iter().map(|table| of(&table.counts())).sum::<usize>();
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    let mut line = |name: &str, value: String| {
+        let _ = writeln!(text, "{name:13} {value}");
+    };
+    line("table", asked.to_owned());
+    line("title", metadata.title.clone());
+    if let Tables::Series(series) = tables {
+        line("temperature", range(&series.temperatures(), "K"));
+    }
+    line("interference", range(&axes.interference, "omega_c"));
+    line("slip rate", range(&axes.slip_rate, "m/s"));
+    line("slip", range(&axes.slip, "contact radii"));
+    line("radius", format!("{} m", plain(metadata.asperity_radius)));
+    let done = sum(|counts| counts.done);
+    let (not_run, failed) = (sum(|counts| counts.not_run), sum(|counts| counts.failed));
+    line("cells", format!("{done} done, {not_run} not run, {failed} failed"));
+    if !metadata.shard.is_empty() {
+        line("shard", metadata.shard.clone());
+    }
+    // From +0: the sum of nothing is −0.
+    let cost = members.iter().map(Table::cost).fold(0.0, |sum, cost| sum + cost);
+    line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
+    line("made by", format!("{}, fingerprint {}", metadata.source, or_none(&metadata.fingerprint)));
+    let (version, checksum) = match tables {
+        Tables::One(table) => (SCHEMA_VERSION, table.checksum()),
+        Tables::Series(series) => (SERIES_VERSION, series.checksum()),
+    };
+    line("schema", format!("version {version}, content agrees with its {checksum}"));
+    for entry in metadata.history.lines() {
+        line("history", entry.to_string());
+    }
+    for warning in metadata.comment.lines() {
+        line("warning", warning.to_string());
+    }
+    for (label, reason) in tables.failures() {
+        line("failed", format!("{label}: {reason}"));
+    }
+    for table in members {
+        if let Tables::Series(_) = tables {
+            let Metadata { temperature, yield_strength, critical_interference, .. } = table.metadata();
+            let _ = write!(
+                text,
+                "\nfrom {} K: yield strength {} Pa, omega_c {} m",
+                plain(*temperature),
+                plain(*yield_strength),
+                plain(*critical_interference)
+            );
+        }
+        let _ = write!(text, "\n{}", errors(table));
+    }
+    if verbose {
+        let _ = write!(text, "\nrequest:\n{}", metadata.scene);
+    }
+    text
+}
+
+fn or_none(text: &str) -> &str {
+    if text.is_empty() { "none" } else { text }
+}
+
+fn range(axis: &[f64], unit: &str) -> String {
+    let (first, last) = (axis[0], axis[axis.len() - 1]);
+    format!("{} values from {} to {} {unit}", axis.len(), plain(first), plain(last))
+}
+
+/// One line per quantity: range, and errors in percent.
+fn errors(table: &Table) -> String {
+    let interpolated = match table.metadata().interpolation_tolerance {
+        Some(_) => "(part of the errors)",
+        None => "(comes on top)",
+    };
+    let mut text = format!(
+        "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {:24}   interpolation {interpolated}\n",
+        "quantity", "unit", "from", "to", "median", "largest", "error, largest at"
+    );
+    for statistics in table.error_statistics() {
+        let ErrorStatistics { quantity, range, median, largest, largest_at, interpolation } = statistics;
+        let descriptor = quantity.descriptor();
+        let at = table.label(largest_at.0, largest_at.1);
+        let _ = writeln!(
+            text,
+            "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {at:24}   {}",
+            descriptor.name,
+            descriptor.units,
+            plain(range.0),
+            plain(range.1),
+            percent(median),
+            percent(largest),
+            percent(interpolation),
+        );
+    }
+    text
+}
+
+fn percent(share: f64) -> String {
+    match share {
+        share if share.is_nan() => "unknown".into(),
+        share if share.is_infinite() => "unknown".into(),
+        share => format!("{:.2} %", 100.0 * share),
+    }
+}
+
+fn as_json(table: &Table, asked: &str) -> Value {
+    let (axes, metadata) = (table.axes(), table.metadata());
+    let counts = table.counts();
+    let quantity = |statistics: ErrorStatistics| {
+        let descriptor = statistics.quantity.descriptor();
+        let entry = json!({
+            "unit": descriptor.units,
+            "from": statistics.range.0,
+            "to": statistics.range.1,
+            "relative_error_median": statistics.median,
+            "relative_error_largest": statistics.largest,
+            "interpolation_error_largest": statistics.interpolation,
+        });
+        (descriptor.name.to_owned(), entry)
+    };
+    let quantities: serde_json::Map<String, Value> =
+        table.error_statistics().into_iter().map(quantity).collect();
+    let failures: Vec<Value> =
+        table.failures().map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
+    json!({
+        "table": asked.to_owned(),
+        "title": metadata.title,
+        "schema_version": SCHEMA_VERSION,
+        "checksum": table.checksum(),
+        "source": metadata.source,
+        "fingerprint": metadata.fingerprint,
+        "shard": metadata.shard,
+        "history": metadata.history.lines().collect::<Vec<_>>(),
+        "warnings": metadata.comment.lines().collect::<Vec<_>>(),
+        "asperity_radius": metadata.asperity_radius,
+        "interference": axes.interference,
+        "slip_rate": axes.slip_rate,
+        "slip_distance": axes.slip.last(),
+        "interpolation_tolerance": metadata.interpolation_tolerance,
+        "cells": { "done": counts.done, "not_run": counts.not_run, "failed": counts.failed },
+        "failures": failures,
+        "wall_time": table.cost(),
+        "quantities": quantities,
+    })
+}
+
+/// What the tables have in common, and each by its initial temperature.
+fn series_as_json(series: &TemperatureSeries, asked: &str) -> Value {
+    let member = |table: &Table| {
+        let metadata = table.metadata();
+        let mut json = as_json(table, asked);
+        json["temperature"] = metadata.temperature.into();
+        json["yield_strength"] = metadata.yield_strength.into();
+        json["critical_interference"] = metadata.critical_interference.into();
+        json
+    };
+    json!({
+        "table": asked.to_owned(),
+        "title": series.members()[0].metadata().title,
+        "schema_version": SERIES_VERSION,
+        "checksum": series.checksum(),
+        "temperature": series.temperatures(),
+        "tables": series.members().iter().map(member).collect::<Vec<_>>(),
+    })
+}

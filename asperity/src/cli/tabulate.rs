@@ -1,0 +1,204 @@
+//! `asperity tabulate`: a grid of runs, one table.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use asperity::output::{numbers, provenance};
+use asperity::scene::file::read_request;
+use asperity::solver::timings::{Kernel, Timings};
+use asperity::tabulate::{self, JournalError, Options, TabulateError, Tabulation};
+use serde_json::{Value, json};
+use tables::quantity::Quantity;
+
+use super::progress::{Progress, watch_for_interrupt};
+use super::{Display, Failure, TabulateArguments, command_line, outputs, print, timings};
+
+/// Run what is missing of the request, write the table, say how it went.
+pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
+    let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
+    outputs::check_output(&arguments.output, &arguments.request)?;
+    if let (Some(warning), false) = (request.template.strength_elsewhere(), display.quiet) {
+        eprintln!("warning: {warning}");
+    }
+    outputs::check_plot(arguments.plot.as_deref(), &arguments.request)?;
+    let journal = journal_beside(&arguments.output);
+    let options = Options {
+        jobs: arguments.jobs.map_or_else(processors, usize::from),
+        journal: &journal,
+        resume: arguments.resume,
+        shard: arguments.shard,
+    };
+    watch_for_interrupt();
+    let progress = Progress::new(display);
+    let result = tabulate::tabulate(&request, &options, &progress);
+    progress.clear();
+    let (tabulation, journal) = result.map_err(|error| match error {
+        TabulateError::Journal(
+            JournalError::Io { .. } | JournalError::NoRoom { .. } | JournalError::Vanished { .. },
+        ) => Failure::run(error),
+        error => Failure::input(error),
+    })?;
+    if !tabulation.finished() {
+        return Err(Failure::Run(format!(
+            "stopped on request with {} of {} cells done; to continue: {}",
+            tabulation.cells.iter().flatten().flatten().count(),
+            wanted(&tabulation),
+            resuming(&command_line()),
+        )));
+    }
+    let tables = tabulation.tables(provenance::history(&command_line())).map_err(Failure::run)?;
+    let clock = Instant::now();
+    tables.write(&arguments.output).map_err(Failure::run)?;
+    let mut spent = tabulation.timings();
+    spent.since(Kernel::Output, clock);
+    journal.remove().map_err(Failure::run)?;
+    report(&tabulation, &spent, arguments, display);
+    if let Some(plot) = &arguments.plot {
+        outputs::plot(&tables, plot)?;
+    }
+    match tabulation.failures().count() {
+        0 => Ok(()),
+        failed => Err(Failure::Run(format!(
+            "{failed} of {} cells failed; the others are in {}",
+            wanted(&tabulation),
+            arguments.output.display()
+        ))),
+    }
+}
+
+/// The command that continues where the given one stopped.
+fn resuming(command: &str) -> String {
+    match command.split(' ').any(|argument| argument == "--resume") {
+        true => command.to_owned(),
+        false => format!("{command} --resume"),
+    }
+}
+
+/// Number of cells that were to be run.
+fn wanted(tabulation: &Tabulation) -> usize {
+    tabulation.wanted.iter().flatten().filter(|wanted| **wanted).count()
+}
+
+fn journal_beside(output: &Path) -> PathBuf {
+    let mut name = output.file_name().unwrap_or_default().to_owned();
+    name.push(".part");
+    output.with_file_name(name)
+}
+
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArguments, display: &Display) {
+    if !display.quiet {
+        for warning in tabulation.warnings() {
+            eprintln!("warning: {warning}");
+        }
+        for (index, reason) in tabulation.failures() {
+            eprintln!("failed: {}: {reason}", tabulation.label(index));
+        }
+    }
+    if display.verbose {
+        if arguments.resume {
+            eprintln!("{} cells were taken from the interrupted run", tabulation.resumed);
+        }
+        for (index, finished) in tabulation.done() {
+            for note in &finished.notes {
+                eprintln!("note: {}: {note}", tabulation.label(index));
+            }
+        }
+    }
+    if display.json {
+        let mut json = as_json(tabulation, arguments);
+        if arguments.timings {
+            json["timings"] = timings::as_json(spent);
+        }
+        print(&format!("{json:#}\n"));
+    } else {
+        if arguments.timings {
+            eprint!("{}", timings::as_text(spent));
+        }
+        if !display.quiet {
+            print(&summary(tabulation));
+        }
+    }
+}
+
+/// One line per cell.
+fn summary(tabulation: &Tabulation) -> String {
+    let header = ["temperature", "interference", "slip_rate", "mu_static", "mu", "P_press", "area"];
+    let header = &header[usize::from(tabulation.request.temperatures.is_empty())..];
+    let mut rows = vec![header.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>()];
+    for (i, row) in tabulation.cells.iter().enumerate() {
+        for (j, cell) in row.iter().enumerate() {
+            let (temperature, interference) = tabulation.row(i);
+            let mut line: Vec<String> = Vec::new();
+            line.extend(temperature.map(|temperature| format!("{} K", numbers::plain(temperature))));
+            line.push(format!("{} omega_c", numbers::plain(interference)));
+            line.push(format!("{} m/s", numbers::plain(tabulation.slip_rates[j])));
+            match cell {
+                Some(Ok(finished)) => line.extend(
+                    [Quantity::MuStatic, Quantity::Mu, Quantity::LoadPress, Quantity::Area].map(|quantity| {
+                        let unit = quantity.descriptor().units;
+                        numbers::with_error(finished.cell[quantity], unit)
+                    }),
+                ),
+                Some(Err(_)) => line.push("failed".into()),
+                None => line.push("not run".into()),
+            }
+            rows.push(line);
+        }
+    }
+    let width = |column: usize| {
+        let widths = rows.iter().filter_map(|row| row.get(column));
+        widths.map(|text| text.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    let mut text = String::new();
+    for row in &rows {
+        let cells = row.iter().zip(&widths);
+        let line: String = cells.map(|(cell, width)| format!("{cell:width$}  ")).collect();
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    text
+}
+
+fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
+    let mut cells = Vec::new();
+    for (i, row) in tabulation.cells.iter().enumerate() {
+        for (j, cell) in row.iter().enumerate() {
+            let (status, reason, summary) = match cell {
+                None => ("not run", None, Value::Null),
+                Some(Err(reason)) => ("failed", Some(reason), Value::Null),
+                Some(Ok(finished)) => {
+                    let entry = |quantity: Quantity| {
+                        let descriptor = quantity.descriptor();
+                        let estimate = finished.cell[quantity];
+                        let value = numbers::as_json(estimate, descriptor.units);
+                        (descriptor.name.to_owned(), value)
+                    };
+                    ("done", None, Quantity::ALL.into_iter().map(entry).collect())
+                }
+            };
+            let (temperature, interference) = tabulation.row(i);
+            let mut cell = json!({
+                "interference": interference,
+                "slip_rate": tabulation.slip_rates[j],
+                "status": status,
+                "reason": reason,
+                "summary": summary,
+            });
+            if let Some(temperature) = temperature {
+                cell["temperature"] = temperature.into();
+            }
+            cells.push(cell);
+        }
+    }
+    json!({
+        "output": arguments.output.display().to_string(),
+        "cells": cells,
+        "warnings": tabulation.warnings(),
+    })
+}

@@ -1,0 +1,30 @@
+//! Where the time went, for people and for programs.
+
+use std::fmt::Write;
+
+use asperity::solver::timings::{Kernel, Timings};
+use serde_json::{Map, Value, json};
+
+/// One line for each part, in seconds and in shares of the total.
+pub fn as_text(timings: &Timings) -> String {
+    let total = timings.total();
+    let mut text = String::new();
+    let mut line = |name: &str, seconds: f64| {
+        let share = if total > 0.0 { 100.0 * seconds / total } else { 0.0 };
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{name:24}{seconds:>10.3} s{share:>7.1} %");
+    };
+    for kernel in Kernel::ALL {
+        line(kernel.name(), timings.of(kernel));
+    }
+    line("total", total);
+    line("main run alone", timings.main_run());
+    text
+}
+
+/// Seconds by part.
+pub fn as_json(timings: &Timings) -> Value {
+    let parts: Map<String, Value> =
+        Kernel::ALL.into_iter().map(|kernel| (kernel.name().into(), json!(timings.of(kernel)))).collect();
+    json!({ "parts": parts, "total": timings.total(), "main_run": timings.main_run() })
+}

@@ -1,0 +1,117 @@
+//! Mechanical energies of the body and of a step.
+
+use super::{Body, BodyState, TENSOR};
+use crate::discretisation::element::{CORNERS, POINTS};
+
+/// Energies of a step or since a state, J in the problem's units, half body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MechanicalEnergies {
+    pub plastic: f64,
+    pub thermal_expansion: f64,
+    /// Elastic energy given up as the moduli fall with temperature.
+    pub moduli_softening: f64,
+}
+
+impl Body {
+    /// Elastic energy ∫½ s:s/2G + p²/2K of a state, half body.
+    pub fn elastic_energy(&self, state: &BodyState) -> f64 {
+        let lanes = self.mesh.sectors.columns();
+        let moduli = self.solid.moduli;
+        let mut energy = 0.0;
+        for (e, element) in self.mesh.elements.iter().enumerate() {
+            for l in 0..lanes {
+                let p = state.mean_stress[e * lanes + l];
+                let stiffness = self.solid.stiffness_factor(state.rise[e * lanes + l]);
+                energy += element.volume * p * p / (2.0 * moduli.bulk) / stiffness;
+                for q in 0..POINTS {
+                    let s = |i: usize| state.deviator[((e * POINTS + q) * TENSOR + i) * lanes + l];
+                    let squared: f64 =
+                        (0..TENSOR).map(|i| if i < 3 { s(i) * s(i) } else { 2.0 * s(i) * s(i) }).sum();
+                    energy += element.weight[q] * squared / (4.0 * moduli.shear) / stiffness;
+                }
+            }
+        }
+        energy
+    }
+
+    /// Plastic work of the step at each Gauss point, by the trapezoidal rule, which closes the
+    /// energy balance of the step exactly: ½(s₀ + s₁):Δε_p per volume.
+    fn point_plastic_work(&self, point: usize, l: usize) -> f64 {
+        let lanes = self.mesh.sectors.columns();
+        (0..TENSOR)
+            .map(|i| {
+                let at = (point * TENSOR + i) * lanes + l;
+                let mean = 0.5 * (self.committed.deviator[at] + self.trial.deviator[at]);
+                let change = self.trial.plastic_strain[at] - self.committed.plastic_strain[at];
+                if i < 3 { mean * change } else { 2.0 * mean * change }
+            })
+            .sum()
+    }
+
+    /// Plastic work, work through thermal expansion and elastic energy given up by softening moduli
+    /// in the step from committed to trial.
+    pub fn step_energies(&self) -> MechanicalEnergies {
+        let lanes = self.mesh.sectors.columns();
+        let mut energies = MechanicalEnergies::default();
+        for (e, element) in self.mesh.elements.iter().enumerate() {
+            for l in 0..lanes {
+                let at = e * lanes + l;
+                let mean = 0.5 * (self.committed.mean_stress[at] + self.trial.mean_stress[at]);
+                let rise = self.trial.rise[at] - self.committed.rise[at];
+                let expansion = self.solid.mean_expansion(self.committed.rise[at], self.trial.rise[at]);
+                energies.thermal_expansion += element.volume * mean * 3.0 * expansion * rise;
+                if self.solid.stiffness_varies() {
+                    energies.moduli_softening += self.element_moduli_softening(e, l);
+                }
+                for q in (0..POINTS).filter(|_| self.group_flows(e, l)) {
+                    energies.plastic += element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
+                }
+            }
+        }
+        energies
+    }
+
+    /// Elastic energy that element e gives up in sector l as its moduli go from f₀ to f₁ times those
+    /// at T₀: −(f₁ − f₀)(G a₀:a₁ + ½K v₀v₁) per volume with the elastic strains a, v. Half the change
+    /// of f·a² is at constant moduli ½(f₀a₀ + f₁a₁)(a₁ − a₀), which is work, and this is the rest:
+    /// with it the balance of the step closes exactly.
+    fn element_moduli_softening(&self, e: usize, l: usize) -> f64 {
+        let lanes = self.mesh.sectors.columns();
+        let (element, moduli, at) = (&self.mesh.elements[e], self.solid.moduli, e * lanes + l);
+        let [before, after] =
+            [&self.committed, &self.trial].map(|state| self.solid.stiffness_factor(state.rise[at]));
+        let product = self.committed.mean_stress[at] * self.trial.mean_stress[at];
+        let mut energy = element.volume * product / (2.0 * moduli.bulk);
+        for q in 0..POINTS {
+            let product: f64 = (0..TENSOR)
+                .map(|i| {
+                    let at = ((e * POINTS + q) * TENSOR + i) * lanes + l;
+                    let product = self.committed.deviator[at] * self.trial.deviator[at];
+                    if i < 3 { product } else { 2.0 * product }
+                })
+                .sum();
+            energy += element.weight[q] * product / (4.0 * moduli.shear);
+        }
+        (before - after) / (before * after) * energy
+    }
+
+    /// Adds `factor` times the plastic work of the step to the nodes.
+    pub fn add_plastic_work(&self, factor: f64, nodal: &mut [f64]) {
+        let lanes = self.mesh.sectors.columns();
+        for (e, element) in self.mesh.elements.iter().enumerate() {
+            for l in 0..lanes {
+                if !self.group_flows(e, l) {
+                    continue;
+                }
+                let mut share = [[0.0; 1]; CORNERS];
+                for q in 0..POINTS {
+                    let work = factor * element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
+                    for (n, value) in share.iter_mut().enumerate() {
+                        value[0] += self.shapes[q][n] * work;
+                    }
+                }
+                self.mesh.scatter_scalar::<1>(&share, element, l, nodal);
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Temperature as the body sees it: at the Gauss points and as the mean of an element.
+
+use super::Body;
+use crate::discretisation::element::{CORNERS, Element, POINTS};
+use crate::material::lanes::Lanes;
+
+/// Temperature and what it does at one Gauss point.
+#[derive(Clone, Copy)]
+pub(super) struct PointTemperature<'a, const W: usize> {
+    pub(super) rise: &'a Lanes<W>,
+    /// No point of the element has a lower softening factor.
+    pub(super) weakest: f64,
+    /// E(T)/E(T₀) of the element, now and at the end of the step before, unless constant.
+    pub(super) stiffness: Option<[&'a Lanes<W>; 2]>,
+}
+
+/// Temperature and what it does in one element.
+pub(super) struct ElementHeat<const W: usize> {
+    pub(super) point_rise: [Lanes<W>; POINTS],
+    pub(super) mean_rise: Lanes<W>,
+    /// No point has a lower softening factor.
+    pub(super) weakest: f64,
+    /// E(T)/E(T₀), unless constant.
+    pub(super) stiffness: Option<Lanes<W>>,
+    /// The same at the end of the step before.
+    stiffness_before: Lanes<W>,
+    /// Volumetric thermal strain.
+    pub(super) thermal: Lanes<W>,
+}
+
+impl<const W: usize> ElementHeat<W> {
+    pub(super) fn at_point(&self, q: usize) -> PointTemperature<'_, W> {
+        let stiffness = self.stiffness.as_ref().map(|now| [now, &self.stiffness_before]);
+        PointTemperature { rise: &self.point_rise[q], weakest: self.weakest, stiffness }
+    }
+}
+
+impl Body {
+    /// Temperature in element e and what follows from it; `varying`: whether the moduli do.
+    #[inline(always)]
+    pub(super) fn element_heat<const W: usize>(
+        &self,
+        e: usize,
+        first: usize,
+        rise: Option<&[f64]>,
+        varying: bool,
+    ) -> ElementHeat<W> {
+        let element = &self.mesh.elements[e];
+        let nodal_rise = rise.map(|field| self.mesh.gather_scalar::<W>(field, element, first));
+        let (point_rise, mean_rise) = self.temperatures(element, nodal_rise);
+        let weakest = nodal_rise.map_or(1.0, |nodal| {
+            let hottest = nodal.iter().flatten().fold(0.0f64, |m, &t| m.max(t));
+            let coldest = || nodal.iter().flatten().fold(0.0f64, |m, &t| m.min(t));
+            self.solid.lowest_softening_factor(coldest, hottest)
+        });
+        let stiffness = varying.then(|| mean_rise.map(|rise| self.solid.stiffness_factor(rise)));
+        let stiffness_before = match varying {
+            true => {
+                let at = e * self.mesh.sectors.columns() + first;
+                std::array::from_fn(|l| self.solid.stiffness_factor(self.committed.rise[at + l]))
+            }
+            false => [1.0; W],
+        };
+        let thermal = self.solid.thermal_dilatation(&mean_rise);
+        ElementHeat { point_rise, mean_rise, weakest, stiffness, stiffness_before, thermal }
+    }
+
+    /// Temperature rise at the Gauss points and its mean over the element.
+    #[inline(always)]
+    fn temperatures<const W: usize>(
+        &self,
+        element: &Element,
+        nodal: Option<[Lanes<W>; CORNERS]>,
+    ) -> ([Lanes<W>; POINTS], Lanes<W>) {
+        let mut points = [[0.0; W]; POINTS];
+        let mut mean = [0.0; W];
+        if let Some(nodal) = nodal {
+            for q in 0..POINTS {
+                for (n, value) in nodal.iter().enumerate() {
+                    for l in 0..W {
+                        points[q][l] += self.shapes[q][n] * value[l];
+                    }
+                }
+                for l in 0..W {
+                    mean[l] += element.weight[q] / element.volume * points[q][l];
+                }
+            }
+        }
+        (points, mean)
+    }
+}

@@ -1,0 +1,2 @@
+pub(crate) mod conduction;
+pub(crate) mod expected;

@@ -1,0 +1,71 @@
+use super::*;
+use crate::discretisation::mesh::{MeridianMesh, MeshSize};
+
+pub(super) fn contact() -> (RevolvedMesh, Contact) {
+    let meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
+    let mesh = RevolvedMesh::new(meridian, Collocation::full(4));
+    let contact = Contact::new(&mesh, 500.0);
+    (mesh, contact)
+}
+
+/// Displacements of the order of the interference, different at each node.
+fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
+    (0..n).map(|i| scale * (i as f64 * 0.61 + phase).sin()).collect()
+}
+
+fn force(contact: &mut Contact, u: &[f64], flat: FlatPosition, limit: &[f64]) -> Vec<f64> {
+    contact.evaluate(|p| u[p], flat, limit);
+    let mut residual = vec![0.0; u.len()];
+    contact.subtract_force(&mut residual);
+    residual
+}
+
+/// In stick, in slip and with both (and open nodes) side by side.
+#[test]
+fn tangent_agrees_with_finite_differences() {
+    let (mesh, mut contact) = contact();
+    let n = mesh.field_length(3);
+    let flat = FlatPosition { interference: 1e-3, displacement: 2e-4 };
+    let u = wave(n, 1e-4, 0.2);
+    let d = wave(n, 1.0, 1.3);
+    for (limit, stick, slip) in [(f64::INFINITY, true, false), (5e-4, false, true), (6.0, true, true)] {
+        let limit = vec![limit; contact.len()];
+        let h = 1e-10;
+        let at = |contact: &mut Contact, t: f64| {
+            let x: Vec<f64> = u.iter().zip(&d).map(|(a, b)| a + t * b).collect();
+            force(contact, &x, flat, &limit)
+        };
+        let (plus, minus) = (at(&mut contact, h), at(&mut contact, -h));
+        at(&mut contact, 0.0);
+        let has = |status| contact.trial.status.contains(&status);
+        assert_eq!((has(Status::Stick), has(Status::Slip), has(Status::Open)), (stick, slip, true));
+        let mut product = vec![0.0; n];
+        contact.add_tangent_product(&d, &mut product);
+        let norm = product.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let error =
+            (0..n).map(|i| ((plus[i] - minus[i]) / (2.0 * h) - product[i]).powi(2)).sum::<f64>().sqrt();
+        assert!(error < 1e-5 * norm, "{error} {norm}");
+    }
+}
+
+#[test]
+fn slip_keeps_the_traction_at_the_limit_and_along_the_motion() {
+    let (mesh, mut contact) = contact();
+    let u = vec![0.0; mesh.field_length(3)];
+    let limit = vec![0.3; contact.len()];
+    contact.evaluate(|p| u[p], FlatPosition { interference: 1e-3, displacement: 0.0 }, &limit);
+    contact.commit();
+    let flat = FlatPosition { interference: 1e-3, displacement: 1e-2 };
+    contact.evaluate(|p| u[p], flat, &limit);
+    for i in (0..contact.len()).filter(|&i| contact.trial.status[i] != Status::Open) {
+        assert_eq!(contact.trial.status[i], Status::Slip);
+        assert!((contact.along_x(i, contact.trial.traction[i]) - 0.3).abs() < 1e-12);
+    }
+    // The work of the flat is what friction takes, but for what the springs hold.
+    let work = contact.step_work(FlatPosition { interference: 1e-3, displacement: 0.0 }, flat);
+    assert!((work.of_flat - work.friction).abs() < 1e-12 * work.of_flat);
+    contact.commit();
+    // Reversal: sticks until the spring has turned round.
+    contact.evaluate(|p| u[p], FlatPosition { interference: 1e-3, displacement: 1e-2 - 1e-8 }, &limit);
+    assert!(contact.trial.status.contains(&Status::Stick));
+}

@@ -1,0 +1,3 @@
+pub(crate) mod contact;
+pub(crate) mod contact_edge;
+pub mod friction_law;

@@ -1,0 +1,101 @@
+//! The press: a θ-independent problem without heat, in full stick (without friction if the
+//! interface has none).
+
+use crate::discretisation::body::Body;
+use crate::discretisation::collocation::Collocation;
+use crate::discretisation::mesh::MeshSize;
+use crate::interface::contact::{Contact, FlatPosition};
+use crate::loading::problem::{Discretisation, Problem};
+use crate::simulate::accuracy::resolution::NEWTON_TOLERANCE;
+use crate::solver::harmonic::FactorError;
+use crate::solver::newton::{CouplingData, LoadingControl, Mechanics, StepFailure};
+
+#[derive(Debug, thiserror::Error)]
+pub enum PressFailure {
+    #[error(transparent)]
+    Factor(#[from] FactorError),
+    #[error("interference {interference:.4} omega_c: {failure}")]
+    Step { interference: f64, failure: StepFailure },
+}
+
+/// One increment of the press, dimensionless.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Increment {
+    pub interference: f64,
+    pub load: f64,
+    pub area: f64,
+}
+
+/// Presses to ω₀ on a given mesh in so many increments (more where Newton's method fails).
+pub fn press_on(
+    problem: &Problem,
+    size: MeshSize,
+    count: usize,
+) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
+    let discretisation = Discretisation::new(problem, size, Collocation::axisymmetric())?;
+    let mesh = discretisation.mesh;
+    let contact = Contact::new(&mesh, problem.contact_modulus);
+    let displacement = vec![0.0; mesh.field_length(3)];
+    let mut body = Body::new(mesh, problem.solid.clone());
+    if problem.finite_strain {
+        body = body.at_finite_strain();
+    }
+    let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement, NEWTON_TOLERANCE);
+
+    let limit = if problem.law.has_friction() { f64::INFINITY } else { 0.0 };
+    let count = count as f64;
+    let mut increments = Vec::new();
+    let mut before = (0.0, mechanics.displacement.clone());
+    let mut done = 0.0;
+    // Progress in units of the contact radius: interference goes with its square.
+    let mut advance: f64 = 1.0 / count;
+    let mut radius: f64 = 0.0;
+    while radius < 1.0 {
+        let next = (radius + advance).min(1.0);
+        let interference = problem.interference * next * next;
+        let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
+        let committed = mechanics.displacement.clone();
+        let cover = mechanics.contact.cover.clone();
+        let flat = FlatPosition { interference, displacement: 0.0 };
+        let outcome = mechanics.solve(flat, LoadingControl::Interference, start, |_, contact, iteration| {
+            if problem.finite_strain {
+                contact.update_areas(iteration == 0);
+            }
+            Some(CouplingData { limit: vec![limit; contact.len()], rise: None, settled: true })
+        });
+        match outcome {
+            Ok(_) => {
+                mechanics.contact.update_cover();
+                mechanics.body.commit();
+                mechanics.contact.commit();
+                let contact = &mechanics.contact;
+                increments.push(Increment {
+                    interference,
+                    load: contact.load(&contact.committed),
+                    area: contact.area(&contact.committed),
+                });
+                before = (done, committed);
+                done = interference;
+                radius = next;
+                advance = (1.5 * advance).min(1.0 / count);
+            }
+            Err(failure) => {
+                mechanics.restore(committed, cover);
+                advance *= 0.5;
+                if advance < 1e-4 / count {
+                    return Err(PressFailure::Step {
+                        interference: interference / problem.critical_interference,
+                        failure,
+                    });
+                }
+            }
+        }
+    }
+    Ok((mechanics, increments))
+}
+
+/// Straight on from the last two solutions.
+pub fn extrapolate(before: &[f64], now: &[f64], t_before: f64, t_now: f64, t_next: f64) -> Vec<f64> {
+    let factor = if t_now > t_before { ((t_next - t_now) / (t_now - t_before)).min(3.0) } else { 0.0 };
+    now.iter().zip(before).map(|(x, y)| x + factor * (x - y)).collect()
+}

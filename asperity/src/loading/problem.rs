@@ -1,0 +1,149 @@
+//! The scene in dimensionless form: lengths by R, stresses by σ_Y(T₀), time by R²/κ.
+//!
+//! Quasi-static rate-independent plasticity with conduction depends on the radius only through
+//! VR/κ (and h_g R/k), so a 10 nm and a 10 mm asperity are the same problem here.
+
+use std::sync::Arc;
+
+use tables::closed_forms::hertz;
+use tables::closed_forms::jackson_green;
+
+use crate::discretisation::collocation::Collocation;
+use crate::discretisation::elastic::element_stiffness;
+use crate::discretisation::element::RevolvedMesh;
+use crate::discretisation::mesh::{MeridianMesh, MeshSize};
+use crate::heat::conduction::ThermalProperties;
+use crate::material::Solid;
+use crate::scene::curve::Curve;
+use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene, TemperatureTable};
+use crate::solver::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
+
+/// 1/√3, von Mises' ratio of shear to tensile strength.
+pub const SHEAR_RATIO: f64 = 0.577_350_269_189_625_8;
+
+#[derive(Clone, Debug)]
+pub struct Problem {
+    pub solid: Solid,
+    /// Finite strain, not small.
+    pub finite_strain: bool,
+    /// E*/σ_Y.
+    pub contact_modulus: f64,
+    /// ω_c/R.
+    pub critical_interference: f64,
+    /// ω₀/R.
+    pub interference: f64,
+    pub law: FrictionLaw,
+    /// What is held while it slides.
+    pub control: Control,
+    pub strength: InterfaceStrength,
+    pub strength_factor: f64,
+    /// ρc·(1 K)/σ_Y at T₀; also k·(1 K), as κ = 1.
+    pub heat_capacity: f64,
+    /// None where specific heat and conductivity are constant.
+    pub thermal_properties: Option<ThermalProperties>,
+    pub heat_partition: f64,
+    pub taylor_quinney: f64,
+    /// h_g R/k.
+    pub gap_conductance: f64,
+    pub units: Units,
+}
+
+/// Factors from dimensionless to SI.
+#[derive(Clone, Copy, Debug)]
+pub struct Units {
+    /// R, m.
+    pub length: f64,
+    /// σ_Y, Pa.
+    pub stress: f64,
+    /// R²/κ, s.
+    pub time: f64,
+    /// T₀, K.
+    pub temperature: f64,
+}
+
+impl Units {
+    pub fn force(&self) -> f64 {
+        self.stress * self.length * self.length
+    }
+    pub fn energy(&self) -> f64 {
+        self.force() * self.length
+    }
+    pub fn area(&self) -> f64 {
+        self.length * self.length
+    }
+    /// κ/R, m/s.
+    pub fn speed(&self) -> f64 {
+        self.length / self.time
+    }
+}
+
+impl Problem {
+    pub fn new(scene: &Scene) -> Self {
+        let material = &scene.material;
+        let e_star = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
+        let critical =
+            hertz::critical_interference(e_star, material.poisson_ratio, material.yield_strength, 1.0);
+        let capacity = material.density * material.specific_heat;
+        let diffusivity = material.thermal_conductivity / capacity;
+        Self {
+            solid: Solid::new(material, scene.loading.temperature),
+            finite_strain: scene.model.kinematics == Kinematics::Finite,
+            contact_modulus: e_star / material.yield_strength,
+            critical_interference: critical,
+            interference: scene.loading.interference * critical,
+            law: scene.interface.law.clone(),
+            control: scene.loading.control,
+            strength: scene.interface.strength,
+            strength_factor: scene.interface.strength_factor,
+            heat_capacity: capacity / material.yield_strength,
+            thermal_properties: thermal_properties(material, scene.loading.temperature),
+            heat_partition: scene.interface.heat_partition,
+            taylor_quinney: scene.interface.taylor_quinney,
+            gap_conductance: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
+            units: Units {
+                length: scene.radius,
+                stress: material.yield_strength,
+                time: scene.radius * scene.radius / diffusivity,
+                temperature: scene.loading.temperature,
+            },
+        }
+    }
+
+    /// Contact radius over R to expect at ω₀ (Jackson & Green 2005).
+    pub fn expected_contact_radius(&self) -> f64 {
+        let ratio = self.interference / self.critical_interference;
+        let area = jackson_green::area(ratio, 1.0 / self.contact_modulus);
+        // A_c = πRω_c.
+        (area * self.critical_interference).sqrt()
+    }
+}
+
+fn thermal_properties(material: &Material, initial_temperature: f64) -> Option<ThermalProperties> {
+    let (specific_heat, conductivity) =
+        (&material.dependence.specific_heat, &material.dependence.thermal_conductivity);
+    let relative = |table: &Option<TemperatureTable>| match table {
+        Some(table) => table.relative(initial_temperature),
+        None => Curve::constant(1.0),
+    };
+    (specific_heat.is_some() || conductivity.is_some()).then(|| ThermalProperties {
+        specific_heat: relative(specific_heat),
+        conductivity: relative(conductivity),
+    })
+}
+
+/// Mesh and elastic factors for one number of sectors.
+#[derive(Clone)]
+pub struct Discretisation {
+    pub mesh: RevolvedMesh,
+    pub factors: Arc<HarmonicFactors>,
+}
+
+impl Discretisation {
+    pub fn new(problem: &Problem, size: MeshSize, sectors: Collocation) -> Result<Self, FactorError> {
+        let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
+        let moduli = problem.solid.moduli;
+        let factors = HarmonicPattern::new(&mesh, FieldKind::Vector)?
+            .factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m))?;
+        Ok(Self { mesh, factors: Arc::new(factors) })
+    }
+}

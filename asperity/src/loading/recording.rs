@@ -1,0 +1,130 @@
+//! States of a slide that are kept as fields: over the contact, and of the body if asked for.
+//!
+//! What is kept has no influence on the slide: its increments are those of a run without.
+
+use crate::heat::conduction::Conduction;
+use crate::interface::contact::Status;
+use crate::loading::body_fields::RecordedBody;
+use crate::loading::slide::SlideState;
+use crate::solver::newton::Mechanics;
+
+/// Which states of a run are kept as fields, beside those that always are: before the slide, when
+/// half of the contact slips, at full slip and at the end.
+///
+/// ```
+/// use asperity::loading::recording::Recording;
+///
+/// let recording = Recording { slips: vec![0.1, 1.0], body: true };
+/// assert_ne!(recording, Recording::default());
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Recording {
+    /// Slips in units of a₀; kept is the first state that has slipped as far.
+    pub slips: Vec<f64>,
+    /// Whether displacement, stress, plastic strain and temperature of the body are kept as well.
+    pub body: bool,
+}
+
+/// Contact fields at one instant: ring by ring, columns within.
+#[derive(Clone, Debug)]
+pub struct Fields {
+    pub slip: f64,
+    pub status: Vec<Status>,
+    pub pressure: Vec<f64>,
+    pub shear: Vec<f64>,
+    pub rise: Vec<f64>,
+    pub path: Vec<f64>,
+}
+
+/// Keeps states of one slide.
+#[derive(Clone, Debug, Default)]
+pub struct Recorder {
+    /// Slips still to come, over R, falling.
+    slips: Vec<f64>,
+    /// Shares of the contact that sticks, still to come, rising.
+    stick_fractions: Vec<f64>,
+    body: bool,
+    pub contact: Vec<Fields>,
+    pub bodies: Vec<RecordedBody>,
+}
+
+impl Recorder {
+    /// For a slide of an asperity of contact radius `radius` (over R) that starts in `start`.
+    pub fn new(recording: &Recording, radius: f64, start: &SlideState) -> Self {
+        let mut slips: Vec<f64> = recording.slips.iter().map(|slip| slip * radius).collect();
+        slips.sort_by(|a, b| b.total_cmp(a));
+        let stick_fractions = [0.0, 0.5].into_iter().filter(|&share| share < start.stick_fraction).collect();
+        Self { slips, stick_fractions, body: recording.body, ..Self::default() }
+    }
+
+    /// Whether the state `now`, just reached, is one to keep.
+    pub fn is_due(&mut self, now: &SlideState) -> bool {
+        let before = (self.slips.len(), self.stick_fractions.len());
+        let slipped = now.slip * (1.0 + 1e-12);
+        while self.slips.pop_if(|next| *next <= slipped).is_some() {}
+        while self.stick_fractions.pop_if(|next| now.stick_fraction <= *next).is_some() {}
+        before != (self.slips.len(), self.stick_fractions.len())
+    }
+
+    /// Keeps the committed state, unless it is the one kept last.
+    pub fn keep(&mut self, now: &SlideState, mechanics: &Mechanics, conduction: Option<&Conduction>) {
+        if self.contact.last().is_some_and(|last| last.slip == now.slip) {
+            return;
+        }
+        let contact = &mechanics.contact;
+        let state = &contact.committed;
+        let rise = match conduction {
+            Some(c) => (0..contact.len()).map(|i| c.committed[contact.scalar_place(i)]).collect(),
+            None => vec![0.0; contact.len()],
+        };
+        self.contact.push(Fields {
+            slip: now.slip,
+            status: state.status.clone(),
+            pressure: state.pressure.clone(),
+            // The last ring may bear for the contact beyond its own cell: per area that is covered.
+            shear: (state.traction.iter().zip(&contact.cover))
+                .map(|(t, cover)| t[0].hypot(t[1]) / cover.max(1.0))
+                .collect(),
+            rise,
+            path: state.slip.clone(),
+        });
+        if self.body {
+            self.bodies.push(RecordedBody::of(now, mechanics, conduction));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(slip: f64, stick_fraction: f64) -> SlideState {
+        SlideState { slip, stick_fraction, ..SlideState::default() }
+    }
+
+    #[test]
+    fn due_are_half_slip_full_slip_and_the_slips_asked_for_each_once() {
+        let recording = Recording { slips: vec![30.0, 5.0], body: false };
+        let mut recorder = Recorder::new(&recording, 0.1, &at(0.0, 1.0));
+        let states = [
+            (0.1, 0.9, false),
+            (0.2, 0.5, true),
+            (0.3, 0.4, false),
+            (0.51, 0.3, true),
+            (0.6, 0.0, true),
+            (0.7, 0.2, false),
+            (0.8, 0.0, false),
+            (3.0, 0.0, true),
+            (4.0, 0.0, false),
+        ];
+        for (slip, stick, due) in states {
+            assert_eq!(recorder.is_due(&at(slip, stick)), due, "{slip}");
+        }
+    }
+
+    #[test]
+    fn a_contact_that_never_sticks_has_no_full_slip_to_wait_for() {
+        let mut recorder = Recorder::new(&Recording::default(), 0.1, &at(0.0, 0.0));
+        assert!(!recorder.is_due(&at(0.1, 0.0)));
+    }
+}

@@ -1,0 +1,102 @@
+//! Heat of friction and of plastic work over a step of the slide.
+
+use super::shear_limits::shear_strength;
+use crate::discretisation::body::Body;
+use crate::heat::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
+use crate::interface::contact::{Contact, Status};
+use crate::loading::problem::Problem;
+
+/// Heat of friction: flow f_h τ_c(θ) v where the contact slips, less what the gap takes.
+struct FrictionHeat<'a> {
+    problem: &'a Problem,
+    contact: &'a Contact,
+    /// Slip speed.
+    speed: Vec<f64>,
+    /// Factor by which the interface has hardened, where it softens with its temperature.
+    hardened: Option<&'a [f64]>,
+}
+
+impl ContactHeat for FrictionHeat<'_> {
+    fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
+        let problem = self.problem;
+        if self.contact.trial.status[point] == Status::Open {
+            return (0.0, 0.0);
+        }
+        let area = self.contact.areas[point];
+        let gap = self.conductance(point);
+        let power = problem.heat_partition * area * self.speed[point];
+        let hardened = self.hardened.filter(|_| problem.law.is_material_strength());
+        let (traction, slope) = if let Some(hardened) = hardened {
+            let hardened = hardened[point];
+            let strength = |t: f64| shear_strength(problem, hardened, t) * self.contact.cover[point];
+            let h = 0.01;
+            (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
+        } else {
+            let [r, t] = self.contact.trial.traction[point];
+            (r.hypot(t), 0.0)
+        };
+        (power * traction - gap * rise, power * slope - gap)
+    }
+
+    fn loss(&self, point: usize, rise: f64) -> f64 {
+        self.conductance(point) * rise
+    }
+}
+
+impl FrictionHeat<'_> {
+    /// Of the gap at a contact point; none where it is open.
+    fn conductance(&self, point: usize) -> f64 {
+        if self.contact.trial.status[point] == Status::Open {
+            return 0.0;
+        }
+        let covered = self.contact.areas[point] * self.contact.cover[point];
+        self.problem.gap_conductance * self.problem.heat_capacity * covered
+    }
+}
+
+/// What heats the body over a step: slip speeds at the contact points, plastic power at the nodes.
+#[derive(Clone, Debug, Default)]
+pub struct HeatSources {
+    speed: Vec<f64>,
+    plastic: Vec<f64>,
+}
+
+impl HeatSources {
+    /// Those of the mechanics' trial state.
+    pub fn of(problem: &Problem, body: &Body, contact: &Contact, dt: f64) -> Self {
+        let mut plastic = vec![0.0; body.mesh.field_length(1)];
+        if problem.taylor_quinney > 0.0 {
+            body.add_plastic_work(problem.taylor_quinney / dt, &mut plastic);
+        }
+        Self { speed: (0..contact.len()).map(|i| contact.point_slip(i) / dt).collect(), plastic }
+    }
+
+    /// Temperature after a step with these sources; `hardened` unless the interface does not know its temperature.
+    pub fn heat(
+        &self,
+        problem: &Problem,
+        conduction: &mut Conduction,
+        contact: &Contact,
+        hardened: Option<&[f64]>,
+        dt: f64,
+    ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
+        let mut plastic: Vec<f64> = self.plastic.iter().map(|power| power * dt).collect();
+        plastic.resize(conduction.committed.len(), 0.0);
+        let mut speed = self.speed.clone();
+        speed.resize(contact.len(), 0.0);
+        conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed, hardened })
+    }
+}
+
+/// Largest and mean temperature rise over the contact.
+pub fn contact_rise(contact: &Contact, rise: &[f64]) -> (f64, f64) {
+    let (mut largest, mut sum, mut area) = (0.0f64, 0.0, 0.0);
+    for i in (0..contact.len()).filter(|&i| contact.trial.status[i] != Status::Open) {
+        let value = rise[contact.scalar_place(i)];
+        let share = contact.areas[i] * contact.cover[i];
+        largest = largest.max(value);
+        sum += share * value;
+        area += share;
+    }
+    (largest, if area > 0.0 { sum / area } else { 0.0 })
+}

@@ -1,0 +1,43 @@
+//! What shear traction the interface takes at each contact point.
+
+use crate::discretisation::body::{Body, BodyState};
+use crate::interface::contact::Contact;
+use crate::interface::friction_law::ContactPoint;
+use crate::loading::problem::{Problem, SHEAR_RATIO};
+use crate::scene::InterfaceStrength;
+
+/// f_τ σ_Y(T)/√3 times what hardening adds.
+pub fn shear_strength(problem: &Problem, hardened: f64, rise: f64) -> f64 {
+    problem.strength_factor * SHEAR_RATIO * (hardened * problem.solid.softening_factor(rise))
+}
+
+/// Factor by which the interface has hardened, at each contact point.
+pub fn interface_hardening(problem: &Problem, body: &Body, contact: &Contact, state: &BodyState) -> Vec<f64> {
+    match problem.strength {
+        InterfaceStrength::Initial => vec![1.0; contact.len()],
+        InterfaceStrength::Current => {
+            let strain = body.surface_strain(state);
+            strain.into_iter().map(|strain| problem.solid.hardening_factor(strain)).collect()
+        }
+    }
+}
+
+/// Limit of the shear traction at each contact point.
+pub fn shear_limits(
+    problem: &Problem,
+    contact: &Contact,
+    hardened: &[f64],
+    rise: Option<&[f64]>,
+) -> Vec<f64> {
+    (0..contact.len())
+        .map(|i| {
+            let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
+            problem.law.limit(&ContactPoint {
+                pressure: contact.trial.pressure[i],
+                cover: contact.cover[i],
+                strength: shear_strength(problem, hardened[i], theta),
+                unit: problem.units.stress,
+            })
+        })
+        .collect()
+}

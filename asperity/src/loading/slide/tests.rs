@@ -1,0 +1,178 @@
+//! A step that is cut back leaves nothing behind.
+
+use super::*;
+use crate::discretisation::collocation::Collocation;
+use crate::discretisation::mesh::MeshSize;
+use crate::loading::press;
+use crate::loading::problem::Discretisation;
+use crate::scene::file::parse_scene;
+use crate::simulate::accuracy::resolution::NEWTON_TOLERANCE;
+use crate::simulate::{Unwatched, simulate};
+use crate::studies::robustness;
+
+/// A hot slide in plastic contact, coarse, ready to start.
+fn ready(problem: &Problem) -> Slide<'_> {
+    let size = MeshSize::new(problem.expected_contact_radius(), 4);
+    let (pressed, _) = press::press_on(problem, size, 8).unwrap();
+    let (body, contact, displacement) = pressed.into_parts();
+    let Discretisation { mesh, factors } = Discretisation::new(problem, size, Collocation::full(4)).unwrap();
+    let conduction = Conduction::new(&mesh, problem.heat_capacity).unwrap();
+    let displacement = mesh.sectors.spread(&displacement);
+    let body = Body::revolve(&body, mesh.clone());
+    let contact = Contact::revolve(&contact, &mesh, problem.contact_modulus);
+    let mechanics = Mechanics::new(body, contact, factors, displacement, NEWTON_TOLERANCE);
+    let increments = Increments { growth: 0.3, coupling_limit: 4 };
+    // VR/κ of 1 m/s, steel and 1 mm.
+    Slide::new(problem, mechanics, Some(SlideHeat { conduction, acts_back: true }), 80.0, increments)
+}
+
+/// Forty steps are cut back once after it was solved; the same small steps without any cut-back give
+/// the same numbers to the last bit.
+#[test]
+fn a_cut_back_restores_the_history_completely() {
+    let case = robustness::all().into_iter().find(|case| case.name == "interference-5").unwrap();
+    let problem = Problem::new(&case.scene().unwrap());
+    let mut forced = ready(&problem);
+    forced.rejecting = 80;
+    // Its search would start steps elsewhere.
+    forced.has_begun = true;
+    let distance = 0.05 * problem.expected_contact_radius();
+    forced.run(distance, |_, _| true).unwrap();
+    assert!(forced.cutbacks >= 40);
+    assert!(forced.history.last().unwrap().rise_max > 1.0);
+
+    let mut direct = ready(&problem);
+    direct.has_begun = true;
+    let mut before = direct.state();
+    let slips: Vec<f64> = forced.history.iter().map(|instant| instant.slip).collect();
+    for (k, pair) in slips.windows(2).enumerate() {
+        let committed = direct.state();
+        let slip_before = if k == 0 { 0.0 } else { slips[k - 1] };
+        let guess = Guess::between((&before, slip_before), (&committed, pair[0]), pair[1]);
+        assert!(matches!(direct.step(pair[0], pair[1], guess), Ok(Attempt::Taken)));
+        before = committed;
+    }
+    assert_eq!(forced.history, direct.history);
+    assert_eq!(forced.mechanics.displacement, direct.mechanics.displacement);
+}
+
+/// The state before and the one after sliding inception are as close as they shall be, and
+/// no attempt that leapt it leaves anything behind: work and energies still balance.
+#[test]
+fn sliding_inception_is_enclosed() {
+    let case = robustness::all().into_iter().find(|case| case.name == "interference-5").unwrap();
+    let problem = Problem::new(&case.scene().unwrap());
+    let mut slide = ready(&problem);
+    slide.run(0.1 * problem.expected_contact_radius(), |_, _| true).unwrap();
+    let begun = slide.history.iter().position(|instant| instant.stick_fraction < NO_STICK).unwrap();
+    let (before, after) = (slide.history[begun - 1], slide.history[begun]);
+    assert!(before.stick_fraction >= NO_STICK);
+    assert!(after.slip - before.slip <= INCEPTION_WIDTH * after.slip * (1.0 + 1e-9));
+    // Usual increments are longer, before and after.
+    for n in [begun - 4, slide.history.len() - 2] {
+        let increment = slide.history[n + 1].slip - slide.history[n].slip;
+        assert!(increment > 2.0 * (after.slip - before.slip), "{n}: {increment}");
+    }
+    let last = slide.history.last().unwrap();
+    let taken = last.elastic + last.plastic + last.friction_work + last.springs + last.thermal_expansion;
+    assert!((last.work - taken).abs() < 1e-6 * last.work, "{} {taken}", last.work);
+}
+
+/// Steps to each of the slips in turn, forwards or backwards.
+fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
+    // Its search would ask for other increments.
+    slide.has_begun = true;
+    for to in slips {
+        let from = slide.history.last().unwrap().slip;
+        let guess = slide.state();
+        assert!(matches!(slide.step(from, to, guess), Ok(Attempt::Taken)));
+    }
+}
+
+fn problem_of(changes: &[&str]) -> Problem {
+    let case = robustness::all().into_iter().find(|case| case.name == "interference-5").unwrap();
+    let set = case.set.iter().cloned().chain(changes.iter().map(|change| change.to_string())).collect();
+    Problem::new(&robustness::RobustnessCase { set, ..case }.scene().unwrap())
+}
+
+/// To and fro in elastic contact, at a shear limit that does not change: friction turns round in full, and
+/// the second half of the loop is the first with the sign changed. (The first loading is not: the press
+/// has left shear at the edge.)
+#[test]
+fn a_reversed_slide_closes_its_loop() {
+    const STEPS: u32 = 20;
+    let problem =
+        problem_of(&["loading.interference=0.5", "interface.strength_factor=0.2", "model.heat=off"]);
+    let mut slide = ready(&problem);
+    (slide.heat, slide.speed) = (None, 0.0);
+    let radius = (slide.history[0].area / std::f64::consts::PI).sqrt();
+    // Twice the elastic displacement τa/G at gross slip: the contact slips all over, but only towards the end.
+    let far = 2.0 * problem.strength_factor * SHEAR_RATIO * radius / problem.solid.moduli.shear;
+    let branch = |from: f64, to: f64| {
+        (1..=STEPS).map(move |k| from + (to - from) * f64::from(k) / f64::from(STEPS)).collect::<Vec<_>>()
+    };
+    for (from, to) in [(0.0, far), (far, -far), (-far, far)] {
+        go(&mut slide, branch(from, to));
+    }
+    let friction: Vec<f64> = slide.history.iter().map(|instant| instant.friction).collect();
+    let full = friction[STEPS as usize];
+    let (back, forth) = friction[STEPS as usize + 1..].split_at(STEPS as usize);
+    assert!(full > 0.0 && slide.history[STEPS as usize].stick_fraction == 0.0);
+    assert!((back[STEPS as usize - 1] / full + 1.0).abs() < 1e-3 && back[0] < 0.8 * full);
+    for (back, forth) in back.iter().zip(forth) {
+        assert!((back + forth).abs() < 1e-3 * full, "{back} {forth} of {full}");
+    }
+    let lost = [1, 2, 3].map(|branch| slide.history[branch * STEPS as usize].friction_work);
+    assert!(lost[0] > 0.0 && lost[1] > 2.0 * lost[0] && lost[2] > lost[1] + lost[0], "{lost:?}");
+}
+
+/// Slides hot, all but stops for a thousand times as long, and slides on: it cools and sticks, is
+/// stronger when it slips again, heats up as before, and no energy is lost on the way.
+#[test]
+fn a_slide_that_stops_cools_and_restarts() {
+    let problem = problem_of(&[]);
+    let mut slide = ready(&problem);
+    let fast = slide.speed;
+    let step = 0.01 * problem.expected_contact_radius();
+    let from = |slide: &Slide| slide.history.last().unwrap().slip;
+    let run = |slide: &mut Slide| {
+        let at = from(slide);
+        go(slide, (1..=30).map(|k| at + step * f64::from(k)));
+        *slide.history.last().unwrap()
+    };
+    let hot = run(&mut slide);
+    slide.speed = 1e-9 * fast;
+    let at = from(&slide);
+    go(&mut slide, (1..=20).map(|k| at + 1.5e-6 * step * f64::from(k)));
+    let cold = *slide.history.last().unwrap();
+    slide.speed = fast;
+    let again = run(&mut slide);
+    assert!(hot.rise_max > 10.0 && cold.rise_max < 1e-3 * hot.rise_max, "{hot:?} {cold:?}");
+    assert_eq!((hot.stick_fraction, cold.stick_fraction), (0.0, 1.0));
+    let restart = &slide.history[slide.history.len() - 30..];
+    let strongest = restart.iter().map(|instant| instant.friction / instant.area).fold(0.0, f64::max);
+    assert!(strongest > 1.005 * hot.friction / hot.area, "{strongest} {hot:?}");
+    assert!((again.rise_max / hot.rise_max - 1.0).abs() < 0.1, "{hot:?} {again:?}");
+    let off = again.heat_in - again.heat_stored - again.heat_out;
+    assert!(off.abs() < 1e-5 * again.heat_in, "{off} of {}", again.heat_in);
+    let spent = again.elastic + again.plastic + again.friction_work + again.thermal_expansion;
+    let off = again.work - spent - again.moduli_softening - again.springs;
+    assert!(off.abs() < 1e-3 * again.work, "{off} of {}", again.work);
+}
+
+/// A point at the edge that its own friction pushes off the flat, and that comes back without it: no equilibrium is
+/// between the two for any increment, and steps were cut back for ever.
+#[test]
+fn points_that_waver_do_not_cut_steps_back() {
+    let text = "[material]\npreset = \"steel-304\"\n[asperity]\nradius = 1e-3\n\
+                [loading]\ninterference = 0.2\nslip_rate = 0\n[model]\nkinematics = \"small\"\n\
+                [numerics]\nelements_per_radius = 8\nsectors = 8\naccuracy = 0.5\n";
+    let scene = parse_scene(text, "this test", &[]).unwrap();
+    let outcome = simulate(&scene, &Unwatched).unwrap();
+    assert_eq!(outcome.account.cutbacks, 0);
+    // What such a point loses is far below what the mesh leaves open.
+    let finer = parse_scene(text, "this test", &["numerics.elements_per_radius=12".into()]).unwrap();
+    let finer = simulate(&finer, &Unwatched).unwrap().summary.mu;
+    let mu = outcome.summary.mu;
+    assert!((mu.value - finer.value).abs() < mu.error, "{mu:?} {finer:?}");
+}

@@ -1,0 +1,369 @@
+//! `run.nc`: the histories, scalars and contact-plane fields of one run as CF netCDF-4.
+//!
+//! Apart from `wall_time`, `time_spent` and `history`, two runs of one scene give the same file.
+
+use std::path::Path;
+
+use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
+use tables::law::Estimate;
+use tables::quantity::{QUANTITIES, Quantity};
+
+use crate::output::provenance::SOURCE;
+use crate::scene::Scene;
+use crate::scene::file::write_scene;
+use crate::simulate::fracture;
+use crate::simulate::outcome::{
+    ContactStatus, ErrorSource, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot,
+};
+use crate::simulate::quantities::estimate;
+use crate::solver::timings::Kernel;
+
+/// What a file says about the run besides its numbers.
+pub struct About<'a> {
+    /// For the attribute `history`, see [`crate::output::provenance::history`].
+    pub history: String,
+    /// Why the run ended before its end, if it did.
+    pub incomplete: Option<&'a str>,
+}
+
+struct Column<T> {
+    name: &'static str,
+    unit: &'static str,
+    long_name: &'static str,
+    of: fn(&T) -> f64,
+}
+
+const fn column<T>(
+    name: &'static str,
+    unit: &'static str,
+    long_name: &'static str,
+    of: fn(&T) -> f64,
+) -> Column<T> {
+    Column { name, unit, long_name, of }
+}
+
+#[rustfmt::skip]
+const SLIDE: [Column<SlideStep>; 20] = [
+    column("slip", "m", "displacement of the flat", |s| s.slip),
+    column("interference", "1", "interference over that of first yield", |s| s.interference),
+    column("time", "s", "time since the start of the slide", |s| s.time),
+    column("Q", "N", "friction force", |s| s.friction),
+    column("P", "N", "normal force", |s| s.load),
+    column("mu", "1", "friction coefficient Q/P", |s| s.mu),
+    column("area", "m2", "contact area", |s| s.area),
+    column("stick_fraction", "1", "share of the contact area that sticks", |s| s.stick_fraction),
+    column("temperature_max", "K", "hottest point of the contact", |s| s.temperature_max),
+    column("temperature_mean", "K", "mean temperature of the contact", |s| s.temperature_mean),
+    column("plastic_strain_max", "1", "largest equivalent plastic strain", |s| s.plastic_strain_max),
+    column("work", "J", "work of the flat since the start of the slide", |s| s.work),
+    column("energy_elastic", "J", "change of the elastic energy", |s| s.energy_elastic),
+    column("dissipation_plastic", "J", "plastic dissipation", |s| s.dissipation_plastic),
+    column("dissipation_friction", "J", "frictional dissipation", |s| s.dissipation_friction),
+    column("work_thermal_expansion", "J", "work done through thermal expansion", |s| s.work_thermal_expansion),
+    column("energy_moduli_softening", "J", "elastic energy given up as the moduli fall with temperature", |s| s.energy_moduli_softening),
+    column("heat_in", "J", "frictional and plastic heat that entered the body", |s| s.heat_in),
+    column("heat_stored", "J", "heat stored in the body", |s| s.heat_stored),
+    column("heat_out", "J", "heat that left through base and gap", |s| s.heat_out),
+];
+
+#[rustfmt::skip]
+const PRESS: [Column<PressStep>; 3] = [
+    column("interference_press", "1", "interference over that of first yield", |s| s.interference),
+    column("P_press", "N", "normal force during the press", |s| s.load),
+    column("area_press", "m2", "contact area during the press", |s| s.area),
+];
+
+type Field = (&'static str, &'static str, &'static str, fn(&Snapshot) -> &Vec<f64>);
+
+const FIELDS: [Field; 4] = [
+    ("pressure", "Pa", "contact pressure", |s| &s.pressure),
+    ("shear", "Pa", "magnitude of the tangential traction", |s| &s.shear),
+    ("temperature", "K", "temperature of the contact plane", |s| &s.temperature),
+    ("slip_distance", "m", "slip since the start of the slide", |s| &s.slip_distance),
+];
+
+/// Write the file; it appears whole or not at all.
+pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -> Result<(), DatasetError> {
+    let loading = &scene.loading;
+    let title =
+        format!("Sliding of one asperity at {} omega_c and {} m/s", loading.interference, loading.slip_rate);
+    let completion = match about.incomplete {
+        None => "complete".to_owned(),
+        Some(reason) => format!("incomplete: {reason}"),
+    };
+    let mut file = DatasetWriter::create(path, &title)?;
+    file.attribute("source", SOURCE)?;
+    file.attribute("history", about.history.as_str())?;
+    file.attribute("scene", write_scene(scene))?;
+    file.attribute("completion", completion)?;
+    file.attribute("notes", outcome.account.notes.join("\n"))?;
+    file.attribute("warnings", outcome.account.warnings.join("\n"))?;
+    columns(&mut file, "step_press", &PRESS, &outcome.press, "interference_press")?;
+    columns(&mut file, "step", &SLIDE, &outcome.slide, "slip time")?;
+    estimates(&mut file, scene, outcome)?;
+    account(&mut file, outcome)?;
+    fields(&mut file, outcome)?;
+    file.finish()
+}
+
+/// One variable per column over `dimension`.
+fn columns<T>(
+    file: &mut DatasetWriter,
+    dimension: &str,
+    columns: &[Column<T>],
+    rows: &[T],
+    coordinates: &str,
+) -> Result<(), DatasetError> {
+    // netCDF takes a length of zero for an unlimited dimension.
+    if rows.is_empty() {
+        return Ok(());
+    }
+    file.dimension(dimension, rows.len())?;
+    for column in columns {
+        let values: Vec<f64> = rows.iter().map(column.of).collect();
+        let mut attributes = described(column.unit, column.long_name);
+        if !coordinates.split(' ').any(|name| name == column.name) {
+            attributes.push(("coordinates", coordinates.into()));
+        }
+        if QUANTITIES.iter().any(|quantity| quantity.name == column.name) {
+            let error = format!("{}_error", column.name);
+            attributes.push(("ancillary_variables", error.into()));
+        }
+        file.reals(column.name, &[dimension], &values, &attributes)?;
+    }
+    Ok(())
+}
+
+/// Scalars with their errors.
+fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Result<(), DatasetError> {
+    for quantity in Quantity::ALL {
+        let Estimate { value, error } = estimate(&outcome.summary, quantity);
+        let descriptor = quantity.descriptor();
+        // The bare name belongs to the history, where there is one.
+        let (name, moment) = match is_history(descriptor.name) {
+            true if quantity == Quantity::TemperatureMax => {
+                (format!("{}_end", descriptor.name), ", highest of the slide")
+            }
+            true => (format!("{}_end", descriptor.name), ", last value"),
+            false => (descriptor.name.to_owned(), ""),
+        };
+        let error_name = format!("{}_error", descriptor.name);
+        let long_name = format!("{}{moment}", descriptor.long_name);
+        let mut attributes = described(descriptor.units, &long_name);
+        attributes.push(("ancillary_variables", error_name.as_str().into()));
+        file.reals(&name, &[], &[value], &attributes)?;
+        let long_name = format!("estimated absolute error of {name}");
+        let attributes = described(descriptor.units, &long_name);
+        file.reals(&error_name, &[], &[error], &attributes)?;
+        for source in ErrorSource::ALL {
+            let long_name = format!("part of {error_name} from the {}", source.name());
+            let attributes = described(descriptor.units, &long_name);
+            let part = outcome.budget.part(source, quantity);
+            file.reals(&format!("{error_name}_{}", source.name()), &[], &[part], &attributes)?;
+        }
+    }
+    for (name, unit, long_name, Estimate { value, error }) in fracture::of_run(scene, outcome) {
+        let mut attributes = described(unit, long_name);
+        attributes.push(("ancillary_variables", format!("{name}_error").into()));
+        file.reals(name, &[], &[value], &attributes)?;
+        let attributes = described(unit, &format!("estimated absolute error of {name}"));
+        file.reals(&format!("{name}_error"), &[], &[error], &attributes)?;
+    }
+    Ok(())
+}
+
+fn is_history(name: &str) -> bool {
+    SLIDE.iter().any(|column| column.name == name) || PRESS.iter().any(|column| column.name == name)
+}
+
+/// What was met, chosen and spent.
+fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetError> {
+    let account = &outcome.account;
+    #[rustfmt::skip]
+    let numbers = [
+        ("critical_interference", "m", "interference of first yield, omega_c", outcome.critical_interference),
+        ("wall_time", "s", "wall-clock time of the run", account.wall_time),
+        ("elements_per_radius", "1", "elements per contact radius", account.elements_per_radius as f64),
+        ("sectors", "1", "sectors of the half circle", account.sectors as f64),
+        ("unknowns", "1", "unknown displacements", account.unknowns as f64),
+        ("steps", "1", "steps of the slide", account.steps as f64),
+        ("cutbacks", "1", "steps repeated at a smaller size", account.cutbacks as f64),
+        ("newton_iterations", "1", "Newton iterations", account.newton_iterations as f64),
+        ("krylov_iterations", "1", "Krylov iterations", account.krylov_iterations as f64),
+    ];
+    for (name, unit, long_name, value) in numbers {
+        file.reals(name, &[], &[value], &described(unit, long_name))?;
+    }
+    // A file cannot hold the time that writing it takes.
+    let kernels: Vec<Kernel> = Kernel::ALL.into_iter().filter(|&k| k != Kernel::Output).collect();
+    let names: Vec<&str> = kernels.iter().map(|kernel| kernel.name()).collect();
+    let seconds: Vec<f64> = kernels.iter().map(|&kernel| account.timings.of(kernel)).collect();
+    file.dimension("kernel", kernels.len())?;
+    file.texts("kernel_name", &["kernel"], &names, &[("long_name", "part of the run".into())])?;
+    let mut attributes = described("s", "time spent in each part of the run, summed over threads");
+    attributes.push(("coordinates", "kernel_name".into()));
+    file.reals("time_spent", &["kernel"], &seconds, &attributes)?;
+    let criterion = match outcome.summary.inception {
+        InceptionCriterion::FullSlip => 0,
+        InceptionCriterion::Stiffness => 1,
+        InceptionCriterion::None => 2,
+    };
+    let yes_no = ["no", "yes"];
+    #[rustfmt::skip]
+    let flags: [(&str, &str, i8, &[&str]); 4] = [
+        ("inception_criterion", "criterion of sliding inception that was met first", criterion,
+            &["full_slip", "stiffness", "none"]),
+        ("levelled", "whether the friction coefficient has levelled off at the end of the slide",
+            outcome.summary.levelled.into(), &yes_no),
+        ("heat", "whether heat was simulated", account.heat.into(), &yes_no),
+        ("finite_strain", "whether kinematics was that of finite strain", account.finite_strain.into(), &yes_no),
+    ];
+    for (name, long_name, value, meanings) in flags {
+        file.flags(name, &[], &[value], meanings, &[("long_name", long_name.into())])?;
+    }
+    Ok(())
+}
+
+/// Fields over the contact plane, one snapshot after the other.
+fn fields(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetError> {
+    let (grid, snapshots) = (&outcome.grid, &outcome.snapshots);
+    if snapshots.is_empty() || grid.theta.is_empty() || grid.r.is_empty() {
+        return Ok(());
+    }
+    let slips: Vec<f64> = snapshots.iter().map(|snapshot| snapshot.slip).collect();
+    file.dimension("snapshot", slips.len())?;
+    let attributes = described("m", "slip at the snapshot");
+    file.reals("snapshot_slip", &["snapshot"], &slips, &attributes)?;
+    let attributes = described("rad", "angle from the direction in which the flat moves");
+    file.coordinate("theta", &grid.theta, &attributes)?;
+    file.coordinate("r", &grid.r, &described("m", "distance from the axis"))?;
+    for (name, unit, long_name, of) in FIELDS {
+        let values: Vec<f64> = snapshots.iter().flat_map(|s| of(s).iter().copied()).collect();
+        let mut attributes = described(unit, long_name);
+        attributes.push(("coordinates", "snapshot_slip".into()));
+        file.reals(name, &["snapshot", "theta", "r"], &values, &attributes)?;
+    }
+    let status = |status: &ContactStatus| match status {
+        ContactStatus::Open => 0,
+        ContactStatus::Stick => 1,
+        ContactStatus::Slip => 2,
+    };
+    let values: Vec<i8> = snapshots.iter().flat_map(|s| s.status.iter().map(status)).collect();
+    let attributes =
+        [("long_name", "what each contact point does".into()), ("coordinates", "snapshot_slip".into())];
+    let meanings = ["open", "stick", "slip"];
+    file.flags("contact_status", &["snapshot", "theta", "r"], &values, &meanings, &attributes)?;
+    Ok(())
+}
+
+fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
+    vec![("units", unit.into()), ("long_name", long_name.into())]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::file::parse_scene;
+    use crate::simulate::fake::{self, Fake};
+
+    fn write_fake(directory: &Path, outcome: &Outcome) -> std::path::PathBuf {
+        let path = directory.join("run.nc");
+        let about = About { history: "2000-01-01T00:00:00Z: test".into(), incomplete: None };
+        write(&path, &fake::scene(20.0, 1.0), outcome, &about).unwrap();
+        path
+    }
+
+    #[test]
+    fn file_has_the_variables_and_attributes_of_the_contract() {
+        let directory = tempfile::tempdir().unwrap();
+        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
+        let dimensions = |name: &str| -> Vec<String> {
+            let variable = file.variable(name).unwrap_or_else(|| panic!("no {name}"));
+            assert!(variable.attribute("long_name").is_some(), "{name}");
+            variable.dimensions().iter().map(|d| d.name()).collect()
+        };
+        for name in "slip time Q P mu area stick_fraction temperature_max temperature_mean \
+                     plastic_strain_max work energy_elastic dissipation_plastic \
+                     dissipation_friction heat_in"
+            .split_whitespace()
+        {
+            assert_eq!(dimensions(name), ["step"], "{name}");
+        }
+        assert_eq!(dimensions("time_spent"), ["kernel"]);
+        for name in ["interference_press", "P_press", "area_press"] {
+            assert_eq!(dimensions(name), ["step_press"]);
+        }
+        for name in "mu_static mu_peak Q_static G G_weakening contact_radius wall_time \
+                     mu_static_error G_error mu_error Q_error P_error"
+            .split_whitespace()
+        {
+            assert!(dimensions(name).is_empty(), "{name}");
+        }
+        for name in ["pressure", "shear", "temperature", "slip_distance", "contact_status"] {
+            assert_eq!(dimensions(name), ["snapshot", "theta", "r"]);
+        }
+        let text = |name: &str| match file.attribute(name).unwrap().value().unwrap() {
+            AttributeValue::Str(text) => text,
+            other => panic!("{name}: {other:?}"),
+        };
+        assert_eq!(text("Conventions"), "CF-1.11");
+        assert_eq!(text("completion"), "complete");
+        assert_eq!(text("warnings"), "a warning\nanother");
+        let scene = parse_scene(&text("scene"), "attribute", &[]).unwrap();
+        assert_eq!(scene, fake::scene(20.0, 1.0));
+        let slip: Vec<f64> = file.variable("slip").unwrap().get_values(..).unwrap();
+        assert_eq!(slip.len(), outcome.slide.len());
+        assert_eq!(slip[3], outcome.slide[3].slip);
+    }
+
+    #[test]
+    fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
+        let directory = tempfile::tempdir().unwrap();
+        let mut scene = fake::scene(20.0, 1.0);
+        let outcome = Fake::outcome(&scene);
+        let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
+        assert!(file.variable("G_ratio").is_none());
+        scene.material.fracture = Some(crate::scene::FractureData::Energy(500.0));
+        let path = directory.path().join("fracture.nc");
+        let about = About { history: String::new(), incomplete: None };
+        write(&path, &scene, &outcome, &about).unwrap();
+        let file = netcdf::open(path).unwrap();
+        let value = |name: &str| file.variable(name).unwrap().get_value::<f64, _>(..).unwrap();
+        assert_eq!((value("G_IIc"), value("G_IIc_error")), (500.0, 0.0));
+        assert_eq!(value("G_ratio"), value("G") / 500.0);
+        assert_eq!(value("G_ratio_error"), value("G_error") / 500.0);
+    }
+
+    #[test]
+    fn two_files_of_one_outcome_are_the_same_bytes_and_leave_nothing_else() {
+        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let [first, second] = [(); 2].map(|()| {
+            let directory = tempfile::tempdir().unwrap();
+            let path = write_fake(directory.path(), &outcome);
+            assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 1);
+            std::fs::read(path).unwrap()
+        });
+        assert_eq!(first, second);
+    }
+
+    #[test]
+    fn a_run_that_failed_at_once_still_gives_a_file() {
+        let directory = tempfile::tempdir().unwrap();
+        let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        outcome.slide.clear();
+        outcome.snapshots.clear();
+        let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
+        assert!(file.variable("mu").is_none());
+        assert!(file.variable("P_press").is_some());
+    }
+
+    #[test]
+    fn a_directory_that_does_not_exist_is_an_error() {
+        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let about = About { history: String::new(), incomplete: None };
+        let path = Path::new("does/not/exist/run.nc");
+        let error = write(path, &fake::scene(20.0, 1.0), &outcome, &about).unwrap_err();
+        assert!(error.to_string().contains("does/not/exist/run.nc"), "{error}");
+    }
+}

@@ -1,0 +1,334 @@
+//! What each number may be off by, and why: mesh, sectors, steps, solver, model.
+//!
+//! Every run has companions on a mesh half as fine, which cost little: one as it is, and one each
+//! with another N_θ, with increments twice as large and with a solver less exact. The difference
+//! between the run and the first tells the error of the mesh by the order of convergence, 1.5 beside
+//! the square-root edge of the pressure, 1 for friction of elastic contacts; what depends on where that edge is has a floor besides, as
+//! two meshes may place it wrongly by the same amount. The differences among the companions are those
+//! of the other three sources, less where the run is finer than they are.
+//!
+//! How the estimates compare with true errors is what [`crate::studies::effectivity`] finds out.
+
+use tables::quantity::Quantity;
+
+use crate::discretisation::mesh::EDGE_SIZE;
+use crate::simulate::accuracy::modelling_error::ModellingError;
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::scalars::Scalars;
+
+/// Where an error comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ErrorSource {
+    /// Elements on the meridian.
+    Mesh,
+    /// N_θ.
+    Collocation,
+    /// Increments of press and slide, which are also the steps in time.
+    Steps,
+    /// Residual of equilibrium, and of the coupling with heat and contact edge.
+    Solver,
+    /// What the model leaves out: heat that does not act back on the contact, finite strain.
+    Model,
+}
+
+impl ErrorSource {
+    pub const ALL: [ErrorSource; 5] = [
+        ErrorSource::Mesh,
+        ErrorSource::Collocation,
+        ErrorSource::Steps,
+        ErrorSource::Solver,
+        ErrorSource::Model,
+    ];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            ErrorSource::Mesh => "mesh",
+            ErrorSource::Collocation => "sectors",
+            ErrorSource::Steps => "steps",
+            ErrorSource::Solver => "solver",
+            ErrorSource::Model => "model",
+        }
+    }
+}
+
+const QUANTITIES: usize = Quantity::ALL.len();
+
+/// Estimated absolute errors of all quantities, SI, by source.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorBudget {
+    parts: [[f64; QUANTITIES]; 5],
+    /// What the increment in which sliding begins leaves open: of the steps, too.
+    brackets: [f64; QUANTITIES],
+}
+
+impl Default for ErrorBudget {
+    fn default() -> Self {
+        Self { parts: [[0.0; QUANTITIES]; 5], brackets: [0.0; QUANTITIES] }
+    }
+}
+
+/// Parts of the error of the worst of the quantities that the accuracy is asked of, relative to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RelativeParts {
+    pub mesh: f64,
+    pub sectors: f64,
+    pub steps: f64,
+    pub solver: f64,
+    pub model: f64,
+}
+
+impl RelativeParts {
+    pub fn total(&self) -> f64 {
+        self.mesh + self.sectors + self.steps + self.solver + self.model
+    }
+}
+
+/// Quantities that the asked accuracy is about.
+pub const CONTROLLED: [Quantity; 5] =
+    [Quantity::Mu, Quantity::MuStatic, Quantity::Friction, Quantity::Load, Quantity::Area];
+
+/// The companions of a run, all on the coarse mesh.
+pub struct AuxiliaryRuns<'a> {
+    pub coarse: &'a Scalars,
+    pub other_sectors: &'a Scalars,
+    pub longer_steps: &'a Scalars,
+    pub looser_solver: &'a Scalars,
+}
+
+impl ErrorBudget {
+    /// Of the run `fine` at one resolution, its companions on the mesh of another.
+    pub fn new(
+        fine: &Scalars,
+        companions: &AuxiliaryRuns<'_>,
+        run: &Resolution,
+        coarser: &Resolution,
+    ) -> Self {
+        let mut budget = Self::beside_mesh(companions, run, coarser);
+        budget.set_mesh(fine, companions.coarse, run, coarser);
+        budget
+    }
+
+    /// All but the mesh's part, which a run at the resolution `run` is needed for.
+    pub fn beside_mesh(companions: &AuxiliaryRuns<'_>, run: &Resolution, coarser: &Resolution) -> Self {
+        let AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver } = *companions;
+        let difference = |other: &Scalars, share: &dyn Fn(Quantity) -> f64| {
+            Quantity::ALL.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
+        };
+        let sectors = sectors_share(run.sectors, coarser.other_sectors().sectors);
+        Self {
+            parts: [
+                [0.0; QUANTITIES],
+                difference(other_sectors, &|_| sectors),
+                // First order in the increments.
+                difference(longer_steps, &|_| 1.0),
+                difference(looser_solver, &|_| 1.0),
+                [0.0; QUANTITIES],
+            ],
+            ..Self::default()
+        }
+    }
+
+    /// The mesh's part, from a run and one on a coarser mesh with as many sectors.
+    pub fn set_mesh(&mut self, fine: &Scalars, coarse: &Scalars, run: &Resolution, coarser: &Resolution) {
+        let elements = run.elements_per_radius as f64;
+        let refinement = elements / coarser.elements_per_radius as f64;
+        self.parts[ErrorSource::Mesh as usize] = Quantity::ALL.map(|quantity| {
+            let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
+            let share = mesh_share(refinement, mesh_order(quantity, fine.elastic));
+            share * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
+        });
+        self.brackets = Quantity::ALL.map(|quantity| fine.bracket(quantity));
+    }
+
+    /// After a refinement in sectors and increments: second order in θ at least, first in the
+    /// increments.
+    pub fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
+        let sectors = (from.sectors as f64 / to.sectors as f64).powi(2);
+        let steps = to.increments.growth / from.increments.growth;
+        for (source, factor) in [(ErrorSource::Collocation, sectors), (ErrorSource::Steps, steps)] {
+            self.parts[source as usize].iter_mut().for_each(|part| *part *= factor);
+        }
+        self
+    }
+
+    /// The model's part.
+    pub fn set_model(&mut self, modelling_error: &ModellingError, values: &Scalars) {
+        self.parts[ErrorSource::Model as usize] =
+            Quantity::ALL.map(|quantity| modelling_error.share(quantity) * values.magnitude(quantity));
+    }
+
+    /// Nothing is known: errors as large as the values.
+    pub fn unknown(fine: &Scalars) -> Self {
+        let mut budget = Self::default();
+        budget.parts[ErrorSource::Mesh as usize] = Quantity::ALL.map(|q| fine.value(q).abs());
+        budget
+    }
+
+    pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
+        let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
+        self.parts[source as usize][quantity as usize] + bracket
+    }
+
+    pub fn total(&self, quantity: Quantity) -> f64 {
+        ErrorSource::ALL.iter().map(|&source| self.part(source, quantity)).sum()
+    }
+
+    /// The worst of the controlled quantities, and the parts of its error relative to its value.
+    pub fn worst(&self, values: &Scalars) -> (Quantity, RelativeParts) {
+        let relative = |quantity: Quantity| {
+            let value = values.value(quantity).abs();
+            let of = |source| if value > 0.0 { self.part(source, quantity) / value } else { 0.0 };
+            RelativeParts {
+                mesh: of(ErrorSource::Mesh),
+                sectors: of(ErrorSource::Collocation),
+                steps: of(ErrorSource::Steps),
+                solver: of(ErrorSource::Solver),
+                model: of(ErrorSource::Model),
+            }
+        };
+        CONTROLLED
+            .map(|quantity| (quantity, relative(quantity)))
+            .into_iter()
+            .max_by(|a, b| a.1.total().total_cmp(&b.1.total()))
+            .expect("not empty")
+    }
+}
+
+/// Errors of a number of the press, that of its increments apart, from its values on the mesh, on a
+/// coarser one, and on that in increments twice as large; `power` of the contact radius it depends on.
+pub fn of_press(
+    [fine, coarse, longer_steps]: [f64; 3],
+    run: &Resolution,
+    coarser: &Resolution,
+    power: f64,
+) -> [f64; 2] {
+    let elements = run.elements_per_radius as f64;
+    let mesh = mesh_share(elements / coarser.elements_per_radius as f64, ORDER) * (fine - coarse).abs();
+    let steps = (coarse - longer_steps).abs();
+    [mesh + power * edge_share(elements) * fine.abs(), steps]
+}
+
+/// What the edge of the contact after the press, found between two rings of nodes, leaves open of
+/// the radius, relative to it: a share of the ring spacing (measured on elastic and full-stick
+/// presses).
+pub fn edge_share(elements_per_radius: f64) -> f64 {
+    const OF_SPACING: f64 = 0.06;
+    OF_SPACING * EDGE_SIZE / elements_per_radius
+}
+
+/// Of a quantity, relative: the edge's place is as uncertain after the slide as after the press
+/// (half of that leaves more true errors above 1.5 times the estimate, 2.5 times as much makes the
+/// estimates three times the errors: chosen among these three by the same scenes that
+/// `asperity honesty` judges the estimates by).
+fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
+    use Quantity::*;
+    let edge = edge_share(elements_per_radius);
+    match quantity {
+        // Friction is strength times area.
+        Mu | MuStatic | MuPeak | Friction | FrictionStatic | Area | AreaPress => 2.0 * edge,
+        // The rise goes with the radius of the source.
+        ContactRadius | InceptionSlip | EnergyRelease | EnergyWeakening | TemperatureMax
+        | TemperatureMean => edge,
+        // The pressure vanishes at the edge.
+        Load | LoadPress => 0.0,
+    }
+}
+
+/// Error with N_θ sectors over the difference to that with others: second order.
+fn sectors_share(sectors: usize, others: usize) -> f64 {
+    1.0 / ((sectors as f64 / others as f64).powi(2) - 1.0).abs().max(0.5)
+}
+
+/// Of convergence in the elements: that of the square-root edge of the pressure.
+const ORDER: f64 = 1.5;
+/// Of friction where the contact is elastic. There it is as strong as the pressure or stronger, and both fall to nothing
+/// in steps at the edge: static μ at 0.1 omega_c is 1.612, 1.698, 1.727 and 1.767 with 4, 8, 16 and 32 elements.
+const ORDER_OF_ELASTIC_FRICTION: f64 = 1.0;
+
+fn mesh_order(quantity: Quantity, elastic: bool) -> f64 {
+    use Quantity::*;
+    match quantity {
+        Mu | MuStatic | MuPeak | Friction | FrictionStatic | Area if elastic => ORDER_OF_ELASTIC_FRICTION,
+        _ => ORDER,
+    }
+}
+
+/// Error of the finer of two runs over their difference.
+fn mesh_share(refinement: f64, order: f64) -> f64 {
+    // Meshes that hardly differ tell hardly anything.
+    1.0 / (refinement.powf(order) - 1.0).abs().max(0.5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Numerics;
+
+    fn numerics() -> Numerics {
+        Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None }
+    }
+
+    /// 3 + 2 n^-1.5 on n elements, and first order in the increments of the press.
+    #[test]
+    fn errors_of_a_press_of_known_orders_are_found() {
+        let run = Resolution::choose(&numerics());
+        let coarser = run.coarse();
+        let value =
+            |elements: usize, increments: f64| 3.0 + 2.0 * (elements as f64).powf(-1.5) + 0.4 / increments;
+        let of = |r: &Resolution| value(r.elements_per_radius, r.press_increments as f64);
+        let longer = coarser.longer_steps();
+        let [_, steps] = of_press([of(&run), of(&coarser), of(&longer)], &run, &coarser, 0.0);
+        let change = 0.4 / longer.press_increments as f64 - 0.4 / coarser.press_increments as f64;
+        assert!((steps - change).abs() < 1e-12);
+        let elements = |r: &Resolution| value(r.elements_per_radius, f64::INFINITY);
+        let values = [elements(&run), elements(&coarser), elements(&coarser)];
+        let [mesh, steps] = of_press(values, &run, &coarser, 0.0);
+        assert_eq!(steps, 0.0);
+        assert!((mesh / (values[0] - 3.0) - 1.0).abs() < 1e-9, "{mesh}");
+        // The place of the edge adds its own to what depends on the radius.
+        let [with_edge, _] = of_press(values, &run, &coarser, 2.0);
+        let edge = 2.0 * edge_share(run.elements_per_radius as f64) * values[0];
+        assert!((with_edge - mesh - edge).abs() < 1e-12);
+    }
+
+    #[test]
+    fn meshes_that_hardly_differ_do_not_blow_the_estimate_up() {
+        assert!((mesh_share(2.0, 1.5) - 1.0 / (2f64.powf(1.5) - 1.0)).abs() < 1e-12);
+        assert_eq!(mesh_share(1.01, 1.5), 2.0);
+    }
+
+    /// 3 + 2 n^-1.5 on every mesh that a scene may ask for: the error is found whichever of the two is the finer.
+    #[test]
+    fn every_mesh_has_another_beside_it() {
+        let value = |elements: usize| 3.0 + 2.0 * (elements as f64).powf(-1.5);
+        for elements in [4, 5, 6, 7, 8, 12, 48] {
+            let run = Resolution::choose(&Numerics { elements_per_radius: Some(elements), ..numerics() });
+            let other = run.coarse();
+            let refinement = elements as f64 / other.elements_per_radius as f64;
+            let change = (value(elements) - value(other.elements_per_radius)).abs();
+            let ratio = mesh_share(refinement, 1.5) * change / (value(elements) - 3.0);
+            assert!((0.7..1.01).contains(&ratio), "{elements}: {ratio}");
+        }
+    }
+
+    #[test]
+    fn a_run_is_refined_in_what_it_lacks() {
+        let run = Resolution::choose(&numerics());
+        let with = |mesh: f64, sectors: f64, steps: f64| {
+            run.refine(&numerics(), &RelativeParts { mesh, sectors, steps, ..Default::default() })
+        };
+        assert!(with(0.01, 0.005, 0.004).is_none());
+        let finer = with(0.04, 0.0, 0.0).unwrap();
+        assert!(finer.elements_per_radius as f64 >= run.elements_per_radius as f64 * 2f64.powf(1.0 / 1.5));
+        assert_eq!((finer.sectors, finer.increments.growth), (run.sectors, run.increments.growth));
+        let finer = with(0.0, 0.03, 0.0).unwrap();
+        assert_eq!((finer.sectors, finer.elements_per_radius), (2 * run.sectors, run.elements_per_radius));
+        let finer = with(0.0, 0.0, 0.03).unwrap();
+        assert_eq!((finer.increments.growth, finer.sectors), (0.5 * run.increments.growth, run.sectors));
+        // What the scene fixes stays.
+        let fixed = Numerics { elements_per_radius: Some(8), ..numerics() };
+        let run = Resolution::choose(&fixed);
+        let parts = RelativeParts { mesh: 0.04, ..Default::default() };
+        assert!(run.refine(&fixed, &parts).is_none());
+    }
+}

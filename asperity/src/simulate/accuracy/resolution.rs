@@ -1,0 +1,208 @@
+//! What the asked accuracy means for mesh, sectors and increments.
+
+use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize};
+use crate::loading::slide::Increments;
+use crate::scene::Numerics;
+use crate::simulate::accuracy::error_budget::RelativeParts;
+
+/// Relative residual at which a step counts as solved.
+pub const NEWTON_TOLERANCE: f64 = 2e-7;
+/// Updates of temperature and contact edge in a step.
+const COUPLING_LIMIT: usize = 4;
+/// Increments of the press times the growth of those of the slide. From growths of 0.3 to 0.6 friction changes by 0.03
+/// and 0.06 per cent at 2 and 20 omega_c, and by 0.15 to 0.3 at 50 and 100 (8 elements, slip rate 0).
+const PRESS_INCREMENTS: f64 = 18.0;
+/// Finest resolution that an accuracy can ask for.
+const MOST_ELEMENTS: usize = 48;
+const MOST_SECTORS: usize = 16;
+const LEAST_GROWTH: f64 = 0.05;
+/// By how much more room is given to a contact that outgrows its mesh.
+const WIDER: f64 = 1.5;
+
+/// How finely a run is divided, in each direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resolution {
+    /// n_c.
+    pub elements_per_radius: usize,
+    /// N_θ.
+    pub sectors: usize,
+    /// Room of the mesh for the contact to grow, see [`crate::discretisation::mesh::MeshSize`].
+    pub growth_zone: f64,
+    /// How often the layer at the surface is halved, see [`thermal_layer_refinements`].
+    pub thermal_layer_refinements: u32,
+    pub press_increments: usize,
+    pub increments: Increments,
+    /// Relative residual at which a step counts as solved.
+    pub tolerance: f64,
+}
+
+impl Resolution {
+    /// What the scene gives, and for the rest a first choice by the accuracy.
+    pub fn choose(numerics: &Numerics) -> Self {
+        let accuracy = numerics.accuracy;
+        let from_accuracy = (10.0 * (0.02 / accuracy).powf(0.6)).round() as usize;
+        let elements = numerics.elements_per_radius.unwrap_or(from_accuracy.clamp(6, 32).next_multiple_of(2));
+        let sectors = numerics.sectors.unwrap_or(if accuracy >= 0.01 { 4 } else { 8 });
+        let growth = 0.3 * (accuracy / 0.02).sqrt().clamp(0.3, 1.5);
+        Self::new(elements, sectors, growth)
+    }
+
+    fn new(elements_per_radius: usize, sectors: usize, growth: f64) -> Self {
+        Self {
+            elements_per_radius,
+            sectors,
+            growth_zone: GROWTH_ZONE,
+            thermal_layer_refinements: 0,
+            press_increments: (PRESS_INCREMENTS / growth).round() as usize,
+            increments: Increments { growth, coupling_limit: COUPLING_LIMIT },
+            tolerance: NEWTON_TOLERANCE,
+        }
+    }
+
+    /// Of a mesh that is laid out for a contact radius, over R.
+    pub fn mesh_size(&self, contact_radius: f64) -> MeshSize {
+        let Self { elements_per_radius, growth_zone, thermal_layer_refinements, .. } = *self;
+        MeshSize { contact_radius, elements_per_radius, growth_zone, thermal_layer_refinements }
+    }
+
+    /// On a mesh half as fine, all else alike; of the coarsest meshes, which have none that are coarser beside
+    /// them, on one and a half times as fine a mesh.
+    pub fn coarse(&self) -> Self {
+        let elements = match self.elements_per_radius {
+            n @ ..6 => n + n / 2,
+            n => (n / 2).max(4),
+        };
+        let coarse = Self::new(elements, self.sectors, self.increments.growth);
+        Self { growth_zone: self.growth_zone, ..coarse }
+    }
+
+    /// The same with more room for the contact to grow.
+    pub fn wider(&self) -> Self {
+        Self { growth_zone: WIDER * self.growth_zone, ..*self }
+    }
+
+    /// The same with another N_θ: the next finer where this is the coarsest.
+    pub fn other_sectors(&self) -> Self {
+        Self { sectors: if self.sectors < 8 { 8 } else { (self.sectors / 2).next_multiple_of(4) }, ..*self }
+    }
+
+    /// The same in increments twice as large.
+    pub fn longer_steps(&self) -> Self {
+        self.with_growth(2.0 * self.increments.growth)
+    }
+
+    /// The same solved less exactly.
+    pub fn looser_solver(&self) -> Self {
+        let increments = Increments { coupling_limit: 2, ..self.increments };
+        Self { tolerance: 30.0 * self.tolerance, increments, ..*self }
+    }
+
+    /// On a mesh `factor` times as fine, all else alike.
+    pub fn finer_mesh(&self, factor: usize) -> Self {
+        let finer = Self::new(factor * self.elements_per_radius, self.sectors, self.increments.growth);
+        Self { growth_zone: self.growth_zone, ..finer }
+    }
+
+    /// The same in increments of press and slide `factor` times shorter.
+    pub fn shorter_steps(&self, factor: usize) -> Self {
+        self.with_growth(self.increments.growth / factor as f64)
+    }
+
+    fn with_growth(&self, growth: f64) -> Self {
+        let Self { press_increments, .. } = Self::new(self.elements_per_radius, self.sectors, growth);
+        Self { press_increments, increments: Increments { growth, ..self.increments }, ..*self }
+    }
+
+    /// With more sectors and shorter increments where those alone would make too large a part
+    /// (relative) of the error.
+    pub fn refine_beside_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {
+        const SHARE: f64 = 0.4;
+        let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
+        if parts.sectors > SHARE * numerics.accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
+            sectors *= 2;
+        }
+        if parts.steps > SHARE * numerics.accuracy && growth > LEAST_GROWTH {
+            growth *= 0.5;
+        }
+        Self { growth_zone: self.growth_zone, ..Self::new(self.elements_per_radius, sectors, growth) }
+    }
+
+    /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
+    /// nothing if that is met or the scene and the limits leave no choice.
+    pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
+        let accuracy = numerics.accuracy;
+        if parts.total() <= accuracy {
+            return None;
+        }
+        let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
+        let mut others = parts.sectors + parts.steps + parts.solver + parts.model;
+        if parts.sectors > 0.25 * accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
+            sectors *= 2;
+            others -= 0.75 * parts.sectors;
+        }
+        if parts.steps > 0.25 * accuracy && growth > LEAST_GROWTH {
+            growth *= 0.5;
+            others -= 0.5 * parts.steps;
+        }
+        let mut elements = self.elements_per_radius;
+        let allowed = (accuracy - others).max(0.4 * accuracy);
+        if parts.mesh > allowed && numerics.elements_per_radius.is_none() {
+            // A little more than order 1.5 asks for, to be sure.
+            let wanted = 1.1 * elements as f64 * (parts.mesh / allowed).powf(1.0 / 1.5);
+            elements = (wanted.ceil() as usize).clamp(elements + 2, 2 * elements).next_multiple_of(2);
+            elements = elements.min(MOST_ELEMENTS).max(self.elements_per_radius);
+        }
+        let finer = Self { growth_zone: self.growth_zone, ..Self::new(elements, sectors, growth) };
+        (finer != *self).then_some(finer)
+    }
+
+    pub fn describe(&self) -> String {
+        format!(
+            "{} elements per contact radius, {} angles over the half circle, slip increments of {:.0} % of \
+             the slip",
+            self.elements_per_radius,
+            self.sectors,
+            100.0 * self.increments.growth,
+        )
+    }
+}
+
+/// How often the layer of elements at the surface is halved, whatever n_c: until it is no thicker than 4/n_c
+/// of the layer that frictional heat reaches while the flat passes over the contact, √(κa/V) = a/√Pe. Under the
+/// interface the body softens in that layer, and yields there.
+pub fn thermal_layer_refinements(peclet: f64) -> u32 {
+    const MOST: f64 = 6.0;
+    (peclet.sqrt() / 8.0).log2().ceil().clamp(0.0, MOST) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discretisation::mesh::MeridianMesh;
+
+    /// The first layer under the surface is thin beside the heated one, and no thinner than needed.
+    #[test]
+    fn layers_at_the_surface_follow_the_heat() {
+        let contact_radius = 0.01;
+        for elements_per_radius in [4, 8, 16] {
+            for peclet in [0.0, 1.0, 64.0, 65.0, 400.0, 5e3] {
+                let thermal_layer_refinements = thermal_layer_refinements(peclet);
+                let size = MeshSize {
+                    thermal_layer_refinements,
+                    ..MeshSize::new(contact_radius, elements_per_radius)
+                };
+                let mesh = MeridianMesh::new(size);
+                // Below the apex, which is the first ring of the block.
+                let below = mesh.nodes.iter().filter(|node| node[0] == 0.0 && node[1] < 0.0);
+                let thickness = below.map(|node| -node[1]).fold(f64::INFINITY, f64::min);
+                let heated = contact_radius / peclet.sqrt();
+                let most = 4.0 / elements_per_radius as f64 * heated;
+                assert!(thickness <= most * (1.0 + 1e-9), "{elements_per_radius} {peclet}");
+                assert!(
+                    thermal_layer_refinements == 0 || thickness > 0.49 * most,
+                    "{elements_per_radius} {peclet}"
+                );
+            }
+        }
+    }
+}

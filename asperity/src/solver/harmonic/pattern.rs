@@ -1,0 +1,308 @@
+//! Sparsity pattern and elimination order of an axisymmetric operator, and its factorisation.
+
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::{amd, cholesky::simplicial};
+
+use super::cholesky::FactorPattern;
+use super::{ABSENT, FactorError, FieldKind, HarmonicFactors, ThetaTransform};
+use crate::discretisation::element::{CORNERS, RevolvedMesh};
+
+/// Sparsity pattern, ordering and elimination tree of an operator: made once per mesh.
+#[derive(Debug)]
+pub struct HarmonicPattern {
+    kind: FieldKind,
+    unknowns: usize,
+    interior: usize,
+    position: Vec<u32>,
+    column_start: Vec<usize>,
+    row: Vec<usize>,
+    symbolic: simplicial::SymbolicSimplicialCholesky<usize>,
+    factor_pattern: FactorPattern,
+}
+
+impl HarmonicPattern {
+    pub fn new(mesh: &RevolvedMesh, kind: FieldKind) -> Result<Self, FactorError> {
+        let components = kind.components();
+        let meridian = &mesh.meridian;
+        let nodes = mesh.node_count();
+        let mut is_contact = vec![false; nodes];
+        for &node in &meridian.contact {
+            is_contact[node as usize] = true;
+        }
+
+        // Minimum-degree order of the interior nodes, then the contact rings.
+        let interior_nodes: Vec<usize> =
+            (0..nodes).filter(|&n| !is_contact[n] && !meridian.is_base[n]).collect();
+        let mut local = vec![usize::MAX; nodes];
+        for (i, &node) in interior_nodes.iter().enumerate() {
+            local[node] = i;
+        }
+        let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); interior_nodes.len()];
+        for quad in &meridian.quads {
+            for &a in quad {
+                for &b in quad {
+                    let (i, j) = (local[a as usize], local[b as usize]);
+                    if i != usize::MAX && j != usize::MAX && i <= j {
+                        neighbours[j].push(i);
+                    }
+                }
+            }
+        }
+        let (column_start, row) = compress(&mut neighbours);
+        let n = interior_nodes.len();
+        let graph = SymbolicSparseColMatRef::new_checked(n, n, &column_start, None, &row);
+        let (mut order, mut rank) = (vec![0usize; n], vec![0usize; n]);
+        let mut memory =
+            MemBuffer::try_new(amd::order_scratch::<usize>(n, row.len())).map_err(|_| FactorError::Memory)?;
+        amd::order(&mut order, &mut rank, graph, amd::Control::default(), MemStack::new(&mut memory))
+            .map_err(|_| FactorError::Memory)?;
+        let mut position = vec![ABSENT; nodes * components];
+        let sequence =
+            order.iter().map(|&i| interior_nodes[i]).chain(meridian.contact.iter().map(|&n| n as usize));
+        let mut unknowns = 0;
+        for node in sequence {
+            for c in 0..components {
+                position[node * components + c] = unknowns as u32;
+                unknowns += 1;
+            }
+        }
+        let interior = unknowns - meridian.contact.len() * components;
+
+        // Pattern of the permuted upper triangle.
+        let mut columns: Vec<Vec<usize>> = vec![Vec::new(); unknowns];
+        for quad in &meridian.quads {
+            for &a in quad {
+                for &b in quad {
+                    for (ca, cb) in (0..components * components).map(|i| (i / components, i % components)) {
+                        let i = position[a as usize * components + ca];
+                        let j = position[b as usize * components + cb];
+                        if i != ABSENT && j != ABSENT && i <= j {
+                            columns[j as usize].push(i as usize);
+                        }
+                    }
+                }
+            }
+        }
+        // The contact block is dense in the factor anyway; say so, to read it off row by row.
+        for j in interior..unknowns {
+            columns[j].extend(interior..=j);
+        }
+        let (column_start, row) = compress(&mut columns);
+        let pattern = SymbolicSparseColMatRef::new_checked(unknowns, unknowns, &column_start, None, &row);
+        let mut memory = MemBuffer::try_new(StackReq::any_of(&[
+            simplicial::prefactorize_symbolic_cholesky_scratch::<usize>(unknowns, row.len()),
+            simplicial::factorize_simplicial_symbolic_cholesky_scratch::<usize>(unknowns),
+        ]))
+        .map_err(|_| FactorError::Memory)?;
+        let (mut tree, mut counts) = (vec![0isize; unknowns], vec![0usize; unknowns]);
+        simplicial::prefactorize_symbolic_cholesky(
+            &mut tree,
+            &mut counts,
+            pattern,
+            MemStack::new(&mut memory),
+        );
+        let symbolic = simplicial::factorize_simplicial_symbolic_cholesky(
+            pattern,
+            // SAFETY: the tree was just filled for this pattern.
+            unsafe { simplicial::EliminationTreeRef::from_inner(&tree) },
+            &counts,
+            MemStack::new(&mut memory),
+        )
+        .map_err(|_| FactorError::Memory)?;
+        let factor_pattern = FactorPattern::new(symbolic.col_ptr(), symbolic.row_idx(), &column_start, &row);
+        Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic, factor_pattern })
+    }
+
+    /// Factors of an operator; `matrix(e, m)` is the matrix of element e for harmonic m, row-major
+    /// over (corner, component).
+    pub fn factorise(
+        &self,
+        mesh: &RevolvedMesh,
+        matrix: impl Fn(usize, usize) -> Vec<f64>,
+    ) -> Result<HarmonicFactors, FactorError> {
+        self.factorise_assembled(mesh, &self.assemble(mesh, matrix))
+    }
+
+    /// Entries of an operator in the upper triangle, harmonics as lanes; linear in the `matrix` of the elements.
+    pub fn assemble(&self, mesh: &RevolvedMesh, matrix: impl Fn(usize, usize) -> Vec<f64>) -> Vec<f64> {
+        let columns = mesh.sectors.columns();
+        let components = self.kind.components();
+        let rows = CORNERS * components;
+        let mut values = vec![0.0; self.row.len() * columns];
+        let entry = |i: usize, j: usize| {
+            let column = self.column_start[j]..self.column_start[j + 1];
+            column.start + self.row[column].binary_search(&i).expect("entry is in the pattern")
+        };
+        for (e, element) in mesh.elements.iter().enumerate() {
+            let place: Vec<u32> = (0..rows)
+                .map(|i| self.position[element.nodes[i / components] as usize * components + i % components])
+                .collect();
+            let axis: Vec<bool> = element.nodes.iter().map(|&n| mesh.meridian.on_axis(n as usize)).collect();
+            // Where each entry goes is the same for all harmonics.
+            let mut targets = Vec::with_capacity(rows * rows);
+            for (i, &p) in place.iter().enumerate() {
+                for (j, &q) in place.iter().enumerate() {
+                    if p != ABSENT && q != ABSENT && p <= q {
+                        targets.push((i * rows + j, entry(p as usize, q as usize)));
+                    }
+                }
+            }
+            for m in 0..columns {
+                let mut local = matrix(e, m);
+                self.constrain_axis(&mut local, &axis, m);
+                for &(from, to) in &targets {
+                    values[to * columns + m] += local[from];
+                }
+            }
+        }
+        // Unknowns that the axis does not have in a harmonic: a diagonal, and nothing beside it.
+        for m in 0..columns {
+            for node in (0..mesh.node_count()).filter(|&n| mesh.meridian.on_axis(n)) {
+                for c in (0..components).filter(|&c| !self.exists_on_axis(c, m)) {
+                    let place = self.position[node * components + c];
+                    if place == ABSENT {
+                        continue;
+                    }
+                    let place = place as usize;
+                    for at in self.column_start[place]..self.column_start[place + 1] {
+                        values[at * columns + m] = 0.0;
+                    }
+                    for j in place..self.unknowns {
+                        let column = self.column_start[j]..self.column_start[j + 1];
+                        if let Ok(at) = self.row[column.clone()].binary_search(&place) {
+                            values[(column.start + at) * columns + m] = 0.0;
+                        }
+                    }
+                    values[entry(place, place) * columns + m] = 1.0;
+                }
+            }
+        }
+        values
+    }
+
+    /// Whether the axis has component c in harmonic m: u_z (and T) of m = 0, and the translation
+    /// u_r = −u_θ of m = 1, which is kept as u_r. Off the axis all components are kept.
+    fn exists_on_axis(&self, component: usize, m: usize) -> bool {
+        match (self.kind, component) {
+            (FieldKind::Vector, 0) => m == 1,
+            (FieldKind::Vector, 1) => false,
+            _ => m == 0,
+        }
+    }
+
+    /// On the axis the first harmonic is the translation u_r = −u_θ: fold u_θ into u_r.
+    fn constrain_axis(&self, local: &mut [f64], axis: &[bool], m: usize) {
+        if self.kind == FieldKind::Scalar || m != 1 {
+            return;
+        }
+        let rows = 12;
+        for a in (0..4).filter(|&a| axis[a]) {
+            for i in 0..rows {
+                local[i * rows + 3 * a] -= local[i * rows + 3 * a + 1];
+            }
+            for j in 0..rows {
+                local[3 * a * rows + j] -= local[(3 * a + 1) * rows + j];
+            }
+        }
+    }
+
+    /// Factors of an operator from its [entries](Self::assemble).
+    pub fn factorise_assembled(
+        &self,
+        mesh: &RevolvedMesh,
+        values: &[f64],
+    ) -> Result<HarmonicFactors, FactorError> {
+        let lanes = mesh.sectors.columns();
+        let (columns, rows) = (self.symbolic.col_ptr(), self.symbolic.row_idx());
+        let sparse = columns[self.interior] - self.interior;
+        let dense = self.unknowns - self.interior;
+        let mut factors = HarmonicFactors {
+            kind: self.kind,
+            transform: ThetaTransform::new(&mesh.sectors),
+            unknowns: self.unknowns,
+            interior: self.interior,
+            position: self.position.clone(),
+            on_axis: (0..mesh.node_count()).map(|n| mesh.meridian.on_axis(n)).collect(),
+            column_start: Vec::with_capacity(self.interior + 1),
+            row: Vec::with_capacity(sparse),
+            value: vec![0.0; sparse * lanes],
+            inverse_diagonal: vec![0.0; self.interior * lanes],
+            schur: vec![0.0; dense * dense * lanes],
+        };
+        for j in 0..self.interior {
+            factors.column_start.push(factors.row.len() as u32);
+            debug_assert_eq!(rows[columns[j]], j);
+            factors.row.extend(rows[columns[j] + 1..columns[j + 1]].iter().map(|&i| i as u32));
+        }
+        factors.column_start.push(factors.row.len() as u32);
+        // N_θ is one or a multiple of four.
+        for first in (0..lanes).step_by(group_of(lanes)) {
+            match group_of(lanes) {
+                8 => self.factorise_lanes::<8>(values, first, &mut factors)?,
+                4 => self.factorise_lanes::<4>(values, first, &mut factors)?,
+                _ => self.factorise_lanes::<1>(values, first, &mut factors)?,
+            }
+        }
+        Ok(factors)
+    }
+
+    /// M harmonics from the harmonic `first` on.
+    fn factorise_lanes<const M: usize>(
+        &self,
+        values: &[f64],
+        first: usize,
+        factors: &mut HarmonicFactors,
+    ) -> Result<(), FactorError> {
+        let lanes = factors.harmonics();
+        let value = |entry: usize| std::array::from_fn(|l| values[entry * lanes + first + l]);
+        let lower = self
+            .factor_pattern
+            .cholesky::<M>(value)
+            .map_err(|lane| FactorError::NotPositiveDefinite { harmonic: first + lane })?;
+        let columns = self.symbolic.col_ptr();
+        for j in 0..self.interior {
+            let own = &lower[columns[j]];
+            for l in 0..M {
+                factors.inverse_diagonal[j * lanes + first + l] = 1.0 / own[l];
+            }
+            // Diagonals are kept apart: j + 1 of them come before.
+            for at in columns[j] + 1..columns[j + 1] {
+                let place = (at - j - 1) * lanes + first;
+                factors.value[place..place + M].copy_from_slice(&lower[at]);
+            }
+        }
+        let (rows, dense) = (self.symbolic.row_idx(), self.unknowns - self.interior);
+        for j in self.interior..self.unknowns {
+            for at in columns[j]..columns[j + 1] {
+                for l in 0..M {
+                    let row = (first + l) * dense + rows[at] - self.interior;
+                    factors.schur[row * dense + j - self.interior] = lower[at][l];
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Harmonics that are factorised together.
+fn group_of(lanes: usize) -> usize {
+    match lanes {
+        n if n.is_multiple_of(8) => 8,
+        n if n.is_multiple_of(4) => 4,
+        _ => 1,
+    }
+}
+
+/// Sorted, duplicate-free compressed columns.
+fn compress(columns: &mut [Vec<usize>]) -> (Vec<usize>, Vec<usize>) {
+    let mut start = vec![0];
+    let mut row = Vec::new();
+    for column in columns {
+        column.sort_unstable();
+        column.dedup();
+        row.extend_from_slice(column);
+        start.push(row.len());
+    }
+    (start, row)
+}

@@ -1,0 +1,4 @@
+pub(crate) mod harmonic;
+pub(crate) mod newton;
+pub(crate) mod preconditioner;
+pub mod timings;

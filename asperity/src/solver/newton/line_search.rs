@@ -1,0 +1,135 @@
+//! How far Newton's method goes along a direction.
+
+use super::{CouplingData, LoadingControl, Mechanics, dot};
+use crate::interface::contact::FlatPosition;
+
+/// Share of the slope of the energy that a step may leave.
+const ENOUGH: f64 = 0.7;
+/// Longest step, as share of the interference, of which the end is good enough to ask for temperature and contact
+/// edge before the body has been there: a long one may turn the surface inside out.
+const SHORT: f64 = 0.1;
+
+/// Where Newton's method goes next, and from where.
+pub(super) struct Line<'a> {
+    pub(super) direction: &'a [f64],
+    pub(super) residual: &'a [f64],
+    pub(super) flat: FlatPosition,
+    pub(super) hold: LoadingControl,
+}
+
+impl Line<'_> {
+    /// Of the energy.
+    fn initial_slope(&self) -> f64 {
+        dot(self.residual, self.direction)
+    }
+
+    pub(super) fn is_short(&self) -> bool {
+        let longest = self.direction.iter().fold(0.0f64, |longest, d| longest.max(d.abs()));
+        longest <= SHORT * self.flat.interference
+    }
+
+    /// Position of the flat that far along, where `size` is the number of displacements.
+    pub(super) fn flat_at(&self, size: usize, step: f64) -> FlatPosition {
+        let sink = self.direction.get(size).copied().unwrap_or(0.0);
+        FlatPosition { interference: self.flat.interference + step * sink, ..self.flat }
+    }
+}
+
+impl Mechanics {
+    /// Sets `trial` that far along a line from `u`, with the internal force of that point; its share in the slope
+    /// of the energy is returned.
+    fn go(&mut self, u: &[f64], trial: &mut [f64], line: &Line, step: f64, around: &CouplingData) -> f64 {
+        let size = self.internal.len();
+        for ((t, &x), &d) in trial.iter_mut().zip(u).zip(line.direction) {
+            *t = x + step * d;
+        }
+        self.internal_force(&trial[..size], around);
+        dot(&self.internal, &line.direction[..size])
+    }
+
+    /// Share of contact and load in the slope of the energy that far along a line from `u`.
+    fn contact_slope(&mut self, u: &[f64], line: &Line, step: f64, around: &CouplingData) -> f64 {
+        let size = self.internal.len();
+        let contact = &mut self.contact;
+        contact.evaluate(|p| u[p] + step * line.direction[p], line.flat_at(size, step), &around.limit);
+        let work = match line.hold {
+            LoadingControl::Interference => 0.0,
+            LoadingControl::Load(load) => 0.5 * (contact.load(&contact.trial) - load) * line.direction[size],
+        };
+        work - contact.work_on(line.direction)
+    }
+
+    /// Goes all the way along a line into surroundings that have changed meanwhile, if the slope of the energy falls
+    /// enough. Otherwise `u` stays.
+    pub(super) fn full_step(
+        &mut self,
+        u: &mut Vec<f64>,
+        trial: &mut Vec<f64>,
+        line: &Line,
+        next: &CouplingData,
+    ) -> bool {
+        let slope = self.go(u, trial, line, 1.0, next) + self.contact_slope(u, line, 1.0, next);
+        let enough = slope.abs() <= ENOUGH * line.initial_slope().abs();
+        if enough {
+            std::mem::swap(u, trial);
+        }
+        enough
+    }
+
+    /// Goes along a line until the slope of the energy has fallen enough; leaves `u` there, with
+    /// the internal force of that point. Returns how far that is.
+    ///
+    /// Where a full step goes too far, that is mostly because points of the contact touch, lift off
+    /// or begin to slip on the way. So the next try is the root of the body's slope, taken as
+    /// linear, plus the exact slope of the contact, which is cheap.
+    pub(super) fn line_search(
+        &mut self,
+        u: &mut Vec<f64>,
+        trial: &mut Vec<f64>,
+        line: &Line,
+        around: &CouplingData,
+    ) -> f64 {
+        const TRIES: usize = 8;
+        let initial = line.initial_slope();
+        // Steps that fall short and that go too far, each with the slope of the body alone.
+        let mut low = (0.0, dot(&self.internal, &line.direction[..self.internal.len()]));
+        let mut high: Option<(f64, f64)> = None;
+        let mut step = 1.0;
+        for attempt in 1..=TRIES {
+            let of_body = self.go(u, trial, line, step, around);
+            let slope = of_body + self.contact_slope(u, line, step, around);
+            if slope.abs() <= ENOUGH * initial.abs() || attempt == TRIES {
+                break;
+            }
+            if !slope.is_finite() {
+                high = None;
+                step = low.0 + 0.1 * (step - low.0);
+                continue;
+            }
+            if slope > 0.0 {
+                high = Some((step, of_body));
+            } else {
+                low = (step, of_body);
+            }
+            step = match high {
+                None => 2.0 * step,
+                Some(high) => {
+                    let (mut left, mut right) = (low.0, high.0);
+                    for _ in 0..40 {
+                        let middle = 0.5 * (left + right);
+                        let body = low.1 + (high.1 - low.1) * (middle - low.0) / (high.0 - low.0);
+                        if body + self.contact_slope(u, line, middle, around) > 0.0 {
+                            right = middle;
+                        } else {
+                            left = middle;
+                        }
+                    }
+                    let width = high.0 - low.0;
+                    right.clamp(low.0 + 0.01 * width, high.0 - 0.01 * width)
+                }
+            };
+        }
+        std::mem::swap(u, trial);
+        step
+    }
+}

@@ -1,0 +1,178 @@
+//! The elastic body with the contact stiffness inside, inverted: preconditioner of Newton's
+//! method and of conjugate gradients.
+//!
+//! Only rings in contact enter the dense system over harmonics; the free ones further out are
+//! eliminated with the body, harmonic by harmonic.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt;
+use faer::{Mat, MatMut, Par, Spec};
+
+use crate::interface::contact::{Contact, NodeStiffness};
+use crate::solver::harmonic::{FieldKind, HarmonicFactors, SingleFactors};
+use crate::solver::timings::{Kernel, Timings};
+pub use search::Search;
+
+mod search;
+
+/// The contact stiffness is not positive definite.
+#[derive(Debug)]
+pub struct Indefinite;
+
+pub struct Preconditioner {
+    factors: Arc<HarmonicFactors>,
+    single: SingleFactors,
+    sweep: Vec<f32>,
+    /// Places in the sweeps outside the dense system.
+    places: Vec<u32>,
+    /// Number of rings in the dense system, its elastic part, and the Cholesky factor of the whole; index (ring,
+    /// component, harmonic), rings from the outside in, as the sweeps have them.
+    rings: usize,
+    elastic: Mat<f32>,
+    factor: Mat<f32>,
+    work: MemBuffer,
+    /// Contact stiffness that is in the factor.
+    inside: Vec<NodeStiffness>,
+}
+
+impl Preconditioner {
+    pub fn new(factors: Arc<HarmonicFactors>) -> Self {
+        let single = SingleFactors::new(&factors);
+        Self {
+            sweep: vec![0.0; single.len()],
+            places: single.places_before(0).collect(),
+            single,
+            factors,
+            rings: 0,
+            elastic: Mat::new(),
+            factor: Mat::new(),
+            work: MemBuffer::new(faer::dyn_stack::StackReq::EMPTY),
+            inside: Vec::new(),
+        }
+    }
+
+    /// Takes in the present contact stiffness.
+    pub fn update(&mut self, contact: &Contact, timings: &mut Timings) -> Result<(), Indefinite> {
+        if self.inside == contact.stiffness {
+            return Ok(());
+        }
+        let clock = Instant::now();
+        let touched = contact.stiffness.iter().rposition(|d| d[2][2] != 0.0);
+        let rings = touched.map_or(0, |last| last / contact.columns + 1);
+        if rings != self.rings {
+            let harmonics = self.single.harmonics();
+            let n = 3 * rings * harmonics;
+            self.elastic = Mat::zeros(n, n);
+            self.single.contact_stiffness(rings, |i, j, m, value| {
+                let place = |i: usize| (3 * (rings - 1 - i / 3) + i % 3) * harmonics + m;
+                self.elastic[(place(i), place(j))] = value as f32;
+            });
+            self.factor = self.elastic.clone();
+            self.work =
+                MemBuffer::new(llt::factor::cholesky_in_place_scratch::<f32>(n, Par::Seq, Spec::default()));
+            self.rings = rings;
+            self.places = self.single.places_before(rings).collect();
+        }
+        self.inside.clear();
+        if rings > 0 {
+            self.factor.copy_from(&self.elastic);
+            add_contact_stiffness(&self.factors, contact, &mut self.factor);
+            llt::factor::cholesky_in_place(
+                self.factor.as_mut(),
+                Default::default(),
+                Par::Seq,
+                MemStack::new(&mut self.work),
+                Spec::default(),
+            )
+            .map_err(|_| Indefinite)?;
+        }
+        self.inside.clone_from(&contact.stiffness);
+        timings.since(Kernel::ContactFactorisation, clock);
+        Ok(())
+    }
+
+    /// `solution` = M⁻¹ `residual`.
+    pub fn apply(&mut self, residual: &[f64], solution: &mut [f64], timings: &mut Timings) {
+        let clock = Instant::now();
+        let nodes = 0..self.single.nodes();
+        self.single.load(&self.factors, residual, nodes.clone(), &mut self.sweep);
+        self.single.forward(&mut self.sweep, &self.places);
+        solve_dense(&self.factor, &mut self.work, &mut self.sweep);
+        self.single.backward(&mut self.sweep, &self.places);
+        self.single.store(&self.factors, &self.sweep, nodes, solution);
+        timings.since(Kernel::Preconditioner, clock);
+    }
+}
+
+/// Between the sweeps: the rings in contact, which come last.
+fn solve_dense(factor: &Mat<f32>, work: &mut MemBuffer, sweep: &mut [f32]) {
+    let n = factor.nrows();
+    if n > 0 {
+        let first = sweep.len() - n;
+        llt::solve::solve_in_place(
+            factor.as_ref(),
+            MatMut::from_column_major_slice_mut(&mut sweep[first..], n, 1),
+            Par::Seq,
+            MemStack::new(work),
+        );
+    }
+}
+
+/// Adds the contact stiffness, transformed to harmonics ring by ring.
+fn add_contact_stiffness(factors: &HarmonicFactors, contact: &Contact, matrix: &mut Mat<f32>) {
+    assert_eq!(factors.kind, FieldKind::Vector);
+    let columns = contact.columns;
+    let transform = &factors.transform;
+    let table = |c: usize| transform.of(factors.kind.parity(c));
+    let size = 3 * columns;
+    let rings = matrix.nrows() / size;
+    for ring in 0..rings {
+        let nodes = &contact.stiffness[ring * columns..(ring + 1) * columns];
+        if nodes.iter().all(|d| d[2][2] == 0.0) {
+            continue;
+        }
+        // Over (component, harmonic).
+        let mut local = vec![0.0; size * size];
+        for (c, d) in (0..9).map(|i| (i / 3, i % 3)) {
+            if nodes.iter().all(|node| node[c][d] == 0.0) {
+                continue;
+            }
+            for m in 0..columns {
+                for k in 0..columns {
+                    let sum: f64 = (0..columns)
+                        .map(|j| table(c)[m * columns + j] * nodes[j][c][d] * table(d)[k * columns + j])
+                        .sum();
+                    local[(c * columns + m) * size + d * columns + k] += sum;
+                }
+            }
+        }
+        if contact.radii[ring] == 0.0 {
+            local = axis_block(&local, columns);
+        }
+        let first = (rings - 1 - ring) * size;
+        for i in 0..size {
+            for j in 0..size {
+                matrix[(first + i, first + j)] += local[i * size + j] as f32;
+            }
+        }
+    }
+}
+
+/// The apex has u_z of m = 0 and the translation u_r = −u_θ of m = 1 only.
+fn axis_block(local: &[f64], columns: usize) -> Vec<f64> {
+    let size = 3 * columns;
+    let mut block = vec![0.0; size * size];
+    let axial = 2 * columns;
+    block[axial * size + axial] = local[axial * size + axial];
+    if columns > 1 {
+        let (r, t) = (1, columns + 1);
+        let at = |i: usize, j: usize| local[i * size + j];
+        block[r * size + r] = at(r, r) - at(r, t) - at(t, r) + at(t, t);
+        block[r * size + axial] = at(r, axial) - at(t, axial);
+        block[axial * size + r] = block[r * size + axial];
+    }
+    block
+}

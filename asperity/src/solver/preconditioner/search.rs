@@ -1,0 +1,92 @@
+//! The preconditioner where forces work on a part of the body alone.
+//!
+//! A forward sweep leaves at zero what the nodes of these forces are not eliminated into, and a backward sweep need
+//! not go there as long as nobody asks for the displacement outside of that part. What conjugate gradients ask
+//! for in the end is a sum of solutions: it is kept in harmonics, as the sweeps leave it, and substituted back
+//! into the rest of the body once.
+
+use std::time::Instant;
+
+use super::{Preconditioner, solve_dense};
+use crate::discretisation::runs::Runs;
+use crate::solver::timings::{Kernel, Timings};
+
+/// Directions of search for forces on some nodes.
+pub struct Search {
+    /// Where forces work.
+    nodes: Vec<usize>,
+    /// Places outside the dense system that forward sweeps reach, and the others.
+    within: Vec<u32>,
+    beyond: Vec<u32>,
+    /// Harmonics within, with those of the dense system.
+    entries: Runs,
+    /// The last solution, the direction of search and the sum of the steps in such directions.
+    solution: Vec<f32>,
+    direction: Vec<f32>,
+    sum: Vec<f32>,
+}
+
+impl Search {
+    /// With forces on `nodes` alone; contact is taken as it is in the preconditioner.
+    pub fn new(preconditioner: &Preconditioner, nodes: Vec<usize>) -> Self {
+        let Preconditioner { single, places, .. } = preconditioner;
+        let mut marked = vec![false; single.places_before(0).len()];
+        nodes.iter().filter_map(|&node| single.place(node)).for_each(|place| marked[place] = true);
+        single.close(&mut marked);
+        let (within, beyond) = places.iter().partition(|&&place| marked[place as usize]);
+        let reached = (0..marked.len()).filter(|&place| marked[place]);
+        let zeros = || vec![0.0; single.len()];
+        Self {
+            entries: Runs::of_blocks(reached, single.len() / marked.len()),
+            nodes,
+            within,
+            beyond,
+            solution: zeros(),
+            direction: zeros(),
+            sum: zeros(),
+        }
+    }
+
+    /// `solution` = M⁻¹ `residual` on the nodes of the search.
+    pub fn apply(
+        &mut self,
+        preconditioner: &mut Preconditioner,
+        residual: &[f64],
+        solution: &mut [f64],
+        timings: &mut Timings,
+    ) {
+        let clock = Instant::now();
+        let Preconditioner { factors, single, factor, work, .. } = preconditioner;
+        let nodes = || self.nodes.iter().copied();
+        self.entries.iter().for_each(|run| self.solution[run].fill(0.0));
+        single.load(factors, residual, nodes(), &mut self.solution);
+        single.forward(&mut self.solution, &self.within);
+        solve_dense(factor, work, &mut self.solution);
+        single.backward(&mut self.solution, &self.within);
+        single.store(factors, &self.solution, nodes(), solution);
+        timings.since(Kernel::Preconditioner, clock);
+    }
+
+    /// Turns to the last solution, plus `rate` times the direction before.
+    pub fn turn(&mut self, rate: f64) {
+        let rate = rate as f32;
+        self.entries.update(&mut self.direction, &self.solution, |direction, solution| {
+            *direction = solution + rate * *direction;
+        });
+    }
+
+    /// Goes so far in the direction of search.
+    pub fn step(&mut self, length: f64) {
+        let length = length as f32;
+        self.entries.update(&mut self.sum, &self.direction, |sum, direction| *sum += length * direction);
+    }
+
+    /// `solution` = the sum of the steps, all over the body.
+    pub fn finish(mut self, preconditioner: &Preconditioner, solution: &mut [f64], timings: &mut Timings) {
+        let clock = Instant::now();
+        let Preconditioner { factors, single, .. } = preconditioner;
+        single.backward(&mut self.sum, &self.beyond);
+        single.store(factors, &self.sum, 0..single.nodes(), solution);
+        timings.since(Kernel::Preconditioner, clock);
+    }
+}

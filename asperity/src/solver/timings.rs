@@ -1,0 +1,120 @@
+//! Where the time of a run goes: clocks around its kernels, added up.
+//!
+//! Wall-clock time of the thread that did the work, so that with as many threads as idle
+//! processors the sum is processor time. Nothing is computed from it.
+
+use std::time::Instant;
+
+/// Part of a run that is timed by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kernel {
+    /// Pressing the mesh of the main run, with its factors.
+    Press,
+    /// Mesh, ordering and elastic factors of the slide.
+    Setup,
+    /// Stresses and nodal forces of the body, with the return mapping.
+    InternalForce,
+    /// Products of the consistent tangent with a vector.
+    TangentProduct,
+    /// Transforms and triangular sweeps of the preconditioner.
+    Preconditioner,
+    /// Factorising the dense contact stiffness.
+    ContactFactorisation,
+    /// Conduction, with its sources.
+    Heat,
+    /// What else the slide takes: vector sums, contact laws, energies.
+    Rest,
+    /// All runs on coarser meshes, from which the errors come, and those that were refined.
+    AuxiliaryRuns,
+    /// Writing the file.
+    Output,
+}
+
+impl Kernel {
+    pub const ALL: [Self; 10] = [
+        Self::Press,
+        Self::Setup,
+        Self::InternalForce,
+        Self::TangentProduct,
+        Self::Preconditioner,
+        Self::ContactFactorisation,
+        Self::Heat,
+        Self::Rest,
+        Self::AuxiliaryRuns,
+        Self::Output,
+    ];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Press => "press",
+            Self::Setup => "setup",
+            Self::InternalForce => "internal_force",
+            Self::TangentProduct => "tangent_product",
+            Self::Preconditioner => "preconditioner",
+            Self::ContactFactorisation => "contact_factorisation",
+            Self::Heat => "heat",
+            Self::Rest => "rest",
+            Self::AuxiliaryRuns => "companions",
+            Self::Output => "output",
+        }
+    }
+}
+
+/// Seconds by kernel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Timings {
+    seconds: [f64; Kernel::ALL.len()],
+}
+
+impl Timings {
+    pub fn of(&self, kernel: Kernel) -> f64 {
+        self.seconds[kernel as usize]
+    }
+
+    pub fn add(&mut self, kernel: Kernel, seconds: f64) {
+        self.seconds[kernel as usize] += seconds;
+    }
+
+    /// Adds the time since `start`.
+    pub fn since(&mut self, kernel: Kernel, start: Instant) {
+        self.add(kernel, start.elapsed().as_secs_f64());
+    }
+
+    pub fn include(&mut self, other: &Self) {
+        for kernel in Kernel::ALL {
+            self.add(kernel, other.of(kernel));
+        }
+    }
+
+    pub fn total(&self) -> f64 {
+        self.seconds.iter().sum()
+    }
+
+    /// The main run alone: without companions and output.
+    pub fn main_run(&self) -> f64 {
+        self.total() - self.of(Kernel::AuxiliaryRuns) - self.of(Kernel::Output)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kernel_has_a_place_of_its_own() {
+        let mut timings = Timings::default();
+        for (i, kernel) in Kernel::ALL.into_iter().enumerate() {
+            timings.add(kernel, f64::from(1 << i));
+        }
+        for (i, kernel) in Kernel::ALL.into_iter().enumerate() {
+            assert_eq!(timings.of(kernel), f64::from(1 << i));
+        }
+        assert_eq!(timings.total(), 1023.0);
+        assert_eq!(timings.main_run(), 255.0);
+        let names = Kernel::ALL.map(Kernel::name);
+        assert!((1..names.len()).all(|i| !names[..i].contains(&names[i])));
+        let mut twice = timings;
+        twice.include(&timings);
+        assert_eq!(twice.total(), 2046.0);
+    }
+}

@@ -1,0 +1,191 @@
+//! Speed against error: one scene on ever finer meshes, its errors against the limit that they show.
+
+mod figure;
+mod report_file;
+mod words;
+
+use std::time::Instant;
+
+use tables::law::Estimate;
+use tables::quantity::Quantity;
+
+pub use figure::figure;
+pub use report_file::write;
+pub use words::{in_words, table};
+
+use crate::scene::{Kinematics, Scene};
+use crate::simulate::accuracy::error_budget::CONTROLLED;
+use crate::simulate::outcome::Summary;
+use crate::simulate::quantities::{MAIN, estimate};
+use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined};
+
+/// Quantities whose convergence is shown.
+pub const SHOWN: [Quantity; 7] = MAIN;
+/// n_c of the finest mesh is a multiple of this: the others are 1/4, 1/3, 1/2 and 2/3 of it.
+pub const DIVISOR: usize = 12;
+/// Finest n_c unless asked otherwise.
+pub const FINEST: usize = 24;
+
+/// One run with what it cost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Whether its resolution is what the scene chooses, and not one of the sweep.
+    pub chosen: bool,
+    pub elements_per_radius: usize,
+    pub sectors: usize,
+    pub steps: usize,
+    /// With its companions, s.
+    pub wall_time: f64,
+    /// Of all threads, s.
+    pub cpu_time: f64,
+    pub summary: Summary,
+}
+
+impl Run {
+    /// With its estimated error.
+    pub fn value(&self, quantity: Quantity) -> Estimate {
+        estimate(&self.summary, quantity)
+    }
+}
+
+/// Where a quantity converges to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    pub value: f64,
+    /// Of the limit itself: its distance from the finest run.
+    pub doubt: f64,
+    /// Order in the element size that the runs at n/4, n/2 and n show, if they do.
+    pub order: Option<f64>,
+}
+
+/// The sweep, coarsest first, the chosen resolution last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Convergence {
+    /// Relative, asked by the scene.
+    pub accuracy: f64,
+    /// Initial, K: errors of temperatures are relative to their rise.
+    pub temperature: f64,
+    pub runs: Vec<Run>,
+    /// In the order of [`SHOWN`].
+    pub limits: Vec<Limit>,
+}
+
+impl Convergence {
+    /// Runs the scene on meshes up to `finest` elements per radius, a multiple of [`DIVISOR`], and
+    /// as it is.
+    ///
+    /// ```no_run
+    /// use asperity::studies::convergence::{Convergence, FINEST, in_words};
+    ///
+    /// let scene = asperity::read_scene("scene.toml".as_ref(), &[])?;
+    /// println!("{}", in_words(&Convergence::sweep(&scene, FINEST, &asperity::Unwatched)?));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sweep(scene: &Scene, finest: usize, watch: &dyn Watch) -> Result<Self, SimulationError> {
+        let mut runs = Vec::new();
+        let mut finite_strain = false;
+        let chosen = timed(true, || {
+            let outcome = simulate(scene, watch)?;
+            finite_strain = outcome.account.finite_strain;
+            Ok(outcome)
+        })?;
+        for share in [3, 4, 6, 8, 12] {
+            let mut scene = scene.clone();
+            scene.model.kinematics = if finite_strain { Kinematics::Finite } else { Kinematics::Small };
+            scene.numerics.elements_per_radius = Some(finest * share / DIVISOR);
+            runs.push(timed(false, || {
+                // No refinement: increments are to be the same on all meshes.
+                slide_refined(&press(&scene, watch)?, scene.loading.slip_rate, 0, None, watch)
+            })?);
+        }
+        let limits =
+            SHOWN.map(|quantity| limit([0, 2, 4].map(|level: usize| runs[level].value(quantity).value)));
+        runs.push(chosen);
+        let (accuracy, temperature) = (scene.numerics.accuracy, scene.loading.temperature);
+        Ok(Self { accuracy, temperature, runs, limits: limits.to_vec() })
+    }
+
+    pub fn limit(&self, quantity: Quantity) -> Limit {
+        let position = SHOWN.iter().position(|known| *known == quantity).expect("one of those shown");
+        self.limits[position]
+    }
+
+    /// |value − limit| and its estimate, relative to the limit (of a temperature: to its rise).
+    pub fn errors(&self, run: &Run, quantity: Quantity) -> (f64, f64) {
+        let limit = self.limit(quantity).value;
+        let scale = match quantity.is_temperature() {
+            true => (limit - self.temperature).abs(),
+            false => limit.abs(),
+        };
+        let Estimate { value, error } = run.value(quantity);
+        // Without heat a temperature has no rise, and no error.
+        let relative = |error: f64| if error == 0.0 { 0.0 } else { error / scale };
+        (relative((value - limit).abs()), relative(error))
+    }
+
+    /// Largest error of what the accuracy is asked of.
+    pub fn worst_error(&self, run: &Run) -> f64 {
+        CONTROLLED.iter().map(|&quantity| self.errors(run, quantity).0).fold(0.0, f64::max)
+    }
+
+    /// The run as the scene chooses it.
+    pub fn chosen(&self) -> &Run {
+        self.runs.last().expect("the chosen resolution is always run")
+    }
+}
+
+/// Richardson's limit of values on meshes n/4, n/2 and n.
+fn limit([first, second, third]: [f64; 3]) -> Limit {
+    /// Of a square-root edge; taken where the values show no order.
+    const EXPECTED: f64 = 1.5;
+    const ORDERS: (f64, f64) = (0.5, 3.0);
+    let order = ((second - first) / (third - second)).log2();
+    let shown = (ORDERS.0..=ORDERS.1).contains(&order).then_some(order);
+    let change = (third - second) / (2f64.powf(shown.unwrap_or(EXPECTED)) - 1.0);
+    Limit { value: third + change, doubt: change.abs(), order: shown }
+}
+
+fn timed(
+    chosen: bool,
+    work: impl FnOnce() -> Result<crate::simulate::outcome::Outcome, SimulationError>,
+) -> Result<Run, SimulationError> {
+    let (clock, cpu) = (Instant::now(), cpu_time());
+    let outcome = work()?;
+    Ok(Run {
+        chosen,
+        elements_per_radius: outcome.account.elements_per_radius,
+        sectors: outcome.account.sectors,
+        steps: outcome.account.steps,
+        wall_time: clock.elapsed().as_secs_f64(),
+        cpu_time: cpu_time() - cpu,
+        summary: outcome.summary,
+    })
+}
+
+/// Of all threads of the process so far, s.
+fn cpu_time() -> f64 {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limit_of_a_sequence_of_known_order_is_exact() {
+        for order in [1.0, 1.5, 2.0] {
+            let at = |n: f64| 3.0 + 0.2 * n.powf(-order);
+            let limit = limit([at(1.0), at(2.0), at(4.0)]);
+            assert!((limit.value - 3.0).abs() < 1e-12);
+            assert!((limit.order.unwrap() - order).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_sequence_that_shows_no_order_has_none() {
+        assert_eq!(limit([1.0, 1.1, 1.05]).order, None);
+        let constant = limit([298.0; 3]);
+        assert_eq!((constant.value, constant.doubt, constant.order), (298.0, 0.0, None));
+    }
+}

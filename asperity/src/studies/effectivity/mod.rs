@@ -1,0 +1,158 @@
+//! Are the error estimates honest? Scenes are run as always and far more finely, and the true
+//! errors compared with the estimates.
+//!
+//! The sources of error are taken one at a time, each against a run in which it alone is several
+//! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the
+//! increments, and from these the limit at order 1; twice the angles. Their effects add up to the true
+//! error; what they do to each other is an error of an error. The solver's part is a hundredth of the
+//! others and left out.
+
+mod document;
+mod record;
+mod report;
+pub mod scenes;
+
+use std::io;
+use std::path::Path;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+pub use document::markdown;
+pub use record::{Journal, Record};
+pub use report::{Judged, QuantityReport, Report};
+
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::{Watch, press_coarsely, sample};
+
+/// n_c of the runs whose estimates are judged; the finest have four times as many.
+pub const WORKING_ELEMENTS: usize = 8;
+
+/// What a run of the study is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, Serialize)]
+pub enum Role {
+    /// The run that is judged.
+    Working,
+    /// Its companions, from which its errors are estimated.
+    Coarse,
+    CoarseSectors,
+    CoarseSteps,
+    CoarseSolver,
+    /// Those that tell its true errors.
+    FourTimesElements,
+    MoreSectors,
+    QuarterSteps,
+    /// Those that tell the orders of convergence.
+    TwiceElements,
+    HalfSteps,
+}
+
+impl Role {
+    /// What the judgement of a scene needs; the long runs first.
+    pub const NEEDED: [Role; 8] = [
+        Role::FourTimesElements,
+        Role::MoreSectors,
+        Role::QuarterSteps,
+        Role::Working,
+        Role::Coarse,
+        Role::CoarseSectors,
+        Role::CoarseSteps,
+        Role::CoarseSolver,
+    ];
+    /// What tells the orders of convergence.
+    pub const THOROUGH: [Role; 2] = [Role::TwiceElements, Role::HalfSteps];
+
+    fn resolution(self, working: &Resolution) -> Resolution {
+        let coarse = working.coarse();
+        match self {
+            Role::Working => *working,
+            Role::Coarse => coarse,
+            Role::CoarseSectors => coarse.other_sectors(),
+            Role::CoarseSteps => coarse.longer_steps(),
+            Role::CoarseSolver => coarse.looser_solver(),
+            Role::TwiceElements => working.finer_mesh(2),
+            Role::FourTimesElements => working.finer_mesh(4),
+            Role::MoreSectors => Resolution { sectors: 2 * working.sectors, ..*working },
+            Role::HalfSteps => working.shorter_steps(2),
+            Role::QuarterSteps => working.shorter_steps(4),
+        }
+    }
+}
+
+/// Runs what the journal lacks of the given scenes (positions in [`scenes::SCENES`]); `done` is
+/// called after each run. Ends early, without error, once the watch says so.
+///
+/// A scene takes minutes; `asperity honesty` runs them all.
+///
+/// ```no_run
+/// use asperity::Unwatched;
+/// use asperity::studies::effectivity::{Report, run};
+///
+/// // The first scene, on as many threads as there are; started again, it runs what is missing.
+/// let records = run("honesty.jsonl".as_ref(), &[0], false, &Unwatched, &|_| ())?;
+/// println!("{:.0} % of the estimates are honest", 100.0 * Report::new(&records).share());
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// A journal that is there already is judged without running anything:
+///
+/// ```
+/// use asperity::Unwatched;
+/// use asperity::studies::effectivity::{Report, markdown, run, scenes};
+///
+/// let path = std::env::temp_dir().join(format!("honesty-example-{}.jsonl", std::process::id()));
+/// let report = Report::new(&run(&path, &[], false, &Unwatched, &|_| ())?);
+/// // Nothing was run, so no scene can be judged, and each says why.
+/// assert!(report.scenes.is_empty());
+/// assert_eq!(report.missing.len(), scenes::SCENES.len());
+/// assert!(report.missing[0].1.contains("not run"));
+/// assert!(markdown(&report).starts_with("# Are the error estimates honest?"));
+/// # std::fs::remove_file(&path)?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn run(
+    path: &Path,
+    which: &[usize],
+    thorough: bool,
+    watch: &dyn Watch,
+    done: &(dyn Fn(&Record) + Sync),
+) -> io::Result<Vec<Record>> {
+    let (journal, mut records) = Journal::open(path)?;
+    let extra: &[Role] = if thorough { &Role::THOROUGH } else { &[] };
+    let lacking: Vec<(usize, Role)> = which
+        .iter()
+        .flat_map(|&scene| Role::NEEDED.iter().chain(extra).map(move |&role| (scene, role)))
+        .filter(|&(scene, role)| !records.iter().any(|r| r.scene == scene && r.role == role))
+        .collect();
+    // One after the other to whichever thread is free: scenes are complete in their order.
+    let new: Vec<io::Result<Option<Record>>> = lacking
+        .par_iter()
+        .with_max_len(1)
+        .by_uniform_blocks(2 * rayon::current_num_threads())
+        .map(|&(scene, role)| {
+            if watch.cancelled() {
+                return Ok(None);
+            }
+            let clock = Instant::now();
+            let (preset, interference, slip_rate) = scenes::SCENES[scene];
+            let definition = scenes::scene(preset, interference, slip_rate, WORKING_ELEMENTS);
+            let resolution = role.resolution(&Resolution::choose(&definition.numerics));
+            // Each presses for itself, so that no run waits for the mesh of another.
+            let result = press_coarsely(&definition, watch)
+                .and_then(|pressed| sample(&pressed, slip_rate, &resolution, watch))
+                .map_err(|error| error.to_string());
+            if watch.cancelled() {
+                return Ok(None);
+            }
+            let record = Record::new(scene, role, clock.elapsed().as_secs_f64(), result);
+            journal.append(&record)?;
+            done(&record);
+            Ok(Some(record))
+        })
+        .collect();
+    for record in new {
+        records.extend(record?);
+    }
+    Ok(records)
+}

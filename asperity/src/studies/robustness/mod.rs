@@ -1,0 +1,278 @@
+//! Cases at the edge of what can be simulated, run to see that each of them either converges to
+//! numbers that hold together, or says in a sentence why not.
+//!
+//! The cases are data, `cases.toml`: what each changes of the scene `base.toml`. Nothing is tuned
+//! for any of them.
+
+use std::time::{Duration, Instant as Clock};
+
+use serde::Deserialize;
+use tables::quantity::Quantity;
+
+use crate::scene::file::{SceneFileError, parse_scene};
+use crate::scene::{FrictionLaw, InterfaceStrength, Scene, Softening};
+use crate::simulate::accuracy::error_budget::CONTROLLED;
+use crate::simulate::outcome::Outcome;
+use crate::simulate::quantities::estimate;
+use crate::simulate::{SimulationError, Watch, simulate};
+
+const BASE: &str = include_str!("base.toml");
+const CASES: &str = include_str!("cases.toml");
+
+/// The two ledgers close to this, relative to their largest entry; the tests of the ledgers reach
+/// 1e-6 on ordinary scenes.
+const LEDGER: f64 = 1e-3;
+/// Rise above the melting point, relative to the range of softening, that a step may overshoot by.
+const OVERSHOOT: f64 = 0.01;
+
+/// A case that is not done by then is stopped; those that converge take seconds.
+const TIME_LIMIT: Duration = Duration::from_secs(300);
+
+/// One case.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RobustnessCase {
+    /// Unique.
+    pub name: String,
+    /// `section.key=value`, laid over the base scene.
+    pub set: Vec<String>,
+    /// Whether the tests run it.
+    #[serde(default)]
+    pub quick: bool,
+    /// Part of the message with which it has to be refused, if it is beyond the model.
+    pub refused: Option<String>,
+    /// Temperature that the contact has to pass for the case to be what it says, K.
+    pub hotter_than: Option<f64>,
+}
+
+#[derive(Deserialize)]
+struct Cases {
+    case: Vec<RobustnessCase>,
+}
+
+/// How a case ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Solved, and the numbers hold together.
+    Solved,
+    /// Beyond the model, and said so.
+    Refused(String),
+    /// Did not converge, or not to numbers that hold together: why.
+    Failed(String),
+}
+
+/// A case that was run.
+#[derive(Clone, Debug)]
+pub struct HardResult {
+    /// What was run.
+    pub scene: Scene,
+    pub verdict: Verdict,
+    /// The whole run, or the part of it before the failure, if there is any.
+    pub outcome: Option<Box<Outcome>>,
+    /// s.
+    pub wall_time: f64,
+}
+
+/// All cases, in the order of the file.
+pub fn all() -> Vec<RobustnessCase> {
+    let cases: Cases = toml::from_str(CASES).expect("checked by the tests");
+    cases.case
+}
+
+impl RobustnessCase {
+    /// The scene.
+    pub fn scene(&self) -> Result<Scene, SceneFileError> {
+        parse_scene(BASE, "base.toml", &self.set)
+    }
+
+    /// Runs it; nothing if that was stopped on request.
+    pub fn run(&self, watch: &dyn Watch) -> Option<HardResult> {
+        let clock = Clock::now();
+        let scene = self.scene().expect("checked by the tests");
+        let (verdict, outcome) = match simulate(&scene, &Limited { watch, since: clock }) {
+            Ok(outcome) => {
+                let mut wrong = contradictions(&scene, &outcome);
+                wrong.extend(self.hotter_than.and_then(|least| colder(&outcome, least)));
+                let verdict = match (wrong.is_empty(), &self.refused) {
+                    (false, _) => Verdict::Failed(wrong.join("; ")),
+                    (true, None) => Verdict::Solved,
+                    (true, Some(_)) => Verdict::Failed("was solved though it is beyond the model".into()),
+                };
+                (verdict, Some(Box::new(outcome)))
+            }
+            Err(SimulationError::Cancelled { .. }) if watch.cancelled() => return None,
+            Err(SimulationError::Cancelled { partial }) => {
+                (Verdict::Failed(format!("stopped: not done after {} s", TIME_LIMIT.as_secs())), partial)
+            }
+            Err(error) => {
+                let message = error.to_string();
+                let verdict = match &self.refused {
+                    Some(part) if message.contains(part) => Verdict::Refused(message),
+                    _ => Verdict::Failed(message),
+                };
+                let partial = match error {
+                    SimulationError::NotConverged { partial, .. } => partial,
+                    _ => None,
+                };
+                (verdict, partial)
+            }
+        };
+        Some(HardResult { scene, verdict, outcome, wall_time: clock.elapsed().as_secs_f64() })
+    }
+}
+
+/// Stops what takes too long.
+struct Limited<'a> {
+    watch: &'a dyn Watch,
+    since: Clock,
+}
+
+impl Watch for Limited<'_> {
+    fn progress(&self, stage: &'static str, done: f64, detail: &str) {
+        self.watch.progress(stage, done, detail);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.watch.cancelled() || self.since.elapsed() > TIME_LIMIT
+    }
+}
+
+impl HardResult {
+    /// The largest relative error of the quantities that an accuracy is asked of, but for the
+    /// friction where there is none.
+    pub fn error(&self) -> f64 {
+        let Some(outcome) = &self.outcome else { return 0.0 };
+        let none = outcome.summary.mu_peak.value < 1e-9;
+        let frictional = [Quantity::Mu, Quantity::MuStatic, Quantity::Friction];
+        let relative = |quantity: &Quantity| {
+            let estimate = estimate(&outcome.summary, *quantity);
+            if estimate.value == 0.0 { 0.0 } else { (estimate.error / estimate.value).abs() }
+        };
+        let counted = CONTROLLED.iter().filter(|quantity| !none || !frictional.contains(quantity));
+        counted.map(relative).fold(0.0, f64::max)
+    }
+}
+
+/// What cannot be right of an outcome, a sentence each.
+pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
+    let mut wrong = Vec::new();
+    let mut check = |holds: bool, what: String| {
+        if !holds {
+            wrong.push(what);
+        }
+    };
+    for quantity in Quantity::ALL {
+        let estimate = estimate(&outcome.summary, quantity);
+        let name = quantity.descriptor().name;
+        check(estimate.value.is_finite() && estimate.error.is_finite(), format!("{name} is not finite"));
+    }
+    let fields =
+        outcome.snapshots.iter().flat_map(|s| s.pressure.iter().chain(&s.shear).chain(&s.temperature));
+    check(fields.clone().all(|x| x.is_finite()), "a field over the contact is not finite".into());
+    let hottest =
+        outcome.slide.iter().map(|step| step.temperature_max).fold(scene.loading.temperature, f64::max);
+    if let Some(melting) = melting(scene) {
+        let most = melting + OVERSHOOT * (melting - scene.loading.temperature);
+        check(
+            hottest <= most,
+            format!("the contact is at {hottest:.0} K, above its melting point of {melting:.0} K"),
+        );
+    }
+    check(outcome.slide.iter().all(|step| step.mu >= -1e-9), "friction pushes".into());
+    if let Some(end) = outcome.slide.last() {
+        let spent = end.energy_elastic
+            + end.dissipation_plastic
+            + end.dissipation_friction
+            + end.work_thermal_expansion
+            + end.energy_moduli_softening;
+        let parts = [end.work, end.energy_elastic, end.dissipation_plastic, end.work_thermal_expansion];
+        let off = relative(end.work - spent, &parts);
+        check(off <= LEDGER, format!("the energies of the slide miss the work of the flat by {off:.1e}"));
+        let off = relative(end.heat_in - end.heat_stored - end.heat_out, &[end.heat_in]);
+        check(off <= LEDGER, format!("the heat in the body misses what went in by {off:.1e}"));
+    }
+    wrong
+}
+
+/// That the contact does not get as hot as the case is about, if so.
+fn colder(outcome: &Outcome, least: f64) -> Option<String> {
+    let hottest = outcome.slide.iter().map(|step| step.temperature_max).fold(0.0, f64::max);
+    (hottest <= least).then(|| format!("the contact reaches {hottest:.0} K and was to pass {least:.0} K"))
+}
+
+fn relative(difference: f64, parts: &[f64]) -> f64 {
+    let scale = parts.iter().fold(0.0f64, |most, part| most.max(part.abs()));
+    if scale > 0.0 { difference.abs() / scale } else { difference.abs() }
+}
+
+/// Temperature at which the contact can no longer be heated, K: neither the interface nor the body
+/// has any strength there.
+fn melting(scene: &Scene) -> Option<f64> {
+    let by_strength = match scene.interface.law {
+        FrictionLaw::ShearStrength => scene.interface.strength == InterfaceStrength::Initial,
+        FrictionLaw::Coulomb { cap, .. } | FrictionLaw::BriscoeTabor { cap, .. } => cap,
+        FrictionLaw::FullStick | FrictionLaw::Frictionless => true,
+    };
+    match &scene.material.softening {
+        Softening::JohnsonCook { melting, .. } if by_strength => Some(*melting),
+        Softening::Table { temperature, factor } if by_strength && factor.last() == Some(&0.0) => {
+            temperature.last().copied()
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::Unwatched;
+
+    #[test]
+    fn cases_are_scenes_with_names_of_their_own() {
+        let cases = all();
+        for (i, case) in cases.iter().enumerate() {
+            case.scene().unwrap_or_else(|error| panic!("{}: {error}", case.name));
+            assert!(cases[..i].iter().all(|other| other.name != case.name), "{}", case.name);
+        }
+        assert!(cases.iter().filter(|case| case.quick).count() >= 8);
+    }
+
+    #[test]
+    fn quick_cases_end_as_they_should() {
+        for case in all().into_iter().filter(|case| case.quick) {
+            let result = case.run(&Unwatched).expect("nobody stops it");
+            match (&result.verdict, &case.refused) {
+                (Verdict::Solved, None) | (Verdict::Refused(_), Some(_)) => {}
+                (verdict, _) => panic!("{}: {verdict:?}", case.name),
+            }
+        }
+    }
+
+    #[test]
+    fn a_case_that_stays_too_cold_is_not_solved() {
+        let case = all().into_iter().find(|case| case.name == "slide-0").unwrap();
+        let run =
+            |hotter_than| RobustnessCase { hotter_than, ..case.clone() }.run(&Unwatched).unwrap().verdict;
+        assert_eq!(run(Some(297.0)), Verdict::Solved);
+        let Verdict::Failed(why) = run(Some(298.0)) else { panic!("solved") };
+        assert_eq!(why, "the contact reaches 298 K and was to pass 298 K");
+    }
+
+    /// The checks find what they are there for.
+    #[test]
+    fn contradictions_are_found() {
+        let case = all().into_iter().find(|case| case.name == "slide-0").unwrap();
+        let result = case.run(&Unwatched).unwrap();
+        let good = *result.outcome.unwrap();
+        assert_eq!(contradictions(&result.scene, &good), Vec::<String>::new());
+        let mut bad = good.clone();
+        bad.summary.mu.value = f64::NAN;
+        assert!(contradictions(&result.scene, &bad)[0].contains("mu is not finite"));
+        let mut bad = good.clone();
+        bad.slide.last_mut().unwrap().temperature_max = 1900.0;
+        assert!(contradictions(&result.scene, &bad)[0].contains("melting point"));
+        let mut bad = good;
+        bad.slide.last_mut().unwrap().work = 1.0;
+        assert!(contradictions(&result.scene, &bad)[0].contains("work of the flat"));
+    }
+}

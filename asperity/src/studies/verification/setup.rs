@@ -1,0 +1,138 @@
+//! Scenes of the cases, and what is read from their outcomes.
+
+use tables::closed_forms::{hertz, partial_slip};
+
+use crate::scene::file::parse_scene;
+use crate::scene::{
+    Control, FrictionLaw, Hardening, Interface, InterfaceStrength, Kinematics, Loading, Material, Model,
+    Numerics, Scene, Softening, Switch,
+};
+use crate::simulate::outcome::{Outcome, SlideStep};
+
+/// Steel-like material without hardening, thermal expansion or softening.
+///
+/// σ_Y/E = 1/5000: at ω_c the contact radius is 0.0005 R, so that the sphere is a half space to
+/// the contact.
+pub fn plain_material(poisson_ratio: f64) -> Material {
+    Material {
+        youngs_modulus: 200e9,
+        poisson_ratio,
+        yield_strength: 40e6,
+        hardening: Hardening::None,
+        density: 7850.0,
+        specific_heat: 475.0,
+        thermal_conductivity: 45.0,
+        thermal_expansion: 0.0,
+        softening: Softening::None,
+        fracture: None,
+        dependence: Default::default(),
+    }
+}
+
+/// The shipped 4340 steel (Johnson & Cook 1985), with its hardening and softening.
+pub fn steel_4340() -> Material {
+    let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                [loading]\ninterference = 1\nslip_rate = 1\n";
+    parse_scene(text, "steel-4340", &[]).expect("the preset is a material").material
+}
+
+/// Sphere of 1 mm under the given law, at slip rate 0 and `interference` in ω_c; slides hardly.
+pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh) -> Scene {
+    Scene {
+        material,
+        radius: 1e-3,
+        interface: Interface {
+            law,
+            strength: InterfaceStrength::Initial,
+            strength_factor: 1.0,
+            heat_partition: 1.0,
+            gap_conductance: 0.0,
+            taylor_quinney: 0.0,
+        },
+        loading: Loading {
+            interference,
+            slip_rate: 0.0,
+            slip_distance: 1e-6,
+            control: Control::Interference,
+            temperature: 298.0,
+        },
+        // The references of most cases are of small strain.
+        model: Model { heat: Switch::Auto, kinematics: Kinematics::Small },
+        numerics: Numerics {
+            accuracy: 0.02,
+            elements_per_radius: Some(mesh.elements),
+            sectors: Some(mesh.sectors),
+        },
+    }
+}
+
+/// Resolution of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mesh {
+    /// n_c, elements per contact radius.
+    pub elements: usize,
+    /// N_θ over the half circle.
+    pub sectors: usize,
+}
+
+/// n_c elements and N_θ sectors.
+pub const fn mesh(elements: usize, sectors: usize) -> Mesh {
+    Mesh { elements, sectors }
+}
+
+/// State before any slip.
+pub fn pressed(outcome: &Outcome) -> &SlideStep {
+    &outcome.slide[0]
+}
+
+/// State at the end of the slide.
+pub fn last(outcome: &Outcome) -> &SlideStep {
+    outcome.slide.last().expect("a slide starts with the press")
+}
+
+/// Slide interpolated linearly in slip.
+pub fn at_slip(outcome: &Outcome, slip: f64, value: impl Fn(&SlideStep) -> f64) -> f64 {
+    let steps = &outcome.slide;
+    let after = steps.partition_point(|step| step.slip < slip).clamp(1, steps.len() - 1);
+    let (a, b) = (&steps[after - 1], &steps[after]);
+    let share = (slip - a.slip) / (b.slip - a.slip);
+    value(a) + share * (value(b) - value(a))
+}
+
+/// Hertz's load, area and peak pressure for a scene.
+pub struct Hertz {
+    /// E*, Pa.
+    pub modulus: f64,
+    /// G*, Pa.
+    pub tangential_modulus: f64,
+    /// ω₀, m.
+    pub interference: f64,
+    /// N.
+    pub load: f64,
+    /// m².
+    pub area: f64,
+    /// m.
+    pub contact_radius: f64,
+    /// Pa.
+    pub peak_pressure: f64,
+}
+
+impl Hertz {
+    /// Frictionless elastic contact of the scene's sphere at its interference.
+    pub fn of(scene: &Scene) -> Self {
+        let material = &scene.material;
+        let (youngs, poisson) = (material.youngs_modulus, material.poisson_ratio);
+        let modulus = hertz::contact_modulus(youngs, poisson);
+        let critical = hertz::critical_interference(modulus, poisson, material.yield_strength, scene.radius);
+        let interference = scene.loading.interference * critical;
+        Self {
+            modulus,
+            tangential_modulus: partial_slip::tangential_modulus(youngs, poisson),
+            interference,
+            load: hertz::hertz_load(modulus, scene.radius, interference),
+            area: hertz::contact_area(scene.radius, interference),
+            contact_radius: hertz::contact_radius(scene.radius, interference),
+            peak_pressure: hertz::peak_pressure(modulus, scene.radius, interference),
+        }
+    }
+}
