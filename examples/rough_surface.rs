@@ -10,8 +10,8 @@
 use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
-use roughsurface::heights::Gaussian;
-use roughsurface::query::{Hold, Pressing, Query, Surface};
+use roughsurface::surface::heights::Gaussian;
+use roughsurface::surface::query::{Hold, Pressing, Query, Surface};
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::law::AsperityLaw;
 use tables::table::Table;

@@ -15,8 +15,8 @@ use asperity::scene::file::parse_request;
 use asperity::simulate::Unwatched;
 use asperity::tabulate::{Options, tabulate};
 use roughsurface::friction::{Prediction, Settings, predict};
-use roughsurface::friction_file::{self, Origin};
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::output::friction_file::{self, Origin};
+use roughsurface::surface::file::SurfaceFile;
 use tables::figure::{Axis, Curve, Figure, Panel};
 use tables::table::Table;
 

@@ -11,9 +11,9 @@ use demonstration::{Weakening, table};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use roughsurface::friction::{Settings, predict};
-use roughsurface::heights::Gaussian;
-use roughsurface::monte_carlo::{Sampling, sample};
-use roughsurface::query::{Hold, Pressing, Query, Surface};
+use roughsurface::sampling::finite_surface::{Sampling, sample};
+use roughsurface::surface::heights::Gaussian;
+use roughsurface::surface::query::{Hold, Pressing, Query, Surface};
 use tables::table::Table;
 
 fn main() {

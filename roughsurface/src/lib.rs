@@ -9,8 +9,8 @@
 //!
 //! ```
 //! use roughsurface::friction::{Settings, predict};
-//! use roughsurface::friction_file::{self, Origin};
-//! use roughsurface::surface_file::SurfaceFile;
+//! use roughsurface::output::friction_file::{self, Origin};
+//! use roughsurface::surface::file::SurfaceFile;
 //! use tables::closed_forms::closed_form;
 //!
 //! let text = r#"
@@ -33,7 +33,7 @@
 //! assert!(static_friction.value > 0.2 && static_friction.value < 0.6, "{static_friction:?}");
 //!
 //! // The figure and the file.
-//! assert!(roughsurface::friction_figure::figure(&prediction).svg().contains("friction coefficient"));
+//! assert!(roughsurface::output::figure::figure(&prediction).svg().contains("friction coefficient"));
 //! let path = std::env::temp_dir().join(format!("roughsurface-example-{}.nc", std::process::id()));
 //! let origin = Origin { surface: &file.text, table: "model:jackson-green", command: "an example" };
 //! friction_file::write(&path, &prediction, &origin)?;
@@ -44,37 +44,12 @@
 //! Not modelled: interaction of neighbouring asperities, adhesion, a deformable
 //! or rough counter-face.
 
-pub mod asperity_at_slip;
-pub mod comparison;
-pub mod contact_state;
-pub mod flash_heating;
 pub mod friction;
-pub mod friction_figure;
-pub mod friction_file;
-pub mod heights;
 pub mod integral;
-mod kronrod;
-pub mod law_source;
-pub mod monte_carlo;
-pub mod monte_carlo_file;
-mod panels;
-pub mod query;
-pub mod radii;
-pub mod rate_dependence;
-pub mod regime;
-pub mod report;
-pub mod separation;
-pub mod slip_curve;
-pub mod summary;
-pub mod surface_file;
-pub mod surface_integral;
-mod sweep;
+pub mod output;
+pub mod sampling;
+pub mod surface;
 pub mod topography;
-pub mod trail;
-pub mod uncertainty;
 
 #[doc = include_str!("worked_examples.md")]
 pub mod worked_examples {}
-
-#[cfg(test)]
-mod test_laws;

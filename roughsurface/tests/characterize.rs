@@ -1,7 +1,7 @@
 //! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
 //! from there to a prediction.
 
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::Topography;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
 use roughsurface::topography::read::{Reading, read};

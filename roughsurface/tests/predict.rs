@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use roughsurface::friction::{Settings, predict};
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::surface::file::SurfaceFile;
 use tables::closed_forms::hertz;
 use tables::dataset::DatasetReader;
 use tables::series::TemperatureSeries;

@@ -1,10 +1,10 @@
 //! The numbers that the worked examples state are those of their files.
 
+use roughsurface::friction::regime::regime;
 use roughsurface::friction::{Friction, Prediction, Settings, predict};
-use roughsurface::law_source::asperity_law;
-use roughsurface::regime::regime;
-use roughsurface::surface_file::SurfaceFile;
-use roughsurface::uncertainty::propagate;
+use roughsurface::integral::law_source::asperity_law;
+use roughsurface::sampling::uncertainty::propagate;
+use roughsurface::surface::file::SurfaceFile;
 use std::path::Path;
 
 const TEXT: &str = include_str!("../src/worked_examples.md");

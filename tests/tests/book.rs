@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use asperity::interface::friction_law::LAWS;
 use asperity::scene::file::{parse_request, parse_scene, write_request, write_scene};
-use roughsurface::heights::DISTRIBUTIONS;
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::surface::file::SurfaceFile;
+use roughsurface::surface::heights::DISTRIBUTIONS;
 use tests::programs::{execute, stderr};
 
 fn root() -> PathBuf {

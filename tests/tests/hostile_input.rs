@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use asperity::scene::file::{parse_request, parse_scene};
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::read as topography;
 use roughsurface::topography::read::Reading;
 use tables::quantity::Quantity;

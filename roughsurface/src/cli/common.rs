@@ -3,9 +3,9 @@
 use anyhow::{Context, anyhow};
 use clap::Args;
 use roughsurface::friction::PredictionError;
-use roughsurface::law_source::{asperity_law, asperity_law_without_gaps};
-use roughsurface::separation::SeparationError;
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::integral::law_source::{asperity_law, asperity_law_without_gaps};
+use roughsurface::integral::separation::SeparationError;
+use roughsurface::surface::file::SurfaceFile;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use tables::dataset::destination;

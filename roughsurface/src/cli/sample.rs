@@ -3,10 +3,10 @@
 use super::common::*;
 use clap::Args;
 use roughsurface::friction::{Settings, end_of_slide};
-use roughsurface::friction_file::Origin;
-use roughsurface::monte_carlo::{Sampling, sample};
-use roughsurface::monte_carlo_file;
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::output::friction_file::Origin;
+use roughsurface::output::sample_file;
+use roughsurface::sampling::finite_surface::{Sampling, sample};
+use roughsurface::surface::file::SurfaceFile;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
@@ -82,14 +82,13 @@ pub fn run(options: &Sample) -> Result<(), Failure> {
     progress.clear();
     samples.warnings.extend(gaps);
     let origin = Origin { surface: &file.text, table: &options.table, command: &command_line() };
-    monte_carlo_file::write(&options.output, &samples, &origin)
-        .map_err(|error| Failure::Run(error.into()))?;
+    sample_file::write(&options.output, &samples, &origin).map_err(|error| Failure::Run(error.into()))?;
     summarise(
         options.run.quiet,
         options.run.json,
         &samples.warnings,
-        || monte_carlo_file::text(&samples),
-        || monte_carlo_file::json(&samples),
+        || sample_file::text(&samples),
+        || sample_file::json(&samples),
     );
     Ok(())
 }

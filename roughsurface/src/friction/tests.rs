@@ -1,7 +1,7 @@
 use super::*;
-use crate::heights::{Exponential, Gaussian, Heights};
-use crate::query::{Hold, Pressing};
-use crate::test_laws::PowerLaw;
+use crate::integral::test_laws::PowerLaw;
+use crate::surface::heights::{Exponential, Gaussian, Heights};
+use crate::surface::query::{Hold, Pressing};
 use tables::closed_forms::{ElasticPlastic, closed_form, hertz};
 
 fn surface(heights: Box<dyn Heights>) -> Surface {
@@ -148,7 +148,7 @@ fn threads_do_not_change_a_bit() {
 #[test]
 fn rates_outside_the_table_and_empty_gaps_are_refused() {
     let law = PowerLaw::hertz();
-    let surface = surface(Box::new(crate::heights::Uniform::new(1e-6)));
+    let surface = surface(Box::new(crate::surface::heights::Uniform::new(1e-6)));
     let error = ask(&law, &surface, &[1e6], &[1e3], Hold::Load).unwrap_err();
     assert!(error.to_string().contains("outside the table"));
     let query =

@@ -25,7 +25,7 @@ mod synthetic;
 
 use std::path::{Path, PathBuf};
 
-use crate::surface_file::short;
+use crate::surface::file::short;
 
 /// Heights on a regular grid: a map, or a profile if there is one row only.
 ///

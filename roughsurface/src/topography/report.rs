@@ -72,7 +72,7 @@ pub fn json(found: &Characterization) -> Value {
 /// file of the heights of the summits found, where those are asked for.
 ///
 /// ```
-/// use roughsurface::surface_file::SurfaceFile;
+/// use roughsurface::surface::file::SurfaceFile;
 /// use roughsurface::topography::Topography;
 /// use roughsurface::topography::characterize::{Options, characterize};
 /// use roughsurface::topography::report::{heights_file, surface_file, text};

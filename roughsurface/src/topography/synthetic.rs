@@ -98,7 +98,7 @@ impl SelfAffine {
     /// The same with white noise of that power a wave (m²) added.
     pub fn with_noise(&self, seed: u64, noise: f64) -> Topography {
         let n = self.points;
-        let mut random = crate::heights::Random::seed_from_u64(seed);
+        let mut random = crate::surface::heights::Random::seed_from_u64(seed);
         let mut waves: Vec<Complex<f64>> =
             (0..n * n).map(|_| Complex::new(random.random::<f64>() - 0.5, 0.0)).collect();
         both_ways(&mut waves, n, false);

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use libfuzzer_sys::fuzz_target;
-use roughsurface::surface_file::SurfaceFile;
+use roughsurface::surface::file::SurfaceFile;
 
 fuzz_target!(|text: &str| {
     let _ = SurfaceFile::parse(Path::new("/nonexistent/input"), text.to_string());

@@ -1,0 +1,154 @@
+//! Elastic, plastic or melting: what the contacts of a surface do.
+
+use crate::integral::asperity_at_slip::AsperityAtSlip;
+use crate::integral::surface_integral::Asperities;
+use crate::surface::heights::Heights;
+use crate::surface::query::Surface;
+use tables::law::AsperityLaw;
+
+/// ψ = √(σ_s/ω_c), σ_s the standard deviation of the summit heights and ω_c the interference of
+/// first yield at the mean summit radius (Kogut & Etsion 2003, Tribol. Trans. 46, 383;
+/// Greenwood & Williamson's index of 1966 with first yield in place of hardness).
+pub fn plasticity_index(law: &dyn AsperityLaw, surface: &Surface) -> f64 {
+    let critical = law.critical_interference(surface.asperity_radius.mean());
+    (surface.heights.standard_deviation() / critical).sqrt()
+}
+
+/// The regime that a plasticity index stands for, after Greenwood & Williamson (1966).
+///
+/// ```
+/// assert!(roughsurface::friction::regime::regime(0.4).starts_with("elastic contact"));
+/// assert!(roughsurface::friction::regime::regime(20.0).starts_with("fully plastic"));
+/// ```
+pub fn regime(plasticity_index: f64) -> &'static str {
+    match plasticity_index {
+        ..0.6 => "elastic contact at any ordinary load",
+        0.6..=1.0 => "elastic at light loads, plastic at heavy ones",
+        1.0..8.0 => "elastic-plastic contact at any ordinary load",
+        _ => "fully plastic contact at any ordinary load",
+    }
+}
+
+/// Shares of the asperities in contact, together 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct RegimeShares {
+    /// Pressed less than first yield needs.
+    pub elastic: f64,
+    /// Pressed more, or as much, and not melting.
+    pub plastic: f64,
+    /// Hottest point at the melting temperature; 0 where that is not known.
+    pub melting: f64,
+}
+
+impl RegimeShares {
+    /// Of `asperities` under a flat at `separation` (m); `melting` is a temperature in kelvin.
+    pub fn of(asperities: &Asperities, heights: &dyn Heights, separation: f64, melting: Option<f64>) -> Self {
+        let (mut touching, mut yielded, mut molten) = (0.0, 0.0, 0.0);
+        for (share, asperity) in asperities.classes() {
+            let above = |interference: f64| {
+                share * heights.tail(separation + interference * asperity.critical_interference())
+            };
+            touching += above(0.0);
+            yielded += above(1.0);
+            if let Some(onset) = melting.and_then(|melting| melting_interference(asperity, melting)) {
+                molten += above(onset);
+            }
+        }
+        if touching <= 0.0 {
+            return Self::default();
+        }
+        // Melting without yield is melting.
+        let plastic = (yielded - molten).max(0.0);
+        let elastic = (touching - yielded.max(molten)).max(0.0);
+        Self { elastic: elastic / touching, plastic: plastic / touching, melting: molten / touching }
+    }
+}
+
+/// Digits in ln ω do not matter beyond those of a temperature of a table.
+const HALVINGS: usize = 40;
+
+/// ω/ω_c at which the hottest point of the contact reaches the `melting` temperature (K); larger
+/// contacts are hotter. None where the law does not get there.
+fn melting_interference(asperity: &AsperityAtSlip, melting: f64) -> Option<f64> {
+    let hot = |interference: f64| {
+        asperity.response(interference).is_ok_and(|state| state.temperature_max.value >= melting)
+    };
+    let (mut low, mut high) = (1e-6, asperity.limit());
+    if !high.is_finite() || !hot(high) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = (low * high).sqrt();
+        if hot(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Some(high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::heights::Exponential;
+    use tables::law::{Estimate, LookupError, Response};
+
+    /// T = 300 K + 100 K ω/ω_c with ω_c = 1 µm, up to 50 ω_c.
+    struct Heating;
+
+    impl AsperityLaw for Heating {
+        fn name(&self) -> String {
+            "heating".into()
+        }
+        fn critical_interference(&self, _radius: f64) -> f64 {
+            1e-6
+        }
+        fn interference_limit(&self) -> f64 {
+            50.0
+        }
+        fn breaks(&self) -> Vec<f64> {
+            Vec::new()
+        }
+        fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
+            (0.0, 10.0)
+        }
+        fn response(&self, _: f64, interference: f64, _: f64, _: f64) -> Result<Response, LookupError> {
+            let temperature_max = Estimate { value: 300.0 + 100.0 * interference, error: 0.0 };
+            Ok(Response { temperature_max, ..Response::default() })
+        }
+    }
+
+    #[test]
+    fn shares_of_exponential_heights() {
+        // Of those that touch, e^{−ω/σ} are pressed beyond ω.
+        let surface = Surface {
+            asperity_density: 1e10,
+            asperity_radius: 1e-4.into(),
+            heights: Box::new(Exponential::new(2e-6)),
+        };
+        let asperities = Asperities::new(&Heating, &surface, 1.0).unwrap();
+        let shares = |melting| RegimeShares::of(&asperities, surface.heights.as_ref(), 3e-6, melting);
+        let beyond = |interference: f64| (-interference / 2.0f64).exp();
+        let cold = shares(None);
+        assert!((cold.elastic - (1.0 - beyond(1.0))).abs() < 1e-12);
+        assert!((cold.plastic - beyond(1.0)).abs() < 1e-12 && cold.melting == 0.0);
+        let hot = shares(Some(700.0));
+        assert!((hot.melting - beyond(4.0)).abs() < 1e-9, "{hot:?}");
+        assert!((hot.plastic - (beyond(1.0) - beyond(4.0))).abs() < 1e-9);
+        // Out of reach of the table.
+        assert_eq!(shares(Some(6000.0)).melting, 0.0);
+        // Molten before they yield.
+        let soft = shares(Some(350.0));
+        assert!((soft.melting - beyond(0.5)).abs() < 1e-9 && soft.plastic == 0.0);
+        assert!((soft.elastic + soft.melting - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_index_has_a_regime() {
+        assert!(regime(0.5).starts_with("elastic contact"));
+        assert!(regime(0.6).starts_with("elastic at light"));
+        assert!(regime(2.0).starts_with("elastic-plastic"));
+        assert!(regime(10.0).starts_with("fully plastic"));
+    }
+}

@@ -1,0 +1,363 @@
+//! Integrals of what one asperity does over the heights of all:
+//! η ∫ f(z − d) φ(z) dz for load, friction, area and number at once
+//! (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242).
+
+use crate::integral::asperity_at_slip::AsperityAtSlip;
+use crate::integral::contact_state::{ContactState, Integral};
+use crate::integral::panels::*;
+use crate::surface::heights::Heights;
+use tables::law::LookupError;
+
+/// Share of the load outside the range of a law that may be ignored.
+///
+/// A tenth of a per cent is far below the errors of any table; more is refused
+/// unless the caller asks for extrapolation.
+pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
+
+/// Halvings after which a panel is left as it is, its error counted.
+const MOST_ROUNDS: usize = 60;
+
+/// Across a panel the logarithm of the density may change by this much before the
+/// panel is halved unseen: its points still see the exponential, and the error
+/// control does the rest.
+const DENSITY_RANGE: f64 = 25.0;
+
+/// Relative accuracy, in √ω, of how far a table would have to reach.
+const REACH_ACCURACY: f64 = 0.005;
+
+/// The start of contact of a law without kinks and the growth of the panels
+/// beyond the last kink: each is twice as long in √ω as the one before.
+const FIRST_PANEL: f64 = 1.0;
+
+/// Summits of a surface at one slip rate and slip, for any separation.
+pub struct HeightIntegral<'a> {
+    asperity: AsperityAtSlip<'a>,
+    heights: &'a dyn Heights,
+    asperity_density: f64,
+    tolerance: f64,
+    /// Panels that every separation shares, and those between edges of the density.
+    kept: PanelTree,
+    passing: PanelTree,
+    /// Panels that together cover ω from zero upwards.
+    roots: Vec<Root>,
+    /// Panels of the separation at hand, and others kept for their memory.
+    leaves: Vec<Leaf>,
+    finer: Vec<Leaf>,
+    pending: Vec<(bool, usize)>,
+}
+
+/// A panel between kinks of the law, sampled only where there are summits: a
+/// table may have gaps where nobody looks.
+struct Root {
+    from: f64,
+    to: f64,
+    panel: Option<usize>,
+}
+
+#[derive(Clone, Copy)]
+struct Leaf {
+    kept: bool,
+    panel: usize,
+    value: Sums,
+    error: Errors,
+}
+
+impl<'a> HeightIntegral<'a> {
+    /// `asperity_density` in 1/m²; `tolerance` is the relative error asked of
+    /// load, friction and area.
+    pub fn new(
+        asperity: AsperityAtSlip<'a>,
+        heights: &'a dyn Heights,
+        asperity_density: f64,
+        tolerance: f64,
+    ) -> Self {
+        let mut breaks = asperity.breaks();
+        if breaks.is_empty() {
+            breaks.push(FIRST_PANEL);
+        }
+        let mut from = 0.0;
+        let root = |place: f64| {
+            let root = Root { from, to: place.sqrt(), panel: None };
+            from = root.to;
+            root
+        };
+        Self {
+            asperity,
+            heights,
+            asperity_density,
+            tolerance,
+            kept: PanelTree::default(),
+            passing: PanelTree::default(),
+            roots: breaks.into_iter().map(root).collect(),
+            leaves: Vec::new(),
+            finer: Vec::new(),
+            pending: Vec::new(),
+        }
+    }
+
+    /// Load, friction, area and number of contacts at `separation` (m).
+    pub fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
+        if let Some(heights) = self.heights.measured() {
+            return self.summed(heights, separation);
+        }
+        let mut leaves = std::mem::take(&mut self.leaves);
+        let refined = self.refine(separation, &mut leaves);
+        self.leaves = leaves;
+        refined?;
+        let mut state = self.state(separation, &self.leaves);
+        if state.outside > NEGLIGIBLE_SHARE {
+            state.reach = self.reach(separation)?;
+        }
+        Ok(state)
+    }
+
+    /// Panels fine enough for the tolerance, by ascending interference.
+    fn refine(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
+        self.passing.clear();
+        leaves.clear();
+        self.cover(separation, leaves)?;
+        for _ in 0..MOST_ROUNDS {
+            let total = sum(leaves.iter().map(|leaf| &leaf.value));
+            let error = sum(leaves.iter().map(|leaf| &leaf.error));
+            if !excessive(&error, 1.0, self.tolerance, &total) {
+                break;
+            }
+            let share = 0.5 / leaves.len() as f64;
+            let tolerance = self.tolerance;
+            let poor = |error: &Errors| excessive(error, share, tolerance, &total);
+            let mut finer = std::mem::take(&mut self.finer);
+            finer.clear();
+            for leaf in leaves.iter() {
+                let panel = self.tree(leaf.kept).panel(leaf.panel);
+                // Below the spacing of numbers there is nothing to halve.
+                if !poor(&leaf.error) || panel.to - panel.from < 1e-14 * panel.to {
+                    finer.push(*leaf);
+                    continue;
+                }
+                for panel in self.finer(leaf.kept, leaf.panel)?.panels() {
+                    finer.push(self.leaf(leaf.kept, panel, separation));
+                }
+                // What is too coarse here mostly is at the next separation as well.
+                if leaf.kept {
+                    self.kept.pass_over(leaf.panel);
+                }
+            }
+            self.finer = std::mem::replace(leaves, finer);
+        }
+        Ok(())
+    }
+
+    /// Covers all interferences that matter with panels in which the density is
+    /// smooth and does not hide its weight between the points.
+    fn cover(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
+        let critical = self.asperity.critical_interference();
+        let (lowest, highest) = self.heights.support();
+        let peak = self.heights.ln_peak(separation.max(lowest), highest);
+        // Loads grow as a power of ω; 16 leaves a factor of 10⁷ for that growth.
+        let negligible = peak + self.tolerance.ln() - 16.0;
+
+        let mut pending = std::mem::take(&mut self.pending);
+        pending.clear();
+        for position in 0.. {
+            if position == self.roots.len() {
+                let from = self.roots[position - 1].to;
+                self.roots.push(Root { from, to: 2.0 * from, panel: None });
+            }
+            let root = &mut self.roots[position];
+            let start = separation + critical * root.from.powi(2);
+            let end = separation + critical * root.to.powi(2);
+            if start >= highest || self.heights.ln_peak(start.max(lowest), highest) < negligible {
+                break;
+            }
+            if end <= lowest || self.heights.ln_peak(lowest, end) < negligible {
+                continue;
+            }
+            let panel = match root.panel {
+                Some(panel) => panel,
+                None => self.kept.add(&self.asperity, root.from, root.to)?,
+            };
+            root.panel = Some(panel);
+            pending.push((true, panel));
+        }
+        // The last shall be first: panels leave the stack by ascending interference.
+        pending.reverse();
+        while let Some((kept, index)) = pending.pop() {
+            let Panel { from, to, too_coarse, .. } = *self.tree(kept).panel(index);
+            let bottom = (separation + critical * from * from).max(lowest);
+            let top = (separation + critical * to * to).min(highest);
+            if bottom >= top {
+                continue;
+            }
+            let largest = self.heights.ln_peak(bottom, top);
+            if largest < negligible {
+                continue;
+            }
+            if too_coarse {
+                let finer = self.finer(kept, index)?;
+                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
+                continue;
+            }
+            // Between its steps a density may vanish or jump: they come before its range.
+            let root = |height: f64| ((height - separation) / critical).max(0.0).sqrt();
+            let inside = |edge: &f64| *edge > from + 1e-12 * to && *edge < to - 1e-12 * to;
+            // One at an end of the panel would hide others within.
+            let margin = 4e-12 * (top - separation);
+            let step = self.heights.step_between(bottom + margin, top - margin);
+            if let Some(edge) = step.map(root).filter(inside) {
+                let first = self.passing.add(&self.asperity, from, edge)?;
+                let second = self.passing.add(&self.asperity, edge, to)?;
+                pending.push((false, second));
+                pending.push((false, first));
+                continue;
+            }
+            // Densities that vanish at their edge are left to the error control.
+            let seen = |height: f64| match self.heights.ln_density(height) {
+                f64::NEG_INFINITY => self.heights.ln_density(0.5 * (bottom + top)),
+                density => density,
+            };
+            let farthest = seen(bottom).min(seen(top));
+            let range = largest - farthest.max(negligible);
+            if range > DENSITY_RANGE && to - from > 1e-12 * to {
+                let finer = self.finer(kept, index)?;
+                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
+                continue;
+            }
+            match [lowest, highest].map(root).into_iter().find(inside) {
+                Some(edge) => {
+                    let first = self.passing.add(&self.asperity, from, edge)?;
+                    let second = self.passing.add(&self.asperity, edge, to)?;
+                    pending.push((false, second));
+                    pending.push((false, first));
+                }
+                None => leaves.push(self.leaf(kept, index, separation)),
+            }
+        }
+        self.pending = pending;
+        Ok(())
+    }
+
+    fn tree(&self, kept: bool) -> &PanelTree {
+        if kept { &self.kept } else { &self.passing }
+    }
+
+    fn finer(&mut self, kept: bool, panel: usize) -> Result<Finer, LookupError> {
+        let tree = if kept { &mut self.kept } else { &mut self.passing };
+        tree.finer(&self.asperity, panel)
+    }
+
+    fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
+        let (value, error) =
+            self.tree(kept).integral(panel, self.heights, separation, self.asperity.knows_energy());
+        Leaf { kept, panel, value, error }
+    }
+
+    fn state(&self, separation: f64, leaves: &[Leaf]) -> ContactState {
+        let total = sum(leaves.iter().map(|leaf| &leaf.value));
+        let error = sum(leaves.iter().map(|leaf| &leaf.error));
+        self.scaled(self.heights.tail(separation), &total, &error)
+    }
+
+    /// From sums per asperity to values per nominal area.
+    fn scaled(&self, tail: f64, total: &Sums, error: &Errors) -> ContactState {
+        let density = self.asperity_density;
+        let integral = |value: usize, law_error: usize, error_of: usize| Integral {
+            value: density * total[value],
+            law_error: density * total[law_error],
+            // Rounding of the sums themselves.
+            quadrature_error: density * (error[error_of] + 4.0 * f64::EPSILON * total[value].abs()),
+        };
+        let share = |part: usize| {
+            if total[LOAD] > 0.0 { total[part] / total[LOAD] } else { 0.0 }
+        };
+        ContactState {
+            pressure: integral(LOAD, LOAD_ERROR, LOAD),
+            shear: integral(FRICTION, FRICTION_ERROR, FRICTION),
+            area_fraction: integral(AREA, AREA_ERROR, AREA),
+            energy: self.asperity.knows_energy().then(|| integral(ENERGY, ENERGY_ERROR, OF_ENERGY)),
+            contact_density: density * tail,
+            loaded_radius: share(LOAD_RADIUS),
+            outside: share(LOAD_OUTSIDE),
+            reach: self.asperity.limit(),
+        }
+    }
+
+    /// Interference beyond which a negligible share of the load remains.
+    fn reach(&mut self, separation: f64) -> Result<f64, LookupError> {
+        let negligible = NEGLIGIBLE_SHARE * self.leaves.iter().map(|leaf| leaf.value[LOAD]).sum::<f64>();
+        let mut beyond = 0.0;
+        let crossed = |leaf: &&Leaf| {
+            let with_leaf = beyond + leaf.value[LOAD];
+            let crossed = with_leaf > negligible;
+            if !crossed {
+                beyond = with_leaf;
+            }
+            crossed
+        };
+        let Some(mut leaf) = self.leaves.iter().rev().find(crossed).copied() else {
+            return Ok(self.asperity.limit());
+        };
+        // Into the half that the share lies in, until its ends agree.
+        for _ in 0..MOST_ROUNDS {
+            let panel = self.tree(leaf.kept).panel(leaf.panel);
+            let (from, to) = (panel.from, panel.to);
+            if to - from <= REACH_ACCURACY * to {
+                return Ok(to * to);
+            }
+            for panel in self.finer(leaf.kept, leaf.panel)?.panels().rev() {
+                leaf = self.leaf(leaf.kept, panel, separation);
+                if beyond + leaf.value[LOAD] > negligible {
+                    break;
+                }
+                beyond += leaf.value[LOAD];
+            }
+        }
+        let panel = self.tree(leaf.kept).panel(leaf.panel);
+        Ok(panel.to * panel.to)
+    }
+
+    /// Sum over a finite set of heights, highest first.
+    fn summed(&self, heights: &[f64], separation: f64) -> Result<ContactState, LookupError> {
+        let critical = self.asperity.critical_interference();
+        let weight = 1.0 / heights.len() as f64;
+        let mut total = [0.0; QUANTITIES];
+        let touching = heights.iter().take_while(|&&height| height > separation);
+        for &height in touching.clone() {
+            let values = quantities(&self.asperity, (height - separation) / critical)?;
+            for (sum, value) in total.iter_mut().zip(values) {
+                *sum += weight * value;
+            }
+        }
+        let tail = self.heights.tail(separation);
+        let mut state = self.scaled(tail, &total, &Errors::default());
+        if state.outside > NEGLIGIBLE_SHARE {
+            let mut beyond = 0.0;
+            for &height in touching {
+                let interference = (height - separation) / critical;
+                beyond += weight * quantities(&self.asperity, interference)?[LOAD];
+                if beyond > NEGLIGIBLE_SHARE * total[LOAD] {
+                    state.reach = interference;
+                    break;
+                }
+            }
+        }
+        Ok(state)
+    }
+}
+
+/// Whether load, friction or area err by more than a `share` of what the tolerance allows.
+fn excessive(error: &Errors, share: f64, tolerance: f64, total: &Sums) -> bool {
+    [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > tolerance * total[k].abs() * share)
+}
+
+fn sum<'s, const N: usize>(parts: impl Iterator<Item = &'s [f64; N]>) -> [f64; N] {
+    let mut total = [0.0; N];
+    for part in parts {
+        for (sum, value) in total.iter_mut().zip(part) {
+            *sum += value;
+        }
+    }
+    total
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,363 @@
+//! Against the closed forms of verification: F_n of Gaussian heights, exponential
+//! heights, Kogut–Etsion asperities.
+
+use super::*;
+use crate::integral::test_laws::PowerLaw;
+use crate::surface::heights::{Exponential, Gaussian, LogNormal, TruncatedGaussian, Uniform, Weibull};
+use tables::closed_forms::{ElasticPlastic, closed_form};
+
+const STD: f64 = 1e-6;
+
+/// ∫ (z−h)^n φ(z) dz of standard heights, through the load integral.
+fn moment(heights: &dyn Heights, exponent: f64, h: f64, critical: f64) -> f64 {
+    let law = PowerLaw { load: (1.0, exponent), critical, ..PowerLaw::hertz() };
+    let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+    let mut integral = HeightIntegral::new(asperity.clone(), heights, 1.0, 1e-13);
+    let state = integral.at(h * STD).unwrap();
+    state.pressure.value * (critical / STD).powf(exponent)
+}
+
+fn assert_close(value: f64, reference: f64, relative: f64, what: &str) {
+    assert!(
+        (value - reference).abs() <= relative * reference.abs(),
+        "{what}: {value:.15e} against {reference:.15e}"
+    );
+}
+
+/// Columns F0 (as density of contacts), F1/2, F1, F3/2, F2, F5/2.
+const GAUSSIAN: [(f64, [f64; 6]); 8] = [
+    (
+        -1.0,
+        [
+            0.841344746068543,
+            0.900602931270316,
+            1.08331547058769,
+            1.40459747047395,
+            1.92466021665623,
+            2.75550186737943,
+        ],
+    ),
+    (0.0, [0.5, 0.411089479331229, 0.398942280401433, 0.43001999366226, 0.5, 0.616634218996844]),
+    (
+        0.5,
+        [
+            0.308537538725987,
+            0.225335581697312,
+            0.197796557401306,
+            0.195203603743791,
+            0.209639260025334,
+            0.240401570674072,
+        ],
+    ),
+    (
+        1.0,
+        [
+            0.158655253931457,
+            0.104153675307858,
+            0.0833154705876863,
+            0.0756681773909751,
+            0.0753397833437708,
+            0.0805623355708115,
+        ],
+    ),
+    (
+        2.0,
+        [
+            0.0227501319481792,
+            0.0124800402964391,
+            0.00849070261682964,
+            0.00664817762358709,
+            0.00576872671451993,
+            0.00542370519748441,
+        ],
+    ),
+    (
+        2.5,
+        [
+            0.00620966532577614,
+            0.00315902303265217,
+            0.0020041371791282,
+            0.00146993823953799,
+            0.00119932237795564,
+            0.00106368895013328,
+        ],
+    ),
+    (
+        3.0,
+        [
+            0.00134989803163009,
+            0.000641850439348551,
+            0.000382154317047724,
+            0.000263967554269467,
+            0.000203435080486924,
+            0.000170872996214424,
+        ],
+    ),
+    (
+        4.0,
+        [
+            3.16712418331199e-5,
+            1.34066699244964e-5,
+            7.14525843240567e-6,
+            4.43915595853925e-6,
+            3.09020810349725e-6,
+            2.35338105258761e-6,
+        ],
+    ),
+];
+
+#[test]
+fn gaussian_moments_to_twelve_digits() {
+    let heights = Gaussian::new(STD);
+    for (h, row) in GAUSSIAN {
+        assert_close(heights.tail(h * STD), row[0], 2e-14, "F0");
+        for (reference, exponent) in row[1..].iter().zip([0.5, 1.0, 1.5, 2.0, 2.5]) {
+            // The unit of interference must not matter: heights wide and narrow against it.
+            for critical in [1e-12, 1e-7, 3e-3] {
+                let value = moment(&heights, exponent, h, critical);
+                assert_close(value, *reference, 1e-12, &format!("F{exponent}({h})"));
+            }
+        }
+    }
+}
+
+#[test]
+fn exponential_moments_are_gamma_functions() {
+    let heights = Exponential::new(STD);
+    for exponent in [0.5, 1.0, 1.5, 2.0, 2.5] {
+        for h in [0.0, 1.0, 5.0, 30.0] {
+            let reference = libm::tgamma(exponent + 1.0) * f64::exp(-h);
+            let value = moment(&heights, exponent, h, 1e-7);
+            assert_close(value, reference, 1e-12, &format!("F{exponent}({h})"));
+        }
+    }
+}
+
+#[test]
+fn moments_of_skewed_and_truncated_heights_in_closed_form() {
+    // Below the lowest summit the flat sees all of them: F_n is a moment of the distribution.
+    for exponent in [0.5, 1.0, 1.5, 2.0, 2.5] {
+        let shape = 1.7;
+        let gamma = |x: f64| libm::tgamma(1.0 + x / shape);
+        let weibull = Weibull::new(STD, shape);
+        let length = 1.0 / (gamma(2.0) - gamma(1.0).powi(2)).sqrt();
+        let reference = length.powf(exponent) * gamma(exponent);
+        assert_close(moment(&weibull, exponent, 0.0, 1e-7), reference, 1e-12, "Weibull");
+
+        let spread: f64 = 0.8;
+        let log_normal = LogNormal::new(STD, spread);
+        let variance = spread * spread;
+        let median = 1.0 / (variance.exp() * (variance.exp() - 1.0)).sqrt();
+        let reference = median.powf(exponent) * (0.5 * exponent * exponent * variance).exp();
+        assert_close(moment(&log_normal, exponent, 0.0, 1e-7), reference, 1e-12, "log-normal");
+    }
+    // Mean of a Gaussian cut at a and b above a flat at h < a: [φ(a) − φ(b)]/Z − h.
+    let (a, b) = (-0.5f64, 1.5f64);
+    let density = |x: f64| (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt();
+    let share = |x: f64| 0.5 * libm::erfc(x / 2f64.sqrt());
+    let mean = (density(a) - density(b)) / (share(a) - share(b));
+    let cut = TruncatedGaussian::new(STD, a * STD, b * STD).unwrap();
+    for h in [-3.0, -0.5] {
+        assert_close(moment(&cut, 1.0, h, 1e-7), mean - h, 1e-12, "truncated");
+    }
+}
+
+#[test]
+fn gross_slip_and_the_end_of_a_slide_are_no_obstacle_to_ten_digits() {
+    // Integrals at the asked tolerance against ones a thousand times sharper.
+    let material = steel();
+    let heights = Gaussian::new(0.05e-6);
+    for name in ["jackson-green", "brizmer", "kogut-etsion"] {
+        let law = closed_form(name, &material).unwrap();
+        for slip in [1e-10, 1e-9, 1e-8] {
+            let asperity = AsperityAtSlip::new(law.as_ref(), 1e-4, 1.0, slip).unwrap();
+            let at = |tolerance: f64| {
+                HeightIntegral::new(asperity.clone(), &heights, 1e10, tolerance).at(0.1e-6).unwrap()
+            };
+            let (asked, sharp) = (at(1e-10), at(1e-13));
+            assert_close(asked.shear.value, sharp.shear.value, 1e-10, name);
+            assert_close(asked.pressure.value, sharp.pressure.value, 1e-10, name);
+            assert!(asked.shear.quadrature_error <= 1.1e-10 * asked.shear.value, "{name}");
+        }
+    }
+}
+
+#[test]
+fn every_distribution_obeys_the_recursion() {
+    // F_n' = −n F_{n−1} holds for any density.
+    let distributions: [Box<dyn Heights>; 6] = [
+        Box::new(Gaussian::new(STD)),
+        Box::new(Exponential::new(STD)),
+        Box::new(Uniform::new(STD)),
+        Box::new(TruncatedGaussian::new(STD, -1.5 * STD, 2.5 * STD).unwrap()),
+        Box::new(Weibull::new(STD, 1.7)),
+        Box::new(LogNormal::new(STD, 0.8)),
+    ];
+    for heights in &distributions {
+        let heights = heights.as_ref();
+        for exponent in [1.5, 2.0, 2.5] {
+            for h in [-2.3, -0.4, 0.3, 1.1] {
+                let step = 1e-3;
+                let at = |h: f64| moment(heights, exponent, h, 1e-7);
+                // Fourth-order differences: the error is about step⁴.
+                let slope = (8.0 * (at(h + step) - at(h - step)) - (at(h + 2.0 * step) - at(h - 2.0 * step)))
+                    / (12.0 * step);
+                let reference = -exponent * moment(heights, exponent - 1.0, h, 1e-7);
+                assert_close(slope, reference, 1e-8, &format!("{heights:?} n = {exponent}, h = {h}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn uniform_heights_integrate_powers_exactly() {
+    let heights = Uniform::new(STD);
+    let edge = 3f64.sqrt();
+    for h in [-4.0, -1.0, 0.0, 1.5] {
+        let power = |place: f64| (place - h).max(0.0).powf(2.5) / 2.5;
+        let reference = (power(edge) - power(-edge)) / (2.0 * edge);
+        assert_close(moment(&heights, 1.5, h, 1e-7), reference, 1e-12, "uniform");
+    }
+    assert_eq!(moment(&heights, 1.5, 2.0, 1e-7), 0.0);
+}
+
+fn steel() -> ElasticPlastic {
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 }
+}
+
+#[test]
+fn elastic_greenwood_williamson() {
+    // P = (4/3) η E* √R σ^{3/2} F_{3/2}, A = π η R σ F_1, n = η F_0.
+    let material = steel();
+    let law = closed_form("hertz", &material).unwrap();
+    let (radius, density) = (1e-4, 1e10);
+    let heights = Gaussian::new(STD);
+    let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 1.0).unwrap();
+    let mut integral = HeightIntegral::new(asperity.clone(), &heights, density, 1e-12);
+    for (h, row) in GAUSSIAN {
+        let state = integral.at(h * STD).unwrap();
+        let pressure =
+            4.0 / 3.0 * density * material.contact_modulus() * radius.sqrt() * STD.powf(1.5) * row[3];
+        let area = std::f64::consts::PI * density * radius * STD * row[2];
+        assert_close(state.pressure.value, pressure, 1e-11, "pressure");
+        assert_close(state.area_fraction.value, area, 1e-11, "area");
+        assert_close(state.contact_density, density * row[0], 1e-13, "number");
+    }
+}
+
+/// Lower incomplete gamma function by its series, for the exact Kogut–Etsion sums.
+fn incomplete_gamma(a: f64, x: f64) -> f64 {
+    if x.is_infinite() {
+        return libm::tgamma(a);
+    }
+    let (mut term, mut sum) = (1.0 / a, 1.0 / a);
+    for k in 1..2000 {
+        term *= x / (a + f64::from(k));
+        sum += term;
+        if term < 1e-17 * sum {
+            break;
+        }
+    }
+    sum * (a * x.ln() - x).exp()
+}
+
+#[test]
+fn kogut_etsion_asperities_with_exponential_heights() {
+    let material = steel();
+    let law = closed_form("constant-shear", &material).unwrap();
+    let radius = 1e-4;
+    let critical = law.critical_interference(radius);
+    let unit = law.response(radius, 1.0 - 1e-9, 1.0, 1.0).unwrap();
+    let (breaks, plastic) = ([0.0, 1.0, 6.0, 110.0, f64::INFINITY], 3.0 * 2.8 / 1.61279656);
+    let load = [(1.0, 1.5), (1.03, 1.425), (1.40, 1.263), (plastic, 1.0)];
+    let area = [(1.0, 1.0), (0.93, 1.136), (0.94, 1.146), (2.0, 1.0)];
+    for (psi, published_mu) in [(0.5, 0.80375), (1.0, 0.42963), (8.0, 0.21443)] {
+        let psi: f64 = psi;
+        let exact = |pieces: &[(f64, f64); 4]| -> f64 {
+            (0..4)
+                .map(|i| {
+                    let (k, n) = pieces[i];
+                    let at = |y: f64| incomplete_gamma(n + 1.0, y / (psi * psi));
+                    k * psi.powf(2.0 * n) * (at(breaks[i + 1]) - at(breaks[i]))
+                })
+                .sum()
+        };
+        let heights = Exponential::new(critical * psi * psi);
+        let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 1.0).unwrap();
+        let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1.0, 1e-12);
+        let mut first: Option<f64> = None;
+        for h in [0.0, 0.7, 3.0, 12.0] {
+            let state = integral.at(h * heights.standard_deviation()).unwrap();
+            let mu = state.friction_coefficient().value;
+            // Amontons: the same at every load.
+            let first = *first.get_or_insert(mu);
+            assert_close(mu, first, 1e-10, "mu against load");
+            // Five published digits.
+            assert_close(mu, published_mu, 2e-5, "mu");
+            // The units are taken just below yield, 1e-9 off.
+            let load_sum = state.pressure.value * h.exp() / unit.load.value;
+            assert_close(load_sum, exact(&load), 1e-8, "S_P");
+            let area_sum = state.area_fraction.value * h.exp() / unit.area.value;
+            assert_close(area_sum, exact(&area), 1e-8, "S_A");
+        }
+    }
+}
+
+#[test]
+fn load_beyond_the_limit_is_counted_and_continued() {
+    // Exponential heights: the share of the load beyond x = ω_limit/σ is
+    // ∫_x^∞ s·(x^½) e^{-s} ds over the same plus γ(5/2, x), P continued in proportion to ω.
+    let law = PowerLaw { limit: 20.0, ..PowerLaw::hertz() };
+    let heights = Exponential::new(STD);
+    let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+    let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1.0, 1e-12);
+    let x: f64 = 20.0 * law.critical / STD;
+    let beyond = x.sqrt() * (1.0 + x) * (-x).exp();
+    let share = beyond / (beyond + incomplete_gamma(2.5, x));
+    let state = integral.at(STD).unwrap();
+    assert_close(state.outside, share, 1e-10, "share");
+    // The load left beyond the reach is the negligible share, to one per cent in the reach.
+    let reach = state.reach * law.critical / STD;
+    let left = x.sqrt() * (1.0 + reach) * (-reach).exp() / (beyond + incomplete_gamma(2.5, x));
+    let over_reach = |relative: f64| (-relative * reach).exp();
+    assert!(left <= NEGLIGIBLE_SHARE && left > over_reach(0.02) * NEGLIGIBLE_SHARE, "{left:e}");
+    // Extrapolated asperities are doubted, the others are not.
+    assert!(state.pressure.law_error > 0.0);
+    assert!(state.pressure.law_error < 0.3 * state.outside * state.pressure.value);
+}
+
+#[test]
+fn a_large_measured_set_approaches_its_parent() {
+    use crate::surface::heights::Sample;
+    // Quantiles of exponential heights: a midpoint rule in the tail, with an end error of order 1/n.
+    let count = 20_000;
+    let quantiles = (0..count).map(|i| -STD * ((f64::from(i) + 0.5) / f64::from(count)).ln());
+    let sample = Sample::new(quantiles.collect()).unwrap();
+    let law = PowerLaw::hertz();
+    let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+    let parent = Exponential::new(STD);
+    let mut exact = HeightIntegral::new(asperity.clone(), &parent, 1.0, 1e-12);
+    let mut summed = HeightIntegral::new(asperity.clone(), &sample, 1.0, 1e-12);
+    let (exact, summed) = (exact.at(STD).unwrap(), summed.at(STD).unwrap());
+    assert_close(summed.pressure.value, exact.pressure.value, 1e-3, "load");
+    assert_close(summed.contact_density, exact.contact_density, 1e-3, "number");
+}
+
+#[test]
+fn bins_are_integrated_one_by_one() {
+    use crate::surface::heights::Histogram;
+    // Hertzian load of heights spread evenly from a to b over a flat at d < a is
+    // [(b−d)^{5/2} − (a−d)^{5/2}]/(5/2)/(b−a); a gap in between, and two bins of 1:3.
+    let edges = [0.0, 1.0, 2.0, 2.5].map(|edge| edge * STD);
+    let heights = Histogram::new(edges.to_vec(), &[1.0, 0.0, 3.0]).unwrap();
+    let spread = |from: f64, to: f64, d: f64| {
+        let power = |z: f64| (z - d).max(0.0).powf(2.5);
+        (power(to) - power(from)) / 2.5 / (to - from)
+    };
+    for d in [-7.3, -0.2, 0.0, 0.4, 1.3, 2.1, 2.499] {
+        let exact = 0.25 * spread(0.0, 1.0, d) + 0.75 * spread(2.0, 2.5, d);
+        for critical in [0.1 * STD, 3.0 * STD] {
+            assert_close(moment(&heights, 1.5, d, critical), exact, 1e-12, &format!("at {d}"));
+        }
+    }
+}

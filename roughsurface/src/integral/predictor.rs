@@ -1,0 +1,157 @@
+//! Separations found one after the other, each a start for the next.
+
+use crate::integral::contact_state::{ContactState, Integral};
+use crate::surface::heights::Heights;
+
+/// How a state changes with separation: d ln(quantity)/d(separation), 1/m.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sensitivity {
+    pub pressure: f64,
+    pub friction_coefficient: f64,
+    pub area_fraction: f64,
+    pub contact_density: f64,
+    pub energy: f64,
+}
+
+impl Sensitivity {
+    /// From a state and another one `step` (m) farther from the surface.
+    pub(crate) fn between(state: &ContactState, farther: &ContactState, step: f64) -> Self {
+        let relative = |quantity: fn(&ContactState) -> f64| {
+            let (here, there) = (quantity(state), quantity(farther));
+            // What is nothing at both stays nothing.
+            if here == there { 0.0 } else { (there - here) / (here * step) }
+        };
+        Self {
+            pressure: relative(|state| state.pressure.value),
+            friction_coefficient: relative(|state| state.friction_coefficient().value),
+            area_fraction: relative(|state| state.area_fraction.value),
+            contact_density: relative(|state| state.contact_density),
+            energy: relative(|state| state.energy.map_or(0.0, |energy| energy.value)),
+        }
+    }
+
+    /// The state `change` (m) farther from the surface, to first order.
+    pub(crate) fn moved(&self, state: &ContactState, change: f64) -> ContactState {
+        let scaled = |integral: Integral, slope: f64| {
+            let factor = 1.0 + slope * change;
+            Integral {
+                value: integral.value * factor,
+                law_error: integral.law_error * factor,
+                quadrature_error: integral.quadrature_error * factor,
+            }
+        };
+        ContactState {
+            pressure: scaled(state.pressure, self.pressure),
+            shear: scaled(state.shear, self.pressure + self.friction_coefficient),
+            area_fraction: scaled(state.area_fraction, self.area_fraction),
+            energy: state.energy.map(|energy| scaled(energy, self.energy)),
+            contact_density: state.contact_density * (1.0 + self.contact_density * change),
+            ..*state
+        }
+    }
+}
+
+/// Where a search for a separation starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// m.
+    pub separation: f64,
+    /// d ln(pressure)/d(separation) there, 1/m: negative.
+    pub slope: f64,
+    /// Sensitivity of a state so near that another one need not be computed.
+    pub(crate) sensitivity: Option<Sensitivity>,
+}
+
+impl Start {
+    /// At `separation` (m) of summits that nothing is known of yet: in the tails of most
+    /// distributions the pressure falls by about e within a standard deviation.
+    pub fn at(separation: f64, heights: &dyn Heights) -> Self {
+        Self { separation, slope: -1.0 / heights.standard_deviation(), sensitivity: None }
+    }
+}
+
+/// Slips in a row that may share one sensitivity.
+const SHARED: usize = 4;
+
+/// By so much of itself a shared sensitivity may be wrong.
+pub(crate) const SHARED_DOUBT: f64 = 0.05;
+
+/// Separations found one after the other as the slip moves on in even steps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trail {
+    last: Start,
+    /// Backward differences of the separations, m: first, second, third.
+    differences: [f64; ORDER],
+    steps: usize,
+    /// Steps since the sensitivity was computed.
+    age: usize,
+}
+
+/// Order of the polynomial through the last separations that foretells the next.
+const ORDER: usize = 3;
+
+impl From<Start> for Trail {
+    fn from(start: Start) -> Self {
+        Self { last: start, differences: [0.0; ORDER], steps: 0, age: 0 }
+    }
+}
+
+impl Trail {
+    /// Where the next separation is to be expected.
+    pub(crate) fn next(&self) -> Start {
+        let sensitivity = self.last.sensitivity.filter(|_| self.steps > 0 && self.age < SHARED);
+        let separation = self.last.separation + self.differences.iter().sum::<f64>();
+        Start { separation, sensitivity, ..self.last }
+    }
+
+    /// Adds what was found, and whether its sensitivity is one of its own.
+    pub(crate) fn add(&mut self, found: Start, own: bool) {
+        let mut difference = found.separation - self.last.separation;
+        for (order, known) in self.differences.iter_mut().enumerate() {
+            // The start comes from elsewhere: it takes no part in differences.
+            let next = difference - *known;
+            *known = if order < self.steps { difference } else { 0.0 };
+            difference = next;
+        }
+        self.age = if own { 0 } else { self.age + 1 };
+        self.last = found;
+        self.steps += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trail_goes_on_as_it_came_and_shares_a_sensitivity_for_a_while() {
+        let known = Sensitivity { pressure: -1.0, ..Sensitivity::default() };
+        let at = |separation| Start { separation, slope: -1.0, sensitivity: Some(known) };
+        let mut trail = Trail::from(at(5.0));
+        assert_eq!(trail.next().separation, 5.0);
+        assert!(trail.next().sensitivity.is_none(), "that of another slip, far away");
+        // A cubic is foretold from four points.
+        let cubic = |n: f64| 1.0 - 2.0 * n + 0.5 * n * n - 0.125 * n * n * n;
+        for n in 0..4 {
+            trail.add(at(cubic(f64::from(n))), true);
+        }
+        for n in 4..4 + SHARED as i32 {
+            assert!((trail.next().separation - cubic(f64::from(n))).abs() < 1e-13);
+            assert_eq!(trail.next().sensitivity, Some(known));
+            trail.add(at(cubic(f64::from(n))), false);
+        }
+        assert!(trail.next().sensitivity.is_none());
+    }
+
+    #[test]
+    fn sensitivities_are_relative() {
+        let mut state = ContactState { contact_density: 2.0, ..ContactState::default() };
+        state.pressure.value = 10.0;
+        let mut farther = state;
+        farther.pressure.value = 9.0;
+        let found = Sensitivity::between(&state, &farther, 0.5);
+        assert!((found.moved(&state, 0.25).pressure.value - 9.5).abs() < 1e-14);
+        assert!((found.pressure + 0.2).abs() < 1e-15);
+        assert_eq!((found.contact_density, found.area_fraction), (0.0, 0.0));
+    }
+}

@@ -1,0 +1,226 @@
+//! Predictions at a glance.
+
+use crate::friction::flash_heating::FlashHeating;
+use crate::friction::{Friction, Prediction};
+use crate::surface::query::Pressing;
+use tables::figure::{Axis, Curve, Drawn, Figure, Panel};
+use tables::law::Estimate;
+
+/// Curves that a panel can hold and stay legible.
+const MOST_CURVES: usize = 6;
+
+const FRICTION_LABEL: &str = "friction coefficient";
+
+/// Friction against slip rate, pressure and slip, real contact area, separation, and what the
+/// contacts do; with models of the literature if there are any.
+pub fn figure(prediction: &Prediction) -> Figure {
+    let mut panels = vec![
+        over_slip_rate(prediction),
+        over_pressing(
+            prediction,
+            "Sliding friction",
+            FRICTION_LABEL,
+            &[("", |friction| friction.sliding.mu)],
+        ),
+        over_pressing(prediction, "Static friction", FRICTION_LABEL, &[("", |friction| friction.mu_static)]),
+        along_the_slide(prediction),
+        Panel {
+            y: Axis::logarithmic("real area fraction"),
+            ..over_pressing(
+                prediction,
+                "Real contact area",
+                "",
+                &[("", |friction| friction.sliding.area_fraction)],
+            )
+        },
+        over_pressing(
+            prediction,
+            "Separation",
+            "separation while sliding (µm)",
+            &[("", |friction| scaled(friction.sliding.separation, 1e6))],
+        ),
+        regimes(prediction),
+    ];
+    if !prediction.comparisons.is_empty() {
+        panels.push(compared(prediction));
+    }
+    Figure { title: title(&prediction.law), panels }
+}
+
+fn scaled(estimate: Estimate, factor: f64) -> Estimate {
+    Estimate { value: factor * estimate.value, error: factor * estimate.error }
+}
+
+/// Shares of the contacts at the slowest and the fastest slip rate.
+fn regimes(prediction: &Prediction) -> Panel {
+    over_pressing(
+        prediction,
+        "Share of the contacts",
+        "share of contacts",
+        &[
+            ("elastic, ", |friction| exact(friction.shares.elastic)),
+            ("plastic, ", |friction| exact(friction.shares.plastic)),
+            ("melting, ", |friction| exact(friction.shares.melting)),
+        ],
+    )
+}
+
+fn exact(value: f64) -> Estimate {
+    Estimate { value, error: 0.0 }
+}
+
+/// Sliding friction of the slowest rate beside that of the models.
+fn compared(prediction: &Prediction) -> Panel {
+    let values = prediction.query.pressing.values();
+    let x = pressing_axis(prediction);
+    let own = prediction.friction.iter().map(|cells| cells[0].sliding.mu);
+    let (y, error) = values_and_errors(own);
+    let label = format!("this, {} m/s", prediction.query.slip_rates[0]);
+    let mut curves = vec![Curve::new(label, values.to_vec(), y).with_error(error)];
+    for comparison in &prediction.comparisons {
+        let y = comparison.friction.iter().map(|cell| cell.sliding.mu.value).collect();
+        curves.push(Curve::new(comparison.model.as_str(), values.to_vec(), y));
+    }
+    Panel { title: "Models of the literature".into(), x, y: Axis::linear(FRICTION_LABEL), curves }
+}
+
+/// Names the law where it is short: that of a table is a sentence, and too long for the sheet.
+fn title(law: &str) -> String {
+    match law.len() {
+        ..=24 => format!("Friction of a rough surface ({law})"),
+        _ => "Friction of a rough surface".into(),
+    }
+}
+
+/// Evenly spread choice of at most `most` of `count`, first and last among them.
+fn chosen(count: usize, most: usize) -> Vec<usize> {
+    if count <= most {
+        return (0..count).collect();
+    }
+    (0..most).map(|i| i * (count - 1) / (most - 1)).collect()
+}
+
+fn values_and_errors(estimates: impl Iterator<Item = Estimate>) -> (Vec<f64>, Vec<f64>) {
+    estimates.map(|estimate| (estimate.value, estimate.error)).unzip()
+}
+
+fn row_label(prediction: &Prediction, row: usize) -> String {
+    match &prediction.query.pressing {
+        Pressing::Pressure(values) => format!("{} Pa", short(values[row])),
+        Pressing::Separation(values) => format!("{} m", short(values[row])),
+    }
+}
+
+/// At most four significant digits, no more than needed.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if value == 0.0 || (1e-2..1e4).contains(&value.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// Points with the flash-heating law through them; where it could not be fitted, with a line.
+fn over_slip_rate(prediction: &Prediction) -> Panel {
+    let rates = &prediction.query.slip_rates;
+    let mut curves = Vec::new();
+    let rows = chosen(prediction.friction.len(), MOST_CURVES);
+    for (style, &row) in rows.iter().enumerate() {
+        let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
+        let (y, error) = values_and_errors(mu);
+        let points = Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error);
+        match &prediction.flash_heating[row] {
+            Ok(fit) => {
+                curves.push(points.drawn_as(Drawn::Markers, style));
+                curves.push(fitted(rates, fit).drawn_as(Drawn::Line, style));
+            }
+            Err(_) => curves.push(points.drawn_as(Drawn::LineAndMarkers, style)),
+        }
+    }
+    let with_fit = rows.iter().any(|row| prediction.flash_heating[*row].is_ok());
+    let title = if with_fit { "Sliding friction, and flash-heating fit (lines)" } else { "Sliding friction" };
+    Panel {
+        title: title.into(),
+        x: Axis::logarithmic("slip rate V (m/s)"),
+        y: Axis::linear(FRICTION_LABEL),
+        curves,
+    }
+}
+
+/// The flash-heating law along the slip rates.
+fn fitted(slip_rates: &[f64], fit: &FlashHeating) -> Curve {
+    const POINTS: usize = 121;
+    let rates = slip_rates.iter().copied().filter(|rate| *rate > 0.0);
+    let (slowest, fastest) = rates
+        .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), rate: f64| (low.min(rate), high.max(rate)));
+    let at = |i: usize| slowest * (fastest / slowest).powf(i as f64 / (POINTS - 1) as f64);
+    let x: Vec<f64> = (0..POINTS).map(at).collect();
+    let y = x.iter().map(|&rate| fit.friction_coefficient(rate)).collect();
+    Curve::new("", x, y)
+}
+
+fn pressing_axis(prediction: &Prediction) -> Axis {
+    match prediction.query.pressing {
+        Pressing::Pressure(_) => Axis::logarithmic("nominal pressure (Pa)"),
+        Pressing::Separation(_) => Axis::linear("separation before the slide (m)"),
+    }
+}
+
+/// Prefix of the label and value of a family of curves.
+type Shown = (&'static str, fn(&Friction) -> Estimate);
+
+fn over_pressing(prediction: &Prediction, title: &str, label: &str, shown: &[Shown]) -> Panel {
+    let values = prediction.query.pressing.values();
+    let x = pressing_axis(prediction);
+    let mut curves = Vec::new();
+    for (prefix, value) in shown {
+        for rate in chosen(prediction.query.slip_rates.len(), MOST_CURVES / shown.len()) {
+            let column = prediction.friction.iter().map(|cells| value(&cells[rate]));
+            let (y, error) = values_and_errors(column);
+            let label = format!("{prefix}{} m/s", prediction.query.slip_rates[rate]);
+            curves.push(Curve::new(label, values.to_vec(), y).with_error(error));
+        }
+    }
+    Panel { title: title.into(), x, y: Axis::linear(label), curves }
+}
+
+fn along_the_slide(prediction: &Prediction) -> Panel {
+    let rates = chosen(prediction.query.slip_rates.len(), 3);
+    let rows = chosen(prediction.friction.len(), (MOST_CURVES / rates.len()).min(2));
+    let mut curves = Vec::new();
+    for row in rows {
+        for &rate in &rates {
+            let history = prediction.friction[row][rate].mu_history.iter().copied();
+            let (y, error) = values_and_errors(history);
+            let slip_rate = prediction.query.slip_rates[rate];
+            let label = format!("{}, {slip_rate} m/s", row_label(prediction, row));
+            curves.push(Curve::new(label, prediction.slip.clone(), y).with_error(error));
+        }
+    }
+    Panel {
+        title: "Along the slide".into(),
+        x: Axis::logarithmic("slip s (m)"),
+        y: Axis::linear(FRICTION_LABEL),
+        curves,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_short() {
+        assert_eq!(short(1e5), "1e5");
+        assert_eq!(short(1234.56), "1235");
+        assert_eq!(short(-2.5e-7), "-2.5e-7");
+    }
+
+    #[test]
+    fn choices_keep_both_ends() {
+        assert_eq!(chosen(3, 6), [0, 1, 2]);
+        assert_eq!(chosen(11, 3), [0, 5, 10]);
+        assert_eq!(chosen(20, 6), [0, 3, 7, 11, 15, 19]);
+    }
+}

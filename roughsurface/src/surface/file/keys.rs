@@ -1,0 +1,191 @@
+//! The keys of the surface file and what single keys must be.
+
+use super::{Parameter, Uncertain};
+use crate::surface::heights::HeightsKeys;
+use crate::surface::query::Hold;
+use crate::surface::radii::{LARGEST_VARIATION, Radii};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+use tables::closed_forms::ElasticPlastic;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FileKeys {
+    pub(super) surface: SurfaceKeys,
+    pub(super) query: QueryKeys,
+    pub(super) material: Option<ElasticPlastic>,
+    pub(super) uncertainty: Option<UncertaintyKeys>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct UncertaintyKeys {
+    pub(super) asperity_density: Option<f64>,
+    pub(super) asperity_radius: Option<f64>,
+    pub(super) heights_std: Option<f64>,
+    pub(super) youngs_modulus: Option<f64>,
+    pub(super) poisson_ratio: Option<f64>,
+    pub(super) yield_strength: Option<f64>,
+    /// Tables of a material of which one constant is raised by its standard deviation.
+    #[serde(default)]
+    pub(super) tables: BTreeMap<String, PathBuf>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SurfaceKeys {
+    pub(super) asperity_density: f64,
+    pub(super) asperity_radius: Option<f64>,
+    pub(super) radii: Option<RadiiKeys>,
+    pub(super) heights: HeightsKeys,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RadiiKeys {
+    pub(super) distribution: RadiiDistribution,
+    pub(super) std: Option<f64>,
+    pub(super) radius: Option<Vec<f64>>,
+    pub(super) share: Option<Vec<f64>>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum RadiiDistribution {
+    LogNormal,
+    Classes,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct QueryKeys {
+    pub(super) pressure: Option<Vec<f64>>,
+    pub(super) separation: Option<Vec<f64>>,
+    pub(super) slip_rate: Vec<f64>,
+    #[serde(default = "held_load")]
+    pub(super) hold: Hold,
+    pub(super) temperature: Option<f64>,
+}
+
+fn held_load() -> Hold {
+    Hold::Load
+}
+
+impl FileKeys {
+    /// What a parameter is, if the file says so: of a distribution of radii, its mean.
+    fn value(&mut self, parameter: Parameter) -> Option<&mut f64> {
+        match parameter {
+            Parameter::AsperityDensity => Some(&mut self.surface.asperity_density),
+            Parameter::AsperityRadius => self.surface.asperity_radius.as_mut(),
+            Parameter::HeightsStd => self.surface.heights.std.as_mut(),
+            Parameter::YoungsModulus => self.material.as_mut().map(|material| &mut material.youngs_modulus),
+            Parameter::PoissonRatio => self.material.as_mut().map(|material| &mut material.poisson_ratio),
+            Parameter::YieldStrength => self.material.as_mut().map(|material| &mut material.yield_strength),
+        }
+    }
+
+    pub(super) fn shift(&mut self, parameter: Parameter, change: f64) {
+        if let Some(value) = self.value(parameter) {
+            *value += change;
+        }
+    }
+
+    /// The other tables of the section `uncertainty`, relative ones beside the surface file.
+    pub(super) fn uncertain_tables(&self, folder: &Path) -> Vec<(String, PathBuf)> {
+        let tables = self.uncertainty.iter().flat_map(|keys| &keys.tables);
+        tables.map(|(key, file)| (key.clone(), folder.join(file))).collect()
+    }
+
+    /// The standard deviations of the section `uncertainty`.
+    pub(super) fn uncertain(&mut self) -> Result<Vec<Uncertain>, String> {
+        let Some(keys) = self.uncertainty.take() else {
+            return Ok(Vec::new());
+        };
+        let stds = [
+            keys.asperity_density,
+            keys.asperity_radius,
+            keys.heights_std,
+            keys.youngs_modulus,
+            keys.poisson_ratio,
+            keys.yield_strength,
+        ];
+        let mut uncertain = Vec::new();
+        for ((parameter, key), std) in Parameter::ALL.into_iter().zip(stds) {
+            let Some(std) = std else {
+                continue;
+            };
+            let key = format!("uncertainty.{key}");
+            let Some(&mut value) = self.value(parameter) else {
+                let missing = if parameter.is_of_material() {
+                    "needs a section [material]"
+                } else {
+                    "needs the value itself as a key of [surface]"
+                };
+                return Err(format!("{key}: {missing}"));
+            };
+            // Moved by more, a parameter comes near zero, where nothing is linear any more.
+            if !(std > 0.0 && std <= value / 3.0) {
+                let rule = format!("must be positive and at most a third of {value:e}, the value itself");
+                return Err(allowed(&key, format!("{std:e}"), &rule));
+            }
+            uncertain.push(Uncertain { parameter, std });
+        }
+        Ok(uncertain)
+    }
+}
+
+/// One radius, or the distribution that the keys describe.
+pub(super) fn radii_of(mean: Option<f64>, keys: Option<RadiiKeys>) -> Result<Radii, String> {
+    let mean = || {
+        let mean = mean.ok_or("surface.asperity_radius: is missing")?;
+        positive("surface.asperity_radius", mean, "m").map(|()| mean)
+    };
+    let Some(RadiiKeys { distribution, std, radius, share }) = keys else {
+        return Ok(Radii::from(mean()?));
+    };
+    let useless = |key: &str, given: bool, name: &str| match given {
+        true => Err(format!("surface.radii.{key}: has no meaning for the distribution {name}")),
+        false => Ok(()),
+    };
+    match distribution {
+        RadiiDistribution::LogNormal => {
+            useless("radius", radius.is_some(), "lognormal")?;
+            useless("share", share.is_some(), "lognormal")?;
+            let mean = mean()?;
+            let std = std.ok_or("surface.radii.std: is missing")?;
+            positive("surface.radii.std", std, "m")?;
+            if std > LARGEST_VARIATION * mean {
+                return Err(allowed(
+                    "surface.radii.std",
+                    format!("{std:e}"),
+                    &format!("must not exceed asperity_radius = {mean:e} m"),
+                ));
+            }
+            Ok(Radii::log_normal(mean, std))
+        }
+        RadiiDistribution::Classes => {
+            useless("std", std.is_some(), "classes")?;
+            if mean().is_ok() {
+                return Err("surface.asperity_radius: follows from surface.radii.radius; leave it out".into());
+            }
+            let (radius, share) = (radius.unwrap_or_default(), share.unwrap_or_default());
+            Radii::counted(&radius, &share).ok_or_else(|| {
+                "surface.radii: radius (m) and share must be lists of as many positive numbers".into()
+            })
+        }
+    }
+}
+
+pub(super) fn allowed(key: &str, value: impl Display, rule: &str) -> String {
+    format!("{key} = {value}: {rule}")
+}
+
+pub(super) fn positive(key: &str, value: f64, unit: &str) -> Result<(), String> {
+    if value > 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(allowed(key, value, &format!("must be a positive number ({unit})")))
+    }
+}

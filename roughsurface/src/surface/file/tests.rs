@@ -1,0 +1,128 @@
+use super::*;
+use crate::surface::query::Hold;
+use crate::surface::radii::Radii;
+
+const GOOD: &str = r#"
+[surface]
+asperity_density = 1e10
+asperity_radius = 100e-6
+heights = { distribution = "gaussian", std = 0.5e-6 }
+[query]
+pressure = [1e7, 1e5]
+slip_rate = [0.1, 1.0]
+hold = "separation"
+[material]
+youngs_modulus = 200e9
+poisson_ratio = 0.3
+yield_strength = 400e6
+"#;
+
+fn parse(text: &str) -> Result<SurfaceFile, SurfaceFileError> {
+    SurfaceFile::parse(Path::new("surface.toml"), text.to_string())
+}
+
+fn message(from: &str, to: &str) -> String {
+    assert!(GOOD.contains(from), "{from}");
+    parse(&GOOD.replace(from, to)).unwrap_err().to_string()
+}
+
+#[test]
+fn a_good_file_is_understood() {
+    let file = parse(GOOD).unwrap();
+    assert_eq!(file.query.pressing, Pressing::Pressure(vec![1e5, 1e7]));
+    assert_eq!(file.query.hold, Hold::Separation);
+    assert_eq!(file.surface.asperity_radius, Radii::from(1e-4));
+    assert_eq!(file.material.unwrap().poisson_ratio, 0.3);
+    assert_eq!(file.text, GOOD);
+    let short = parse(&GOOD.replace("hold = \"separation\"", "")).unwrap();
+    assert_eq!(short.query.hold, Hold::Load);
+    let hot = parse(&GOOD.replace("hold = \"separation\"", "temperature = 450")).unwrap();
+    assert_eq!((hot.temperature, file.temperature), (Some(450.0), None));
+}
+
+#[test]
+fn errors_are_one_line_with_file_key_value_and_rule() {
+    for (from, to, expected) in [
+        (
+            "pressure =",
+            "presure =",
+            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, temperature",
+        ),
+        (
+            "std = 0.5e-6",
+            "sdt = 0.5e-6",
+            "surface.toml:5: surface.heights.sdt: is not a key; did you mean std? known here: distribution, std, shape, lower, upper, file",
+        ),
+        (
+            "poisson_ratio",
+            "poison_ratio",
+            "surface.toml:12: material.poison_ratio: is not a key; did you mean poisson_ratio? known here: youngs_modulus, poisson_ratio, yield_strength",
+        ),
+        (
+            "[1e7, 1e5]",
+            "[1e7, -1e5]",
+            "surface.toml: query.pressure[1] = -1e5: must be finite and positive (Pa)",
+        ),
+        (
+            "hold = \"separation\"",
+            "temperature = -3.0",
+            "surface.toml: query.temperature = -3: must be a positive number (K)",
+        ),
+        ("[0.1, 1.0]", "[]", "surface.toml: query.slip_rate: must hold at least one value (m/s)"),
+        (
+            "pressure = [1e7, 1e5]",
+            "pressure = [1e7]\nseparation = [0.0]",
+            "surface.toml: query.separation: cannot be given together with pressure",
+        ),
+        (
+            "asperity_radius = 100e-6",
+            "asperity_radius = 0.0",
+            "surface.toml: surface.asperity_radius = 0: must be a positive number (m)",
+        ),
+        ("= 0.3", "= 0.5", "surface.toml: material.poisson_ratio = 0.5: must be at least 0 and below 0.5"),
+        (
+            "\"gaussian\"",
+            "\"gausian\"",
+            "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, inverted-chi-squared, sample, histogram (did you mean \"gaussian\"?)",
+        ),
+    ] {
+        assert_eq!(message(from, to), expected);
+    }
+}
+
+#[test]
+fn radii_may_be_distributed() {
+    let radii = |line: &str, radius: &str| {
+        let line = format!("{radius}\nradii = {{ {line} }}");
+        parse(&GOOD.replace("asperity_radius = 100e-6", &line)).map(|file| file.surface.asperity_radius)
+    };
+    let mean = "asperity_radius = 100e-6";
+    let found = radii("distribution = \"lognormal\", std = 30e-6", mean).unwrap();
+    assert_eq!(found, Radii::log_normal(1e-4, 3e-5));
+    let classes = "distribution = \"classes\", radius = [1e-5, 2e-5], share = [1.0, 1.0]";
+    assert!((radii(classes, "").unwrap().mean() - 1.5e-5).abs() < 1e-18);
+    for (line, radius, expected) in [
+        (classes, mean, "surface.asperity_radius: follows from"),
+        ("distribution = \"lognormal\", std = 3e-4", mean, "surface.radii.std = 3e-4: must not exceed"),
+        ("distribution = \"lognormal\"", mean, "surface.radii.std: is missing"),
+        ("distribution = \"lognormal\", std = 3e-5", "", "surface.asperity_radius: is missing"),
+        ("distribution = \"classes\", radius = [1e-5]", "", "as many positive numbers"),
+        ("distribution = \"gamma\"", mean, "unknown variant"),
+    ] {
+        let message = radii(line, radius).unwrap_err().to_string();
+        assert!(message.contains(expected) && message.lines().count() == 1, "{message}");
+    }
+}
+
+#[test]
+fn types_syntax_and_missing_keys_are_explained() {
+    let wrong_type = message("[1e7, 1e5]", "[\"many\"]");
+    assert!(wrong_type.starts_with("surface.toml:7: query.pressure[0]: invalid type"), "{wrong_type}");
+    let hold = message("hold = \"separation\"", "hold = \"distance\"");
+    assert!(hold.starts_with("surface.toml:9: query.hold: unknown variant"), "{hold}");
+    let missing = message("asperity_radius = 100e-6", "");
+    assert!(missing.ends_with("surface.asperity_radius: is missing"), "{missing}");
+    let syntax = message("[query]", "[query");
+    assert!(syntax.starts_with("surface.toml:6: "), "{syntax}");
+    assert_eq!(syntax.lines().count(), 1);
+}
