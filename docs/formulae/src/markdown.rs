@@ -1,8 +1,8 @@
 //! Markdown with LaTeX to Markdown with MathML.
 //!
-//! Three spellings are read, all of which code-hosting sites show as formulae:
+//! These spellings are read, all of which code-hosting sites show as formulae:
 //!
-//! - `$…$` within a line;
+//! - `$…$` within a line, and `` $`…`$ ``, in which nothing is read as Markdown;
 //! - `$$…$$` as a paragraph of its own, for formulae without `\\`;
 //! - a code block of the language `math`, for formulae of several lines.
 
@@ -118,7 +118,7 @@ fn prose(line: &str, lines: &mut Numbered) -> Result<String, String> {
         } else {
             let formula =
                 inline(&text[..begin], &rest[1..]).map_err(|error| format!("line {number}: {error}"))?;
-            let mathml = mathml::render(formula, DisplayMode::Inline);
+            let mathml = mathml::render(formula.trim_matches('`'), DisplayMode::Inline);
             rendered.push_str(
                 &mathml.map_err(|error| format!("line {number}: {}", in_formula(formula, &error)))?,
             );
@@ -129,9 +129,13 @@ fn prose(line: &str, lines: &mut Numbered) -> Result<String, String> {
     Ok(rendered)
 }
 
-/// The formula that a `$` begins, between what is before and after that.
+/// The formula that a `$` begins, between what is before and after that, with its backticks if it has some.
 fn inline<'a>(before: &str, after: &'a str) -> Result<&'a str, String> {
     let line = after.lines().next().unwrap_or_default();
+    if let Some(rest) = line.strip_prefix('`') {
+        let length = rest.find("`$").ok_or("`` $` `` without end in its line")?;
+        return Ok(&line[..length + 2]);
+    }
     let (formula, following) =
         line.split_once('$').ok_or("`$` without end in its line; a plain one is `\\$`")?;
     if formula.is_empty() || formula.trim() != formula {
@@ -147,7 +151,9 @@ fn inline<'a>(before: &str, after: &'a str) -> Result<&'a str, String> {
 /// An error where Markdown as code-hosting sites read it would alter a formula before it is rendered.
 fn shown_alike(formula: &str) -> Result<(), String> {
     let fail = |reason: &str| Err(in_formula(formula, reason));
-    for (wrong, instead) in [("*", r"\ast"), ("|", r"\lvert … \rvert or \mid"), ("<", r"\lt"), ("`", "'")] {
+    for (wrong, instead) in
+        [("*", r"\ast"), ("|", r"\lvert … \rvert or \mid"), ("<", r"\lt"), ("`", "'"), ("](", "] (")]
+    {
         if formula.contains(wrong) {
             return fail(&format!("`{wrong}` is read as Markdown: write {instead}"));
         }
@@ -184,9 +190,9 @@ mod tests {
 
     #[test]
     fn all_spellings_are_rendered() {
-        let text = "Load $P = 1$, in $\\tau_c$\n\n$$\na = b\n$$\n\n$$c$$\n\n```math\n\\begin{aligned} d \\\\ e \\end{aligned}\n```\n";
+        let text = "Load $P = 1$, in $\\tau_c$\n\n$$\na = b\n$$\n\n$$c$$\n\n$`a\\,b`$\n\n```math\n\\begin{aligned} d \\\\ e \\end{aligned}\n```\n";
         let rendered = render(text).unwrap();
-        assert_eq!(rendered.matches("<math").count(), 5, "{rendered}");
+        assert_eq!(rendered.matches("<math").count(), 6, "{rendered}");
         assert_eq!(rendered.matches("<div class=\"formula\">").count(), 3, "{rendered}");
         assert!(!rendered.contains('$'), "{rendered}");
     }
