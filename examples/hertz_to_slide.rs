@@ -6,10 +6,10 @@
 //!
 //!     cargo run --release -p examples --example hertz_to_slide
 
-use asperity::output::numbers::with_error;
 use asperity::scene::file::parse_scene;
 use asperity::simulate::{Unwatched, press, slide};
 use tables::closed_forms::{ElasticPlastic, closed_form};
+use tables::numbers::with_error;
 
 /// A coarse mesh: a look at the method, not a result to quote.
 const SCENE: &str = r#"

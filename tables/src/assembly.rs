@@ -1,5 +1,6 @@
 //! Tables made in pieces: what is missing, shards, added points.
 
+use crate::numbers::plain;
 use crate::table::{Axes, Metadata, Status, Table, TableError};
 
 impl Table {
@@ -96,7 +97,7 @@ impl Table {
     /// A point of the grid by its coordinates, to six digits.
     pub fn label(&self, i: usize, j: usize) -> String {
         let (interference, slip_rate) = self.coordinates(i, j);
-        format!("{} omega_c at {} m/s", six_digits(interference), six_digits(slip_rate))
+        format!("{} omega_c at {} m/s", plain(interference), plain(slip_rate))
     }
 
     /// (ω₀/ω_c, V in m/s) of a point of the grid.
@@ -148,15 +149,6 @@ pub(crate) fn first_difference(here: &str, there: &str) -> (String, String) {
                 return (quoted(here), quoted(there));
             }
         }
-    }
-}
-
-/// Without trailing zeros, with a power of ten where it would need many.
-pub(crate) fn six_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    match value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
-        true => format!("{rounded}"),
-        false => format!("{rounded:e}"),
     }
 }
 

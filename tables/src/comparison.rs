@@ -63,7 +63,7 @@ impl Table {
                 comparison.states.push((self.label(i, j), in_words(here), in_words(there)));
             }
         }
-        let differences = Quantity::ALL.into_iter().filter_map(|q| self.difference(other, &pairs, q));
+        let differences = Quantity::SCALARS.into_iter().filter_map(|q| self.difference(other, &pairs, q));
         comparison.quantities = differences.filter(|difference| difference.largest > 0.0).collect();
         comparison
     }

@@ -41,7 +41,7 @@ struct Misfits {
     coordinate: Vec<f64>,
     /// Relative misfit of each point (row-major) in each quantity; none at the ends of the axis and
     /// where there is nothing to compare.
-    points: Vec<[Option<f64>; Quantity::ALL.len()]>,
+    points: Vec<[Option<f64>; Quantity::SCALARS.len()]>,
 }
 
 /// One of the two axes.
@@ -64,7 +64,7 @@ impl Table {
     /// Leaves out every inner interference and slip rate in turn.
     pub fn cross_validation(&self) -> CrossValidation {
         let (rows, columns) = self.shape();
-        let empty = || vec![[None; Quantity::ALL.len()]; rows * columns];
+        let empty = || vec![[None; Quantity::SCALARS.len()]; rows * columns];
         let interpolant = self.interpolant();
         let mut along = [interpolant.log_interference(), interpolant.rate_coordinate()]
             .map(|coordinate| Misfits { coordinate: coordinate.to_vec(), points: empty() });
@@ -93,10 +93,10 @@ impl Table {
         self.regridded(axes).expect("axes of a table less a point are axes")
     }
 
-    fn misfit(&self, rest: &Table, i: usize, j: usize) -> [Option<f64>; Quantity::ALL.len()] {
+    fn misfit(&self, rest: &Table, i: usize, j: usize) -> [Option<f64>; Quantity::SCALARS.len()] {
         let (interference, slip_rate) = self.coordinates(i, j);
         let radius = self.metadata().asperity_radius;
-        Quantity::ALL.map(|quantity| {
+        Quantity::SCALARS.map(|quantity| {
             let actual = self.cell(i, j)?[quantity].value;
             let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
             let predicted = rest.estimate(quantity, radius, interference, slip_rate).ok()?.value;

@@ -2,7 +2,8 @@
 
 use std::io::Write;
 
-use crate::quantity::{QUANTITIES, Quantity};
+use crate::numbers::exact;
+use crate::quantity::Quantity;
 use crate::series::Tables;
 use crate::table::{Cell, Status, Table};
 
@@ -62,7 +63,8 @@ impl Lines<'_> {
     fn write(&self, to: impl Write) -> std::io::Result<()> {
         let mut file = csv::Writer::from_writer(to);
         let mut header = self.coordinates(&["status"]);
-        for descriptor in &QUANTITIES {
+        for quantity in Quantity::SCALARS {
+            let descriptor = quantity.descriptor();
             header.push(format!("{} [{}]", descriptor.name, descriptor.units));
             header.push(format!("{}_error [{}]", descriptor.name, descriptor.units));
         }
@@ -76,7 +78,7 @@ impl Lines<'_> {
             };
             line.push(state.to_string());
             let cell = table.cell(i, j);
-            for quantity in Quantity::ALL {
+            for quantity in Quantity::SCALARS {
                 line.push(cell.map_or(String::new(), |cell| number(cell[quantity].value)));
                 line.push(cell.map_or(String::new(), |cell| number(cell[quantity].error)));
             }
@@ -92,7 +94,7 @@ impl Lines<'_> {
     fn write_histories(&self, to: impl Write) -> std::io::Result<()> {
         let mut file = csv::Writer::from_writer(to);
         let mut header = self.coordinates(&["slip [1]"]);
-        for quantity in Quantity::HISTORIES {
+        for quantity in Quantity::TABLE_HISTORIES {
             let descriptor = quantity.descriptor();
             header.push(format!("{} [{}]", descriptor.name, descriptor.units));
         }
@@ -102,20 +104,16 @@ impl Lines<'_> {
             for (k, slip) in table.axes().slip.iter().enumerate() {
                 let at = |quantity: Quantity| number(Cell::history(cell, quantity)[k]);
                 let coordinates = line.iter().cloned().chain([number(*slip)]);
-                file.write_record(coordinates.chain(Quantity::HISTORIES.map(at)))?;
+                file.write_record(coordinates.chain(Quantity::TABLE_HISTORIES.map(at)))?;
             }
         }
         file.flush()
     }
 }
 
-/// Shortest text that reads back as the same number.
+/// Exactly; nothing for what is not known.
 fn number(value: f64) -> String {
-    match value.abs() {
-        _ if value.is_nan() => String::new(),
-        0.0 | 1e-3..1e6 => format!("{value}"),
-        _ => format!("{value:e}"),
-    }
+    if value.is_nan() { String::new() } else { exact(value) }
 }
 
 #[cfg(test)]

@@ -355,6 +355,11 @@ impl DatasetReader {
         self.reals(name, &[length])
     }
 
+    /// Whether there is a variable of that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.file.variable(name).is_some()
+    }
+
     /// Lengths of the dimensions of a variable.
     pub fn shape(&self, name: &str) -> Result<Vec<usize>, DatasetError> {
         Ok(self.variable(name)?.dimensions().iter().map(|dimension| dimension.len()).collect())

@@ -1,11 +1,6 @@
 //! The question that every table and every closed form answers.
 
-/// A number with an estimate of its absolute error, both in the same unit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Estimate {
-    pub value: f64,
-    pub error: f64,
-}
+pub use crate::quantity::Estimate;
 
 /// State of one asperity at one instant of its slide: SI units, the whole asperity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -36,3 +36,4 @@ pub mod steffen;
 pub mod table;
 
 pub use interpolation::Extrapolated;
+pub use quantity::numbers;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use crate::fracture::FractureEnergy;
-use crate::quantity::{Descriptor, QUANTITIES, Quantity};
+use crate::quantity::{Descriptor, Quantity, Stored};
 use crate::schema;
 use crate::series::Tables;
 use crate::table::{Cell, Metadata, Status, Table};
@@ -109,8 +109,10 @@ pub(crate) fn write(path: &Path, tables: &[Table], series: bool) -> Result<(), D
         content.write_temperatures(&mut file)?;
     }
     content.write_coordinates(&mut file)?;
-    for descriptor in &QUANTITIES {
-        content.write_quantity(&mut file, descriptor)?;
+    for quantity in Quantity::SCALARS {
+        if tables.iter().any(|table| table.holds(quantity)) {
+            content.write_quantity(&mut file, quantity.descriptor())?;
+        }
     }
     if let Some(fracture_energy) = metadata.fracture_energy {
         content.write_energy_ratio(&mut file, fracture_energy)?;
@@ -213,7 +215,7 @@ impl Content<'_> {
         let attributes = describe(descriptor, error_long_name, "temperature: difference");
         file.reals(&error_name, self.grid(), &errors, &attributes)?;
 
-        if descriptor.has_history {
+        if descriptor.history == Stored::RunAndTable {
             let slips = self.tables[0].axes().slip.len();
             let history = |(_, cell): (&Table, Option<&Cell>)| match cell {
                 Some(cell) => cell.history(quantity).to_vec(),

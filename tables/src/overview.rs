@@ -1,6 +1,7 @@
 //! A table at a glance.
 
 use crate::figure::{Axis, Curve, Drawing, Figure, Map, Panel, Sheet};
+use crate::numbers::digits;
 use crate::quantity::Quantity;
 use crate::table::{Cell, Table};
 
@@ -56,7 +57,7 @@ impl Table {
         let (x_values, y_values) = (between(&rates), between(&axes.interference));
         let at = |omega: f64, rate: f64| {
             let mut cell = Cell::new();
-            for quantity in Quantity::ALL {
+            for quantity in Quantity::SCALARS {
                 if let Ok(known) = self.estimate(quantity, self.metadata().asperity_radius, omega, rate) {
                     cell[quantity] = known;
                 }
@@ -97,7 +98,7 @@ impl Table {
             let at = |j: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
             let points = (0..axes.slip_rate.len()).map(at);
             let (y, error) = points.unzip();
-            let label = format!("{} ω_c", short(axes.interference[i]));
+            let label = format!("{} ω_c", digits(axes.interference[i], 3));
             Curve::new(label, axes.slip_rate.clone(), y).with_error(error)
         };
         Panel {
@@ -135,7 +136,7 @@ impl Table {
             Curve::new(rate_label(axes.slip_rate[j]), axes.slip.clone(), y)
         };
         Panel {
-            title: format!("Along the slide, {} ω_c", short(axes.interference[middle])),
+            title: format!("Along the slide, {} ω_c", digits(axes.interference[middle], 3)),
             x: Axis::linear("slip s/a₀"),
             y: Axis::linear("friction coefficient Q/P"),
             curves: selection(axes.slip_rate.len()).map(curve).collect(),
@@ -162,20 +163,10 @@ fn selection(number: usize) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Three digits are enough in a legend.
-fn short(value: f64) -> String {
-    let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 6) as usize;
-    let text = format!("{value:.decimals$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_string(),
-        false => text,
-    }
-}
-
 fn rate_label(rate: f64) -> String {
     match rate {
         0.0 => "isothermal".to_string(),
-        rate => format!("{} m/s", short(rate)),
+        rate => format!("{} m/s", digits(rate, 3)),
     }
 }
 
@@ -216,10 +207,7 @@ mod tests {
 
     #[test]
     fn legends_are_short() {
-        assert_eq!(short(0.123456), "0.123");
-        assert_eq!(short(100.0), "100");
-        assert_eq!(short(10.0), "10");
-        assert_eq!(short(2.5), "2.5");
+        assert_eq!(rate_label(0.123456), "0.123 m/s");
         assert_eq!(rate_label(0.0), "isothermal");
     }
 }

@@ -43,11 +43,11 @@ const NARROWEST: f64 = 1.02;
 ///     for (i, j) in table.missing() {
 ///         let omega = table.axes().interference[i];
 ///         let mut cell = Cell::new();
-///         for quantity in Quantity::ALL {
+///         for quantity in Quantity::SCALARS {
 ///             let value = if quantity == Quantity::Mu { friction(omega) } else { omega };
 ///             cell = cell.with(quantity, value, 0.0);
 ///         }
-///         for quantity in Quantity::HISTORIES {
+///         for quantity in Quantity::TABLE_HISTORIES {
 ///             cell = cell.with_history(quantity, vec![omega; 2]);
 ///         }
 ///         table.set_cell(i, j, cell)?;
@@ -223,7 +223,7 @@ impl Table {
         let base = self.metadata().temperature;
         for (i, j) in self.grid() {
             let Some(mut cell) = self.cell(i, j).cloned() else { continue };
-            for quantity in Quantity::ALL {
+            for quantity in Quantity::SCALARS {
                 let relative = validation.around(i, j, quantity);
                 let shift = if quantity.is_temperature() { base } else { 0.0 };
                 let added = relative * (cell[quantity].value - shift).abs();

@@ -80,6 +80,13 @@ pub(crate) fn check_content(
 }
 
 impl Table {
+    /// Whether the table has a scalar. Those of the first minor version of the schema are always there; one
+    /// that came later only if it is known in any cell: older files lack it.
+    pub fn holds(&self, quantity: Quantity) -> bool {
+        let known = |(i, j)| self.cell(i, j).is_some_and(|cell| !cell[quantity].value.is_nan());
+        quantity.descriptor().since == 0 || self.grid().any(known)
+    }
+
     /// Of all that a reader relies on, as in the attribute `checksum`.
     pub fn checksum(&self) -> String {
         let mut content = Content(Sha256::new());
@@ -88,9 +95,10 @@ impl Table {
         for axis in [&axes.interference, &axes.slip_rate, &axes.slip] {
             content.reals(axis);
         }
+        let held: Vec<Quantity> = Quantity::SCALARS.into_iter().filter(|q| self.holds(*q)).collect();
         for (i, j) in self.grid() {
             match self.status(i, j) {
-                Status::Done(cell) => content.cell(cell),
+                Status::Done(cell) => content.cell(cell, &held),
                 Status::NotRun => content.text("not run"),
                 Status::Failed(reason) => {
                     content.text("failed");
@@ -153,13 +161,13 @@ impl Content {
         ]);
     }
 
-    fn cell(&mut self, cell: &Cell) {
+    fn cell(&mut self, cell: &Cell, held: &[Quantity]) {
         self.text("done");
-        for quantity in Quantity::ALL {
-            self.real(cell[quantity].value);
-            self.real(cell[quantity].error);
+        for quantity in held {
+            self.real(cell[*quantity].value);
+            self.real(cell[*quantity].error);
         }
-        for quantity in Quantity::HISTORIES {
+        for quantity in Quantity::TABLE_HISTORIES {
             self.reals(cell.history(quantity));
         }
         self.real(f64::from(u8::from(cell.levelled)));

@@ -11,11 +11,12 @@ mod column;
 
 use std::path::Path;
 
-use crate::assembly::{first_difference, six_digits};
+use crate::assembly::first_difference;
 use crate::dataset::DatasetError;
 use crate::fracture::FractureEnergy;
 use crate::interpolation::{blend_one, cubic};
 use crate::netcdf_file;
+use crate::numbers::plain;
 use crate::steffen::locate;
 use crate::table::{Cell, Metadata, Status, Table, TableError, check_axis};
 use column::{Column, Line, Units};
@@ -89,7 +90,7 @@ impl TemperatureSeries {
                 path: path.display().to_string(),
                 what: format!(
                     "is a table of one initial temperature, {} K",
-                    six_digits(table.metadata().temperature)
+                    plain(table.metadata().temperature)
                 ),
             }),
         }
@@ -134,7 +135,7 @@ impl TemperatureSeries {
         };
         let metadata = table.metadata().clone();
         table.set_metadata(Metadata {
-            title: format!("{}, at {} K", metadata.title, six_digits(metadata.temperature)),
+            title: format!("{}, at {} K", metadata.title, plain(metadata.temperature)),
             comment: table.warnings().join("\n"),
             ..metadata
         });
@@ -179,7 +180,7 @@ impl TemperatureSeries {
                 Status::Failed(reason) => Some((side, reason)),
                 _ => None,
             }) {
-                let own = six_digits(side.metadata().temperature);
+                let own = plain(side.metadata().temperature);
                 table.mark_failed(i, j, format!("at {own} K: {reason}"));
             } else if sides.iter().all(|side| side.cell(i, j).is_some()) {
                 let cells: Vec<Option<&Cell>> = self.members.iter().map(|table| table.cell(i, j)).collect();
@@ -231,7 +232,7 @@ impl TemperatureSeries {
             for warning in own {
                 let text = match of_members.iter().all(|other| other.contains(warning)) {
                     true => warning.clone(),
-                    false => format!("at {} K: {warning}", six_digits(member.metadata().temperature)),
+                    false => format!("at {} K: {warning}", plain(member.metadata().temperature)),
                 };
                 if !warnings.contains(&text) {
                     warnings.push(text);
@@ -323,7 +324,7 @@ impl Tables {
     fn of_member(&self, table: &Table, label: String) -> String {
         match self {
             Self::One(_) => label,
-            Self::Series(_) => format!("{label} from {} K", six_digits(table.metadata().temperature)),
+            Self::Series(_) => format!("{label} from {} K", plain(table.metadata().temperature)),
         }
     }
 

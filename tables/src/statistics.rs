@@ -56,7 +56,7 @@ impl Table {
                 interpolation: validation.worst(quantity).error,
             })
         };
-        Quantity::ALL.into_iter().filter_map(of).collect()
+        Quantity::SCALARS.into_iter().filter_map(of).collect()
     }
 
     /// Cells by their state.

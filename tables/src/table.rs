@@ -3,8 +3,7 @@
 use std::ops::{Index, IndexMut};
 
 use crate::fracture::FractureEnergy;
-use crate::law::Estimate;
-use crate::quantity::Quantity;
+use crate::quantity::{Estimate, History, Quantity, Scalars};
 
 /// Coordinates of a table, each strictly increasing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -59,10 +58,14 @@ pub struct Metadata {
 }
 
 /// Results at one interference and slip rate. Values not known are NaN.
+///
+/// Unknown values of two cells are equal to each other.
 #[derive(Clone, Debug)]
 pub struct Cell {
-    values: [Estimate; Quantity::ALL.len()],
-    histories: [Vec<f64>; Quantity::HISTORIES.len()],
+    /// Values with their errors.
+    pub scalars: Scalars,
+    /// Values over the slip axis; a column that is not known is empty.
+    pub histories: History,
     /// Whether μ has levelled off at the end of the slide.
     pub levelled: bool,
     /// What the run took, s.
@@ -71,13 +74,11 @@ pub struct Cell {
     pub warnings: Vec<String>,
 }
 
-const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
-
 impl Default for Cell {
     fn default() -> Self {
         Self {
-            values: [UNKNOWN; Quantity::ALL.len()],
-            histories: Default::default(),
+            scalars: Scalars::default(),
+            histories: History::new(&Quantity::TABLE_HISTORIES),
             levelled: false,
             wall_time: f64::NAN,
             warnings: Vec::new(),
@@ -98,20 +99,24 @@ impl Cell {
         self
     }
 
-    /// Sets the history of a quantity of [`Quantity::HISTORIES`], one value per point of the
+    /// Sets the history of a quantity of [`Quantity::TABLE_HISTORIES`], one value per point of the
     /// slip axis (see [`Steffen`](crate::steffen::Steffen) to resample). Panics for the others.
     pub fn with_history(mut self, quantity: Quantity, values: Vec<f64>) -> Self {
-        let index = quantity.history_index().expect("only the quantities of Quantity::HISTORIES have one");
-        self.histories[index] = values;
+        *self.histories.column_mut(quantity) = values;
         self
     }
 
     /// History of a quantity over the slip axis; empty where none was set.
     pub fn history(&self, quantity: Quantity) -> &[f64] {
-        match quantity.history_index() {
-            Some(index) => &self.histories[index],
-            None => &[],
-        }
+        self.histories.column(quantity)
+    }
+
+    /// Whether all is equal but the wall time.
+    pub fn agrees_with(&self, other: &Cell) -> bool {
+        self.levelled == other.levelled
+            && self.warnings == other.warnings
+            && self.scalars == other.scalars
+            && self.histories == other.histories
     }
 }
 
@@ -119,37 +124,21 @@ impl Index<Quantity> for Cell {
     type Output = Estimate;
 
     fn index(&self, quantity: Quantity) -> &Estimate {
-        &self.values[quantity as usize]
+        &self.scalars[quantity]
     }
 }
 
 impl IndexMut<Quantity> for Cell {
     fn index_mut(&mut self, quantity: Quantity) -> &mut Estimate {
-        &mut self.values[quantity as usize]
+        &mut self.scalars[quantity]
     }
 }
 
-fn same(a: f64, b: f64) -> bool {
-    a == b || (a.is_nan() && b.is_nan())
-}
-
-/// Unknown values (NaN) of two cells are equal to each other.
 impl PartialEq for Cell {
     fn eq(&self, other: &Self) -> bool {
-        self.agrees_with(other) && same(self.wall_time, other.wall_time)
-    }
-}
-
-impl Cell {
-    /// Whether all is equal but the wall time.
-    pub fn agrees_with(&self, other: &Cell) -> bool {
-        let same_values =
-            |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(*a, *b));
-        self.levelled == other.levelled
-            && self.warnings == other.warnings
-            && (self.values.iter().zip(&other.values))
-                .all(|(a, b)| same(a.value, b.value) && same(a.error, b.error))
-            && (self.histories.iter().zip(&other.histories)).all(|(a, b)| same_values(a, b))
+        let same_time =
+            self.wall_time == other.wall_time || (self.wall_time.is_nan() && other.wall_time.is_nan());
+        self.agrees_with(other) && same_time
     }
 }
 
@@ -202,10 +191,10 @@ pub enum TableError {
 /// let mut table = Table::new(axes, metadata)?;
 /// for (i, load) in [0.1, 5.0].into_iter().enumerate() {
 ///     let mut cell = Cell::new();
-///     for quantity in Quantity::ALL {
+///     for quantity in Quantity::SCALARS {
 ///         cell = cell.with(quantity, load, 0.01 * load);
 ///     }
-///     for quantity in Quantity::HISTORIES {
+///     for quantity in Quantity::TABLE_HISTORIES {
 ///         cell = cell.with_history(quantity, vec![load; 3]);
 ///     }
 ///     table.set_cell(i, 0, cell)?;
@@ -275,16 +264,14 @@ impl Table {
     /// Enters results; each history must be as long as the slip axis, or empty.
     pub fn set_cell(&mut self, i: usize, j: usize, mut cell: Cell) -> Result<(), TableError> {
         let expected = self.axes.slip.len();
-        for (quantity, history) in Quantity::HISTORIES.iter().zip(&mut cell.histories) {
-            if history.is_empty() {
-                *history = vec![f64::NAN; expected];
+        for quantity in Quantity::TABLE_HISTORIES {
+            let column = cell.histories.column_mut(quantity);
+            if column.is_empty() {
+                *column = vec![f64::NAN; expected];
             }
-            if history.len() != expected {
-                return Err(TableError::HistoryLength {
-                    quantity: quantity.descriptor().name,
-                    expected,
-                    found: history.len(),
-                });
+            if column.len() != expected {
+                let quantity = quantity.descriptor().name;
+                return Err(TableError::HistoryLength { quantity, expected, found: column.len() });
             }
         }
         self.set_status(i, j, Status::Done(Box::new(cell)));

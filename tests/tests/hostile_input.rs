@@ -143,7 +143,7 @@ fn table() -> Table {
     let mut table = Table::new(axes, metadata).unwrap();
     for (i, j) in [(0, 0), (0, 1), (1, 1)] {
         let mut cell = Cell::new();
-        for (n, quantity) in Quantity::ALL.into_iter().enumerate() {
+        for (n, quantity) in Quantity::SCALARS.into_iter().enumerate() {
             cell = cell.with(quantity, (1 + n + i + 2 * j) as f64 / 3.0, 0.01);
         }
         table.set_cell(i, j, cell).unwrap();

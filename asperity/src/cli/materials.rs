@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use asperity::output::numbers;
 use asperity::scene::TemperatureTable;
 use asperity::scene::presets::{self, ConstantValue, Preset};
 use serde_json::json;
+use tables::numbers;
 
 use super::{Display, Failure, print};
 

@@ -124,7 +124,7 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
     line("slip_rate", format!("{} m/s", numbers::plain(scene.loading.slip_rate)));
     line("radius", format!("{} m", numbers::plain(scene.radius)));
     line("heat_partition", numbers::plain(scene.interface.heat_partition));
-    for quantity in Quantity::ALL {
+    for quantity in Quantity::SCALARS {
         let descriptor = quantity.descriptor();
         let estimate = estimate(&outcome.summary, quantity);
         line(descriptor.name, numbers::with_error(estimate, descriptor.units));
@@ -159,7 +159,7 @@ fn account(outcome: &Outcome) -> String {
         "errors in %:{:12}{:>8}{:>8}{:>8}{:>8}{:>8}",
         "", "mesh", "sectors", "steps", "solver", "model"
     );
-    for quantity in Quantity::ALL {
+    for quantity in Quantity::SCALARS {
         let value = estimate(&outcome.summary, quantity).value.abs();
         let _ = write!(text, "  {:20}", quantity.descriptor().name);
         for source in ErrorSource::ALL {
@@ -192,7 +192,7 @@ fn as_json(
         let value = numbers::as_json(estimate, descriptor.units);
         (descriptor.name.to_owned(), value)
     };
-    let mut summary: serde_json::Map<_, _> = Quantity::ALL.into_iter().map(entry).collect();
+    let mut summary: serde_json::Map<_, _> = Quantity::SCALARS.into_iter().map(entry).collect();
     for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
         summary.insert(name.to_owned(), numbers::as_json(estimate, unit));
     }

@@ -179,7 +179,7 @@ fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
                         let value = numbers::as_json(estimate, descriptor.units);
                         (descriptor.name.to_owned(), value)
                     };
-                    ("done", None, Quantity::ALL.into_iter().map(entry).collect())
+                    ("done", None, Quantity::SCALARS.into_iter().map(entry).collect())
                 }
             };
             let (temperature, interference) = tabulation.row(i);

@@ -1,9 +1,9 @@
 //! `asperity verify`: every reference case, with its verdict.
 
-use asperity::output::numbers::plain;
 use asperity::simulate::SimulationError;
 use asperity::studies::verification::{Extent, GROUPS, Row};
 use serde_json::json;
+use tables::numbers::{digits, plain};
 
 use super::progress::{Progress, watch_for_interrupt};
 use super::{Display, Failure, VerifyArguments, print};
@@ -63,24 +63,19 @@ fn table(group: &str, rows: &[Row]) -> String {
             row.quantity,
             plain(row.computed),
             plain(row.reference),
-            short(scale * row.difference()),
-            short(scale * row.error),
+            digits(scale * row.difference(), 2),
+            digits(scale * row.error, 2),
         )
         .replace(" ,", ",")
         .replace(" ;", ";");
         text += &format!("        {}", row.source);
         if row.allowance.bound > 0.0 {
-            text += &format!("; {}: {}{sign} allowed", row.allowance.why, short(scale * row.allowance.bound));
+            text +=
+                &format!("; {}: {}{sign} allowed", row.allowance.why, digits(scale * row.allowance.bound, 2));
         }
         text.push('\n');
     }
     text
-}
-
-/// Two digits.
-fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
-    plain(rounded)
 }
 
 fn as_json(row: &Row) -> serde_json::Value {

@@ -3,9 +3,9 @@
 use tables::figure::{Axis, Curve, Drawing, Panel, Sheet};
 
 use crate::output::contact_maps::contact_maps;
-use crate::output::numbers::plain;
 use crate::scene::Scene;
 use crate::simulate::outcome::{Outcome, SlideStep};
+use tables::numbers::plain;
 
 type History = (&'static str, fn(&SlideStep) -> f64);
 

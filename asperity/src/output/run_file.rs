@@ -6,7 +6,7 @@ use std::path::Path;
 
 use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use tables::law::Estimate;
-use tables::quantity::{QUANTITIES, Quantity};
+use tables::quantity::Quantity;
 
 use crate::output::provenance::SOURCE;
 use crate::scene::Scene;
@@ -125,7 +125,7 @@ fn columns<T>(
         if !coordinates.split(' ').any(|name| name == column.name) {
             attributes.push(("coordinates", coordinates.into()));
         }
-        if QUANTITIES.iter().any(|quantity| quantity.name == column.name) {
+        if Quantity::named(column.name).is_some_and(|quantity| quantity.descriptor().scalar) {
             let error = format!("{}_error", column.name);
             attributes.push(("ancillary_variables", error.into()));
         }
@@ -136,7 +136,7 @@ fn columns<T>(
 
 /// Scalars with their errors.
 fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Result<(), DatasetError> {
-    for quantity in Quantity::ALL {
+    for quantity in Quantity::SCALARS {
         let Estimate { value, error } = estimate(&outcome.summary, quantity);
         let descriptor = quantity.descriptor();
         // The bare name belongs to the history, where there is one.

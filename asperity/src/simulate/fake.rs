@@ -83,6 +83,7 @@ impl Fake {
                 mu: estimate(end.mu),
                 mu_static: estimate(peak.mu),
                 mu_peak: estimate(peak.mu),
+                mu_mean: estimate(end.mu),
                 friction: estimate(end.friction),
                 friction_static: estimate(peak.friction),
                 load: estimate(load),

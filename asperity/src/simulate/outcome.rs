@@ -73,6 +73,7 @@ pub struct Summary {
     pub mu: Estimate,
     pub mu_static: Estimate,
     pub mu_peak: Estimate,
+    pub mu_mean: Estimate,
     pub friction: Estimate,
     pub friction_static: Estimate,
     pub load: Estimate,

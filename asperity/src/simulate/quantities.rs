@@ -22,6 +22,7 @@ pub fn estimate(summary: &Summary, quantity: Quantity) -> Estimate {
         Quantity::Mu => summary.mu,
         Quantity::MuStatic => summary.mu_static,
         Quantity::MuPeak => summary.mu_peak,
+        Quantity::MuMean => summary.mu_mean,
         Quantity::Friction => summary.friction,
         Quantity::FrictionStatic => summary.friction_static,
         Quantity::Load => summary.load,
@@ -34,6 +35,7 @@ pub fn estimate(summary: &Summary, quantity: Quantity) -> Estimate {
         Quantity::TemperatureMax => summary.temperature_max,
         Quantity::TemperatureMean => summary.temperature_mean,
         Quantity::InceptionSlip => summary.inception_slip,
+        _ => unreachable!("{quantity:?} is not a scalar"),
     }
 }
 

@@ -46,7 +46,7 @@ pub struct Scalars {
     pub levelled: bool,
 }
 
-const QUANTITIES: usize = Quantity::ALL.len();
+const QUANTITIES: usize = Quantity::SCALARS.len();
 
 impl Scalars {
     pub fn new(problem: &Problem, scene: &Scene, press: &[Increment], history: &[SlideState]) -> Self {
@@ -62,11 +62,13 @@ impl Scalars {
         };
         let energy = units.stress * units.length;
         let start = scene.loading.temperature;
-        let values = Quantity::ALL.map(|quantity| match quantity {
+        let values = Quantity::SCALARS.map(|quantity| match quantity {
             Quantity::Mu => mu(last),
             Quantity::MuStatic if inception.load > 0.0 => inception.friction / inception.load,
             Quantity::MuStatic => 0.0,
             Quantity::MuPeak => history.iter().map(mu).fold(0.0, f64::max),
+            Quantity::MuMean if has_friction => mean_friction(history),
+            Quantity::MuMean => 0.0,
             Quantity::Friction => friction * units.force(),
             Quantity::FrictionStatic => inception.friction * units.force(),
             Quantity::Load => last.load * units.force(),
@@ -80,8 +82,9 @@ impl Scalars {
             Quantity::TemperatureMax => start + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
             Quantity::TemperatureMean => start + last.rise_mean,
             Quantity::InceptionSlip => inception.slip * units.length,
+            _ => unreachable!("{quantity:?} is not a scalar"),
         });
-        let brackets = Quantity::ALL.map(|quantity| match quantity {
+        let brackets = Quantity::SCALARS.map(|quantity| match quantity {
             Quantity::EnergyRelease => inception.energy_bracket * energy,
             Quantity::InceptionSlip => inception.slip_bracket * units.length,
             _ => 0.0,
@@ -185,6 +188,15 @@ fn between(history: &[SlideState], slip: f64) -> SlideState {
         elastic: mix(a.elastic, b.elastic),
         ..a
     }
+}
+
+/// ∫Q ds/∫P ds over the slide, trapezoidal; 0 without load.
+fn mean_friction(history: &[SlideState]) -> f64 {
+    let integral = |of: fn(&SlideState) -> f64| -> f64 {
+        history.windows(2).map(|w| 0.5 * (of(&w[0]) + of(&w[1])) * (w[1].slip - w[0].slip)).sum()
+    };
+    let load = integral(|state| state.load);
+    if load > 0.0 { integral(|state| state.friction) / load } else { 0.0 }
 }
 
 /// ∫(τ̄ − τ̄_end) ds from the peak of τ̄ = Q/A to the end, trapezoidal.

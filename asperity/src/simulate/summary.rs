@@ -62,6 +62,7 @@ fn summary(scalars: &Scalars, budget: &ErrorBudget) -> Summary {
         mu: of(Quantity::Mu),
         mu_static: of(Quantity::MuStatic),
         mu_peak: of(Quantity::MuPeak),
+        mu_mean: of(Quantity::MuMean),
         friction: of(Quantity::Friction),
         friction_static: of(Quantity::FrictionStatic),
         load: of(Quantity::Load),

@@ -51,11 +51,11 @@ impl Finished {
     /// What is kept of `outcome`; `temperature` is that at the start, K.
     pub fn new(outcome: &Outcome, slips: &[f64], temperature: f64) -> Self {
         let mut cell = Cell::new();
-        for quantity in Quantity::ALL {
+        for quantity in Quantity::SCALARS {
             cell[quantity] = estimate(&outcome.summary, quantity);
         }
         let histories = resample(outcome, slips, temperature);
-        for (quantity, history) in Quantity::HISTORIES.into_iter().zip(histories) {
+        for (quantity, history) in Quantity::TABLE_HISTORIES.into_iter().zip(histories) {
             cell = cell.with_history(quantity, history);
         }
         cell.levelled = outcome.summary.levelled;
@@ -70,7 +70,7 @@ impl Finished {
     }
 }
 
-/// Histories of μ, Q, P, A and T_max, in the order of [`Quantity::HISTORIES`], at the slips
+/// Histories of μ, Q, P, A and T_max, in the order of [`Quantity::TABLE_HISTORIES`], at the slips
 /// `slips` (in a₀); NaN beyond the slide.
 fn resample(outcome: &Outcome, slips: &[f64], temperature: f64) -> [Vec<f64>; 5] {
     let radius = outcome.summary.contact_radius.value;

@@ -333,19 +333,19 @@ impl Record {
         }
         let numbers = from_hexadecimal(&self.numbers)?;
         let (wall_time, numbers) = numbers.split_first()?;
-        let (scalars, histories) = numbers.split_at_checked(2 * Quantity::ALL.len())?;
-        let count = Quantity::HISTORIES.len();
+        let (scalars, histories) = numbers.split_at_checked(2 * Quantity::SCALARS.len())?;
+        let count = Quantity::TABLE_HISTORIES.len();
         if histories.is_empty() || histories.len() % count != 0 {
             return None;
         }
         let mut cell = Cell::new();
         cell.levelled = self.levelled;
         cell.wall_time = *wall_time;
-        for (quantity, pair) in Quantity::ALL.into_iter().zip(scalars.chunks_exact(2)) {
+        for (quantity, pair) in Quantity::SCALARS.into_iter().zip(scalars.chunks_exact(2)) {
             cell = cell.with(quantity, pair[0], pair[1]);
         }
         let histories = histories.chunks_exact(histories.len() / count);
-        for (quantity, history) in Quantity::HISTORIES.into_iter().zip(histories) {
+        for (quantity, history) in Quantity::TABLE_HISTORIES.into_iter().zip(histories) {
             cell = cell.with_history(quantity, history.to_vec());
         }
         let finished =
@@ -355,8 +355,8 @@ impl Record {
 }
 
 fn numbers(cell: &Cell) -> String {
-    let scalars = Quantity::ALL.into_iter().flat_map(|q| [cell[q].value, cell[q].error]);
-    let histories = Quantity::HISTORIES.into_iter().flat_map(|q| cell.history(q));
+    let scalars = Quantity::SCALARS.into_iter().flat_map(|q| [cell[q].value, cell[q].error]);
+    let histories = Quantity::TABLE_HISTORIES.into_iter().flat_map(|q| cell.history(q));
     std::iter::once(cell.wall_time)
         .chain(scalars)
         .chain(histories.copied())

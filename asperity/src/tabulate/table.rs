@@ -7,11 +7,11 @@ use tables::series::{Tables, TemperatureSeries};
 use tables::table::{Axes, Metadata, Table, TableError};
 
 use super::{Index, Tabulation};
-use crate::output::numbers::plain;
 use crate::output::provenance::{FINGERPRINT, SOURCE};
 use crate::scene::Scene;
 use crate::scene::file::write_request;
 use crate::simulate::fracture::fracture_energy;
+use tables::numbers::plain;
 
 impl Tabulation {
     /// The table of all cells; `history` as in [`crate::output::provenance::history`]. Where points were

@@ -4,7 +4,8 @@ use crate::friction::flash_heating::FlashHeating;
 use crate::friction::{Friction, Prediction};
 use crate::surface::query::Pressing;
 use tables::figure::{Axis, Curve, Drawn, Figure, Panel};
-use tables::law::Estimate;
+use tables::numbers::digits;
+use tables::quantity::Estimate;
 
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
@@ -106,18 +107,8 @@ fn values_and_errors(estimates: impl Iterator<Item = Estimate>) -> (Vec<f64>, Ve
 
 fn row_label(prediction: &Prediction, row: usize) -> String {
     match &prediction.query.pressing {
-        Pressing::Pressure(values) => format!("{} Pa", short(values[row])),
-        Pressing::Separation(values) => format!("{} m", short(values[row])),
-    }
-}
-
-/// At most four significant digits, no more than needed.
-fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    if value == 0.0 || (1e-2..1e4).contains(&value.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
+        Pressing::Pressure(values) => format!("{} Pa", digits(values[row], 4)),
+        Pressing::Separation(values) => format!("{} m", digits(values[row], 4)),
     }
 }
 
@@ -209,13 +200,6 @@ fn along_the_slide(prediction: &Prediction) -> Panel {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn labels_are_short() {
-        assert_eq!(short(1e5), "1e5");
-        assert_eq!(short(1234.56), "1235");
-        assert_eq!(short(-2.5e-7), "-2.5e-7");
-    }
 
     #[test]
     fn choices_keep_both_ends() {

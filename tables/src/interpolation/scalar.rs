@@ -129,7 +129,7 @@ impl Below<'_> {
             // Weakening by a slight heating: drop of strength and slip both go with a.
             EnergyWeakening if rubs => row * area(here) / area(knot),
             Friction if rubs => friction(row),
-            Mu if rubs => friction(row * self.load) / from(&load, self.load, descent.kept()),
+            Mu | MuMean if rubs => friction(row * self.load) / from(&load, self.load, descent.kept()),
             FrictionStatic if rubs => kept(&shear),
             MuStatic | MuPeak if rubs => kept(&|at| shear(at) / load(at)),
             InceptionSlip if rubs => kept(&|at| elastic.inception_slip(at).unwrap_or(f64::NAN)),
@@ -151,7 +151,7 @@ impl Below<'_> {
             LoadPress | AreaPress | ContactRadius if descent.kept() == 1.0 => 0.0,
             LoadPress | AreaPress | ContactRadius => sliding,
             Friction if rubs => sliding + elastic.lifted(descent) + fades(row),
-            Mu if rubs => sliding + elastic.lifted(descent) + fades(row * self.load),
+            Mu | MuMean if rubs => sliding + elastic.lifted(descent) + fades(row * self.load),
             _ => sliding + elastic.lifted(descent),
         };
         (value, spread)

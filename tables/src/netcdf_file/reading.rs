@@ -8,7 +8,7 @@ use super::{
 };
 use crate::dataset::{DatasetError, DatasetReader};
 use crate::fracture::FractureEnergy;
-use crate::quantity::{QUANTITIES, Quantity};
+use crate::quantity::Quantity;
 use crate::schema;
 use crate::series::{Tables, TemperatureSeries};
 use crate::table::{Axes, Cell, Metadata, Table, TableError};
@@ -92,15 +92,18 @@ fn read_cells(
     let (rows, rates) = tables[0].shape();
     let slips = tables[0].axes().slip.len();
     let mut cells = vec![Cell::new(); status.len()];
-    for descriptor in &QUANTITIES {
-        let name = descriptor.name;
+    for quantity in Quantity::SCALARS {
+        let name = quantity.descriptor().name;
+        if quantity.descriptor().since > 0 && !file.has(name) {
+            continue;
+        }
         let values = file.reals(name, grid)?;
         let errors = file.reals(&format!("{name}_error"), grid)?;
         for (cell, (value, error)) in cells.iter_mut().zip(values.into_iter().zip(errors)) {
-            cell[descriptor.quantity] = crate::law::Estimate { value, error };
+            cell[quantity] = crate::quantity::Estimate { value, error };
         }
     }
-    for quantity in Quantity::HISTORIES {
+    for quantity in Quantity::TABLE_HISTORIES {
         let name = history_name(quantity.descriptor().name);
         let values = file.reals(&name, &[grid, &[slips]].concat())?;
         for (cell, history) in cells.iter_mut().zip(values.chunks(slips)) {

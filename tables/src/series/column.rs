@@ -80,27 +80,10 @@ pub(super) struct Units {
 }
 
 impl Units {
-    /// Powers of yield strength and contact modulus: at equal ω/ω_c a contact radius is in proportion to
-    /// σ_Y/E*, a stress to σ_Y. Elastic slip is in proportion to the contact radius and to σ_Y/E* once more.
-    fn powers(quantity: Quantity) -> (i32, i32) {
-        match quantity {
-            Quantity::InceptionSlip => return (2, -2),
-            Quantity::EnergyRelease => return (3, -2),
-            _ => {}
-        }
-        match quantity.descriptor().units {
-            "m" => (1, -1),
-            "m2" => (2, -2),
-            "N" => (3, -2),
-            "J m-2" => (2, -1),
-            _ => (0, 0),
-        }
-    }
-
     fn of(quantity: Quantity, (strength, modulus): (f64, f64)) -> f64 {
         match strength > 0.0 && modulus > 0.0 {
             true => {
-                let (of_strength, of_modulus) = Self::powers(quantity);
+                let (of_strength, of_modulus) = quantity.descriptor().material_exponents;
                 strength.powi(of_strength) * modulus.powi(of_modulus)
             }
             // A table without these constants is read as it is.
@@ -110,7 +93,7 @@ impl Units {
 
     /// Relative error of the unit here.
     fn error(&self, quantity: Quantity) -> f64 {
-        let (of_strength, of_modulus) = Self::powers(quantity);
+        let (of_strength, of_modulus) = quantity.descriptor().material_exponents;
         let share = |power: i32, error: f64| if power == 0 { 0.0 } else { f64::from(power.abs()) * error };
         match self.here.0 > 0.0 && self.here.1 > 0.0 {
             true => share(of_strength, self.errors.0) + share(of_modulus, self.errors.1),
@@ -130,8 +113,8 @@ impl Column<'_> {
     /// The cell between two that are there.
     pub(super) fn at(&self, place: Location, temperature: f64) -> Cell {
         let mut cell = Cell::new();
-        let base = |quantity: Quantity| if quantity.is_temperature() { temperature } else { 0.0 };
-        for quantity in Quantity::ALL {
+        let base = |quantity: Quantity| quantity.origin(temperature);
+        for quantity in Quantity::SCALARS {
             let value = |member: usize| self.scaled(member, quantity, |cell| cell[quantity].value);
             let line = Line::new(self.temperatures, place, value, blend_one);
             let unit = Units::of(quantity, self.units.here);
@@ -142,7 +125,7 @@ impl Column<'_> {
             let error = given + unit * line.error() + self.units.error(quantity) * found.abs();
             cell[quantity] = Estimate { value: base(quantity) + found, error };
         }
-        for quantity in Quantity::HISTORIES {
+        for quantity in Quantity::TABLE_HISTORIES {
             let points = self.cells[place.index].map_or(0, |cell| cell.history(quantity).len());
             let unit = Units::of(quantity, self.units.here);
             let point = |k: usize| {
@@ -164,7 +147,7 @@ impl Column<'_> {
 
     /// A number of the cell of a member in its unit; of a temperature the rise above the initial one.
     fn scaled(&self, member: usize, quantity: Quantity, of: impl Fn(&Cell) -> f64) -> f64 {
-        let base = if quantity.is_temperature() { self.temperatures[member] } else { 0.0 };
+        let base = quantity.origin(self.temperatures[member]);
         let value = self.cells[member].map_or(f64::NAN, of) - base;
         value / Units::of(quantity, self.units.members[member])
     }

@@ -20,7 +20,7 @@ fn cell(interference: f64, slip_rate: f64, temperature: f64) -> Cell {
     let rise = 80.0 * slip_rate.sqrt() * strength;
     let mu = 0.4 / (1.0 + 0.002 * rise) + 1e-4 * (temperature - 300.0);
     let mut cell = Cell::new();
-    for quantity in Quantity::ALL {
+    for quantity in Quantity::SCALARS {
         let value = match quantity {
             Quantity::TemperatureMax => temperature + rise,
             Quantity::TemperatureMean => temperature + 0.5 * rise,
@@ -30,7 +30,7 @@ fn cell(interference: f64, slip_rate: f64, temperature: f64) -> Cell {
         };
         cell = cell.with(quantity, value, 0.0);
     }
-    for quantity in Quantity::HISTORIES {
+    for quantity in Quantity::TABLE_HISTORIES {
         let start = if quantity.is_temperature() { temperature } else { 0.0 };
         let end = cell[quantity].value;
         cell = cell.with_history(quantity, vec![start, 0.5 * (start + end), end]);

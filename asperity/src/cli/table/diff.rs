@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use asperity::output::numbers::plain;
 use serde_json::{Value, json};
 use tables::comparison::Comparison;
+use tables::numbers::plain;
 
 use super::{DiffArguments, read};
 use crate::{Display, Failure, print};

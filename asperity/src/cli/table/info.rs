@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use asperity::output::numbers::plain;
 use serde_json::{Value, json};
+use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::schema::{SCHEMA_VERSION, SERIES_VERSION};
 use tables::series::{Tables, TemperatureSeries};

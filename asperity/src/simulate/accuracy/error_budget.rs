@@ -51,7 +51,7 @@ impl ErrorSource {
     }
 }
 
-const QUANTITIES: usize = Quantity::ALL.len();
+const QUANTITIES: usize = Quantity::SCALARS.len();
 
 /// Estimated absolute errors of all quantities, SI, by source.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,7 +112,7 @@ impl ErrorBudget {
     pub fn beside_mesh(companions: &AuxiliaryRuns<'_>, run: &Resolution, coarser: &Resolution) -> Self {
         let AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver } = *companions;
         let difference = |other: &Scalars, share: &dyn Fn(Quantity) -> f64| {
-            Quantity::ALL.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
+            Quantity::SCALARS.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
         };
         let sectors = sectors_share(run.sectors, coarser.other_sectors().sectors);
         Self {
@@ -132,12 +132,12 @@ impl ErrorBudget {
     pub fn set_mesh(&mut self, fine: &Scalars, coarse: &Scalars, run: &Resolution, coarser: &Resolution) {
         let elements = run.elements_per_radius as f64;
         let refinement = elements / coarser.elements_per_radius as f64;
-        self.parts[ErrorSource::Mesh as usize] = Quantity::ALL.map(|quantity| {
+        self.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|quantity| {
             let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
             let share = mesh_share(refinement, mesh_order(quantity, fine.elastic));
             share * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
         });
-        self.brackets = Quantity::ALL.map(|quantity| fine.bracket(quantity));
+        self.brackets = Quantity::SCALARS.map(|quantity| fine.bracket(quantity));
     }
 
     /// After a refinement in sectors and increments: second order in θ at least, first in the
@@ -154,13 +154,13 @@ impl ErrorBudget {
     /// The model's part.
     pub fn set_model(&mut self, modelling_error: &ModellingError, values: &Scalars) {
         self.parts[ErrorSource::Model as usize] =
-            Quantity::ALL.map(|quantity| modelling_error.share(quantity) * values.magnitude(quantity));
+            Quantity::SCALARS.map(|quantity| modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
     /// Nothing is known: errors as large as the values.
     pub fn unknown(fine: &Scalars) -> Self {
         let mut budget = Self::default();
-        budget.parts[ErrorSource::Mesh as usize] = Quantity::ALL.map(|q| fine.value(q).abs());
+        budget.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|q| fine.value(q).abs());
         budget
     }
 
@@ -225,12 +225,12 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
     let edge = edge_share(elements_per_radius);
     match quantity {
         // Friction is strength times area.
-        Mu | MuStatic | MuPeak | Friction | FrictionStatic | Area | AreaPress => 2.0 * edge,
+        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area | AreaPress => 2.0 * edge,
         // The rise goes with the radius of the source.
         ContactRadius | InceptionSlip | EnergyRelease | EnergyWeakening | TemperatureMax
         | TemperatureMean => edge,
         // The pressure vanishes at the edge.
-        Load | LoadPress => 0.0,
+        _ => 0.0,
     }
 }
 
@@ -248,7 +248,9 @@ const ORDER_OF_ELASTIC_FRICTION: f64 = 1.0;
 fn mesh_order(quantity: Quantity, elastic: bool) -> f64 {
     use Quantity::*;
     match quantity {
-        Mu | MuStatic | MuPeak | Friction | FrictionStatic | Area if elastic => ORDER_OF_ELASTIC_FRICTION,
+        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area if elastic => {
+            ORDER_OF_ELASTIC_FRICTION
+        }
         _ => ORDER,
     }
 }

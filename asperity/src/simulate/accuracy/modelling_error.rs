@@ -23,13 +23,13 @@ impl ModellingError {
         use Quantity::*;
         let (softening, load) = self.heat.map_or((0.0, 0.0), |effect| (effect.softening, effect.load));
         match quantity {
-            Mu | MuPeak => softening + load + self.strain,
+            Mu | MuPeak | MuMean => softening + load + self.strain,
             MuStatic | FrictionStatic | EnergyRelease => self.strain,
             Friction | EnergyWeakening => softening + self.strain,
             Area => load + self.strain,
             Load => load,
             TemperatureMax | TemperatureMean => softening + load + self.strain,
-            InceptionSlip | ContactRadius | LoadPress | AreaPress => 0.0,
+            _ => 0.0,
         }
     }
 }

@@ -1,0 +1,139 @@
+//! The entries of the list.
+
+use super::Quantity::{self, *};
+use super::{Descriptor, Stored};
+
+/// Exponents (of R; of σ_Y, of E*) of each kind of quantity.
+type Scaling = (i32, (i32, i32));
+
+const NUMBER: Scaling = (0, (0, 0));
+const LENGTH: Scaling = (1, (1, -1));
+const AREA: Scaling = (2, (2, -2));
+const FORCE: Scaling = (2, (3, -2));
+const ENERGY_PER_AREA: Scaling = (1, (2, -1));
+const ENERGY: Scaling = (3, (4, -3));
+/// Elastic slip is in proportion to the contact radius and to σ_Y/E* once more.
+const ELASTIC_SLIP: Scaling = (1, (2, -2));
+/// A stress over an elastic slip.
+const ELASTIC_SLIP_ENERGY: Scaling = (1, (3, -2));
+
+/// Every quantity, in the order of [`Quantity`].
+#[rustfmt::skip]
+pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
+    scalar(Mu, "mu", "1", NUMBER, "sliding friction coefficient Q/P").history(Stored::RunAndTable, "last value"),
+    scalar(MuStatic, "mu_static", "1", NUMBER, "friction coefficient Q/P at sliding inception"),
+    scalar(MuPeak, "mu_peak", "1", NUMBER, "largest friction coefficient Q/P of the slide"),
+    scalar(MuMean, "mu_mean", "1", NUMBER, "mean friction coefficient of the slide, work of friction over the integral of P along the slip").since(1),
+    scalar(Friction, "Q", "N", FORCE, "friction force").history(Stored::RunAndTable, "last value"),
+    scalar(FrictionStatic, "Q_static", "N", FORCE, "friction force at sliding inception"),
+    scalar(Load, "P", "N", FORCE, "normal force").history(Stored::RunAndTable, "last value"),
+    scalar(LoadPress, "P_press", "N", FORCE, "normal force at the end of the press").history(Stored::Press, "last value"),
+    scalar(Area, "area", "m2", AREA, "real contact area").history(Stored::RunAndTable, "last value"),
+    scalar(AreaPress, "area_press", "m2", AREA, "real contact area at the end of the press").history(Stored::Press, "last value"),
+    scalar(ContactRadius, "contact_radius", "m", LENGTH, "contact radius at the end of the press"),
+    scalar(EnergyRelease, "G", "J m-2", ELASTIC_SLIP_ENERGY, "energy released from full stick to full slip per contact area"),
+    scalar(EnergyWeakening, "G_weakening", "J m-2", ENERGY_PER_AREA, "energy of slip weakening per contact area"),
+    scalar(TemperatureMax, "temperature_max", "K", NUMBER, "highest temperature of the contact").history(Stored::RunAndTable, "highest of the slide"),
+    scalar(TemperatureMean, "temperature_mean", "K", NUMBER, "mean temperature of the contact").history(Stored::Run, "last value"),
+    scalar(InceptionSlip, "inception_slip", "m", ELASTIC_SLIP, "slip at sliding inception"),
+    history(InterferencePress, "interference_press", "1", NUMBER, "interference over that of first yield").history(Stored::Press, ""),
+    history(Slip, "slip", "m", LENGTH, "displacement of the flat"),
+    history(Interference, "interference", "1", NUMBER, "interference over that of first yield"),
+    history(Time, "time", "s", (2, (1, -1)), "time since the start of the slide"),
+    history(StickFraction, "stick_fraction", "1", NUMBER, "fraction of the contact area that sticks"),
+    history(PlasticStrainMax, "plastic_strain_max", "1", NUMBER, "largest equivalent plastic strain"),
+    history(Work, "work", "J", ENERGY, "work of the flat since the start of the slide"),
+    history(EnergyElastic, "energy_elastic", "J", ENERGY, "change of the elastic energy"),
+    history(DissipationPlastic, "dissipation_plastic", "J", ENERGY, "plastic dissipation"),
+    history(DissipationFriction, "dissipation_friction", "J", ENERGY, "frictional dissipation"),
+    history(WorkThermalExpansion, "work_thermal_expansion", "J", ENERGY, "work done through thermal expansion"),
+    history(EnergyModuliSoftening, "energy_moduli_softening", "J", ENERGY, "elastic energy released as the moduli fall with temperature"),
+    history(HeatIn, "heat_in", "J", ENERGY, "frictional and plastic heat that entered the body"),
+    history(HeatStored, "heat_stored", "J", ENERGY, "heat stored in the body"),
+    history(HeatOut, "heat_out", "J", ENERGY, "heat that left through base and gap"),
+];
+
+const fn scalar(
+    quantity: Quantity,
+    name: &'static str,
+    units: &'static str,
+    (radius_exponent, material_exponents): Scaling,
+    long_name: &'static str,
+) -> Descriptor {
+    Descriptor {
+        quantity,
+        name,
+        units,
+        long_name,
+        // The CF table (version 86) has no name for contact forces, areas or friction.
+        standard_name: None,
+        radius_exponent,
+        material_exponents,
+        scalar: true,
+        moment: "",
+        history: Stored::No,
+        since: 0,
+    }
+}
+
+const fn history(
+    quantity: Quantity,
+    name: &'static str,
+    units: &'static str,
+    scaling: Scaling,
+    long_name: &'static str,
+) -> Descriptor {
+    Descriptor { scalar: false, history: Stored::Run, ..scalar(quantity, name, units, scaling, long_name) }
+}
+
+impl Descriptor {
+    const fn history(self, history: Stored, moment: &'static str) -> Self {
+        Self { history, moment, ..self }
+    }
+
+    const fn since(self, since: u32) -> Self {
+        Self { since, ..self }
+    }
+}
+
+/// A part of the list.
+#[derive(Clone, Copy)]
+pub(super) enum Selection {
+    Scalars,
+    PressHistories,
+    RunHistories,
+    TableHistories,
+}
+
+const fn belongs(entry: &Descriptor, selection: Selection) -> bool {
+    match selection {
+        Selection::Scalars => entry.scalar,
+        Selection::PressHistories => matches!(entry.history, Stored::Press),
+        Selection::RunHistories => matches!(entry.history, Stored::Run | Stored::RunAndTable),
+        Selection::TableHistories => matches!(entry.history, Stored::RunAndTable),
+    }
+}
+
+/// Number of the quantities of a part.
+pub(super) const fn count(selection: Selection) -> usize {
+    let (mut index, mut count) = (0, 0);
+    while index < LIST.len() {
+        count += belongs(&LIST[index], selection) as usize;
+        index += 1;
+    }
+    count
+}
+
+/// The quantities of a part, in the order of the list.
+pub(super) const fn select<const N: usize>(selection: Selection) -> [Quantity; N] {
+    let mut selected = [Mu; N];
+    let (mut index, mut count) = (0, 0);
+    while index < LIST.len() {
+        if belongs(&LIST[index], selection) {
+            selected[count] = LIST[index].quantity;
+            count += 1;
+        }
+        index += 1;
+    }
+    selected
+}

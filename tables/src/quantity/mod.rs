@@ -1,0 +1,170 @@
+//! The one list of quantities: what a run yields and a table holds.
+//!
+//! An entry of [`Quantity::LIST`] gives name, unit and meaning of a quantity, how it scales with the
+//! radius of the asperity and with the material, and where it is stored: as a scalar of a run and a
+//! table, as a history of the press, of the slide, of a table. Run file, summary, table, CSV and figures
+//! loop over this list. To add an output, add an entry here and the formula that computes it in
+//! `asperity`.
+//!
+//! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. This
+//! room depends on no other.
+
+mod history;
+mod list;
+pub mod numbers;
+mod scalars;
+
+pub use history::History;
+pub use scalars::{Estimate, Scalars};
+
+/// A result of one asperity; see [`Quantity::descriptor`].
+///
+/// The scalars come first, in the order in which they are reported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Quantity {
+    /// Q/P at the end of the slide.
+    Mu,
+    /// Q/P at sliding inception.
+    MuStatic,
+    /// Largest Q/P of the slide.
+    MuPeak,
+    /// ∫Q ds/∫P ds over the slide.
+    MuMean,
+    /// Q at the end of the slide.
+    Friction,
+    /// Q at sliding inception.
+    FrictionStatic,
+    /// P at the end of the slide.
+    Load,
+    /// P at the end of the press.
+    LoadPress,
+    /// A at the end of the slide.
+    Area,
+    /// A at the end of the press.
+    AreaPress,
+    /// a₀.
+    ContactRadius,
+    /// G: from full stick to full slip.
+    EnergyRelease,
+    /// G_weakening: from the peak of Q/A to its end value.
+    EnergyWeakening,
+    /// Highest temperature of the contact, of the whole slide.
+    TemperatureMax,
+    /// Mean over the contact at the end of the slide.
+    TemperatureMean,
+    /// s at sliding inception.
+    InceptionSlip,
+    /// ω/ω_c during the press.
+    InterferencePress,
+    /// s: displacement of the flat.
+    Slip,
+    /// ω/ω_c during the slide; it changes where the load is held.
+    Interference,
+    /// t since the start of the slide.
+    Time,
+    /// Fraction of the contact area that sticks.
+    StickFraction,
+    /// Largest equivalent plastic strain of the body.
+    PlasticStrainMax,
+    /// Work of the flat since the start of the slide.
+    Work,
+    /// Change of the elastic energy, with that of the normal contact springs.
+    EnergyElastic,
+    /// Plastic dissipation.
+    DissipationPlastic,
+    /// Frictional dissipation.
+    DissipationFriction,
+    /// ∫σ:dε_th.
+    WorkThermalExpansion,
+    /// Elastic energy released as the elastic moduli fall with temperature.
+    EnergyModuliSoftening,
+    /// Frictional and plastic heat that entered the body.
+    HeatIn,
+    /// ∫ρc(T − T₀) dV.
+    HeatStored,
+    /// Heat that left through the base and the gap.
+    HeatOut,
+}
+
+/// Where the history of a quantity is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stored {
+    /// It has none.
+    No,
+    /// In `run.nc`, over the increments of the press.
+    Press,
+    /// In `run.nc`, over the increments of the slide.
+    Run,
+    /// In `run.nc` as well as in `table.nc`, there over the slip axis.
+    RunAndTable,
+}
+
+/// Name, unit, meaning and scaling of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Descriptor {
+    /// The quantity described.
+    pub quantity: Quantity,
+    /// Name of the variable in files; `NAME_error` and `NAME_history` derive from it.
+    pub name: &'static str,
+    /// UDUNITS notation.
+    pub units: &'static str,
+    /// Meaning, in words.
+    pub long_name: &'static str,
+    /// CF standard name, where one exists.
+    pub standard_name: Option<&'static str>,
+    /// n in x(R) = x(R_t)·(R/R_t)ⁿ at fixed ω/ω_c, VR and s/a₀.
+    pub radius_exponent: i32,
+    /// Exponents (m, n) of the unit σ_Yᵐ·E*ⁿ in which the quantity hardly changes with the initial
+    /// temperature: at equal ω/ω_c a contact radius is in proportion to σ_Y/E*, a stress to σ_Y.
+    pub material_exponents: (i32, i32),
+    /// Whether it is a scalar of a run and of a table.
+    pub scalar: bool,
+    /// What the scalar is of the history of the same name, where there is one.
+    pub moment: &'static str,
+    /// Where its history is stored.
+    pub history: Stored,
+    /// Minor version of the table schema that introduced it; older files lack it.
+    pub since: u32,
+}
+
+impl Quantity {
+    /// Every scalar, in the order of the list.
+    pub const SCALARS: [Quantity; list::count(list::Selection::Scalars)] =
+        list::select(list::Selection::Scalars);
+
+    /// Every history of the press, in `run.nc`.
+    pub const PRESS_HISTORIES: [Quantity; list::count(list::Selection::PressHistories)] =
+        list::select(list::Selection::PressHistories);
+
+    /// Every history of the slide, in `run.nc`.
+    pub const RUN_HISTORIES: [Quantity; list::count(list::Selection::RunHistories)] =
+        list::select(list::Selection::RunHistories);
+
+    /// Every history of the slide that a table holds.
+    pub const TABLE_HISTORIES: [Quantity; list::count(list::Selection::TableHistories)] =
+        list::select(list::Selection::TableHistories);
+
+    /// Its entry of the list.
+    pub const fn descriptor(self) -> &'static Descriptor {
+        &list::LIST[self as usize]
+    }
+
+    /// The quantity of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        list::LIST.iter().find(|entry| entry.name == name).map(|entry| entry.quantity)
+    }
+
+    /// Whether it is an absolute temperature, whose error is a temperature difference.
+    pub fn is_temperature(self) -> bool {
+        self.descriptor().units == "K"
+    }
+
+    /// Origin from which its relative error and its logarithm are taken: the initial `temperature` (K) for
+    /// temperatures, of which the rise matters, 0 for the others.
+    pub fn origin(self, temperature: f64) -> f64 {
+        if self.is_temperature() { temperature } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests;

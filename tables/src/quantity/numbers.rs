@@ -1,0 +1,113 @@
+//! Numbers as text: with errors and units, with a number of significant digits, or exactly.
+
+use super::Estimate;
+
+/// `value ± error unit`, with two digits of the error.
+///
+/// ```
+/// use tables::numbers::with_error;
+/// use tables::quantity::Estimate;
+///
+/// assert_eq!(with_error(Estimate { value: 0.23498, error: 0.00351 }, "1"), "0.2350 ± 0.0035");
+/// assert_eq!(with_error(Estimate { value: 7.888e-9, error: 4.3e-11 }, "m2"), "7.888e-9 ± 0.043e-9 m2");
+/// ```
+pub fn with_error(estimate: Estimate, unit: &str) -> String {
+    let Estimate { value, error } = estimate;
+    let unit = match unit {
+        "1" => String::new(),
+        unit => format!(" {unit}"),
+    };
+    if value.is_nan() {
+        return "not available".into();
+    }
+    if !error.is_finite() {
+        return format!("{}{} (error unknown){unit}", plain(value), " ± ?");
+    }
+    let size = value.abs().max(error);
+    if size == 0.0 {
+        return format!("0 ± 0{unit}");
+    }
+    let exponent = size.log10().floor() as i32;
+    // Numbers that need many zeros are shown as multiples of a power of ten.
+    let (scale, suffix) = match exponent {
+        -3..=4 => (1.0, String::new()),
+        exponent => (10_f64.powi(exponent), format!("e{exponent}")),
+    };
+    let error_exponent = match error / scale {
+        0.0 => exponent - 5,
+        error => error.log10().floor() as i32,
+    };
+    let decimals = usize::try_from(1 - error_exponent).unwrap_or(0).min(12);
+    format!("{:.decimals$}{suffix} ± {:.decimals$}{suffix}{unit}", value / scale, error / scale)
+}
+
+/// Six significant digits, without trailing zeros.
+pub fn plain(value: f64) -> String {
+    digits(value, 6)
+}
+
+/// At most so many significant digits, without trailing zeros.
+///
+/// ```
+/// use tables::numbers::digits;
+///
+/// assert_eq!(digits(0.123456, 3), "0.123");
+/// assert_eq!(digits(1.5e-7, 3), "1.5e-7");
+/// ```
+pub fn digits(value: f64, digits: usize) -> String {
+    exact(format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value))
+}
+
+/// The shortest text that reads back as the same number.
+pub fn exact(value: f64) -> String {
+    match value.abs() {
+        0.0 | 1e-3..1e6 => format!("{value}"),
+        magnitude if magnitude.is_finite() => format!("{value:e}"),
+        _ => format!("{value}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(value: f64, error: f64, unit: &str) -> String {
+        with_error(Estimate { value, error }, unit)
+    }
+
+    #[test]
+    fn error_has_two_digits_and_the_value_as_many_places() {
+        assert_eq!(shown(0.31751, 0.0021, "1"), "0.3175 ± 0.0021");
+        assert_eq!(shown(9.1234e7, 4.6e5, "N"), "9.123e7 ± 0.046e7 N");
+        assert_eq!(shown(3.1e-5, 1e-6, "m"), "3.10e-5 ± 0.10e-5 m");
+        assert_eq!(shown(1234.5, 67.0, "K"), "1234 ± 67 K");
+        assert_eq!(shown(298.0, 0.0, "K"), "298.0000 ± 0.0000 K");
+        assert_eq!(shown(0.0, 0.0, "K"), "0 ± 0 K");
+        assert_eq!(shown(1.0, 250.0, "N"), "1 ± 250 N");
+    }
+
+    #[test]
+    fn missing_values_and_errors_are_said() {
+        assert_eq!(shown(f64::NAN, 1.0, "N"), "not available");
+        assert_eq!(shown(0.5, f64::NAN, "1"), "0.5 ± ? (error unknown)");
+    }
+
+    #[test]
+    fn digits_are_significant_ones() {
+        for (value, places, text) in [
+            (1234.5678, 6, "1234.57"),
+            (0.0, 6, "0"),
+            (-2.5e-9, 6, "-2.5e-9"),
+            (999999.7, 6, "1e6"),
+            (0.00099999, 6, "9.9999e-4"),
+            (f64::INFINITY, 6, "inf"),
+            (100.0, 3, "100"),
+            (2.5, 3, "2.5"),
+            (1234.0, 3, "1230"),
+        ] {
+            assert_eq!(digits(value, places), text);
+        }
+        assert_eq!(exact(0.1 + 0.2).parse::<f64>().unwrap(), 0.1 + 0.2);
+        assert_eq!(exact(f64::NAN), "NaN");
+    }
+}

@@ -1,0 +1,87 @@
+//! Values with errors, keyed by quantity.
+
+use std::ops::{Index, IndexMut};
+
+use super::Quantity;
+
+/// A number with an estimate of its absolute error, both in the same unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// Its absolute error.
+    pub error: f64,
+}
+
+impl Estimate {
+    /// Neither value nor error is known.
+    pub const UNKNOWN: Self = Self { value: f64::NAN, error: f64::NAN };
+
+    /// Whether both are the same, unknown ones included.
+    pub fn agrees_with(self, other: Self) -> bool {
+        same(self.value, other.value) && same(self.error, other.error)
+    }
+}
+
+/// Equal, or both unknown.
+pub(super) fn same(a: f64, b: f64) -> bool {
+    a == b || (a.is_nan() && b.is_nan())
+}
+
+/// An estimate of every scalar quantity of [`Quantity::SCALARS`].
+///
+/// ```
+/// use tables::quantity::{Estimate, Quantity, Scalars};
+///
+/// let mut scalars = Scalars::default();
+/// scalars[Quantity::Mu] = Estimate { value: 0.3, error: 0.01 };
+/// assert!(scalars[Quantity::Load].value.is_nan());
+/// assert_eq!(scalars.iter().filter(|(_, estimate)| estimate.value.is_finite()).count(), 1);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Scalars([Estimate; Quantity::SCALARS.len()]);
+
+impl Scalars {
+    /// The estimate of each quantity by a formula.
+    pub fn from_fn(of: impl FnMut(Quantity) -> Estimate) -> Self {
+        Self(Quantity::SCALARS.map(of))
+    }
+
+    /// Each quantity with its estimate, in the order of the list.
+    pub fn iter(&self) -> impl Iterator<Item = (Quantity, Estimate)> {
+        Quantity::SCALARS.into_iter().zip(self.0)
+    }
+
+    fn position(quantity: Quantity) -> usize {
+        assert!(quantity.descriptor().scalar, "{quantity:?} is not a scalar");
+        quantity as usize
+    }
+}
+
+/// Nothing is known.
+impl Default for Scalars {
+    fn default() -> Self {
+        Self([Estimate::UNKNOWN; Quantity::SCALARS.len()])
+    }
+}
+
+/// Unknown values (NaN) are equal to each other.
+impl PartialEq for Scalars {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.iter().zip(&other.0).all(|(a, b)| a.agrees_with(*b))
+    }
+}
+
+impl Index<Quantity> for Scalars {
+    type Output = Estimate;
+
+    fn index(&self, quantity: Quantity) -> &Estimate {
+        &self.0[Self::position(quantity)]
+    }
+}
+
+impl IndexMut<Quantity> for Scalars {
+    fn index_mut(&mut self, quantity: Quantity) -> &mut Estimate {
+        &mut self.0[Self::position(quantity)]
+    }
+}
