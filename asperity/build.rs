@@ -18,7 +18,7 @@ const NOT_HASHED: [&str; 7] = [
 
 /// Of the crate `tables`, what runs use. It lies beside this crate in the repository; as a
 /// published crate it has the same version number as this one.
-const OF_TABLES: [&str; 2] = ["../tables/src/steffen.rs", "../tables/src/closed_forms"];
+const OF_TABLES: [&str; 2] = ["../tables/src/interpolation/steffen.rs", "../tables/src/closed_forms"];
 
 fn main() {
     let root = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
@@ -26,8 +26,8 @@ fn main() {
     collect(&root.join("src"), &mut files);
     let shown = |file: &PathBuf| !NOT_HASHED.iter().any(|name| file.starts_with(root.join("src").join(name)));
     files.retain(shown);
-    for path in OF_TABLES.map(|path| root.join(path)) {
-        if path.exists() {
+    if root.join("../tables").exists() {
+        for path in OF_TABLES.map(|path| root.join(path)) {
             collect(&path, &mut files);
             println!("cargo::rerun-if-changed={}", path.display());
         }

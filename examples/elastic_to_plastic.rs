@@ -14,7 +14,7 @@
 use std::path::Path;
 
 use tables::closed_forms::{hertz, kogut_etsion};
-use tables::figure::{Axis, Curve, Figure, Panel};
+use tables::figures::{Axis, Curve, Figure, Panel};
 use tables::quantity::Quantity;
 use tables::shipped;
 use tables::table::Table;

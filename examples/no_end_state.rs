@@ -11,7 +11,7 @@ use std::path::Path;
 
 use asperity::simulate::outcome::Outcome;
 use asperity::{Unwatched, parse_scene, simulate};
-use tables::figure::{Axis, Curve, Figure, Panel};
+use tables::figures::{Axis, Curve, Figure, Panel};
 
 const SCENE: &str = r#"
 [material]

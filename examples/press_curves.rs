@@ -12,7 +12,7 @@ use std::path::Path;
 use asperity::scene::file::parse_scene;
 use asperity::simulate::{Unwatched, press};
 use tables::closed_forms::{hertz, jackson_green, kogut_etsion};
-use tables::figure::{Axis, Curve, Drawn, Figure, Panel};
+use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
 
 /// E, Pa, and ν.
 const ELASTIC: (f64, f64) = (200e9, 0.3);

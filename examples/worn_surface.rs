@@ -17,7 +17,7 @@ use asperity::tabulate::{Options, tabulate};
 use roughsurface::friction::{Prediction, Settings, predict};
 use roughsurface::output::friction_file::{self, Origin};
 use roughsurface::surface::file::SurfaceFile;
-use tables::figure::{Axis, Curve, Figure, Panel};
+use tables::figures::{Axis, Curve, Figure, Panel};
 use tables::table::Table;
 
 /// A coarse table: a look at the method, not a result to quote.

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
+use tables::interpolation::temperature::TemperatureSeries;
 use tables::quantity::Quantity;
-use tables::series::TemperatureSeries;
 use tables::table::Cell;
 
 mod program;

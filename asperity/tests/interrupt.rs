@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-use tables::dataset::DatasetReader;
+use tables::netcdf::DatasetReader;
 
 const MATERIAL: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
 const NUMERICS: &str = "[numerics]\nelements_per_radius = 8\nsectors = 8\n";

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::OnceLock;
 
-use tables::dataset::DatasetReader;
+use tables::netcdf::DatasetReader;
 use vtkio::model::{Attribute, DataSet, Piece, UnstructuredGridPiece, Vtk};
 
 const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\

@@ -9,8 +9,8 @@ use std::process::{Command, Output};
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
 use tables::closed_forms::hertz;
-use tables::dataset::DatasetReader;
-use tables::series::TemperatureSeries;
+use tables::interpolation::temperature::TemperatureSeries;
+use tables::netcdf::DatasetReader;
 use tables::table::Metadata;
 
 const SURFACE: &str = r#"

@@ -13,8 +13,8 @@ use asperity::scene::file::{parse_request, parse_scene};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::read as topography;
 use roughsurface::topography::read::Reading;
+use tables::interpolation::temperature::{Tables, TemperatureSeries};
 use tables::quantity::Quantity;
-use tables::series::{Tables, TemperatureSeries};
 use tables::table::{Axes, Cell, Metadata, Table};
 use tests::programs;
 

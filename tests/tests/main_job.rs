@@ -10,7 +10,7 @@
 
 use std::path::Path;
 use std::sync::OnceLock;
-use tables::dataset::DatasetReader;
+use tables::netcdf::DatasetReader;
 use tests::programs::{execute, stderr};
 
 const REQUEST: &str = r#"
@@ -102,7 +102,7 @@ fn files_that_are_no_tables_are_refused() {
     refused(folder, "predict any.toml --table missing.nc -o none.nc", &["missing.nc"]);
     refused(folder, "predict any.toml --table text.nc -o none.nc", &["text.nc"]);
     // NetCDF, but not a table.
-    let mut foreign = tables::dataset::DatasetWriter::create(&folder.join("foreign.nc"), "foreign").unwrap();
+    let mut foreign = tables::netcdf::DatasetWriter::create(&folder.join("foreign.nc"), "foreign").unwrap();
     foreign.dimension("x", 2).unwrap();
     foreign.finish().unwrap();
     refused(folder, "predict any.toml --table foreign.nc -o none.nc", &["foreign.nc"]);

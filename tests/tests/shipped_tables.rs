@@ -7,8 +7,8 @@ use asperity::simulate::quantities::estimate;
 use tables::closed_forms::partial_slip::constant_shear;
 use tables::law::AsperityLaw;
 use tables::quantity::Quantity;
+use tables::refinement::statistics::ErrorStatistics;
 use tables::shipped;
-use tables::statistics::ErrorStatistics;
 use tables::table::Metadata;
 use tests::run;
 

@@ -43,7 +43,7 @@ impl Failure {
 }
 
 fn main() -> ExitCode {
-    tables::rehearsal::enable();
+    tables::netcdf::enable_sandbox();
     let arguments = Arguments::parse();
     let display = &arguments.display;
     let work = || match &arguments.command {

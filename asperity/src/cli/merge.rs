@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::output::provenance;
 use serde_json::json;
-use tables::series::Tables;
+use tables::interpolation::temperature::Tables;
 
 use super::{Display, Failure, MergeArguments, command_line, outputs, print};
 

@@ -3,9 +3,9 @@
 use std::fs::File;
 use std::path::Path;
 
-use tables::dataset::destination;
-use tables::figure::Figure;
-use tables::series::Tables;
+use tables::figures::Figure;
+use tables::interpolation::temperature::Tables;
+use tables::netcdf::destination;
 
 use super::Failure;
 

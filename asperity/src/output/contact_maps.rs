@@ -1,6 +1,6 @@
 //! The contact plane in pictures: what sticks and slips, pressure, shear and temperature.
 
-use tables::figure::{Axis, Cell, Cells, Scale};
+use tables::figures::{Axis, Cell, Cells, Scale};
 
 use crate::output::figures::scaled;
 use crate::simulate::outcome::{ContactGrid, ContactStatus, Outcome, Snapshot};

@@ -1,6 +1,6 @@
 //! The figure of a run: what happens along the slide, and the contact plane at chosen instants.
 
-use tables::figure::{Axis, Curve, Drawing, Panel, Sheet};
+use tables::figures::{Axis, Curve, Drawing, Panel, Sheet};
 
 use crate::output::contact_maps::contact_maps;
 use crate::scene::Scene;
@@ -130,7 +130,7 @@ fn superscript(exponent: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use tables::figure::Scale;
+    use tables::figures::Scale;
 
     use super::*;
     use crate::simulate::fake::{self, Fake};

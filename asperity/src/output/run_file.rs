@@ -4,8 +4,8 @@
 
 use std::path::Path;
 
-use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use tables::law::Estimate;
+use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
 use tables::quantity::Quantity;
 
 use crate::output::provenance::SOURCE;

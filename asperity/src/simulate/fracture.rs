@@ -9,8 +9,8 @@
 
 use std::f64::consts::PI;
 
-use tables::fracture::FractureEnergy;
 use tables::law::Estimate;
+use tables::table::fracture::FractureEnergy;
 
 use crate::scene::{FractureData, Material, Scene};
 use crate::simulate::outcome::Outcome;

@@ -1,7 +1,7 @@
 //! What a table keeps of one run: scalars, and histories on the slips that all cells share.
 
+use tables::interpolation::steffen::Steffen;
 use tables::quantity::Quantity;
-use tables::steffen::Steffen;
 use tables::table::Cell;
 
 use crate::simulate::outcome::{Outcome, SlideStep};

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use tables::interpolation::temperature::{Tables, TemperatureSeries};
 use tables::quantity::Quantity;
-use tables::series::{Tables, TemperatureSeries};
 
 use super::*;
 use crate::scene::file::parse_request;

@@ -1,9 +1,9 @@
 //! A tabulation as a [`Table`]: axes, results, and what a reader of the file must know.
 
 use tables::closed_forms::hertz;
+use tables::interpolation::temperature::{Tables, TemperatureSeries};
 use tables::quantity::Quantity;
 use tables::refinement::{Goal, JUDGED};
-use tables::series::{Tables, TemperatureSeries};
 use tables::table::{Axes, Metadata, Table, TableError};
 
 use super::{Index, Tabulation};

@@ -9,7 +9,7 @@ use roughsurface::topography::read::{Reading, read};
 use roughsurface::topography::report::{self, WhichSummits};
 use roughsurface::topography::spectrum::Window;
 use std::path::PathBuf;
-use tables::figure::Figure;
+use tables::figures::Figure;
 
 pub const HELP: &str = "\
 Formats, told apart by content: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, X3P

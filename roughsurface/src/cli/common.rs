@@ -8,8 +8,8 @@ use roughsurface::integral::separation::SeparationError;
 use roughsurface::surface::file::SurfaceFile;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
-use tables::dataset::destination;
 use tables::law::{AsperityLaw, LookupError};
+use tables::netcdf::destination;
 
 #[derive(Args)]
 pub struct RunOptions {

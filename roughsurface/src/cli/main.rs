@@ -33,7 +33,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    tables::rehearsal::enable();
+    tables::netcdf::enable_sandbox();
     let result = match Cli::parse().command {
         Command::Predict(options) => predict::run(&options),
         Command::Sample(options) => sample::run(&options),

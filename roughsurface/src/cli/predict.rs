@@ -14,7 +14,7 @@ use roughsurface::sampling::uncertainty::propagate;
 use roughsurface::surface::file::SurfaceFile;
 use std::path::PathBuf;
 use tables::closed_forms::NAMES;
-use tables::figure::Figure;
+use tables::figures::Figure;
 
 pub const HELP: &str = "\
 Examples:

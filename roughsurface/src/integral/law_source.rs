@@ -126,8 +126,8 @@ pub fn asperity_law_without_gaps(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tables::interpolation::temperature::TemperatureSeries;
     use tables::quantity::Quantity;
-    use tables::series::TemperatureSeries;
     use tables::table::Table;
 
     #[test]

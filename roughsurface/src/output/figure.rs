@@ -3,7 +3,7 @@
 use crate::friction::flash_heating::FlashHeating;
 use crate::friction::{Friction, Prediction};
 use crate::surface::query::Pressing;
-use tables::figure::{Axis, Curve, Drawn, Figure, Panel};
+use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
 use tables::numbers::digits;
 use tables::quantity::Estimate;
 

@@ -5,7 +5,7 @@ use crate::sampling::finite_surface::{Draw, Samples, Scatter};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tables::dataset::{DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter};
 
 /// Name, units, long name and value of one quantity of a drawn surface.
 type Quantity = (&'static str, &'static str, &'static str, fn(&Draw) -> f64);
@@ -127,7 +127,7 @@ mod tests {
     use crate::integral::test_laws::PowerLaw;
     use crate::sampling::finite_surface::{Sampling, sample};
     use crate::surface::file::SurfaceFile;
-    use tables::dataset::DatasetReader;
+    use tables::netcdf::DatasetReader;
 
     #[test]
     fn every_surface_and_its_statistics_are_written() {

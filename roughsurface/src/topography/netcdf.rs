@@ -3,7 +3,7 @@
 
 use super::{Topography, length};
 use std::path::Path;
-use tables::dataset::DatasetReader;
+use tables::netcdf::DatasetReader;
 
 pub(super) fn read(file: &Path) -> Result<Topography, String> {
     let reader = DatasetReader::open(file).map_err(|error| error.to_string())?;

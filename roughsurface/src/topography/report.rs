@@ -3,7 +3,7 @@
 use super::characterize::Characterization;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tables::figure::{Axis, Curve, Figure, Panel};
+use tables::figures::{Axis, Curve, Figure, Panel};
 
 /// Which summits a surface file is written with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]

@@ -14,23 +14,26 @@
 //!   interference and slip rate only if the errors of the points do not include it already (see
 //!   [`Table::with_interpolation_errors`]).
 
-mod beyond;
 mod elastic;
 mod end_of_histories;
+mod extrapolation;
+mod failed_cells;
 mod nodes;
 mod scalar;
+pub mod steffen;
+pub mod temperature;
 
-pub use beyond::Extrapolated;
+pub use extrapolation::Extrapolated;
 pub(crate) use nodes::{blend_one, cubic};
 
 use std::sync::{Arc, OnceLock};
 
 use crate::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 use crate::quantity::Quantity;
-use crate::steffen::{self, Location, locate};
 use crate::table::Table;
 use elastic::{Descent, Elastic};
 use nodes::{FIELDS, Field, Nodes, Values};
+use steffen::{Location, locate};
 
 /// A slip rate or interference closer than this to the end of an axis, relatively, is on it.
 const ROUNDING: f64 = 1e-9;

@@ -6,8 +6,8 @@
 //! assumed (the cubic is of third order where the data are smooth, which makes this an upper
 //! estimate there). Between two points the estimate varies as 4t(1−t), being zero on them.
 
+use crate::interpolation::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
 use crate::quantity::Quantity;
-use crate::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
 use crate::table::{Status, Table};
 
 /// What the response of a table consists of.

@@ -3,9 +3,9 @@
 use super::elastic::{Descent, Elastic};
 use super::nodes::FIELDS;
 use super::{Absent, Interpolant};
+use crate::interpolation::steffen::{Location, locate};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::Quantity;
-use crate::steffen::{Location, locate};
 use crate::table::Table;
 
 impl Table {

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use tables::series::Tables;
+use tables::interpolation::temperature::Tables;
 
 fuzz_target!(|bytes: &[u8]| {
     let path = std::path::PathBuf::from(format!("/dev/shm/asperity-fuzz-table-{}", std::process::id()));

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use serde_json::{Value, json};
-use tables::comparison::Comparison;
 use tables::numbers::plain;
+use tables::table::comparison::Comparison;
 
 use super::{DiffArguments, read};
 use crate::{Display, Failure, print};

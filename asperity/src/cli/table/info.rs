@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use serde_json::{Value, json};
+use tables::interpolation::temperature::{Tables, TemperatureSeries};
+use tables::netcdf::schema::{SCHEMA_VERSION, SERIES_VERSION};
 use tables::numbers::plain;
 use tables::quantity::Quantity;
-use tables::schema::{SCHEMA_VERSION, SERIES_VERSION};
-use tables::series::{Tables, TemperatureSeries};
+use tables::refinement::statistics::{Counts, ErrorStatistics};
 use tables::shipped;
-use tables::statistics::{Counts, ErrorStatistics};
 use tables::table::{Metadata, Table};
 
 use crate::{Display, Failure, print};

@@ -9,8 +9,8 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use tables::dataset::destination;
-use tables::series::Tables;
+use tables::interpolation::temperature::Tables;
+use tables::netcdf::destination;
 use tables::shipped;
 use tables::table::Table;
 

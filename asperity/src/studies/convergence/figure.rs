@@ -1,6 +1,6 @@
 //! The picture of a sweep: true and estimated errors against wall and processor time.
 
-use tables::figure::{Axis, Curve, Figure, Panel};
+use tables::figures::{Axis, Curve, Figure, Panel};
 
 use super::{Convergence, Run, SHOWN};
 

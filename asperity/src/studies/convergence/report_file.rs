@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
+use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
 
 use super::{Convergence, Run, SHOWN};
 use crate::output::provenance::SOURCE;

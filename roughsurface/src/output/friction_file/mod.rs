@@ -5,8 +5,8 @@ use crate::friction::{Friction, Prediction};
 use crate::sampling::uncertainty::{OUTPUTS, Propagated};
 use crate::surface::query::{Hold, Pressing, Query};
 use std::path::Path;
-use tables::dataset::{AttributeValue, DatasetError, DatasetWriter};
 use tables::law::Estimate;
+use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
 
 /// A result over (pressure or separation, slip rate).
 struct Quantity {

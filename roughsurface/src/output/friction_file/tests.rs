@@ -2,7 +2,7 @@ use super::*;
 use crate::friction::{Settings, predict};
 use crate::integral::test_laws::PowerLaw;
 use crate::surface::file::SurfaceFile;
-use tables::dataset::DatasetReader;
+use tables::netcdf::DatasetReader;
 
 fn prediction(query: &str) -> Prediction {
     let text = format!(

@@ -1,9 +1,15 @@
 //! A table in memory: results of one asperity over interference and slip rate.
 
+pub mod comparison;
+pub mod fracture;
+mod merge;
+
+pub(crate) use merge::first_difference;
+
 use std::ops::{Index, IndexMut};
 
-use crate::fracture::FractureEnergy;
 use crate::quantity::{Estimate, History, Quantity, Scalars};
+pub use fracture::FractureEnergy;
 
 /// Coordinates of a table, each strictly increasing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -100,7 +106,7 @@ impl Cell {
     }
 
     /// Sets the history of a quantity of [`Quantity::TABLE_HISTORIES`], one value per point of the
-    /// slip axis (see [`Steffen`](crate::steffen::Steffen) to resample). Panics for the others.
+    /// slip axis (see [`Steffen`](crate::interpolation::steffen::Steffen) to resample). Panics for the others.
     pub fn with_history(mut self, quantity: Quantity, values: Vec<f64>) -> Self {
         *self.histories.column_mut(quantity) = values;
         self
@@ -166,7 +172,7 @@ pub enum TableError {
     #[error("the tables have different results at interference {interference} and slip rate {slip_rate} m/s")]
     Disagree { interference: f64, slip_rate: f64 },
     #[error(transparent)]
-    Temperature(#[from] crate::series::TemperatureError),
+    Temperature(#[from] crate::interpolation::temperature::TemperatureError),
 }
 
 /// Results of one asperity over interference and slip rate.

@@ -2,15 +2,14 @@
 
 use std::path::Path;
 
-use super::{
+use super::table_writer::{
     FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE, REAL_ATTRIBUTES,
     TEXT_ATTRIBUTES, history_name,
 };
-use crate::dataset::{DatasetError, DatasetReader};
-use crate::fracture::FractureEnergy;
+use super::{DatasetError, DatasetReader, schema};
+use crate::interpolation::temperature::{Tables, TemperatureSeries};
 use crate::quantity::Quantity;
-use crate::schema;
-use crate::series::{Tables, TemperatureSeries};
+use crate::table::fracture::FractureEnergy;
 use crate::table::{Axes, Cell, Metadata, Table, TableError};
 
 /// Reads a file of either kind.

@@ -110,7 +110,7 @@ fn a_file_of_several_temperatures_is_not_taken_for_a_table() {
     let message = TemperatureSeries::read(&one.0).unwrap_err().to_string();
     assert!(message.ends_with("is a table of one initial temperature, 300 K"), "{message}");
     let version = |place: &Place| {
-        let file = crate::dataset::DatasetReader::open(&place.0).unwrap();
+        let file = crate::netcdf::DatasetReader::open(&place.0).unwrap();
         file.attribute_real("schema_version").unwrap()
     };
     // A program that knows version 1 refuses any other.
@@ -122,14 +122,14 @@ fn changed_content_is_noticed() {
     let place = Place::new("changed");
     for name in ["temperature", "critical_interference", "yield_strength"] {
         series().write(&place.0).unwrap();
-        let mut file = netcdf::append(&place.0).unwrap();
+        let mut file = ::netcdf::append(&place.0).unwrap();
         file.variable_mut(name).unwrap().put_value(301.0, [0]).unwrap();
         drop(file);
         let message = TemperatureSeries::read(&place.0).unwrap_err().to_string();
         assert!(message.contains("checksum"), "{name}: {message}");
     }
     series().write(&place.0).unwrap();
-    netcdf::append(&place.0).unwrap().variable_mut("mu").unwrap().put_value(0.1, [4, 1, 1]).unwrap();
+    ::netcdf::append(&place.0).unwrap().variable_mut("mu").unwrap().put_value(0.1, [4, 1, 1]).unwrap();
     assert!(Tables::read(&place.0).unwrap_err().to_string().contains("checksum"));
 }
 

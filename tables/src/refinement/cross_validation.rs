@@ -12,7 +12,7 @@ use crate::table::{Axes, Table};
 /// Relative errors of interpolation between neighbouring points of a table.
 ///
 /// ```
-/// use tables::cross_validation::Along;
+/// use tables::refinement::cross_validation::Along;
 /// use tables::quantity::Quantity;
 /// use tables::shipped::table;
 ///

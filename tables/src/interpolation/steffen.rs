@@ -73,7 +73,7 @@ pub fn locate(x: &[f64], at: f64) -> Location {
 /// Interpolant through given points, held constant beyond both ends.
 #[derive(Clone, Debug, PartialEq)]
 /// ```
-/// use tables::steffen::Steffen;
+/// use tables::interpolation::steffen::Steffen;
 ///
 /// let rise = Steffen::new(vec![0.0, 1.0, 2.0, 3.0], vec![0.0, 0.0, 1.0, 1.0]);
 /// assert_eq!(rise.value(2.0), 1.0);

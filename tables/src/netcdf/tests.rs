@@ -1,8 +1,11 @@
 //! Writing and reading back, and what is refused.
 
+use std::path::Path;
+
 use super::*;
-use crate::dataset::DatasetReader;
+use crate::quantity::Quantity;
 use crate::table::Axes;
+use crate::table::{Cell, FractureEnergy, Metadata, Table};
 
 fn table() -> Table {
     let axes =

@@ -1,12 +1,12 @@
-//! A checksum over all bytes of a file, behind what netCDF sees of it.
+//! A checksum over all bytes of a file, in a line behind the data.
 //!
-//! The checksum in the attributes of a table (see `schema`) can be asked for only once the HDF5 library
-//! has opened the file, and some damage makes that library crash, or write where it should not. So
+//! The checksum of the content of a table (see [`schema`](super::schema)) is an attribute, which can be read only
+//! once the HDF5 library has opened the file; some damage makes that library crash or write outside its memory. So
 //! every file ends with a line of its own, which is verified before the library sees any of it.
 //!
-//! HDF5 states in its first bytes where its data end, and ignores what follows: to other programs a
-//! sealed file is an ordinary one. A program that changes the file drops the line, as HDF5 cuts
-//! the file off where its data end. What has neither a seal nor the length that HDF5 states is damaged.
+//! HDF5 states in its first bytes where its data end, and ignores what follows: to other programs the file is an
+//! ordinary one. A program that changes the file drops the line, as HDF5 cuts the file off where its data end. A
+//! file with neither the line nor the length that HDF5 states is damaged.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -25,8 +25,8 @@ const BYTES_OF_PLACES: u8 = 8;
 const END_OF_DATA: usize = 28;
 const HEAD: usize = END_OF_DATA + 8;
 
-/// Seals a file that is complete, and sees to it that it is on the disk.
-pub(crate) fn seal(path: &Path) -> io::Result<()> {
+/// Appends the line to a complete file and writes it through to the disk.
+pub(super) fn append(path: &Path) -> io::Result<()> {
     let mut file = File::options().read(true).write(true).open(path)?;
     let length = file.metadata()?.len();
     let line = line(&mut file, length)?;
@@ -37,15 +37,15 @@ pub(crate) fn seal(path: &Path) -> io::Result<()> {
 
 /// What the end of a file says of the rest.
 #[derive(Debug, PartialEq)]
-pub(crate) enum Seal {
-    Whole,
+pub(super) enum Checksum {
+    Agrees,
     /// What is wrong.
-    Broken(String),
-    /// Never sealed, and as long as it states to be if it does.
-    None,
+    Damaged(String),
+    /// There is none, and the file is as long as it states if it does.
+    Absent,
 }
 
-pub(crate) fn inspect(file: &mut File) -> io::Result<Seal> {
+pub(super) fn inspect(file: &mut File) -> io::Result<Checksum> {
     let length = file.metadata()?.len();
     let mut head = [0; HEAD];
     let read = read_up_to(file, 0, &mut head)?;
@@ -54,17 +54,17 @@ pub(crate) fn inspect(file: &mut File) -> io::Result<Seal> {
     let found = read_up_to(file, before, &mut end)?;
     if found == LENGTH && end.starts_with(MARK) {
         let whole = line(file, before)? == end;
-        let broken = || Seal::Broken("damaged: its bytes do not agree with their checksum".to_string());
-        return Ok(if whole { Seal::Whole } else { broken() });
+        let broken = || Checksum::Damaged("damaged: its bytes do not agree with their checksum".to_string());
+        return Ok(if whole { Checksum::Agrees } else { broken() });
     }
     let other_length = stated_length(&head[..read]).filter(|stated| *stated != length);
-    Ok(other_length.map_or(Seal::None, |stated| {
-        let text = "bytes and no seal, and states that its data end at";
-        Seal::Broken(format!("damaged: it has {length} {text} {stated}"))
+    Ok(other_length.map_or(Checksum::Absent, |stated| {
+        let text = "bytes and no checksum, and states that its data end at";
+        Checksum::Damaged(format!("damaged: it has {length} {text} {stated}"))
     }))
 }
 
-/// The line that seals the first `length` bytes.
+/// The line with the checksum of the first `length` bytes.
 fn line(file: &mut File, length: u64) -> io::Result<Vec<u8>> {
     file.seek(SeekFrom::Start(0))?;
     let mut digest = Sha256::new();
@@ -101,12 +101,12 @@ fn read_up_to(file: &mut File, from: u64, buffer: &mut [u8]) -> io::Result<usize
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dataset::{DatasetReader, DatasetWriter};
+    use crate::netcdf::{DatasetReader, DatasetWriter};
 
     /// A small file as this crate writes it, and where its data end.
-    fn sealed(directory: &Path) -> (std::path::PathBuf, Vec<u8>, usize) {
-        let path = directory.join("sealed.nc");
-        let mut file = DatasetWriter::create(&path, "sealed").unwrap();
+    fn with_checksum(directory: &Path) -> (std::path::PathBuf, Vec<u8>, usize) {
+        let path = directory.join("checksum.nc");
+        let mut file = DatasetWriter::create(&path, "checksum").unwrap();
         file.coordinate("x", &[0.0, 1.0, 2.0], &[]).unwrap();
         file.finish().unwrap();
         let bytes = std::fs::read(&path).unwrap();
@@ -121,12 +121,12 @@ mod tests {
     }
 
     /// Whatever bit is changed, and wherever the file is cut off: but for the cut that takes the
-    /// whole seal, and no more, after which it is a file like any other.
+    /// whole line, and no more, after which it is a file like any other.
     #[test]
     fn any_single_damage_is_found_before_the_library_sees_it() {
-        let directory = std::env::temp_dir().join(format!("seal-{}", std::process::id()));
+        let directory = std::env::temp_dir().join(format!("checksum-{}", std::process::id()));
         std::fs::create_dir_all(&directory).unwrap();
-        let (path, bytes, end) = sealed(&directory);
+        let (path, bytes, end) = with_checksum(&directory);
         assert_eq!(stated_length(&bytes), Some(end as u64));
         assert_eq!(refused(&path, &bytes), None);
         for at in 0..bytes.len() {
@@ -137,16 +137,16 @@ mod tests {
             let message = refused(&path, &bytes[..at]);
             assert_eq!(message.is_none(), at == end, "cut off at {at}: {message:?}");
         }
-        assert!(refused(&path, &[&bytes[..], b"more"].concat()).unwrap().contains("no seal"));
+        assert!(refused(&path, &[&bytes[..], b"more"].concat()).unwrap().contains("no checksum"));
         std::fs::remove_dir_all(&directory).unwrap();
     }
 
     #[test]
     fn a_file_that_another_program_changed_is_read() {
-        let directory = std::env::temp_dir().join(format!("seal-changed-{}", std::process::id()));
+        let directory = std::env::temp_dir().join(format!("checksum-changed-{}", std::process::id()));
         std::fs::create_dir_all(&directory).unwrap();
-        let (path, bytes, _) = sealed(&directory);
-        netcdf::append(&path).unwrap().add_attribute("note", "added").unwrap();
+        let (path, bytes, _) = with_checksum(&directory);
+        ::netcdf::append(&path).unwrap().add_attribute("note", "added").unwrap();
         assert!(!std::fs::read(&path).unwrap().ends_with(&bytes[bytes.len() - LENGTH..]));
         assert_eq!(DatasetReader::open(&path).unwrap().attribute_text("note").unwrap(), "added");
         std::fs::remove_dir_all(&directory).unwrap();

@@ -1,5 +1,6 @@
 //! A sheet of panels of any kind, in rows, as a file.
 
+use std::io::Write;
 use std::path::Path;
 
 use kuva::backend::png::PngBackend;
@@ -8,7 +9,7 @@ use kuva::render::figure::Figure as Drawn;
 
 use super::draw::Medium;
 use super::{Cells, Extension, FigureError, Map, PIXELS, Panel, extension};
-use crate::dataset::destination;
+use crate::netcdf::write_atomically;
 
 /// Width and height of a panel, in points.
 const PANEL_SIZE: (f64, f64) = (560.0, 380.0);
@@ -46,14 +47,7 @@ impl Sheet {
                 backend.render_scene(&self.drawn(Medium::Raster).render()).map_err(failed)?
             }
         };
-        let path = destination(path);
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let temporary = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
-        let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, &path));
-        written.map_err(|error| {
-            let _ = std::fs::remove_file(&temporary);
-            failed(error.to_string())
-        })
+        write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| failed(error.to_string()))
     }
 
     /// The sheet as SVG.

@@ -1,11 +1,10 @@
-//! netCDF-4 files of other programs are read in a process of their own first.
+//! netCDF-4 files of other programs are read in a separate process first.
 //!
-//! The HDF5 library trusts the files that it reads: of tables damaged at random it crashed on one in ten. What this
-//! project writes is sealed (see `seal`), and damage is found before the library sees the file. Other files carry no
-//! seal. A program that has [`enable`]d rehearsals reads each of them in a copy of itself, with little memory and time,
-//! before it reads it in earnest: where the copy crashes or panics, the file is refused in a sentence, also if what
-//! broke it is a part that the program would not have asked for. That costs some
-//! hundredths of a second a file.
+//! The HDF5 library trusts the files that it reads: of tables damaged at random it crashed on one in ten. The files
+//! of this project carry a checksum (see `checksum`), so that damage is found before the library sees the file.
+//! Other files carry none. A program that has called [`enable`] reads each of them in a copy of itself, with limited
+//! memory and time: where the copy crashes or panics, the file is refused with a message, even if the damaged part is
+//! one that the program would not have read. That takes some hundredths of a second a file.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -13,13 +12,13 @@ use std::process::{Child, Command, Stdio};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-use netcdf::types::NcVariableType;
+use ::netcdf::types::NcVariableType;
 use rustix::process::{Resource, Rlimit, setrlimit};
 
-use crate::dataset::MOST_EXPANSION;
+use super::{MOST_EXPANSION, indices};
 
 /// Path of the file that a copy of the program is to read; absent in the program itself.
-const FILE: &str = "ASPERITY_REHEARSAL";
+const FILE: &str = "ASPERITY_SANDBOX";
 /// Of address space, beside what the file may expand to.
 const MEMORY: u64 = 1 << 30;
 const TIME: Duration = Duration::from_secs(60);
@@ -28,19 +27,19 @@ const NOT_OPENED: i32 = 3;
 
 static ENABLED: OnceLock<()> = OnceLock::new();
 
-/// To be called first in `main`: from then on unsealed netCDF-4 files are rehearsed. In a copy of the program that was
-/// started for that, reads the file and ends the process.
+/// To be called first in `main`: from then on netCDF-4 files without a checksum are read in the sandbox first. In a copy
+/// of the program that was started for that, reads the file and ends the process.
 ///
 /// Without it they are read at once; damaged ones may then crash the process.
 pub fn enable() {
     if let Some(file) = std::env::var_os(FILE) {
-        std::process::exit(perform(&PathBuf::from(file)));
+        std::process::exit(read_all(&PathBuf::from(file)));
     }
     ENABLED.get_or_init(|| ());
 }
 
 /// Reads the file in a copy of this program, if that is enabled; says what is wrong where the copy fails.
-pub(crate) fn rehearse(file: &Path) -> Result<(), String> {
+pub(super) fn check(file: &Path) -> Result<(), String> {
     if ENABLED.get().is_none() {
         return Ok(());
     }
@@ -72,8 +71,8 @@ fn program() -> std::io::Result<OsString> {
 
 /// None if it took too long.
 fn wait(copy: &mut Child) -> std::io::Result<Option<std::process::ExitStatus>> {
-    let begun = Instant::now();
-    while begun.elapsed() < TIME {
+    let start = Instant::now();
+    while start.elapsed() < TIME {
         if let Some(status) = copy.try_wait()? {
             return Ok(Some(status));
         }
@@ -85,14 +84,14 @@ fn wait(copy: &mut Child) -> std::io::Result<Option<std::process::ExitStatus>> {
 }
 
 /// Reads all that a reader of this project may ask of the file; what is not of a kind that any asks for is no matter.
-fn perform(file: &Path) -> i32 {
+fn read_all(file: &Path) -> i32 {
     let size = std::fs::metadata(file).map_or(0, |metadata| metadata.len());
     let memory = MEMORY.saturating_add(size.saturating_mul(MOST_EXPANSION));
     // No core files of crashes that are expected.
     for (resource, limit) in [(Resource::As, memory), (Resource::Core, 0)] {
         let _ = setrlimit(resource, Rlimit { current: Some(limit), maximum: Some(limit) });
     }
-    let dataset = match netcdf::open(file) {
+    let dataset = match ::netcdf::open(file) {
         Ok(dataset) => dataset,
         Err(error) => {
             println!("{error}");
@@ -113,7 +112,7 @@ fn perform(file: &Path) -> i32 {
         match variable.vartype() {
             NcVariableType::String => {
                 for number in 0..values {
-                    let _ = variable.get_string(&index(number, &shape)[..]);
+                    let _ = variable.get_string(&indices(number, &shape)[..]);
                 }
             }
             NcVariableType::Int(_) | NcVariableType::Float(_) | NcVariableType::Char => {
@@ -124,19 +123,4 @@ fn perform(file: &Path) -> i32 {
         }
     }
     0
-}
-
-/// Of the value of that number, row by row.
-fn index(mut number: usize, shape: &[usize]) -> Vec<usize> {
-    let mut index: Vec<usize> = shape
-        .iter()
-        .rev()
-        .map(|length| {
-            let place = number % length;
-            number /= length;
-            place
-        })
-        .collect();
-    index.reverse();
-    index
 }

@@ -1,14 +1,17 @@
 //! More points where a table interpolates badly.
 //!
-//! The judge is cross-validation against computed results (see [`crate::cross_validation`]): a
+//! The judge is cross-validation against computed results (see [`cross_validation`]): a
 //! point is added in the middle of an interval, computed, and from then on is one of those that
 //! are left out and predicted. The grid stays a product of its axes: a new interference is a row
 //! of runs, a new slip rate a column.
 
-use crate::cross_validation::{Along, CrossValidation};
+pub mod cross_validation;
+pub mod statistics;
+
 use crate::law::Estimate;
 use crate::quantity::Quantity;
 use crate::table::{Axes, Metadata, Table};
+use cross_validation::{Along, CrossValidation};
 
 /// What must interpolate well: the friction of an asperity, from which all else follows.
 pub const JUDGED: [Quantity; 4] =

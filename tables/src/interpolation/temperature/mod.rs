@@ -11,13 +11,12 @@ mod column;
 
 use std::path::Path;
 
-use crate::assembly::first_difference;
-use crate::dataset::DatasetError;
-use crate::fracture::FractureEnergy;
+use crate::interpolation::steffen::locate;
 use crate::interpolation::{blend_one, cubic};
-use crate::netcdf_file;
+use crate::netcdf::DatasetError;
 use crate::numbers::plain;
-use crate::steffen::locate;
+use crate::table::first_difference;
+use crate::table::fracture::FractureEnergy;
 use crate::table::{Cell, Metadata, Status, Table, TableError, check_axis};
 use column::{Column, Line, Units};
 
@@ -98,7 +97,7 @@ impl TemperatureSeries {
 
     /// Writes the series; the file appears whole or not at all.
     pub fn write(&self, path: &Path) -> Result<(), DatasetError> {
-        netcdf_file::write(path, &self.members, true)
+        crate::netcdf::write(path, &self.members, true)
     }
 
     /// The tables, of rising initial temperature.
@@ -113,7 +112,7 @@ impl TemperatureSeries {
 
     /// Of all that a reader relies on, as in the attribute `checksum`.
     pub fn checksum(&self) -> String {
-        crate::schema::checksum_of_series(&self.members)
+        crate::netcdf::schema::checksum_of_series(&self.members)
     }
 
     /// The table at an initial temperature, K: at one of the series its numbers bit for bit.
@@ -265,7 +264,7 @@ pub enum Tables {
 impl Tables {
     /// Reads a file of either kind.
     pub fn read(path: &Path) -> Result<Self, DatasetError> {
-        netcdf_file::read(path)
+        crate::netcdf::read(path)
     }
 
     /// Writes a file of either kind; it appears whole or not at all.

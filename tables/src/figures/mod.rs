@@ -8,6 +8,7 @@ mod cells;
 mod draw;
 mod map;
 mod sheet;
+mod table;
 
 use std::path::Path;
 
@@ -18,7 +19,7 @@ pub use sheet::{Drawing, Sheet};
 /// A sheet of panels, two in a row.
 #[derive(Clone, Debug, Default, PartialEq)]
 /// ```
-/// use tables::figure::{Axis, Curve, Figure, Panel};
+/// use tables::figures::{Axis, Curve, Figure, Panel};
 ///
 /// let curve = Curve::new("a curve", vec![0.1, 1.0, 10.0], vec![0.3, 0.25, 0.2]).with_error(vec![0.01; 3]);
 /// let panel = Panel {

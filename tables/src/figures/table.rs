@@ -1,6 +1,6 @@
 //! A table at a glance.
 
-use crate::figure::{Axis, Curve, Drawing, Figure, Map, Panel, Sheet};
+use super::{Axis, Curve, Drawing, Figure, Map, Panel, Sheet};
 use crate::numbers::digits;
 use crate::quantity::Quantity;
 use crate::table::{Cell, Table};

@@ -1,26 +1,22 @@
 //! Tables as CF netCDF files.
 
-mod reading;
-
 use std::path::Path;
 
-use crate::dataset::{AttributeValue, DatasetError, DatasetWriter};
-use crate::fracture::FractureEnergy;
+use super::{AttributeValue, DatasetError, DatasetWriter, schema};
+use crate::interpolation::temperature::Tables;
 use crate::quantity::{Descriptor, Quantity, Stored};
-use crate::schema;
-use crate::series::Tables;
+use crate::table::fracture::FractureEnergy;
 use crate::table::{Cell, Metadata, Status, Table};
-pub(crate) use reading::read;
 
 /// Of which a single table lacks the first, and what is not a history the last.
 const DIMENSIONS: [&str; 4] = ["temperature", "interference", "slip_rate", "slip"];
 /// G_IIc = coefficient·aⁿ in J m-2, contact radius a in m.
-const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
-const FRACTURE_EXPONENT: &str = "fracture_energy_radius_exponent";
+pub(super) const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
+pub(super) const FRACTURE_EXPONENT: &str = "fracture_energy_radius_exponent";
 const STATUS_MEANINGS: [&str; 3] = ["done", "not_run", "failed"];
 
 /// A number of the metadata as a global attribute, in SI units.
-type RealAttribute = (&'static str, fn(&Metadata) -> f64, fn(&mut Metadata) -> &mut f64);
+pub(super) type RealAttribute = (&'static str, fn(&Metadata) -> f64, fn(&mut Metadata) -> &mut f64);
 
 macro_rules! real_attributes {
     ($($name:ident),*) => {
@@ -28,7 +24,7 @@ macro_rules! real_attributes {
     };
 }
 
-const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
+pub(super) const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
     asperity_radius,
     critical_interference,
     contact_modulus,
@@ -41,16 +37,16 @@ const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
 
 /// Numbers of the metadata that change with the initial temperature: in a series they are variables over
 /// it, beside the attributes, which are those of the lowest. Name, unit, meaning.
-const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
+pub(super) const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
     ("critical_interference", "m", "interference of first yield"),
     ("contact_modulus", "Pa", "contact modulus E/(1-nu^2) at the initial temperature"),
     ("yield_strength", "Pa", "yield strength at the initial temperature"),
 ];
 
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.
-type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
+pub(super) type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
 
-const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
+pub(super) const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
     ("title", |m| &mut m.title),
     ("history", |m| &mut m.history),
     ("source", |m| &mut m.source),
@@ -61,9 +57,9 @@ const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
 ];
 
 /// A number of the metadata that need not be there.
-type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Option<f64>);
+pub(super) type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Option<f64>);
 
-const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
+pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
     ("strength_factor", |m| &mut m.strength_factor),
     ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
 ];
@@ -321,7 +317,7 @@ impl Content<'_> {
     }
 }
 
-fn history_name(name: &str) -> String {
+pub(super) fn history_name(name: &str) -> String {
     format!("{name}_history")
 }
 
@@ -340,6 +336,3 @@ fn describe(
     }
     attributes
 }
-
-#[cfg(test)]
-mod tests;

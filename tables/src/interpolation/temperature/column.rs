@@ -1,9 +1,9 @@
 //! Numbers between initial temperatures, and their errors.
 
 use crate::interpolation::blend_one;
+use crate::interpolation::steffen::Location;
 use crate::law::Estimate;
 use crate::quantity::Quantity;
-use crate::steffen::Location;
 use crate::table::Cell;
 
 /// A monotone cubic through four points of which the outer two may be missing: gaps to these, length

@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
+use crate::interpolation::temperature::Tables;
 use crate::numbers::exact;
 use crate::quantity::Quantity;
-use crate::series::Tables;
 use crate::table::{Cell, Status, Table};
 
 impl Table {

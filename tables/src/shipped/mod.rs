@@ -7,13 +7,13 @@
 use std::io::Write;
 use std::path::Path;
 
-use crate::dataset::DatasetError;
-use crate::series::{Tables, TemperatureError, TemperatureSeries};
+use crate::interpolation::temperature::{Tables, TemperatureError, TemperatureSeries};
+use crate::netcdf::DatasetError;
 use crate::table::Table;
 
 macro_rules! shipped {
     ($($name:literal),*) => {
-        [$(($name, include_bytes!(concat!("../data/", $name, ".nc")) as &[u8])),*]
+        [$(($name, include_bytes!(concat!("../../data/", $name, ".nc")) as &[u8])),*]
     };
 }
 

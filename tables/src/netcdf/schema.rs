@@ -6,7 +6,7 @@
 
 use sha2::{Digest, Sha256};
 
-use crate::dataset::{DatasetError, DatasetReader, DatasetWriter};
+use crate::netcdf::{DatasetError, DatasetReader, DatasetWriter};
 use crate::quantity::Quantity;
 use crate::table::{Cell, Metadata, Status, Table};
 

@@ -1,0 +1,116 @@
+//! CF netCDF files, written whole or not at all and read with errors that say what is missing.
+//!
+//! - [`DatasetWriter`] and [`DatasetReader`]: the files of the project (`run.nc`, `table.nc`, `friction.nc`);
+//!   equal content gives equal bytes.
+//! - [`Table::read`](crate::table::Table::read) and `write`: the schema of tables ([`schema`]) with a checksum of
+//!   their content; the same as comma-separated values.
+//! - A checksum of all bytes, verified before the netCDF library sees the file; a sandbox in which files of other
+//!   programs are read first ([`enable_sandbox`]).
+//! - [`write_atomically`]: every file of the project appears whole or not at all.
+//!
+//! Depends on `table`, `quantity` and `interpolation`.
+
+mod atomic;
+mod checksum;
+mod classic_header;
+mod csv;
+mod reader;
+mod sandbox;
+pub mod schema;
+mod table_reader;
+mod table_writer;
+mod writer;
+
+pub use ::netcdf::AttributeValue;
+
+pub use atomic::{destination, write_atomically};
+pub use reader::DatasetReader;
+pub use sandbox::enable as enable_sandbox;
+pub(crate) use table_reader::read;
+pub(crate) use table_writer::write;
+pub use writer::DatasetWriter;
+
+/// CF version written to the attribute `Conventions`.
+pub const CONVENTIONS: &str = "CF-1.11";
+
+/// Stands for an unknown number in files; NaN in memory.
+pub const FILL_VALUE: f64 = 9.969_209_968_386_869e36;
+
+/// Compressed data are at most this many times larger than the file (the limit of deflate is 1032).
+const MOST_EXPANSION: u64 = 1100;
+
+/// What is wrong with a file.
+#[derive(Debug, thiserror::Error)]
+pub enum DatasetError {
+    /// It cannot be opened.
+    #[error("cannot read {path}: {reason}")]
+    Open {
+        /// The file.
+        path: String,
+        /// What the system or the library said.
+        reason: String,
+    },
+    /// It cannot be written.
+    #[error("cannot write {path}: {reason}")]
+    Write {
+        /// The file.
+        path: String,
+        /// What the system or the library said.
+        reason: String,
+    },
+    /// It lacks a variable.
+    #[error("{path}: variable \"{variable}\" is missing; not a file of this kind")]
+    VariableMissing {
+        /// The file.
+        path: String,
+        /// Name of the variable.
+        variable: String,
+    },
+    /// It lacks a global attribute.
+    #[error("{path}: global attribute \"{attribute}\" is missing; not a file of this kind")]
+    AttributeMissing {
+        /// The file.
+        path: String,
+        /// Name of the attribute.
+        attribute: String,
+    },
+    /// Its content is wrong.
+    #[error("{path}: {what}")]
+    Content {
+        /// The file.
+        path: String,
+        /// What is wrong.
+        what: String,
+    },
+}
+
+/// Stops the HDF5 library from printing its error stack in this thread: it does so for
+/// optional attributes that a good file lacks. The netCDF library silences the thread that
+/// used it first only.
+fn silence_hdf5() {
+    thread_local! {
+        static SILENT: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
+    }
+    if SILENT.replace(true) {
+        return;
+    }
+    let _guard = hdf5_metno_sys::LOCK.lock();
+    // SAFETY: no handler and no data for it, as HDF5 documents for switching the printing off;
+    // the lock is the one that every call of the netCDF library holds.
+    unsafe {
+        hdf5_metno_sys::h5e::H5Eset_auto2(hdf5_metno_sys::h5e::H5E_DEFAULT, None, std::ptr::null_mut());
+    }
+}
+
+/// Indices of the value of a number in row-major order.
+fn indices(mut number: usize, shape: &[usize]) -> Vec<usize> {
+    let mut indices = vec![0; shape.len()];
+    for (index, length) in indices.iter_mut().zip(shape).rev() {
+        *index = number % length;
+        number /= length;
+    }
+    indices
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,180 @@
+//! A netCDF file being read.
+
+use std::io::Read;
+use std::path::Path;
+
+use ::netcdf::AttributeValue;
+
+use super::checksum::{self, Checksum};
+use super::{DatasetError, FILL_VALUE, MOST_EXPANSION, classic_header, sandbox, silence_hdf5};
+
+/// A netCDF file being read.
+pub struct DatasetReader {
+    path: String,
+    file: ::netcdf::File,
+    /// Values that a variable can have at most: a file cannot hold more.
+    most_values: usize,
+}
+
+/// What is wrong with a file without a checksum: other programs write topographies, too.
+fn foreign_damage(path: &Path) -> std::io::Result<Option<String>> {
+    let mut file = std::fs::File::open(path)?;
+    let mut bytes = Vec::new();
+    file.by_ref().take(3).read_to_end(&mut bytes)?;
+    if bytes != b"CDF" {
+        return Ok(sandbox::check(path).err());
+    }
+    file.read_to_end(&mut bytes)?;
+    Ok(classic_header::damage(&bytes).map(str::to_string))
+}
+
+impl DatasetReader {
+    pub fn open(path: &Path) -> Result<Self, DatasetError> {
+        let shown = path.display().to_string();
+        let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };
+        // The library's own message for a missing file does not always say so.
+        let opened = std::fs::File::open(path).and_then(|mut file| {
+            let damage = match checksum::inspect(&mut file)? {
+                Checksum::Agrees => None,
+                Checksum::Damaged(damage) => Some(damage),
+                Checksum::Absent => foreign_damage(path)?,
+            };
+            Ok((file.metadata()?.len(), damage))
+        });
+        let (size, damage) = opened.map_err(|error| failed(error.to_string()))?;
+        if let Some(damage) = damage {
+            return Err(failed(damage));
+        }
+        silence_hdf5();
+        let file = ::netcdf::open(path).map_err(|error| failed(error.to_string()))?;
+        let most_values = usize::try_from(size.saturating_mul(MOST_EXPANSION) / 8).unwrap_or(usize::MAX);
+        Ok(Self { path: shown, file, most_values })
+    }
+
+    /// Global attribute that is a text.
+    pub fn attribute_text(&self, name: &str) -> Result<String, DatasetError> {
+        self.optional_text(name)?.ok_or_else(|| self.attribute_missing(name))
+    }
+
+    /// Global attribute that is a text, if it is there.
+    pub fn optional_text(&self, name: &str) -> Result<Option<String>, DatasetError> {
+        match self.attribute(name)? {
+            Some(AttributeValue::Str(text)) => Ok(Some(text)),
+            Some(_) => Err(self.content(format!("global attribute \"{name}\" is not a text"))),
+            None => Ok(None),
+        }
+    }
+
+    /// Global attribute that is a number.
+    pub fn attribute_real(&self, name: &str) -> Result<f64, DatasetError> {
+        self.optional_real(name)?.ok_or_else(|| self.attribute_missing(name))
+    }
+
+    /// Global attribute that is a number, if it is there.
+    pub fn optional_real(&self, name: &str) -> Result<Option<f64>, DatasetError> {
+        let Some(value) = self.attribute(name)? else {
+            return Ok(None);
+        };
+        let not_a_number = |_| self.content(format!("global attribute \"{name}\" is not a number"));
+        f64::try_from(value).map(Some).map_err(not_a_number)
+    }
+
+    /// Values of a coordinate or any other variable with one dimension.
+    pub fn coordinate(&self, name: &str) -> Result<Vec<f64>, DatasetError> {
+        let length = self.variable(name)?.len();
+        self.reals(name, &[length])
+    }
+
+    /// Whether there is a variable of that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.file.variable(name).is_some()
+    }
+
+    /// Lengths of the dimensions of a variable.
+    pub fn shape(&self, name: &str) -> Result<Vec<usize>, DatasetError> {
+        Ok(self.variable(name)?.dimensions().iter().map(|dimension| dimension.len()).collect())
+    }
+
+    /// Attribute of a variable that is a text, if there is one.
+    pub fn variable_text(&self, name: &str, attribute: &str) -> Option<String> {
+        match self.file.variable(name)?.attribute_value(attribute)?.ok()? {
+            AttributeValue::Str(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// Attribute of a variable that is a number, if there is one.
+    pub fn variable_real(&self, name: &str, attribute: &str) -> Option<f64> {
+        f64::try_from(self.file.variable(name)?.attribute_value(attribute)?.ok()?).ok()
+    }
+
+    /// Numbers of the expected shape, row-major; NaN for the fill value.
+    pub fn reals(&self, name: &str, shape: &[usize]) -> Result<Vec<f64>, DatasetError> {
+        let variable = self.shaped(name, shape)?;
+        let fill = match variable.fill_value::<f64>() {
+            Ok(Some(fill)) => fill,
+            _ => FILL_VALUE,
+        };
+        let mut values = (variable.get_values::<f64, _>(..))
+            .map_err(|error| self.content(format!("variable \"{name}\": {error}")))?;
+        for value in &mut values {
+            if *value == fill {
+                *value = f64::NAN;
+            }
+        }
+        Ok(values)
+    }
+
+    /// Flags of the expected shape.
+    pub fn flags(&self, name: &str, shape: &[usize]) -> Result<Vec<i8>, DatasetError> {
+        let variable = self.shaped(name, shape)?;
+        (variable.get_values::<i8, _>(..))
+            .map_err(|error| self.content(format!("variable \"{name}\": {error}")))
+    }
+
+    /// One text of a variable of texts.
+    pub fn text(&self, name: &str, index: &[usize]) -> Result<String, DatasetError> {
+        (self.variable(name)?.get_string(index))
+            .map_err(|error| self.content(format!("variable \"{name}\": {error}")))
+    }
+
+    /// An error about this file.
+    pub fn content(&self, what: String) -> DatasetError {
+        DatasetError::Content { path: self.path.clone(), what }
+    }
+
+    fn attribute(&self, name: &str) -> Result<Option<AttributeValue>, DatasetError> {
+        let Some(attribute) = self.file.attribute(name) else {
+            return Ok(None);
+        };
+        let unreadable = |error| self.content(format!("global attribute \"{name}\": {error}"));
+        attribute.value().map(Some).map_err(unreadable)
+    }
+
+    fn attribute_missing(&self, name: &str) -> DatasetError {
+        DatasetError::AttributeMissing { path: self.path.clone(), attribute: name.to_string() }
+    }
+
+    fn variable(&self, name: &str) -> Result<::netcdf::Variable<'_>, DatasetError> {
+        let missing =
+            || DatasetError::VariableMissing { path: self.path.clone(), variable: name.to_string() };
+        self.file.variable(name).ok_or_else(missing)
+    }
+
+    fn shaped(&self, name: &str, shape: &[usize]) -> Result<::netcdf::Variable<'_>, DatasetError> {
+        let variable = self.variable(name)?;
+        let lengths = variable.dimensions().iter().map(|dimension| dimension.len());
+        let found: Vec<usize> = lengths.collect();
+        // Dimensions cost nothing in a file: they may promise more than any memory holds.
+        let values = found.iter().try_fold(1usize, |product, length| product.checked_mul(*length));
+        if values.is_none_or(|values| values > self.most_values) {
+            let what = format!("variable \"{name}\" has shape {found:?}, more than the file can hold");
+            return Err(self.content(what));
+        }
+        if found == shape {
+            return Ok(variable);
+        }
+        let what = format!("variable \"{name}\" has shape {found:?} instead of {shape:?}");
+        Err(self.content(what))
+    }
+}

@@ -1,0 +1,189 @@
+//! A netCDF file being written.
+
+use std::path::Path;
+
+use ::netcdf::{AttributeValue, FileMut};
+
+use super::atomic::Temporary;
+use super::{CONVENTIONS, DatasetError, FILL_VALUE, checksum, indices, silence_hdf5};
+
+const DEFLATE_LEVEL: i32 = 4;
+
+/// A netCDF-4 file being written under a temporary name in the directory of the final one.
+///
+/// ```
+/// use tables::netcdf::{DatasetReader, DatasetWriter};
+///
+/// let path = std::env::temp_dir().join(format!("dataset-example-{}.nc", std::process::id()));
+/// let mut file = DatasetWriter::create(&path, "an example")?;
+/// file.coordinate("x", &[0.0, 1.0], &[("units", "m".into())])?;
+/// file.reals("y", &["x"], &[2.0, f64::NAN], &[("units", "1".into())])?;
+/// file.finish()?;
+///
+/// let file = DatasetReader::open(&path)?;
+/// let y = file.reals("y", &[2])?;
+/// assert!(y[0] == 2.0 && y[1].is_nan());
+/// assert_eq!(file.attribute_text("title")?, "an example");
+/// # std::fs::remove_file(&path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct DatasetWriter {
+    /// As asked for.
+    path: String,
+    /// Closed before the temporary file is removed.
+    file: Option<FileMut>,
+    temporary: Option<Temporary>,
+}
+
+impl DatasetWriter {
+    /// Starts a file with the attributes `Conventions` and `title`.
+    pub fn create(path: &Path, title: &str) -> Result<Self, DatasetError> {
+        let path = path.display().to_string();
+        let failed = |reason: String| DatasetError::Write { path: path.clone(), reason };
+        let temporary = Temporary::beside(Path::new(&path)).map_err(|error| failed(error.to_string()))?;
+        silence_hdf5();
+        let file = ::netcdf::create(&temporary.place).map_err(|error| failed(error.to_string()))?;
+        let mut writer = Self { path, file: Some(file), temporary: Some(temporary) };
+        writer.attribute("Conventions", CONVENTIONS)?;
+        writer.attribute("title", title)?;
+        Ok(writer)
+    }
+
+    /// Global attribute.
+    pub fn attribute(&mut self, name: &str, value: impl Into<AttributeValue>) -> Result<(), DatasetError> {
+        let value = value.into();
+        self.change(|file| file.add_attribute(name, value).map(|_| ()))
+    }
+
+    /// Dimension without a coordinate.
+    pub fn dimension(&mut self, name: &str, length: usize) -> Result<(), DatasetError> {
+        self.change(|file| file.add_dimension(name, length).map(|_| ()))
+    }
+
+    /// Dimension with its coordinate variable.
+    pub fn coordinate(
+        &mut self,
+        name: &str,
+        values: &[f64],
+        attributes: &[(&str, AttributeValue)],
+    ) -> Result<(), DatasetError> {
+        self.dimension(name, values.len())?;
+        self.variable(name, &[name], values, None, attributes)
+    }
+
+    /// Numbers over `dimensions` (none: a scalar), row-major; NaN is written as the fill value.
+    pub fn reals(
+        &mut self,
+        name: &str,
+        dimensions: &[&str],
+        values: &[f64],
+        attributes: &[(&str, AttributeValue)],
+    ) -> Result<(), DatasetError> {
+        let known = |value: &f64| if value.is_nan() { FILL_VALUE } else { *value };
+        let filled: Vec<f64> = values.iter().map(known).collect();
+        self.variable(name, dimensions, &filled, Some(FILL_VALUE), attributes)
+    }
+
+    /// Flags over `dimensions` with the meaning of 0, 1, 2, …, each a word without spaces.
+    pub fn flags(
+        &mut self,
+        name: &str,
+        dimensions: &[&str],
+        values: &[i8],
+        meanings: &[&str],
+        attributes: &[(&str, AttributeValue)],
+    ) -> Result<(), DatasetError> {
+        let numbers: Vec<i8> = (0..meanings.len() as i8).collect();
+        let mut attributes = attributes.to_vec();
+        attributes.push(("flag_values", numbers.into()));
+        attributes.push(("flag_meanings", meanings.join(" ").into()));
+        self.variable(name, dimensions, values, None, &attributes)
+    }
+
+    /// Texts over `dimensions`.
+    pub fn texts(
+        &mut self,
+        name: &str,
+        dimensions: &[&str],
+        values: &[&str],
+        attributes: &[(&str, AttributeValue)],
+    ) -> Result<(), DatasetError> {
+        let shape = self.shape(name, dimensions, values.len())?;
+        self.change(|file| {
+            let mut variable = file.add_string_variable(name, dimensions)?;
+            for (attribute, value) in attributes {
+                variable.put_attribute(attribute, value.clone())?;
+            }
+            for (position, value) in values.iter().enumerate() {
+                variable.put_string(value, indices(position, &shape))?;
+            }
+            Ok(())
+        })
+    }
+
+    /// Closes the file and gives it its name, replacing a file that has it.
+    pub fn finish(mut self) -> Result<(), DatasetError> {
+        if let Some(file) = self.file.take() {
+            file.close().map_err(|error| self.failed(error))?;
+        }
+        let temporary = self.temporary.take().expect("the file is open until finish");
+        // On the disk before it has its name: a name without content would be a damaged file.
+        checksum::append(&temporary.place)
+            .and_then(|()| temporary.persist())
+            .map_err(|error| self.failed(error))
+    }
+
+    fn variable<T: ::netcdf::NcTypeDescriptor + Copy>(
+        &mut self,
+        name: &str,
+        dimensions: &[&str],
+        values: &[T],
+        fill: Option<T>,
+        attributes: &[(&str, AttributeValue)],
+    ) -> Result<(), DatasetError> {
+        self.shape(name, dimensions, values.len())?;
+        self.change(|file| {
+            let mut variable = file.add_variable::<T>(name, dimensions)?;
+            if !dimensions.is_empty() {
+                variable.set_compression(DEFLATE_LEVEL, true)?;
+            }
+            if let Some(fill) = fill {
+                variable.set_fill_value(fill)?;
+            }
+            for (attribute, value) in attributes {
+                variable.put_attribute(attribute, value.clone())?;
+            }
+            if dimensions.is_empty() {
+                variable.put_value(values[0], ())
+            } else {
+                variable.put_values(values, ..)
+            }
+        })
+    }
+
+    /// Lengths of the dimensions. The library writes a short record without complaint, so the
+    /// number of values is checked here.
+    fn shape(&self, variable: &str, dimensions: &[&str], found: usize) -> Result<Vec<usize>, DatasetError> {
+        let file = self.file.as_ref().expect("the file is open until finish");
+        let length = |name: &&str| file.dimension_len(name).unwrap_or(0);
+        let shape: Vec<usize> = dimensions.iter().map(length).collect();
+        let expected: usize = shape.iter().product();
+        if found == expected {
+            return Ok(shape);
+        }
+        let reason = format!("variable \"{variable}\" has {found} values instead of {expected}");
+        Err(self.failed(reason))
+    }
+
+    fn change(
+        &mut self,
+        action: impl FnOnce(&mut FileMut) -> ::netcdf::Result<()>,
+    ) -> Result<(), DatasetError> {
+        let file = self.file.as_mut().expect("the file is open until finish");
+        action(file).map_err(|error| self.failed(error))
+    }
+
+    fn failed(&self, reason: impl std::fmt::Display) -> DatasetError {
+        DatasetError::Write { path: self.path.clone(), reason: reason.to_string() }
+    }
+}
