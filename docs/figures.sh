@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes the figures of the book and of the README anew: docs/src/figures/.
+# Draws the figures of the book and of the README: docs/src/figures/.
 #
-#   docs/figures.sh [friction] [run] [convergence] [bearing] [transition] [press] [no-end-state]
-#                                                                default: all of them
+#   docs/figures.sh [friction] [run] [convergence] [bearing] [transition] [press] [no-end-state] [peers]
+#                                                                default: all but peers
 #
 # friction      examples/friction-of-steel.sh, the main job: friction.png, table.svg
 # run           asperity run examples/scenes/single-asperity.toml --plot: run.png
@@ -11,9 +11,11 @@
 # transition    the example elastic_to_plastic, from the shipped tables: transition.svg
 # press         the example press_curves: press.svg
 # no-end-state  the example no_end_state: no-end-state.svg
+# peers         examples/peers/chart.py, from the rows that `docs/numbers.py peers` leaves in target: peers.svg; needs
+#               Python with matplotlib
 #
-# What they are drawn from is kept in target/figures. Wall time on two cores: run 2 s, convergence 15 s, friction 40 s,
-# bearing and transition 1 s, press 10 s, no-end-state a few minutes, and that of the build.
+# The data are kept in target/figures. Wall time on two cores without the build: run 2 s, convergence 15 s, friction 40 s,
+# bearing and transition 1 s, press 10 s, no-end-state a few minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -32,7 +34,7 @@ for figure; do
     begun=$SECONDS
     case $figure in
     friction)
-        # From the beginning: the journal of an interrupted run would be continued.
+        # Without the journal of an interrupted run.
         rm -rf "$data/friction-of-steel"
         examples/friction-of-steel.sh "$data/friction-of-steel"
         cp "$data/friction-of-steel/friction.png" "$figures/"
@@ -56,6 +58,9 @@ for figure; do
         ;;
     no-end-state)
         $examples/no_end_state "$figures/no-end-state.svg" > "$data/no-end-state.txt"
+        ;;
+    peers)
+        python3 examples/peers/chart.py target/peers.jsonl "$figures/peers.svg"
         ;;
     *)
         sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2

@@ -133,6 +133,25 @@ fn summary_has_every_chapter_and_every_figure_is_shown() {
     }
 }
 
+/// Blocks of measured numbers are those that `docs/numbers.py` writes; each is on a page and has an end.
+#[test]
+fn measured_numbers_have_their_command() {
+    let script = read(&root().join("docs/numbers.py"));
+    let known: BTreeSet<&str> =
+        script.split("@block(\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+    let mut found = BTreeSet::new();
+    for path in files(&root().join("docs/src"), ".md") {
+        for rest in read(&path).split("<!-- begin: ").skip(1) {
+            let (name, block) = rest.split_once(" -->").unwrap();
+            let ended = block.split("<!-- begin: ").next().unwrap().contains("<!-- end -->");
+            assert!(ended && known.contains(name), "{}: {name}", path.display());
+            found.insert(name.to_owned());
+        }
+    }
+    let missing: Vec<&&str> = known.iter().filter(|name| !found.contains(**name)).collect();
+    assert!(known.len() > 5 && missing.is_empty(), "{missing:?}");
+}
+
 #[test]
 fn input_files_are_valid() {
     let mut kinds = BTreeSet::new();
