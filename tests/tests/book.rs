@@ -5,8 +5,7 @@ use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use asperity::interface::friction_law::LAWS;
-use asperity::scene::file::{parse_request, parse_scene, write_request, write_scene};
+use asperity::scene::file::{key_names, parse_request, parse_scene};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::surface::heights::DISTRIBUTIONS;
 use tests::programs::{execute, stderr};
@@ -176,49 +175,16 @@ fn input_files_are_valid() {
     }
 }
 
-/// Keys of a TOML text, of all levels.
-fn keys(table: &toml::Table) -> BTreeSet<String> {
-    let mut all = BTreeSet::new();
-    for (key, value) in table {
-        all.insert(key.clone());
-        if let toml::Value::Table(inner) = value {
-            all.extend(keys(inner));
-        }
-    }
-    all
-}
-
 #[test]
 fn keys_are_documented() {
-    let text = chapter("files/scene.md");
-    let scene = parse_scene(
-        "[material]\npreset = \"carbon-steel-en1993\"\nfracture_toughness_mode_ii = 1e7\n\
-         hardening = { law = \"johnson-cook\", modulus = 1e8, exponent = 0.3 }\n\
-         softening = { law = \"johnson-cook\", reference = 298, melting = 1800, exponent = 1 }\n\
-         [asperity]\nradius = 1e-3\n[loading]\ninterference = 1\nslip_rate = 1\n\
-         [numerics]\nelements_per_radius = 8\nsectors = 4\n",
-        "scene",
-        &[],
-    )
-    .unwrap();
-    let mut wanted = keys(&write_scene(&scene).parse().unwrap());
-    for entry in LAWS {
-        wanted.insert(entry.name.to_owned());
-        wanted.extend(entry.parameters.iter().map(|parameter| parameter.key.to_owned()));
-    }
-    let missing: Vec<&String> = wanted.iter().filter(|key| !text.contains(key.as_str())).collect();
-    assert!(wanted.len() > 30 && missing.is_empty(), "scene.md: {missing:?}");
-
-    let text = chapter("files/request.md");
-    for optional in ["tolerance = 0.1\nmax_cells = 9", "temperature = [298, 500]"] {
-        let request = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
-                       [table]\ninterference = [1]\nslip_rate = [1]\n";
-        let request = parse_request(&format!("{request}{optional}\n"), "request", &[]).unwrap();
-        let request: toml::Table = write_request(&request).parse().unwrap();
-        for key in keys(request["table"].as_table().unwrap()) {
-            assert!(text.contains(&format!("`{key}`")), "request.md: {key}");
-        }
-    }
+    let (text, requests) = (chapter("files/scene.md"), chapter("files/request.md"));
+    let mut wanted: BTreeSet<&str> = key_names();
+    wanted.extend(["shear-strength", "coulomb", "briscoe-tabor", "full-stick", "frictionless"]);
+    // Keys of [table] are described with the requests.
+    let missing: Vec<&&str> = (wanted.iter())
+        .filter(|key| !text.contains(**key) && !requests.contains(&format!("`{key}`")))
+        .collect();
+    assert!(wanted.len() > 40 && missing.is_empty(), "scene.md, request.md: {missing:?}");
 
     let text = chapter("files/surface.md");
     for entry in DISTRIBUTIONS {

@@ -40,7 +40,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     progress.clear();
     match result {
         Ok(mut outcome) => {
-            outcome.account.warnings.extend(scene.strength_elsewhere());
+            outcome.account.warnings.extend(scene.reference_temperature_warning());
             report(&scene, &outcome, None, arguments, display)
         }
         Err(error) => {
@@ -56,7 +56,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
                     Err(Failure::Run(format!("{reason}; the slide had not begun, there is nothing to save")))
                 }
                 Some(mut outcome) => {
-                    outcome.account.warnings.extend(scene.strength_elsewhere());
+                    outcome.account.warnings.extend(scene.reference_temperature_warning());
                     report(&scene, &outcome, Some(&reason), arguments, display)?;
                     let output = arguments.output.display();
                     Err(Failure::Run(format!(

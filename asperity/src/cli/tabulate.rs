@@ -18,7 +18,7 @@ use super::{Display, Failure, TabulateArguments, command_line, outputs, print, t
 pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
     outputs::check_output(&arguments.output, &arguments.request)?;
-    if let (Some(warning), false) = (request.template.strength_elsewhere(), display.quiet) {
+    if let (Some(warning), false) = (request.template.reference_temperature_warning(), display.quiet) {
         eprintln!("warning: {warning}");
     }
     outputs::check_plot(arguments.plot.as_deref(), &arguments.request)?;

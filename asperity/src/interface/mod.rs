@@ -1,3 +1,3 @@
 pub(crate) mod contact;
 pub(crate) mod contact_edge;
-pub mod friction_law;
+pub(crate) mod friction_law;

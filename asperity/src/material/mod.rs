@@ -36,6 +36,20 @@ pub struct Solid {
     initial_factor: f64,
 }
 
+/// f(T) of each temperature, K; the same as [`Softening::factor`].
+fn softening_of<const W: usize>(law: &Softening, temperature: &Lanes<W>) -> Lanes<W> {
+    match law {
+        Softening::None => [1.0; W],
+        Softening::JohnsonCook { reference, melting, exponent } => {
+            let homologous = temperature.map(|t| ((t - reference) / (melting - reference)).clamp(0.0, 1.0));
+            powers(&homologous, *exponent).map(|power| 1.0 - power)
+        }
+        Softening::Table { temperature: knots, factor } => {
+            temperature.map(|t| interpolate(knots, factor, t).0)
+        }
+    }
+}
+
 /// Thermal expansion coefficient dε/dT, 1/K.
 #[derive(Clone, Debug)]
 enum Expansion {
@@ -71,7 +85,7 @@ impl Solid {
     /// The same of each rise.
     pub fn softening_factors<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
         let temperature = rise.map(|rise| self.initial_temperature + rise);
-        self.softening.factors(&temperature).map(|factor| factor / self.initial_factor)
+        softening_of(&self.softening, &temperature).map(|factor| factor / self.initial_factor)
     }
 
     /// Lower bound of the softening factor for rises between `coldest`, which is asked for where it

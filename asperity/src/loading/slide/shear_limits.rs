@@ -2,7 +2,7 @@
 
 use crate::discretisation::body::{Body, BodyState};
 use crate::interface::contact::Contact;
-use crate::interface::friction_law::ContactPoint;
+use crate::interface::friction_law::{ContactPoint, shear_limit};
 use crate::loading::problem::{Problem, SHEAR_RATIO};
 use crate::scene::InterfaceStrength;
 
@@ -32,12 +32,13 @@ pub fn shear_limits(
     (0..contact.len())
         .map(|i| {
             let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
-            problem.law.limit(&ContactPoint {
+            let point = ContactPoint {
                 pressure: contact.trial.pressure[i],
-                cover: contact.cover[i],
+                contact_fraction: contact.cover[i],
                 strength: shear_strength(problem, hardened[i], theta),
                 unit: problem.units.stress,
-            })
+            };
+            shear_limit(&problem.law, &point)
         })
         .collect()
 }

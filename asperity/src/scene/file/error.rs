@@ -62,18 +62,6 @@ pub enum SceneFileError {
         /// What it may be.
         allowed: String,
     },
-    /// Understood, but this version cannot do it.
-    #[error("{}: {key} = {}: not supported yet; {instead}", short(.place), short(.value))]
-    Unsupported {
-        /// File or override.
-        place: String,
-        /// Full path of the key.
-        key: String,
-        /// As given.
-        value: String,
-        /// What to do instead.
-        instead: String,
-    },
 }
 
 /// The beginning of a text that is too long for a message.

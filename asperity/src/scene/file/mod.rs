@@ -1,30 +1,30 @@
-//! Scenes and table requests as TOML: reading with checks, overrides, writing back.
+//! Scenes and table requests as TOML: overrides, presets, checks, reading and writing by serde.
 //!
-//! A message about bad input is one line that names the file (or the `--set`), the key, the
+//! The types of [`crate::scene`] are the format: names, defaults, required keys. [`keys`] adds unit and
+//! range of each number. Below the keys of the file lie those of the preset, above them the overrides.
+//!
+//! A message about bad input is one line that names the file and the line (or the `--set`), the key, the
 //! value and what is allowed. Nothing is guessed: an unknown key is an error.
 
+mod check;
+mod deserialise;
+mod document;
 mod error;
-mod material;
-mod overrides;
-mod reader;
+mod keys;
+mod relations;
 mod request;
-mod sections;
+mod source;
 #[cfg(test)]
 mod tests;
-mod write;
 
 use std::path::Path;
 
-use toml::{Table, Value};
-
 pub use error::SceneFileError;
-pub use request::Request;
-pub use write::{write_request, write_scene};
+pub use keys::key_names;
+pub use request::{Request, parse_request, read_request, write_request};
 
 use crate::scene::Scene;
-use reader::{Origin, Section};
-
-const SECTIONS: [&str; 6] = ["material", "asperity", "interface", "loading", "model", "numerics"];
+use document::Document;
 
 /// Read a scene from a file, with `overrides` (`section.key=value`) laid over it.
 ///
@@ -36,12 +36,7 @@ const SECTIONS: [&str; 6] = ["material", "asperity", "interface", "loading", "mo
 /// # Ok::<(), asperity::scene::file::SceneFileError>(())
 /// ```
 pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneFileError> {
-    parse_scene(&read(path)?, &path.display().to_string(), overrides)
-}
-
-/// Read a table request from a file, with `overrides` (`section.key=value`) laid over it.
-pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneFileError> {
-    parse_request(&read(path)?, &path.display().to_string(), overrides)
+    parse_scene(&document::text_of(path)?, &path.display().to_string(), overrides)
 }
 
 /// Read a scene from text; `file` is the name to use in messages.
@@ -61,85 +56,17 @@ pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneF
 /// # Ok::<(), asperity::scene::file::SceneFileError>(())
 /// ```
 pub fn parse_scene(text: &str, file: &str, overrides: &[String]) -> Result<Scene, SceneFileError> {
-    let (document, origin) = parse_document(text, file, overrides)?;
-    if let Some(table) = document.get("table") {
-        let table = table.to_string();
+    let document = Document::parse(text, file, overrides)?;
+    if let Some(table) = document.sections.get("table") {
         let allowed = "left out of a scene; this is a request for `asperity tabulate`";
-        return Err(origin.invalid("table", table, allowed));
+        return Err(document.source.invalid("table", table, allowed));
     }
-    let mut root = Section::new("", document, &SECTIONS, &origin)?;
-    let scene = scene(&mut root, None)?;
-    sections::check_together(&scene, &[scene.loading.slip_rate], &origin)?;
+    let scene = document.scene()?;
+    relations::check_heat(&scene, &[scene.loading.slip_rate], &document.source)?;
     Ok(scene)
 }
 
-/// Read a table request from text; `file` is the name to use in messages.
-pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Request, SceneFileError> {
-    let (document, origin) = parse_document(text, file, overrides)?;
-    let known: Vec<&str> = SECTIONS.into_iter().chain(["table"]).collect();
-    let mut root = Section::new("", document, &known, &origin)?;
-    if !root.has("table") {
-        return Err(root.missing("table", "a section with interference and slip_rate"));
-    }
-    let request::Grid { interferences, slip_rates, temperatures, goal } = request::table(&mut root)?;
-    let template = scene(&mut root, Some((interferences[0], slip_rates[0])))?;
-    sections::check_together(&template, &slip_rates, &origin)?;
-    for &temperature in &temperatures {
-        sections::check_temperature(&template, "table.temperature", temperature, &origin)?;
-    }
-    Ok(Request { template, interferences, slip_rates, temperatures, goal })
-}
-
-fn scene(root: &mut Section<'_>, point: Option<(f64, f64)>) -> Result<Scene, SceneFileError> {
-    let mut scene = Scene {
-        material: material::material(root)?,
-        radius: sections::radius(root)?,
-        interface: sections::interface(root)?,
-        loading: sections::loading(root, point)?,
-        model: sections::model(root)?,
-        numerics: sections::numerics(root)?,
-    };
-    scene.material.evaluate_at_temperature(scene.loading.temperature);
-    Ok(scene)
-}
-
-fn read(path: &Path) -> Result<String, SceneFileError> {
-    use std::io::Read;
-
-    /// Far more than anyone writes, and less than a device that never ends.
-    const MOST: u64 = 16 << 20;
-    let unreadable = |reason: String| SceneFileError::Unreadable { file: path.display().to_string(), reason };
-    let mut text = String::new();
-    let file = std::fs::File::open(path).map_err(|error| unreadable(error.to_string()))?;
-    file.take(MOST + 1).read_to_string(&mut text).map_err(|error| unreadable(error.to_string()))?;
-    match text.len() as u64 > MOST {
-        true => Err(unreadable(format!("is longer than {} MB", MOST >> 20))),
-        false => Ok(text),
-    }
-}
-
-fn parse_document(text: &str, file: &str, overrides: &[String]) -> Result<(Table, Origin), SceneFileError> {
-    let mut document: Table = text.parse().map_err(|error| syntax(file, text, &error))?;
-    let mut origin = Origin { file: file.to_owned(), overrides: Vec::new() };
-    for (key, value) in &document {
-        if !matches!(value, Value::Table(_)) {
-            let allowed = "a section, as in [loading]";
-            return Err(origin.invalid(key, value, allowed));
-        }
-    }
-    for text in overrides {
-        let path = overrides::apply(&mut document, text)?;
-        origin.overrides.push((path, text.clone()));
-    }
-    Ok((document, origin))
-}
-
-fn syntax(file: &str, text: &str, error: &toml::de::Error) -> SceneFileError {
-    let start = error.span().map_or(0, |span| span.start);
-    SceneFileError::Syntax {
-        file: file.to_owned(),
-        line: 1 + text.bytes().take(start).filter(|&byte| byte == b'\n').count(),
-        // The parser's message may be several lines long.
-        reason: error.message().split_whitespace().collect::<Vec<_>>().join(" "),
-    }
+/// The whole scene as TOML, with every default filled in; reading it gives the same scene.
+pub fn write_scene(scene: &Scene) -> String {
+    toml::to_string(scene).expect("a scene is plain data")
 }

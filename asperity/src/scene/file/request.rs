@@ -1,16 +1,23 @@
-//! Section `[table]` of a request: lists or ranges of interference, slip rate and initial temperature.
+//! Table requests: a scene with a section `[table]` of interferences, slip rates and initial temperatures.
 
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
 use tables::refinement::Goal;
-use toml::Value;
+use toml::{Table, Value};
 
+use super::deserialise::read;
+use super::document::{Document, text_of};
 use super::error::SceneFileError;
-use super::reader::{ACCURACY, FOR_LOGARITHMS, NOT_NEGATIVE, POSITIVE, Rule, Section};
+use super::keys::{NOT_NEGATIVE, POSITIVE, POSITIVE_FOR_LOG, Range, TABLE, range_keys};
+use super::relations;
+use super::source::Source;
 use crate::scene::Scene;
 
 /// A grid of scenes that differ in interference and slip rate, at one or at several initial temperatures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// All that the scenes share; its interference and slip rate are the first of the grid.
+    /// What the scenes share; its interference and slip rate are the first of the grid.
     pub template: Scene,
     /// ω₀/ω_c, rising.
     pub interferences: Vec<f64>,
@@ -45,125 +52,168 @@ impl Request {
     }
 }
 
-/// A range has at most this many points.
-const MOST_POINTS: usize = 1000;
+/// Section `[table]`.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TableSection {
+    interference: Vec<f64>,
+    slip_rate: Vec<f64>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    temperature: Vec<f64>,
+    tolerance: Option<f64>,
+    max_cells: Option<usize>,
+}
 
-/// A grid that is to be refined may have so many cells unless `max_cells` says otherwise.
+/// A range in place of a list.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PointRange {
+    from: f64,
+    to: f64,
+    points: usize,
+    spacing: Spacing,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Spacing {
+    Log,
+    Linear,
+}
+
+/// Read a table request from a file, with `overrides` (`section.key=value`) laid over it.
+pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneFileError> {
+    parse_request(&text_of(path)?, &path.display().to_string(), overrides)
+}
+
+/// Read a table request from text; `file` is the name to use in messages.
+pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Request, SceneFileError> {
+    let mut document = Document::parse(text, file, overrides)?;
+    let Some(Value::Table(table)) = document.sections.remove("table") else {
+        return Err(document.source.missing("table", "a section with interference and slip_rate"));
+    };
+    let source = &document.source;
+    let section = table_section(table, source)?;
+    if let Some(Value::Table(loading)) = document.sections.get_mut("loading") {
+        for (key, points) in [("interference", &section.interference), ("slip_rate", &section.slip_rate)] {
+            if let Some(value) = loading.insert(key.to_owned(), Value::Float(points[0])) {
+                let allowed = format!("left out of a request, which has table.{key}");
+                return Err(source.invalid(&format!("loading.{key}"), value, allowed));
+            }
+        }
+    }
+    let template = document.scene()?;
+    if template.loading.slip_distance <= 0.0 {
+        let allowed = "a positive number (contact radii): a table has histories over the slip";
+        let found = format!("{:?}", template.loading.slip_distance);
+        return Err(source.invalid("loading.slip_distance", found, allowed));
+    }
+    relations::check_heat(&template, &section.slip_rate, source)?;
+    for &temperature in &section.temperature {
+        relations::check_temperature(&template, "table.temperature", temperature, source)?;
+    }
+    Ok(Request {
+        template,
+        goal: goal(&section),
+        interferences: section.interference,
+        slip_rates: section.slip_rate,
+        temperatures: section.temperature,
+    })
+}
+
+/// A grid that is to be refined may have this many cells unless `max_cells` says otherwise.
 const MOST_CELLS: usize = 400;
 
-/// What section `[table]` says.
-pub(super) struct Grid {
-    pub interferences: Vec<f64>,
-    pub slip_rates: Vec<f64>,
-    pub temperatures: Vec<f64>,
-    pub goal: Option<Goal>,
+fn goal(section: &TableSection) -> Option<Goal> {
+    let cells = section.interference.len() * section.slip_rate.len();
+    let most_cells = section.max_cells.unwrap_or(MOST_CELLS.max(cells));
+    section.tolerance.map(|tolerance| Goal { tolerance, most_cells })
 }
 
-/// Section `[table]`.
-pub(super) fn table(root: &mut Section<'_>) -> Result<Grid, SceneFileError> {
-    let known = ["interference", "slip_rate", "temperature", "tolerance", "max_cells"];
-    let mut section = root.take_section("table", &known)?;
-    let interferences = points(&mut section, "interference", "omega_0/omega_c", POSITIVE, LOGARITHMIC)?;
-    let slip_rates = points(&mut section, "slip_rate", "m/s", NOT_NEGATIVE, LOGARITHMIC)?;
-    let temperatures = temperatures(&mut section)?;
-    let cells = interferences.len() * slip_rates.len();
-    let refined = section.has("tolerance");
-    if !temperatures.is_empty()
-        && let Some(value) = section.take("tolerance")
-    {
-        let allowed = "left out where table.temperature is given: points are added to a table of one \
-                       initial temperature only";
-        return Err(section.invalid("tolerance", value, allowed));
-    }
-    if !refined && let Some(value) = section.take("max_cells") {
-        return Err(section.invalid("max_cells", value, "left out unless tolerance is given"));
-    }
-    let goal = match refined {
-        false => None,
-        true => Some(Goal {
-            tolerance: section.number("tolerance", "1", ACCURACY, None)?,
-            most_cells: (section.count("max_cells", (cells, MOST_POINTS * MOST_POINTS, 1))?)
-                .unwrap_or(MOST_CELLS.max(cells)),
-        }),
-    };
-    Ok(Grid { interferences, slip_rates, temperatures, goal })
-}
-
-/// Initial temperatures, K; none unless there is such a key.
-fn temperatures(section: &mut Section<'_>) -> Result<Vec<f64>, SceneFileError> {
-    if !section.has("temperature") {
-        return Ok(Vec::new());
-    }
-    let temperatures = points(section, "temperature", "K", POSITIVE, !LOGARITHMIC)?;
-    match temperatures[..] {
-        [only] => {
-            let allowed = "two or more temperatures; a single one is loading.temperature";
-            Err(section.invalid("temperature", format!("{only:?}"), allowed))
+fn table_section(mut table: Table, source: &Source) -> Result<TableSection, SceneFileError> {
+    for (key, unit, range, spacing) in [
+        ("interference", "omega_0/omega_c", POSITIVE, Spacing::Log),
+        ("slip_rate", "m/s", NOT_NEGATIVE, Spacing::Log),
+        ("temperature", "K", POSITIVE, Spacing::Linear),
+    ] {
+        match table.get_mut(key) {
+            Some(value @ Value::Table(_)) => *value = points(value, key, (unit, range, spacing), source)?,
+            Some(value @ (Value::Float(_) | Value::Integer(_))) => *value = Value::Array(vec![value.clone()]),
+            None if key != "temperature" => {
+                return Err(source.missing(
+                    format!("table.{key}"),
+                    format!(
+                        "a list such as [1, 10] or a range such as \
+                         {{ from = 1, to = 100, points = 8, spacing = \"log\" }} ({unit})"
+                    ),
+                ));
+            }
+            _ => {}
         }
-        _ => Ok(temperatures),
+    }
+    let section: TableSection = read("table", &table, TABLE, source)?;
+    let refuse =
+        |key: &str, allowed: &str| Err(source.invalid(&format!("table.{key}"), &table[key], allowed));
+    let cells = section.interference.len() * section.slip_rate.len();
+    match (&section.temperature[..], section.tolerance, section.max_cells) {
+        ([_], ..) => refuse("temperature", "two or more temperatures; a single one is loading.temperature"),
+        ([_, ..], Some(_), _) => refuse(
+            "tolerance",
+            "left out where table.temperature is given: points are added to a table of one initial temperature only",
+        ),
+        (_, None, Some(_)) => refuse("max_cells", "left out unless tolerance is given"),
+        (_, Some(_), Some(most)) if most < cells => {
+            refuse("max_cells", &format!("a whole number from {cells} to 1000000"))
+        }
+        _ => Ok(section),
     }
 }
 
-/// Spacing of a range that does not say it.
-const LOGARITHMIC: bool = true;
-
-/// A number, a rising list or a range.
+/// The numbers of a range, for the key `key`.
 fn points(
-    section: &mut Section<'_>,
+    value: &Value,
     key: &str,
-    unit: &str,
-    rule: Rule,
-    logarithmic: bool,
-) -> Result<Vec<f64>, SceneFileError> {
-    match section.take(key) {
-        Some(Value::Table(range)) => {
-            let known = ["from", "to", "points", "spacing"];
-            let range = Section::new(section.full(key), range, &known, section.origin())?;
-            self::range(range, unit, rule, logarithmic)
-        }
-        Some(value) => {
-            let list = match value {
-                Value::Array(_) => value,
-                number => Value::Array(vec![number]),
-            };
-            let table = [(key.to_owned(), list)].into_iter().collect();
-            let path = section.full("");
-            let path = path.trim_end_matches('.');
-            Section::new(path, table, &[key], section.origin())?.rising(key, unit, rule)
-        }
-        None => Err(section.missing(
-            key,
-            format!(
-                "a list such as [1, 10] or a range such as \
-                 {{ from = 1, to = 100, points = 8, spacing = \"log\" }} ({unit})"
-            ),
-        )),
+    (unit, range, spacing): (&'static str, Range, Spacing),
+    source: &Source,
+) -> Result<Value, SceneFileError> {
+    let mut table = value.as_table().cloned().unwrap_or_default();
+    let default = if spacing == Spacing::Log { "log" } else { "linear" };
+    let spacing = table.entry("spacing").or_insert_with(|| default.into());
+    let range = if spacing.as_str() == Some("log") { POSITIVE_FOR_LOG } else { range };
+    let path = format!("table.{key}");
+    let PointRange { from, to, points, spacing } = read(&path, &table, &range_keys(unit, range), source)?;
+    if to <= from {
+        return Err(source.invalid(
+            &format!("{path}.to"),
+            format!("{to:?}"),
+            format!("above from = {from:?}"),
+        ));
     }
+    let point = |i: usize| match i as f64 / (points - 1) as f64 {
+        // The ends exactly as given.
+        0.0 => from,
+        1.0 => to,
+        share if spacing == Spacing::Log => from * (to / from).powf(share),
+        share => from + (to - from) * share,
+    };
+    Ok(Value::Array((0..points).map(|i| Value::Float(point(i))).collect()))
 }
 
-fn range(
-    mut range: Section<'_>,
-    unit: &str,
-    rule: Rule,
-    logarithmic: bool,
-) -> Result<Vec<f64>, SceneFileError> {
-    let logarithmic = range.choice("spacing", &[("log", true), ("linear", false)], Some(logarithmic))?;
-    let rule = if logarithmic { FOR_LOGARITHMS } else { rule };
-    let from = range.number("from", unit, rule, None)?;
-    let to = range.number("to", unit, rule, None)?;
-    if to <= from {
-        return Err(range.invalid("to", format!("{to:?}"), format!("above from = {from:?}")));
+/// The whole request as TOML, with every default filled in; reading it gives the same request.
+pub fn write_request(request: &Request) -> String {
+    let plain = "a request is plain data";
+    let mut document = Table::try_from(&request.template).expect(plain);
+    if let Some(Value::Table(loading)) = document.get_mut("loading") {
+        loading.remove("interference");
+        loading.remove("slip_rate");
     }
-    let Some(count) = range.count("points", (2, MOST_POINTS, 1))? else {
-        return Err(range.missing("points", format!("a whole number from 2 to {MOST_POINTS}")));
+    let table = TableSection {
+        interference: request.interferences.clone(),
+        slip_rate: request.slip_rates.clone(),
+        temperature: request.temperatures.clone(),
+        tolerance: request.goal.map(|goal| goal.tolerance),
+        max_cells: request.goal.map(|goal| goal.most_cells),
     };
-    Ok((0..count)
-        .map(|i| match i as f64 / (count - 1) as f64 {
-            // The ends exactly as given.
-            0.0 => from,
-            1.0 => to,
-            share if logarithmic => from * (to / from).powf(share),
-            share => from + (to - from) * share,
-        })
-        .collect())
+    document.insert("table".into(), Value::try_from(table).expect(plain));
+    toml::to_string(&document).expect(plain)
 }

@@ -100,8 +100,8 @@ pub fn names() -> Vec<&'static str> {
     FILES.iter().map(|&(name, _)| name).collect()
 }
 
-/// Order in which constants are listed; what is not named here follows.
-const ORDER: [&str; 7] = [
+/// Constants that every material has, in the order in which they are listed; others follow.
+pub const REQUIRED: [&str; 7] = [
     "youngs_modulus",
     "poisson_ratio",
     "yield_strength",
@@ -119,7 +119,7 @@ fn parse(name: &'static str, text: &str) -> Result<Preset, String> {
     };
     let (title, checked) = (text("title")?, text("checked")?);
     let mut preset = Preset { name, title, checked, constants: Vec::new(), laws: Vec::new() };
-    for key in ORDER {
+    for key in REQUIRED {
         let value = table.remove(key).ok_or(format!("no {key}"))?;
         preset.constants.push(constant(key, &value)?);
     }
@@ -205,7 +205,7 @@ pub(crate) mod tests {
     #[test]
     fn units_of_a_key_agree_between_materials() {
         for preset in all() {
-            for (constant, first) in preset.constants.iter().zip(&all()[0].constants).take(ORDER.len()) {
+            for (constant, first) in preset.constants.iter().zip(&all()[0].constants).take(REQUIRED.len()) {
                 assert_eq!(constant.key, first.key);
                 assert_eq!(constant.unit, first.unit);
             }

@@ -1,0 +1,127 @@
+//! A section checked against the list of its keys.
+
+use toml::{Table, Value};
+
+use super::error::{SceneFileError, hint};
+use super::keys::{Key, Kind, NOT_NEGATIVE, Order, key};
+use super::source::{Source, join};
+
+/// Whether all keys of the section at `path` are among `keys`, taken by its law, and within their ranges.
+pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result<(), SceneFileError> {
+    for name in table.keys() {
+        if !keys.iter().any(|key| key.name == name) {
+            let known: Vec<&str> = keys.iter().map(|key| key.name).collect();
+            let full = join(path, name);
+            return Err(SceneFileError::UnknownKey {
+                place: source.place(&full),
+                key: full,
+                hint: hint(name, &known),
+            });
+        }
+    }
+    let law = table.get("law").and_then(Value::as_str);
+    for key in keys {
+        let Some(value) = table.get(key.name) else {
+            continue;
+        };
+        let full = join(path, key.name);
+        if let Some(law) = law
+            && !key.laws.is_empty()
+            && !key.laws.contains(&law)
+        {
+            // Ignored without a word it would look as if it had been used.
+            let takers: Vec<String> = key.laws.iter().map(|law| format!("law = {law:?}")).collect();
+            return Err(source.invalid(&full, value, format!("left out unless {}", takers.join(" or "))));
+        }
+        check_value(&full, value, key.kind, source)?;
+    }
+    Ok(())
+}
+
+fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result<(), SceneFileError> {
+    let good = match (kind, value) {
+        (Kind::Section(keys), Value::Table(table)) => return check(path, table, keys, source),
+        (Kind::Property(unit, range), Value::Table(table)) => {
+            let keys = [
+                key("temperature", Kind::List("K", NOT_NEGATIVE, Order::NotFalling)),
+                key("value", Kind::List(unit, range, Order::Any)),
+            ];
+            check(path, table, &keys, source)?;
+            let missing = keys.iter().find(|key| !table.contains_key(key.name));
+            return match missing {
+                Some(key) => Err(source.missing(join(path, key.name), key.kind.allowed())),
+                None => same_length(path, table, "temperature", "value", source),
+            };
+        }
+        (Kind::Number(_, range) | Kind::Property(_, range), value) => {
+            as_number(value).is_some_and(|number| range.accepts(number))
+        }
+        (Kind::List(_, range, order), Value::Array(list)) => {
+            let numbers: Option<Vec<f64>> = list.iter().map(as_number).collect();
+            match numbers {
+                Some(numbers) if !list.is_empty() && numbers.iter().all(|&x| range.accepts(x)) => {
+                    return check_order(path, &numbers, order, source);
+                }
+                _ => false,
+            }
+        }
+        (Kind::Count(from, to, step), value) => {
+            let count = value.as_integer().and_then(|count| usize::try_from(count).ok());
+            count.is_some_and(|count| (from..=to).contains(&count) && count % step == 0)
+        }
+        (Kind::Flag, value) => value.is_bool(),
+        (Kind::Name, _) => true,
+        (Kind::Section(_) | Kind::List(..), _) => false,
+    };
+    match good {
+        true => Ok(()),
+        false => Err(source.invalid(path, value, kind.allowed())),
+    }
+}
+
+fn check_order(path: &str, numbers: &[f64], order: Order, source: &Source) -> Result<(), SceneFileError> {
+    let (bad, allowed) = match order {
+        Order::Any => return Ok(()),
+        Order::Rising => (
+            numbers.windows(2).find(|pair| pair[1] <= pair[0]),
+            "a list that rises from each number to the next",
+        ),
+        Order::NotFalling => (
+            (numbers.windows(2).find(|pair| pair[1] < pair[0]))
+                .or(numbers.windows(3).find(|three| three[0] == three[2])),
+            "a list that does not fall; two equal temperatures make a jump",
+        ),
+    };
+    match bad {
+        None => Ok(()),
+        Some(bad) => Err(source.invalid(path, format!("[… {bad:?} …]"), allowed)),
+    }
+}
+
+/// That two lists of a section, if both are given, have as many numbers.
+pub fn same_length(
+    path: &str,
+    table: &Table,
+    abscissa: &str,
+    ordinate: &str,
+    source: &Source,
+) -> Result<(), SceneFileError> {
+    let length = |key: &str| table.get(key).and_then(Value::as_array).map(Vec::len);
+    match (length(abscissa), length(ordinate)) {
+        (Some(wanted), Some(found)) if found != wanted => Err(source.invalid(
+            &join(path, ordinate),
+            format!("{found} numbers"),
+            format!("as long as {abscissa} ({wanted})"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Integers are numbers too: `interference = 20`.
+fn as_number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Float(number) => Some(*number),
+        Value::Integer(number) => Some(*number as f64),
+        _ => None,
+    }
+}

@@ -1,0 +1,227 @@
+//! The keys of scene and request files: unit and range of every number, and the laws that take a key.
+//!
+//! Names, defaults and which keys are required stand in the types of [`crate::scene`], which serde
+//! reads; this list says what serde cannot.
+
+use std::collections::BTreeSet;
+
+use crate::scene::ELEMENTS_PER_RADIUS;
+
+/// What a number may be.
+#[derive(Clone, Copy)]
+pub struct Range {
+    /// As in "must be …", without the unit.
+    text: &'static str,
+    accepts: fn(f64) -> bool,
+}
+
+pub const POSITIVE: Range = Range { text: "a positive number", accepts: |x| x > 0.0 };
+pub const POSITIVE_FOR_LOG: Range =
+    Range { text: "a positive number, or any that may be if spacing = \"linear\"", accepts: |x| x > 0.0 };
+pub const NOT_NEGATIVE: Range = Range { text: "zero or a positive number", accepts: |x| x >= 0.0 };
+const SHARE: Range = Range { text: "a number from 0 to 1", accepts: |x| (0.0..=1.0).contains(&x) };
+/// Of an isotropic solid that is neither auxetic nor incompressible.
+const POISSON: Range =
+    Range { text: "a number from 0 to less than 0.5", accepts: |x| (0.0..0.5).contains(&x) };
+const ACCURACY: Range = Range { text: "a number above 0, at most 0.5", accepts: |x| x > 0.0 && x <= 0.5 };
+
+impl Range {
+    pub fn accepts(&self, value: f64) -> bool {
+        value.is_finite() && (self.accepts)(value)
+    }
+
+    /// With the unit, unless it is a pure number.
+    pub fn with_unit(&self, unit: &str) -> String {
+        match unit {
+            "1" => self.text.to_owned(),
+            unit => format!("{} ({unit})", self.text),
+        }
+    }
+}
+
+/// Order of the numbers of a list.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    Any,
+    /// Each larger than the one before.
+    Rising,
+    /// None smaller than the one before, no three equal: two equal abscissae make a jump.
+    NotFalling,
+}
+
+/// What the value of a key is.
+#[derive(Clone, Copy)]
+pub enum Kind {
+    /// Unit and range.
+    Number(&'static str, Range),
+    /// A number, or its table over temperature.
+    Property(&'static str, Range),
+    /// A list of numbers, not empty.
+    List(&'static str, Range, Order),
+    /// A whole number between these limits that is a multiple of the third.
+    Count(usize, usize, usize),
+    /// One of the names that the type of the key lists.
+    Name,
+    Flag,
+    Section(&'static [Key]),
+}
+
+/// A key of a section.
+#[derive(Clone, Copy)]
+pub struct Key {
+    pub name: &'static str,
+    pub kind: Kind,
+    /// Laws of the section that take the key; none where all do.
+    pub laws: &'static [&'static str],
+}
+
+pub const fn key(name: &'static str, kind: Kind) -> Key {
+    Key { name, kind, laws: &[] }
+}
+
+/// A parameter of some laws of the section.
+const fn parameter(laws: &'static [&'static str], name: &'static str, kind: Kind) -> Key {
+    Key { name, kind, laws }
+}
+
+use Kind::{Count, Flag, List, Name, Number, Property, Section};
+
+/// All sections of a scene.
+pub const SCENE: &[Key] = &[
+    key("material", Section(MATERIAL)),
+    key("asperity", Section(&[key("radius", Number("m", POSITIVE))])),
+    key("interface", Section(INTERFACE)),
+    key("loading", Section(LOADING)),
+    key("model", Section(&[key("heat", Name), key("kinematics", Name)])),
+    key("numerics", Section(NUMERICS)),
+];
+
+const MATERIAL: &[Key] = &[
+    key("preset", Name),
+    key("youngs_modulus", Property("Pa", POSITIVE)),
+    key("poisson_ratio", Number("1", POISSON)),
+    key("yield_strength", Number("Pa", POSITIVE)),
+    key("hardening", Section(HARDENING)),
+    key("density", Number("kg/m3", POSITIVE)),
+    key("specific_heat", Property("J/(kg K)", POSITIVE)),
+    key("thermal_conductivity", Property("W/(m K)", POSITIVE)),
+    // Zero switches expansion off.
+    key("thermal_expansion", Property("1/K", NOT_NEGATIVE)),
+    key("softening", Section(SOFTENING)),
+    key("shear_fracture_energy", Number("J/m2", POSITIVE)),
+    key("fracture_toughness_mode_ii", Number("Pa sqrt(m)", POSITIVE)),
+    key("tensile_strength", Number("Pa", POSITIVE)),
+    key("uniform_elongation", Number("1", NOT_NEGATIVE)),
+];
+
+const HARDENING: &[Key] = &[
+    key("law", Name),
+    parameter(&["linear", "johnson-cook"], "modulus", Number("Pa", NOT_NEGATIVE)),
+    parameter(&["johnson-cook"], "exponent", Number("1", POSITIVE)),
+    parameter(&["table"], "plastic_strain", List("1", NOT_NEGATIVE, Order::Rising)),
+    parameter(&["table"], "factor", List("1", POSITIVE, Order::Any)),
+];
+
+const SOFTENING: &[Key] = &[
+    key("law", Name),
+    parameter(&["johnson-cook"], "reference", Number("K", POSITIVE)),
+    parameter(&["johnson-cook"], "melting", Number("K", POSITIVE)),
+    parameter(&["johnson-cook"], "exponent", Number("1", POSITIVE)),
+    parameter(&["table"], "temperature", List("K", NOT_NEGATIVE, Order::Rising)),
+    parameter(&["table"], "factor", List("1", NOT_NEGATIVE, Order::Any)),
+];
+
+const INTERFACE: &[Key] = &[
+    key("law", Name),
+    parameter(&["coulomb"], "friction", Number("1", NOT_NEGATIVE)),
+    parameter(&["coulomb", "briscoe-tabor"], "cap", Flag),
+    parameter(&["briscoe-tabor"], "film_strength", Number("Pa", NOT_NEGATIVE)),
+    parameter(&["briscoe-tabor"], "pressure_coefficient", Number("1", NOT_NEGATIVE)),
+    key("strength", Name),
+    key("strength_factor", Number("1", POSITIVE)),
+    key("heat_partition", Number("1", SHARE)),
+    key("gap_conductance", Number("W/(m2 K)", NOT_NEGATIVE)),
+    key("taylor_quinney", Number("1", SHARE)),
+];
+
+const LOADING: &[Key] = &[
+    key("interference", Number("omega_0/omega_c", POSITIVE)),
+    key("slip_rate", Number("m/s, 0 is the isothermal limit", NOT_NEGATIVE)),
+    key("slip_distance", Number("contact radii", NOT_NEGATIVE)),
+    key("control", Name),
+    key("temperature", Number("K", POSITIVE)),
+];
+
+const NUMERICS: &[Key] = &[
+    key("accuracy", Number("1", ACCURACY)),
+    key("elements_per_radius", Count(*ELEMENTS_PER_RADIUS.start(), *ELEMENTS_PER_RADIUS.end(), 1)),
+    key("sectors", Count(4, 256, 4)),
+];
+
+/// A range of a request has at most this many points.
+const MOST_POINTS: usize = 1000;
+
+/// Section `[table]` of a request, its ranges written out as lists.
+pub const TABLE: &[Key] = &[
+    key("interference", List("omega_0/omega_c", POSITIVE, Order::Rising)),
+    key("slip_rate", List("m/s", NOT_NEGATIVE, Order::Rising)),
+    key("temperature", List("K", POSITIVE, Order::Rising)),
+    key("tolerance", Number("1", ACCURACY)),
+    key("max_cells", Count(1, MOST_POINTS * MOST_POINTS, 1)),
+];
+
+/// A range of the section `[table]`.
+pub const fn range_keys(unit: &'static str, range: Range) -> [Key; 4] {
+    [
+        key("from", Number(unit, range)),
+        key("to", Number(unit, range)),
+        key("points", Count(2, MOST_POINTS, 1)),
+        key("spacing", Name),
+    ]
+}
+
+impl Kind {
+    /// As in "must be …"; of names the type of the key knows more.
+    pub fn allowed(&self) -> String {
+        match self {
+            Number(unit, range) => range.with_unit(unit),
+            Property(unit, range) => {
+                format!("{}, or {{ temperature = [… K], value = […] }}", range.with_unit(unit))
+            }
+            List(unit, range, _) => format!("a list, not empty, of: {}", range.with_unit(unit)),
+            Count(from, to, 1) => format!("a whole number from {from} to {to}"),
+            Count(from, to, step) => format!("a whole number from {from} to {to}, a multiple of {step}"),
+            Name => "a name in quotes".into(),
+            Flag => "true or false".into(),
+            Section(keys) if keys[0].name == "law" => "{ law = … }".into(),
+            Section(_) => "a section".into(),
+        }
+    }
+}
+
+/// Names of all keys of scenes and requests, sorted.
+pub fn key_names() -> BTreeSet<&'static str> {
+    fn collect(keys: &[Key], names: &mut BTreeSet<&'static str>) {
+        for key in keys {
+            names.insert(key.name);
+            if let Section(keys) = key.kind {
+                collect(keys, names);
+            }
+        }
+    }
+    let mut names = BTreeSet::new();
+    collect(SCENE, &mut names);
+    collect(TABLE, &mut names);
+    names
+}
+
+/// The kind of a key by its path from `keys` on.
+pub fn find(keys: &[Key], path: &str) -> Option<Kind> {
+    let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
+    let kind = keys.iter().find(|key| key.name == first)?.kind;
+    match (rest, kind) {
+        (None, kind) => Some(kind),
+        (Some(rest), Section(keys)) => find(keys, rest),
+        _ => None,
+    }
+}

@@ -1,0 +1,102 @@
+//! Checks that concern more than one key.
+
+use toml::{Table, Value};
+
+use super::error::SceneFileError;
+use super::source::Source;
+use crate::scene::{Hardening, Scene, Softening, Switch};
+
+/// Fracture data are given in one way: the shear fracture energy, the mode-II toughness, or both numbers
+/// of a tensile test.
+pub fn check_fracture(material: &Table, source: &Source) -> Result<(), SceneFileError> {
+    let refuse =
+        |key: &str, allowed: &str| Err(source.invalid(&format!("material.{key}"), &material[key], allowed));
+    let ways = ["shear_fracture_energy", "fracture_toughness_mode_ii", "tensile_strength"];
+    let given: Vec<&str> = ways.into_iter().filter(|key| material.contains_key(*key)).collect();
+    if let [first, second, ..] = given[..] {
+        return refuse(second, &format!("left out where {first} is given"));
+    }
+    match ["tensile_strength", "uniform_elongation"].map(|key| material.contains_key(key)) {
+        [true, false] => Err(source.missing(
+            "material.uniform_elongation",
+            "given together with tensile_strength: zero or a positive number",
+        )),
+        [false, true] => refuse("uniform_elongation", "left out, or given together with tensile_strength"),
+        _ => Ok(()),
+    }
+}
+
+/// The material of a scene, at its initial temperature.
+pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileError> {
+    let material = &scene.material;
+    let curve = match &material.hardening {
+        Hardening::Table { plastic_strain, factor } => {
+            Some(("material.hardening", "plastic_strain", plastic_strain, factor))
+        }
+        _ => None,
+    };
+    let other = match &material.softening {
+        Softening::Table { temperature, factor } => {
+            Some(("material.softening", "temperature", temperature, factor))
+        }
+        _ => None,
+    };
+    for (section, abscissa, abscissae, factors) in curve.into_iter().chain(other) {
+        if factors.len() != abscissae.len() {
+            let allowed = format!("as long as {abscissa} ({})", abscissae.len());
+            let found = format!("{} numbers", factors.len());
+            return Err(source.invalid(&format!("{section}.factor"), found, allowed));
+        }
+    }
+    if let Hardening::Table { plastic_strain, factor } = &material.hardening
+        && (plastic_strain[0], factor[0]) != (0.0, 1.0)
+    {
+        let found = format!("[{:?}, …], factor = [{:?}, …]", plastic_strain[0], factor[0]);
+        let allowed = "a table that starts at plastic strain 0 with factor 1";
+        return Err(source.invalid("material.hardening.plastic_strain", found, allowed));
+    }
+    if let Softening::JohnsonCook { reference, melting, .. } = material.softening
+        && melting <= reference
+    {
+        let allowed = format!("a temperature above reference = {reference:?} K");
+        return Err(source.invalid("material.softening.melting", format!("{melting:?}"), allowed));
+    }
+    check_temperature(scene, "loading.temperature", scene.loading.temperature, source)?;
+    if material.yield_strength >= material.youngs_modulus {
+        let allowed = format!("below youngs_modulus = {:?} (both in Pa)", material.youngs_modulus);
+        let found = format!("{:?}", material.yield_strength);
+        return Err(source.invalid("material.yield_strength", found, allowed));
+    }
+    Ok(())
+}
+
+/// That the material of a scene has strength at the initial temperature that `key` says.
+pub fn check_temperature(
+    scene: &Scene,
+    key: &str,
+    temperature: f64,
+    source: &Source,
+) -> Result<(), SceneFileError> {
+    let softening = &scene.material.softening;
+    let allowed = match softening {
+        Softening::JohnsonCook { melting, .. } if temperature >= *melting => {
+            format!("below material.softening.melting = {melting:?} K")
+        }
+        Softening::Table { .. } if softening.factor(temperature) <= 0.0 => {
+            "one at which material.softening.factor is above 0".into()
+        }
+        _ => return Ok(()),
+    };
+    Err(source.invalid(key, format!("{temperature:?}"), allowed))
+}
+
+/// That heat is not switched on in the isothermal limit.
+pub fn check_heat(scene: &Scene, slip_rates: &[f64], source: &Source) -> Result<(), SceneFileError> {
+    match scene.model.heat == Switch::On && slip_rates.contains(&0.0) {
+        true => {
+            let allowed = "\"auto\" or \"off\" where the slip rate is 0, the isothermal limit";
+            Err(source.invalid("model.heat", Value::from("on"), allowed))
+        }
+        false => Ok(()),
+    }
+}

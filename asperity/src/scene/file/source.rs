@@ -1,0 +1,79 @@
+//! Where the values of a document come from: the file, a line of it, or an override.
+
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+
+use super::error::SceneFileError;
+
+/// A file with the overrides laid over it.
+#[derive(Debug, Default)]
+pub struct Source {
+    /// As named in messages.
+    pub file: String,
+    pub text: String,
+    /// Path and text of every `--set`.
+    pub overrides: Vec<(String, String)>,
+}
+
+impl Source {
+    /// The override that set the key at `path`, or the file with the line of the key.
+    pub fn place(&self, path: &str) -> String {
+        let sets = |set: &str| is_within(set, path) || is_within(path, set);
+        if let Some((_, text)) = self.overrides.iter().rev().find(|(set, _)| sets(set)) {
+            return format!("--set {text}");
+        }
+        match self.span(path) {
+            Some(span) => format!("{}: line {}", self.file, self.line(span.start)),
+            None => self.file.clone(),
+        }
+    }
+
+    /// Line of a position in the file, from 1.
+    pub fn line(&self, position: usize) -> usize {
+        1 + self.text.bytes().take(position).filter(|&byte| byte == b'\n').count()
+    }
+
+    /// The key at `path` in the text; none where it comes from a preset.
+    fn span(&self, path: &str) -> Option<Range<usize>> {
+        let document = DeTable::parse(&self.text).ok()?;
+        let mut table = document.get_ref();
+        let mut span = None;
+        for name in path.split('.') {
+            let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
+            span = Some(key.span());
+            match value.get_ref() {
+                DeValue::Table(inner) => table = inner,
+                _ => break,
+            }
+        }
+        span
+    }
+
+    pub fn invalid(&self, key: &str, value: impl ToString, allowed: impl Into<String>) -> SceneFileError {
+        SceneFileError::Invalid {
+            place: self.place(key),
+            key: key.to_owned(),
+            // A message is one line, whatever the value.
+            value: value.to_string().replace('\n', " "),
+            allowed: allowed.into(),
+        }
+    }
+
+    pub fn missing(&self, key: impl Into<String>, allowed: impl Into<String>) -> SceneFileError {
+        SceneFileError::Missing { place: self.file.clone(), key: key.into(), allowed: allowed.into() }
+    }
+}
+
+/// Whether the key `path` is that of the section `section`, or one in it.
+fn is_within(path: &str, section: &str) -> bool {
+    path.strip_prefix(section).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
+/// Path of a key of the section at `path`.
+pub fn join(path: &str, key: &str) -> String {
+    match path {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
+    }
+}

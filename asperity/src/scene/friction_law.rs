@@ -1,0 +1,93 @@
+//! Laws of the tangential traction on the contact, as data.
+//!
+//! To add a law: its variant here, its parameters in the list of keys (`file/keys.rs`), and its
+//! limit of the shear traction, which the compiler asks for (`interface/friction_law.rs`).
+
+use serde::{Deserialize, Serialize};
+
+/// Law of the tangential traction on the contact; the key `law` of the section `[interface]`, with
+/// the parameters beside it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "law", rename_all = "kebab-case")]
+pub enum FrictionLaw {
+    /// Slip at τ_c = f_τ σ/√3, with the strength σ that [`super::InterfaceStrength`] says.
+    #[default]
+    ShearStrength,
+    /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ/√3.
+    Coulomb {
+        #[serde(default = "default_friction")]
+        friction: f64,
+        #[serde(default = "capped")]
+        cap: bool,
+    },
+    /// Slip at τ_c = τ_0 + αp, a film that shears more easily than the metal, with `cap` no more than
+    /// f_τ σ/√3 (Briscoe & Tabor 1975, Wear 34, 29, doi:10.1016/0043-1648(75)90306-3).
+    BriscoeTabor {
+        /// τ_0, Pa.
+        film_strength: f64,
+        /// α.
+        #[serde(default)]
+        pressure_coefficient: f64,
+        #[serde(default = "capped")]
+        cap: bool,
+    },
+    FullStick,
+    Frictionless,
+}
+
+fn default_friction() -> f64 {
+    0.3
+}
+
+fn capped() -> bool {
+    true
+}
+
+impl FrictionLaw {
+    /// Whether the shear strength of the material is the limit, and nothing else.
+    pub(crate) fn is_material_strength(&self) -> bool {
+        *self == Self::ShearStrength
+    }
+
+    /// Whether the interface may be as strong as the body below it, which then shears.
+    pub(crate) fn as_strong_as_bulk(&self) -> bool {
+        matches!(self, Self::ShearStrength | Self::FullStick)
+    }
+
+    /// Whether there is any friction.
+    pub(crate) fn has_friction(&self) -> bool {
+        match *self {
+            Self::Frictionless => false,
+            Self::Coulomb { friction, .. } => friction > 0.0,
+            Self::BriscoeTabor { film_strength, pressure_coefficient, .. } => {
+                film_strength > 0.0 || pressure_coefficient > 0.0
+            }
+            Self::ShearStrength | Self::FullStick => true,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_parameters_mean_no_friction() {
+        let film = |film_strength, pressure_coefficient| FrictionLaw::BriscoeTabor {
+            film_strength,
+            pressure_coefficient,
+            cap: true,
+        };
+        let coulomb = |friction| FrictionLaw::Coulomb { friction, cap: true };
+        for (law, friction) in [
+            (FrictionLaw::Frictionless, false),
+            (coulomb(0.0), false),
+            (film(0.0, 0.0), false),
+            (coulomb(0.1), true),
+            (film(1e8, 0.0), true),
+            (film(0.0, 0.1), true),
+        ] {
+            assert_eq!(law.has_friction(), friction, "{law:?}");
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! Section `[material]`: constants, and laws of hardening, softening and fracture.
+
+use serde::{Deserialize, Serialize};
+
+use crate::scene::curve::{Curve, interpolate};
+
+/// Growth of the yield strength with equivalent plastic strain ε_p at the initial temperature.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Hardening {
+    #[default]
+    None,
+    /// σ_Y + modulus·ε_p; modulus in Pa.
+    Linear { modulus: f64 },
+    /// σ_Y + modulus·ε_p^exponent (Johnson & Cook 1985: B, n); modulus in Pa.
+    JohnsonCook { modulus: f64, exponent: f64 },
+    /// σ_Y·factor(ε_p), linear between the points, constant after the last.
+    Table { plastic_strain: Vec<f64>, factor: Vec<f64> },
+}
+
+/// Loss of yield strength with temperature, as a factor on the strength at the initial temperature.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Softening {
+    #[default]
+    None,
+    /// 1 − ((T − reference)/(melting − reference))^exponent, between 0 and 1 (Johnson & Cook 1985);
+    /// temperatures in K.
+    JohnsonCook { reference: f64, melting: f64, exponent: f64 },
+    /// factor(T), linear between the points, constant outside them.
+    Table { temperature: Vec<f64>, factor: Vec<f64> },
+}
+
+impl Softening {
+    /// factor(T), T in K: never negative.
+    pub fn factor(&self, temperature: f64) -> f64 {
+        match self {
+            Self::None => 1.0,
+            Self::JohnsonCook { reference, melting, exponent } => {
+                let homologous = (temperature - reference) / (melting - reference);
+                1.0 - homologous.clamp(0.0, 1.0).powf(*exponent)
+            }
+            Self::Table { temperature: knots, factor } => interpolate(knots, factor, temperature).0,
+        }
+    }
+}
+
+/// Where the shear fracture energy of a material comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FractureData {
+    /// G_IIc, J/m².
+    Energy(f64),
+    /// K_IIc, Pa√m.
+    Toughness(f64),
+    /// Tensile strength σ_u, Pa, and uniform elongation ε_u (engineering strain).
+    Tensile { strength: f64, uniform_elongation: f64 },
+}
+
+/// A property over temperature, linear between the points, constant outside them. Two equal
+/// temperatures make a jump.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TemperatureTable {
+    /// K, not falling.
+    pub temperature: Vec<f64>,
+    /// In the unit of the property.
+    pub value: Vec<f64>,
+}
+
+impl TemperatureTable {
+    /// Value at a temperature in K.
+    pub fn at(&self, temperature: f64) -> f64 {
+        interpolate(&self.temperature, &self.value, temperature).0
+    }
+
+    /// Over the rise above `initial`, K.
+    pub(crate) fn over_rise(&self, initial: f64) -> Curve {
+        Curve::new(self.temperature.iter().map(|t| t - initial).collect(), self.value.clone())
+    }
+
+    /// Over the rise above `initial`, K, relative to the value at `initial`.
+    pub(crate) fn relative(&self, initial: f64) -> Curve {
+        let scale = self.at(initial);
+        let values = self.value.iter().map(|value| value / scale).collect();
+        Curve::new(self.temperature.iter().map(|t| t - initial).collect(), values)
+    }
+}
+
+/// How properties change with temperature; those without a table are constant.
+///
+/// The fields of the same names in [`Material`] hold the values at the initial temperature, see
+/// [`Material::evaluate_at_temperature`]. Modulus, specific heat and conductivity vary in proportion to them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TemperatureDependence {
+    pub youngs_modulus: Option<TemperatureTable>,
+    pub specific_heat: Option<TemperatureTable>,
+    pub thermal_conductivity: Option<TemperatureTable>,
+    pub thermal_expansion: Option<TemperatureTable>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "MaterialSection", into = "MaterialSection")]
+pub struct Material {
+    /// E at the initial temperature, Pa.
+    pub youngs_modulus: f64,
+    pub poisson_ratio: f64,
+    /// σ_Y at the initial temperature and zero plastic strain, Pa.
+    pub yield_strength: f64,
+    pub hardening: Hardening,
+    /// ρ, kg/m³.
+    pub density: f64,
+    /// c at the initial temperature, J/(kg K).
+    pub specific_heat: f64,
+    /// k at the initial temperature, W/(m K).
+    pub thermal_conductivity: f64,
+    /// Coefficient dε/dT at the initial temperature, 1/K.
+    pub thermal_expansion: f64,
+    pub softening: Softening,
+    /// What is known of its fracture in shear.
+    pub fracture: Option<FractureData>,
+    pub dependence: TemperatureDependence,
+}
+
+impl Material {
+    /// Sets the values at the initial temperature, K, of the properties that have a table.
+    pub fn evaluate_at_temperature(&mut self, temperature: f64) {
+        let tables = &self.dependence;
+        for (value, table) in [
+            (&mut self.youngs_modulus, &tables.youngs_modulus),
+            (&mut self.specific_heat, &tables.specific_heat),
+            (&mut self.thermal_conductivity, &tables.thermal_conductivity),
+            (&mut self.thermal_expansion, &tables.thermal_expansion),
+        ] {
+            if let Some(table) = table {
+                *value = table.at(temperature);
+            }
+        }
+    }
+}
+
+/// The keys of the section as they stand in a file.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MaterialSection {
+    youngs_modulus: Property,
+    poisson_ratio: f64,
+    yield_strength: f64,
+    #[serde(default)]
+    hardening: Hardening,
+    density: f64,
+    specific_heat: Property,
+    thermal_conductivity: Property,
+    thermal_expansion: Property,
+    #[serde(default)]
+    softening: Softening,
+    shear_fracture_energy: Option<f64>,
+    fracture_toughness_mode_ii: Option<f64>,
+    tensile_strength: Option<f64>,
+    uniform_elongation: Option<f64>,
+}
+
+/// A number, or a table over temperature.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum Property {
+    Constant(f64),
+    Varying(TemperatureTable),
+}
+
+impl Property {
+    /// The value, of a table the first until the initial temperature is known, and the table.
+    fn split(self) -> (f64, Option<TemperatureTable>) {
+        match self {
+            Self::Constant(value) => (value, None),
+            Self::Varying(table) => (table.value[0], Some(table)),
+        }
+    }
+
+    fn join(value: f64, table: Option<TemperatureTable>) -> Self {
+        table.map_or(Self::Constant(value), Self::Varying)
+    }
+}
+
+impl From<MaterialSection> for Material {
+    fn from(section: MaterialSection) -> Self {
+        let (youngs_modulus, modulus_table) = section.youngs_modulus.split();
+        let (specific_heat, heat_table) = section.specific_heat.split();
+        let (thermal_conductivity, conductivity_table) = section.thermal_conductivity.split();
+        let (thermal_expansion, expansion_table) = section.thermal_expansion.split();
+        let tensile = section.tensile_strength.zip(section.uniform_elongation);
+        Self {
+            youngs_modulus,
+            poisson_ratio: section.poisson_ratio,
+            yield_strength: section.yield_strength,
+            hardening: section.hardening,
+            density: section.density,
+            specific_heat,
+            thermal_conductivity,
+            thermal_expansion,
+            softening: section.softening,
+            fracture: (section.shear_fracture_energy.map(FractureData::Energy))
+                .or(section.fracture_toughness_mode_ii.map(FractureData::Toughness))
+                .or(tensile.map(|(strength, uniform_elongation)| FractureData::Tensile {
+                    strength,
+                    uniform_elongation,
+                })),
+            dependence: TemperatureDependence {
+                youngs_modulus: modulus_table,
+                specific_heat: heat_table,
+                thermal_conductivity: conductivity_table,
+                thermal_expansion: expansion_table,
+            },
+        }
+    }
+}
+
+impl From<Material> for MaterialSection {
+    fn from(material: Material) -> Self {
+        let tables = material.dependence;
+        let mut section = Self {
+            youngs_modulus: Property::join(material.youngs_modulus, tables.youngs_modulus),
+            poisson_ratio: material.poisson_ratio,
+            yield_strength: material.yield_strength,
+            hardening: material.hardening,
+            density: material.density,
+            specific_heat: Property::join(material.specific_heat, tables.specific_heat),
+            thermal_conductivity: Property::join(material.thermal_conductivity, tables.thermal_conductivity),
+            thermal_expansion: Property::join(material.thermal_expansion, tables.thermal_expansion),
+            softening: material.softening,
+            shear_fracture_energy: None,
+            fracture_toughness_mode_ii: None,
+            tensile_strength: None,
+            uniform_elongation: None,
+        };
+        match material.fracture {
+            None => {}
+            Some(FractureData::Energy(energy)) => section.shear_fracture_energy = Some(energy),
+            Some(FractureData::Toughness(toughness)) => section.fracture_toughness_mode_ii = Some(toughness),
+            Some(FractureData::Tensile { strength, uniform_elongation }) => {
+                section.tensile_strength = Some(strength);
+                section.uniform_elongation = Some(uniform_elongation);
+            }
+        }
+        section
+    }
+}
