@@ -1,11 +1,11 @@
-//! Lists the material presets, and makes the fingerprint of the sources that results depend on: two builds of one version that do
-//! different work, as during development, can be told apart by it.
+//! Lists the material presets, and computes the fingerprint of the sources that results depend on. It
+//! distinguishes builds of one version that give different results.
 
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-/// What shows results but does not make them; relative to `src`.
+/// Sources that do not influence results, relative to `src`.
 const NOT_HASHED: [&str; 7] = [
     "cli",
     "loading/progress.rs",
@@ -16,8 +16,8 @@ const NOT_HASHED: [&str; 7] = [
     "studies",
 ];
 
-/// Of the crate `tables`, what runs use. It lies beside this crate in the repository; as a
-/// published crate it has the same version number as this one.
+/// Sources of the crate `tables` that influence results of runs. The crate lies beside this one in the
+/// repository; a published one has the same version number.
 const OF_TABLES: [&str; 2] = ["../tables/src/interpolation/steffen.rs", "../tables/src/closed_forms"];
 
 fn main() {
@@ -32,7 +32,7 @@ fn main() {
             println!("cargo::rerun-if-changed={}", path.display());
         }
     }
-    // The order of a directory is not that of its names.
+    // Directories are not read in the order of names.
     files.sort();
     let mut hash = Sha256::new();
     for file in files {

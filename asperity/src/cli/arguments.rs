@@ -26,10 +26,10 @@ pub(super) struct Display {
     /// Print the summary as JSON
     #[arg(long, global = true)]
     pub(super) json: bool,
-    /// Print nothing but errors (and the JSON, if asked for)
+    /// Print errors only (and the JSON, if asked for)
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub(super) quiet: bool,
-    /// Print also what was chosen, why, and what it cost
+    /// Print also the choices of the program, their reasons and their cost
     #[arg(short, long, global = true)]
     pub(super) verbose: bool,
     /// Show progress on stderr even if that is not a terminal
@@ -45,24 +45,23 @@ pub(super) enum Command {
     /// Run a grid of interferences and slip rates, at one or at several initial temperatures
     #[command(after_help = help::TABULATE)]
     Tabulate(TabulateArguments),
-    /// Put the shards of a table together
+    /// Merge the shards of a table
     #[command(after_help = help::MERGE)]
     Merge(MergeArguments),
     /// Describe, compare, plot or export tables
     #[command(subcommand, after_help = help::TABLE)]
     Table(table::TableCommand),
-    /// Run one scene on ever finer meshes: speed against error
+    /// Run one scene on a sequence of meshes: computing time against error
     #[command(after_help = help::CONVERGENCE)]
     Convergence(ConvergenceArguments),
     /// Compare the model with closed forms, published fits and conservation laws
     ///
-    /// Exit status 1 if a row fails: if computed and reference differ by more than the estimated
-    /// error of the computed value and what the two differ by by construction.
+    /// Exit status 1 if a row fails.
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArguments),
     /// Compare the error estimates with true errors in a study of many scenes
-    #[command(after_help = help::HONESTY)]
-    Honesty(HonestyArguments),
+    #[command(alias = "honesty", after_help = help::EFFECTIVITY)]
+    Effectivity(EffectivityArguments),
     /// List the material presets, or print the constants of one with their sources
     Materials {
         /// Name of a preset
@@ -81,11 +80,11 @@ pub(super) struct RunArguments {
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
     pub(super) set: Vec<String>,
-    /// Print where the time went on stderr, or in the JSON
+    /// Print the time by part of the computation on stderr, or in the JSON
     #[arg(long)]
     pub(super) timings: bool,
-    /// Plot friction, forces, area, temperature and energies against slip, and what sticks, pressure,
-    /// shear and temperature over the contact
+    /// Plot friction, forces, area, temperature and energies against slip, and status, pressure, shear
+    /// and temperature over the contact
     #[arg(long, value_name = "FILE.svg|png")]
     pub(super) plot: Option<PathBuf>,
     /// Write displacement, stress, plastic strain and temperature of the body for ParaView; open
@@ -95,8 +94,8 @@ pub(super) struct RunArguments {
     /// Write the whole body, not only the half that is simulated
     #[arg(long, requires = "vtu")]
     pub(super) vtu_whole: bool,
-    /// Slips, in contact radii a0, at which fields are kept, beside those before the slide, when half
-    /// of the contact slips, at full slip and at the end
+    /// Slips, in contact radii a0, at which fields are kept in addition to the start of the slide, half
+    /// slip, full slip and the end
     #[arg(long, value_name = "SLIP,SLIP", value_delimiter = ',', value_parser = parse_slip)]
     pub(super) fields_at: Vec<f64>,
 }
@@ -112,16 +111,16 @@ pub(super) struct TabulateArguments {
     /// Replace a value of the request; may be repeated
     #[arg(long, value_name = "section.key=value")]
     pub(super) set: Vec<String>,
-    /// Threads [default: as many as there are processors]
+    /// Threads [default: number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) jobs: Option<u16>,
     /// Continue an interrupted tabulation
     #[arg(long)]
     pub(super) resume: bool,
-    /// Run the part K of N only, for `asperity merge`
+    /// Run only the part K of N, for `asperity merge`
     #[arg(long, value_name = "K/N")]
     pub(super) shard: Option<Shard>,
-    /// Print where the time of all runs went on stderr, or in the JSON
+    /// Print the time of all runs by part of the computation on stderr, or in the JSON
     #[arg(long)]
     pub(super) timings: bool,
     /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
@@ -153,35 +152,35 @@ const FINEST: u16 = asperity::studies::convergence::FINEST as u16;
 
 #[derive(Args)]
 pub(super) struct VerifyArguments {
-    /// A case of each group, coarsely: under a minute; with --hard, the few that the tests run
+    /// One case of each group on coarse meshes; with --robustness, the cases that the tests run
     #[arg(long)]
     pub(super) quick: bool,
-    /// Run the suite of hard cases instead, and say how each ended
-    #[arg(long)]
-    pub(super) hard: bool,
-    /// Only the hard cases whose name has TEXT in it
-    #[arg(long, value_name = "TEXT", requires = "hard")]
+    /// Run the robustness suite instead: cases at the limits of what can be simulated
+    #[arg(long, alias = "hard")]
+    pub(super) robustness: bool,
+    /// Only the cases of the robustness suite whose name contains TEXT
+    #[arg(long, value_name = "TEXT", requires = "robustness")]
     pub(super) only: Option<String>,
-    /// Write every hard case, the failed ones as far as they came, to DIRECTORY/NAME.nc
-    #[arg(long, value_name = "DIRECTORY", requires = "hard")]
+    /// Write every case of the robustness suite to DIRECTORY/NAME.nc, of failed ones the steps before the failure
+    #[arg(long, value_name = "DIRECTORY", requires = "robustness")]
     pub(super) save: Option<PathBuf>,
 }
 
 #[derive(Args)]
-pub(super) struct HonestyArguments {
+pub(super) struct EffectivityArguments {
     /// Markdown file to write the result to
-    #[arg(short, long, value_name = "honesty.md")]
+    #[arg(short, long, value_name = "effectivity.md")]
     pub(super) output: PathBuf,
-    /// File of finished runs: what it holds is not run again
-    #[arg(long, value_name = "FILE.jsonl", default_value = "honesty.jsonl")]
+    /// File of finished runs, which are not run again
+    #[arg(long, value_name = "FILE.jsonl", default_value = "effectivity.jsonl")]
     pub(super) journal: PathBuf,
     /// Scenes to run, by number from 1, as in 1,4,7 [default: all]
     #[arg(long, value_name = "N,N...", value_delimiter = ',', value_parser = scene_number)]
     pub(super) scenes: Vec<usize>,
-    /// Run also what tells the orders of convergence
+    /// Run also the meshes that show the orders of convergence
     #[arg(long)]
     pub(super) thorough: bool,
-    /// Run nothing; judge what the journal holds
+    /// Run nothing; evaluate the runs of the journal
     #[arg(long)]
     pub(super) judge_only: bool,
 }
@@ -195,13 +194,13 @@ fn scene_number(text: &str) -> Result<usize, String> {
 
 #[derive(Args)]
 pub(super) struct MergeArguments {
-    /// Tables to put together
+    /// Tables to merge
     #[arg(value_name = "SHARD.nc", required = true)]
     pub(super) shards: Vec<PathBuf>,
     /// File to write the table to
     #[arg(short, long, value_name = "table.nc")]
     pub(super) output: PathBuf,
-    /// Merge also if cells are missing; they stay "not run"
+    /// Merge even if cells are missing; they stay "not run"
     #[arg(long)]
     pub(super) partial: bool,
     /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
@@ -212,6 +211,6 @@ pub(super) struct MergeArguments {
 fn parse_slip(text: &str) -> Result<f64, String> {
     match text.trim().parse() {
         Ok(slip) if slip >= 0.0 && f64::is_finite(slip) => Ok(slip),
-        _ => Err("must be slips of at least 0, in contact radii, with commas between".into()),
+        _ => Err("must be slips of at least 0, in contact radii, separated by commas".into()),
     }
 }

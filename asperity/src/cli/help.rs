@@ -1,31 +1,31 @@
-//! What `--help` shows below the options: input files to copy from, and examples.
+//! Text that `--help` shows below the options: input files to copy, and examples.
 
 pub(super) const PROGRAM: &str = "\
 From a material to the friction of a rough surface:
 
-  What is known of a material, and from where
+  Constants of a material and their sources
     asperity materials steel-4340
   One asperity, pressed and slid; `asperity run --help` has a scene to copy
     asperity run scene.toml -o run.nc --plot run.png --vtu fields
   Another slip rate, without another file
     asperity run scene.toml -o fast.nc --set loading.slip_rate=10
-  How good its numbers are, and what better ones cost
+  Errors of the numbers, and the computing time of smaller ones
     asperity convergence scene.toml -o report.nc --plot report.png
-  All interferences and slip rates that a surface needs; --resume goes on after an interruption
+  All interferences and slip rates that a surface needs; --resume continues after an interruption
     asperity tabulate request.toml -o table.nc --jobs 4 --plot table.png
     asperity tabulate request.toml -o table.nc --jobs 4 --resume
-  The same in parts, on machines that need not know of each other
+  The same in parts, on separate machines
     asperity tabulate request.toml -o shard-1.nc --shard 1/2
     asperity merge shard-1.nc shard-2.nc -o table.nc
-  What is in a table
+  Contents of a table
     asperity table info table.nc
-  Friction of a surface of such asperities: the other program
+  Friction of a surface of such asperities, by the other program
     roughsurface predict surface.toml --table table.nc -o friction.nc --plot friction.png
 
 Exit status: 0 done, 1 a run failed (what could be saved is saved), 2 bad input or usage.";
 
 pub(super) const RUN: &str = "\
-A scene (SI units, kelvin). Values of optional sections and keys are those taken without them:
+A scene (SI units, kelvin). Optional sections and keys are shown with their defaults:
   [material]
   preset = \"steel-4340\"          # or every constant; `asperity materials` lists the presets
   [asperity]
@@ -34,13 +34,13 @@ A scene (SI units, kelvin). Values of optional sections and keys are those taken
   interference = 20.0            # in units of the interference of first yield
   slip_rate = 1.0                # m/s; 0 is the isothermal limit
   slip_distance = 2.0            # optional: in contact radii
-  control = \"interference\"       # optional: held during the slide; or \"load\"
+  control = \"interference\"       # optional: constant during the slide; or \"load\"
   temperature = 298.0            # optional: K
   [interface]                    # optional
   law = \"shear-strength\"         # slip at strength_factor * sigma_Y(T)/sqrt(3); or \"coulomb\"
                                  # (friction, cap), \"briscoe-tabor\" (film_strength,
                                  # pressure_coefficient, cap), \"full-stick\", \"frictionless\"
-  strength = \"initial\"           # sigma_Y of the virgin material; \"current\": of the hardened
+  strength = \"initial\"           # sigma_Y of the virgin material; \"current\": hardened
   strength_factor = 1.0
   heat_partition = 0.5           # share of the frictional heat that enters the asperity
   gap_conductance = 0.0          # W/(m2 K)
@@ -50,10 +50,10 @@ A scene (SI units, kelvin). Values of optional sections and keys are those taken
   kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic
                                  # strain of a coarse slide exceeds 1/20 of the accuracy
   [numerics]                     # optional
-  accuracy = 0.02                # relative; elements_per_radius and sectors fix what it else chooses
+  accuracy = 0.02                # relative; chooses elements_per_radius and sectors unless given
 
 youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
-temperature) may be tables, linear in between and constant outside:
+temperature) may be tables, linear between the points and constant outside:
   thermal_conductivity = { temperature = [293.15, 1073.15], value = [53.3, 27.3] }    # K, W/(m K)
 
 With one of these in [material] the energy G is also given as a share of the shear fracture energy:
@@ -83,53 +83,52 @@ tabulation continues from there:
   asperity tabulate request.toml -o table.nc --jobs 4 --resume
 
 With table.tolerance, interferences and slip rates are added to those given until mu, mu_static,
-Q and G interpolate with that relative error; table.max_cells (default 400) ends it earlier:
+Q and G interpolate with that relative error, or the table has table.max_cells (default 400) cells:
   asperity tabulate request.toml -o table.nc --set table.tolerance=0.02
 
-With table.temperature (K: a rising list, or a range) there is a table for each of these initial
-temperatures, all in one file. What [material] says holds at loading.temperature; it is taken to
-another temperature T with the softening law f: yield strength and hardening modulus are multiplied
-by f(T)/f(loading.temperature), properties given as tables over temperature take their value at T.
-All else stays. This is true as far as the softening law is:
+With table.temperature (K: a rising list, or a range) the table has these initial temperatures. The
+constants of [material] hold at loading.temperature. At another temperature T yield strength and
+hardening modulus are multiplied by f(T)/f(loading.temperature), f being the softening law, and
+properties given as tables over temperature take their value at T; all else stays:
   asperity tabulate request.toml -o table.nc --set 'table.temperature=[298, 500, 700]'
 
-In parts, on machines that need not know of each other:
+In parts, on separate machines:
   asperity tabulate request.toml -o shard-1.nc --shard 1/2
   asperity tabulate request.toml -o shard-2.nc --shard 2/2
   asperity merge shard-1.nc shard-2.nc -o table.nc";
 
 pub(super) const MERGE: &str = "\
-The shards must be of the same request and made by the same build of the program; cells that
-several of them have must agree. Nothing is written otherwise.
+The shards must have the same request and come from the same build of the program; cells that
+several of them have must agree. Otherwise nothing is written.
 
 Example:
   asperity merge shard-*.nc -o table.nc --plot table.png";
 
 pub(super) const CONVERGENCE: &str = "\
 The scene is run with 1/4, 1/3, 1/2, 2/3 and all of the elements per contact radius of --finest and the
-increments that its accuracy asks for, and once as it is. Errors are against the limit that the meshes
-show (Richardson extrapolation with the observed order).
+increments that its accuracy asks for, and once as it is. Errors are relative to the limit of this
+sequence (Richardson extrapolation with the observed order).
 
 Example:
   asperity convergence scene.toml -o report.nc --plot report.png";
 
 pub(super) const VERIFY: &str = "\
-A hard case counts as solved if it converged, all its numbers are finite, its ledgers of energy and
-heat close, and no contact is above its melting point. At least 95 % of the cases have to be solved,
-or refused for a reason that the suite expects; exit status 1 otherwise.
+A case of the robustness suite is solved if it converged, all its numbers are finite, its balances of
+energy and heat close, and no contact is above its melting point. Exit status 1 unless at least 95 %
+of the cases are solved, or refused for the expected reason.
 
 Examples:
   asperity verify --quick
   asperity verify --json > verification.json
-  asperity verify --hard --only rate --save runs";
+  asperity verify --robustness --only rate --save runs";
 
-pub(super) const HONESTY: &str = "\
-Each scene takes some minutes of processor time; the study may be interrupted and continued.
+pub(super) const EFFECTIVITY: &str = "\
+Each scene takes some minutes of processor time; the study can be interrupted and continued.
 
 Examples:
-  asperity honesty -o honesty.md
-  asperity honesty -o honesty.md --scenes 1,2,3 -v
-  asperity honesty -o honesty.md --judge-only";
+  asperity effectivity -o effectivity.md
+  asperity effectivity -o effectivity.md --scenes 1,2,3 -v
+  asperity effectivity -o effectivity.md --judge-only";
 
 pub(super) const TABLE: &str = "\
 Examples:
@@ -138,8 +137,9 @@ Examples:
   asperity table plot table.nc -o table.png
   asperity table export table.nc -o table.csv
 
-A table of several initial temperatures is read at any between them, by --temperature. Without it
-`info` describes them all and `export` writes a column of temperatures; the others need it:
+A table of several initial temperatures is read at any temperature between them with --temperature.
+Without it `info` describes all of them and `export` writes a column of temperatures; `diff`, `check`
+and `plot` need it:
   asperity table plot hot.nc -o hot.png --temperature 450";
 
 #[cfg(test)]
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn input_files_to_copy_are_valid_and_optional_values_those_taken_without_them() {
+    fn input_files_to_copy_are_valid_and_show_the_defaults() {
         let text = file(super::RUN);
         let scene = parse_scene(&text, "help", &[]).unwrap();
         let needed = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\

@@ -2,13 +2,13 @@
 
 mod arguments;
 mod convergence;
-mod hard;
+mod effectivity;
 mod help;
-mod honesty;
 mod materials;
 mod merge;
 mod outputs;
 mod progress;
+mod robustness;
 mod run;
 mod table;
 mod tabulate;
@@ -20,7 +20,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use arguments::{
-    Arguments, Command, ConvergenceArguments, Display, HonestyArguments, MergeArguments, RunArguments,
+    Arguments, Command, ConvergenceArguments, Display, EffectivityArguments, MergeArguments, RunArguments,
     TabulateArguments, VerifyArguments,
 };
 
@@ -53,20 +53,20 @@ fn main() -> ExitCode {
         Command::Table(command) => table::table(command, display),
         Command::Convergence(arguments) => convergence::convergence(arguments, display),
         Command::Verify(arguments) => verify::verify(arguments, display),
-        Command::Honesty(arguments) => honesty::honesty(arguments, display),
+        Command::Effectivity(arguments) => effectivity::effectivity(arguments, display),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
     let (status, reason) = match std::panic::catch_unwind(work) {
         Ok(Ok(())) => return ExitCode::SUCCESS,
         Ok(Err(Failure::Run(reason))) => (1, reason),
         Ok(Err(Failure::Input(reason))) => (2, reason),
-        Err(_) => (1, "internal error, described above; please report it".into()),
+        Err(_) => (1, "internal error (see above); please report it".into()),
     };
     eprintln!("error: {reason}");
     ExitCode::from(status)
 }
 
-/// Write to stdout; a reader that has gone away is no error of ours.
+/// Write to stdout; a closed pipe is no error.
 fn print(text: &str) {
     use std::io::Write;
     let _ = std::io::stdout().write_all(text.as_bytes());

@@ -1,4 +1,4 @@
-//! `asperity verify`: every reference case, with its verdict.
+//! `asperity verify`: every reference case, with its result.
 
 use asperity::simulate::SimulationError;
 use asperity::studies::verification::{Extent, GROUPS, Row};
@@ -10,8 +10,8 @@ use super::{Display, Failure, VerifyArguments, print};
 
 /// Run the cases and print a row for each.
 pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Failure> {
-    if arguments.hard {
-        return super::hard::hard(arguments, display);
+    if arguments.robustness {
+        return super::robustness::robustness(arguments, display);
     }
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     watch_for_interrupt();
@@ -21,7 +21,7 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
         let rows = match group.rows(extent, &progress) {
             Ok(rows) => rows,
             Err(SimulationError::Cancelled { .. }) => return Err(Failure::run("stopped on request")),
-            // The other groups are still worth their verdict.
+            // The other groups are run all the same.
             Err(error) => {
                 failed.push(format!("{}: {error}", group.name));
                 continue;

@@ -1,23 +1,23 @@
-//! `asperity verify --hard`: the suite of hard cases, one line each.
+//! `asperity verify --robustness`: the robustness suite, one line a case.
 
 use asperity::output::provenance;
 use asperity::output::run_file::{self, About};
-use asperity::studies::robustness::{self, HardResult, RobustnessCase, Verdict};
+use asperity::studies::robustness::{HardResult, RobustnessCase, Verdict};
 use serde_json::{Value, json};
 
 use super::progress::{Progress, watch_for_interrupt};
 use super::{Display, Failure, VerifyArguments, command_line, print};
 
-/// Share of the cases that have to end as they should.
-const ENOUGH: f64 = 0.95;
+/// Share of the cases that must be solved, or refused for the expected reason.
+const REQUIRED_SHARE: f64 = 0.95;
 
 /// Run the cases and report on them.
-pub fn hard(arguments: &VerifyArguments, display: &Display) -> Result<(), Failure> {
-    let mut cases = robustness::all();
+pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), Failure> {
+    let mut cases = asperity::studies::robustness::all();
     cases.retain(|case| arguments.only.as_ref().is_none_or(|text| case.name.contains(text.as_str())));
     cases.retain(|case| case.quick || !arguments.quick);
     if cases.is_empty() {
-        return Err(Failure::Input("--only: no case has that in its name".into()));
+        return Err(Failure::Input("--only: no case has this text in its name".into()));
     }
     if let Some(directory) = &arguments.save {
         std::fs::create_dir_all(directory)
@@ -52,11 +52,11 @@ pub fn hard(arguments: &VerifyArguments, display: &Display) -> Result<(), Failur
         print(&format!("{all:#}\n"));
     } else if text {
         print(&format!(
-            "{} cases: {solved} solved, {refused} refused as they should be, {failed} failed\n",
+            "{} cases: {solved} solved, {refused} refused as expected, {failed} failed\n",
             results.len()
         ));
     }
-    match (solved + refused) as f64 >= ENOUGH * results.len() as f64 {
+    match (solved + refused) as f64 >= REQUIRED_SHARE * results.len() as f64 {
         true => Ok(()),
         false => Err(Failure::Run(format!("{failed} of {} cases failed", results.len()))),
     }

@@ -1,13 +1,13 @@
-//! `asperity honesty`: true errors beside the estimates.
+//! `asperity effectivity`: true errors beside the estimates.
 
 use asperity::simulate::Watch;
-use asperity::studies::effectivity::{self, Record, Report, scenes};
+use asperity::studies::effectivity::{Record, Report, markdown, run, scenes};
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{Display, Failure, HonestyArguments, outputs, print};
+use super::{Display, EffectivityArguments, Failure, outputs, print};
 
-/// Run what the journal lacks, judge what it has.
-pub fn honesty(arguments: &HonestyArguments, display: &Display) -> Result<(), Failure> {
+/// Run the scenes that the journal lacks, evaluate all of it.
+pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Result<(), Failure> {
     outputs::check_output(&arguments.output, &arguments.journal)?;
     let all = scenes::SCENES.len();
     let which: Vec<usize> = match arguments.scenes.as_slice() {
@@ -28,10 +28,10 @@ pub fn honesty(arguments: &HonestyArguments, display: &Display) -> Result<(), Fa
         }
     };
     let which = if arguments.judge_only { &[] } else { which.as_slice() };
-    let records = effectivity::run(&arguments.journal, which, arguments.thorough, &Silent(&progress), &done)
+    let records = run(&arguments.journal, which, arguments.thorough, &Silent(&progress), &done)
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.journal.display())))?;
     let report = Report::new(&records);
-    let text = effectivity::markdown(&report);
+    let text = markdown(&report);
     std::fs::write(&arguments.output, &text)
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.output.display())))?;
     if !display.quiet {
@@ -40,7 +40,7 @@ pub fn honesty(arguments: &HonestyArguments, display: &Display) -> Result<(), Fa
     Ok(())
 }
 
-/// Many runs at once: none of them is the progress of the study.
+/// Hides the progress of single runs, of which several are under way at a time.
 struct Silent<'a>(&'a Progress);
 
 impl Watch for Silent<'_> {
