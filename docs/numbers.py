@@ -110,8 +110,9 @@ def shipped(name):
 
 
 def table(head, rows):
-    lines = [head, ["---"] * len(head), *rows]
-    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines) + "\n"
+    lines = ["| " + " | ".join(str(cell) for cell in line) + " |" for line in [head, *rows]]
+    lines.insert(1, "|" + "---|" * len(head))
+    return "\n".join(lines) + "\n"
 
 
 def minus(text):
@@ -234,6 +235,60 @@ def robustness():
     refused = [[f"`{case['case']}`", case["reason"].replace("|", "/")]
                for case in suite["cases"] if case["verdict"] != "solved"]  # fmt: skip
     return table(["verdict", "cases"], count) + "\n" + table(["case that is not solved", "reason"], refused)
+
+
+# Blocks: use
+
+TABLE_QUANTITIES = ["mu_static", "mu", "Q", "P", "area", "G", "temperature_max"]
+
+
+def table_info(name):
+    return json.loads(call(programs / "asperity", "table", "info", name, "--json")[0])
+
+
+def by_table(cell):
+    """A row for each shipped table, `cell` of each quantity."""
+    rows = []
+    for name in METALS:
+        quantities = table_info(name)["quantities"]
+        rows.append([f"`{name}`", *[cell(quantities[quantity]) for quantity in TABLE_QUANTITIES]])
+    return table(["table", *[f"`{quantity}`" for quantity in TABLE_QUANTITIES]], rows)
+
+
+@block("cell-errors", 1)
+def cell_errors():
+    """Median and largest estimated error of the cells of the shipped tables, %."""
+    return by_table(lambda q: f"{100 * q['relative_error_median']:.1f} / {100 * q['relative_error_largest']:.1f}")
+
+
+@block("interpolation-errors", 1)
+def interpolation_errors():
+    """Largest error of interpolation of the shipped tables, %."""
+    return by_table(lambda q: f"{100 * q['interpolation_error_largest']:.1f}")
+
+
+@block("table-times", 1)
+def table_times():
+    """Wall time of the cells of the shipped tables, as they were computed."""
+    rows = []
+    for name in METALS:
+        seconds = [cell["wall_time"] for row in shipped(name) for cell in row]
+        rows.append((sum(seconds), f"`{name}`", len(seconds), max(seconds)))
+    rows = [[name, f"{total:.0f}", f"{total / cells:.1f}", f"{longest:.0f}"] for total, name, cells, longest in sorted(rows)]
+    return table(["table", "all cells (s)", "one cell (s)", "longest cell (s)"], rows)
+
+
+@block("cell-times", 40, by_name=True)
+def cell_times():
+    """Processor time and memory of one cell."""
+    rows = []
+    for omega in (0.1, 1, 20, 100):
+        run, seconds, memory = timed("run", SINGLE, threads=1, loading__interference=omega)
+        account = run["account"]
+        strain = "finite" if account["finite_strain"] else "small"
+        rows.append([omega, account["elements_per_radius"], account["sectors"], strain, f"{seconds:.1f}", f"{memory:.0f}"])
+    head = [r"$\omega_0/\omega_c$", "$n_c$", r"$N_\theta$", "strain", "processor time (s)", "memory (MB)"]
+    return table(head, rows) + "\n" + machine()
 
 
 # Blocks: method

@@ -132,6 +132,25 @@ fn summary_has_every_chapter_and_every_figure_is_shown() {
     }
 }
 
+/// Chapters name the folders that implement them, and commands the files that they read.
+#[test]
+fn paths_in_the_repository_exist() {
+    let mut count = 0;
+    for path in files(&root().join("docs/src"), ".md") {
+        let text = read(&path);
+        let (prose, _) = split(&text);
+        let prose = prose.join("\n");
+        for word in prose.split('`').skip(1).step_by(2).flat_map(str::split_whitespace) {
+            let folders = ["asperity/src", "tables/src", "roughsurface/src", "tests/", "examples/", "docs/"];
+            if folders.iter().any(|folder| word.starts_with(folder)) {
+                count += 1;
+                assert!(root().join(word).exists(), "{}: {word}", path.display());
+            }
+        }
+    }
+    assert!(count > 30, "{count} paths");
+}
+
 /// Blocks of measured numbers are those that `docs/numbers.py` writes; each is on a page and has an end.
 #[test]
 fn measured_numbers_have_their_command() {
