@@ -124,15 +124,10 @@ def signed(number, digits=1):
     return minus(text) if float(text) else f"{0:.{digits}f}"
 
 
-def short(number):
-    """Three digits."""
-    if number == 0 or not number == number:
-        return "0" if number == 0 else "–"
-    text = f"{number:.3g}"
-    if "e" in text:
-        mantissa, exponent = text.split("e")
-        return minus(f"{mantissa}e{int(exponent)}")
-    return minus(text)
+def digits(number, count):
+    """So many digits."""
+    mantissa, _, exponent = f"{number:.{count}g}".partition("e")
+    return minus(f"{mantissa}e{int(exponent)}" if exponent else mantissa)
 
 
 def plain(number):
@@ -334,21 +329,21 @@ def verify():
 def verification(report):
     text = ""
     for group in report["groups"]:
+        sources = list(dict.fromkeys(row["source"] for row in group["rows"]))
+        text += f"**{group['group'].capitalize()}**: "
+        text += "; ".join(f"[{n}] {source}" for n, source in enumerate(sources, 1)) + ".\n\n"
         rows = []
         for row in group["rows"]:
-            reference = row["reference"]
+            reference, estimate = row["reference"], row.get("estimated_error")
             scale, unit = (100 / abs(reference), " %") if reference else (1.0, "")
-            tolerance = row["allowed_difference"]
-            estimate = row.get("estimated_error")
             rows.append([
-                row["quantity"].replace("|", "/"), f"{row['computed']:.5g}", f"{reference:.5g}",
-                "" if row.get("unit", "1") == "1" else row["unit"],
-                f"{signed(scale * row['difference'], 2)}{unit}", f"{short(scale * tolerance)}{unit}",
-                "–" if estimate is None else f"{short(scale * estimate)}{unit}",
+                row["quantity"].replace("|", "/").replace("*", "\\*"), digits(row["computed"], 5), digits(reference, 5),
+                "" if row["unit"] == "1" else row["unit"], digits(scale * row["difference"], 2) + unit,
+                digits(scale * row["allowed_difference"], 2) + unit,
+                "–" if estimate is None else digits(scale * estimate, 2) + unit, f"[{sources.index(row['source']) + 1}]",
             ])  # fmt: skip
-        head = ["quantity", "computed", "reference", "unit", "difference", "tolerance", "estimated error"]
-        sources = sorted({row["source"] for row in group["rows"]})
-        text += f"**{group['group'].capitalize()}**: {'; '.join(sources)}.\n\n{table(head, rows)}\n"
+        head = ["quantity", "computed", "reference", "unit", "difference", "tolerance", "estimated error", "source"]
+        text += table(head, rows) + "\n"
     rows = [row for group in report["groups"] for row in group["rows"]]
     text += f"{sum(row['passes'] for row in rows)} of {len(rows)} rows pass."
     if "stated_errors" in report:
