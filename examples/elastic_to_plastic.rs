@@ -17,7 +17,7 @@ use tables::closed_forms::{hertz, kogut_etsion};
 use tables::figures::{Axis, Curve, Figure, Panel};
 use tables::quantity::Quantity;
 use tables::shipped;
-use tables::table::Table;
+use tables::table::Slice;
 
 /// Slip rates that are drawn: the isothermal limit, one in the middle, and the fastest.
 const RATES: [f64; 3] = [0.0, 0.63, 10.0];
@@ -50,13 +50,13 @@ fn main() -> anyhow::Result<()> {
         Curve::new("elastic limit", dense.clone(), dense.iter().map(|omega| elastic(*omega)).collect()),
         Curve::new("plastic limit", dense.clone(), vec![plastic; dense.len()]),
     ];
-    let at_rates = |of: &dyn Fn(&Table, usize, usize) -> (f64, f64)| -> Vec<Curve> {
+    let at_rates = |of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)| -> Vec<Curve> {
         RATES.iter().map(|&rate| curve(&steel, rate, &format!("{rate} m/s"), of)).collect()
     };
     let metals = shipped::names()
         .map(|name| Ok((name, shipped::table(name)?)))
         .collect::<Result<Vec<_>, tables::shipped::TableSourceError>>()?;
-    let of_metals = |of: &dyn Fn(&Table, usize, usize) -> (f64, f64)| -> Vec<Curve> {
+    let of_metals = |of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)| -> Vec<Curve> {
         metals.iter().map(|(name, table)| curve(table, 0.0, name, of)).collect()
     };
 
@@ -66,9 +66,9 @@ fn main() -> anyhow::Result<()> {
         y,
         curves,
     };
-    let load = &|table: &Table, i, j| ratio(table, i, j, Quantity::Load, Quantity::LoadPress);
-    let area = &|table: &Table, i, j| ratio(table, i, j, Quantity::Area, Quantity::AreaPress);
-    let fixed = &|table: &Table, i, j| value(table, i, j, Quantity::MuStatic);
+    let load = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Load, Quantity::LoadPress);
+    let area = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Area, Quantity::AreaPress);
+    let fixed = &|table: &Slice, i, j| value(table, i, j, Quantity::MuStatic);
     let figure = Figure {
         title: "From elastic to plastic contact, at held interference".into(),
         panels: vec![
@@ -94,7 +94,7 @@ fn main() -> anyhow::Result<()> {
 }
 
 /// A quantity over the interferences of a table, with its errors.
-fn curve(table: &Table, rate: f64, label: &str, of: &dyn Fn(&Table, usize, usize) -> (f64, f64)) -> Curve {
+fn curve(table: &Slice, rate: f64, label: &str, of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)) -> Curve {
     let axes = table.axes();
     let column = axes.slip_rate.iter().position(|known| *known == rate).expect("a slip rate of the table");
     let points = (0..axes.interference.len()).map(|row| of(table, row, column));
@@ -102,12 +102,12 @@ fn curve(table: &Table, rate: f64, label: &str, of: &dyn Fn(&Table, usize, usize
     Curve::new(label, axes.interference.clone(), values).with_error(errors)
 }
 
-fn value(table: &Table, i: usize, j: usize, quantity: Quantity) -> (f64, f64) {
+fn value(table: &Slice, i: usize, j: usize, quantity: Quantity) -> (f64, f64) {
     table.cell(i, j).map_or((f64::NAN, f64::NAN), |cell| (cell[quantity].value, cell[quantity].error))
 }
 
 /// The relative errors of both are added: much of either is common to both, so that this is too much.
-fn ratio(table: &Table, i: usize, j: usize, above: Quantity, below: Quantity) -> (f64, f64) {
+fn ratio(table: &Slice, i: usize, j: usize, above: Quantity, below: Quantity) -> (f64, f64) {
     let (a, b) = (value(table, i, j, above), value(table, i, j, below));
     let ratio = a.0 / b.0;
     (ratio, ratio * (a.1 / a.0 + b.1 / b.0))

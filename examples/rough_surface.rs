@@ -20,7 +20,7 @@ fn main() -> anyhow::Result<()> {
     // 1. What one asperity does: anything that implements `AsperityLaw`.
     let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
     let law: Box<dyn AsperityLaw> = match std::env::args().nth(1) {
-        Some(file) => Box::new(Table::read(Path::new(&file))?),
+        Some(file) => Box::new(Table::read(Path::new(&file))?.at(None)?),
         None => closed_form("jackson-green", &steel)?,
     };
 

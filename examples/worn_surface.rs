@@ -18,6 +18,7 @@ use roughsurface::friction::{Prediction, Settings, predict};
 use roughsurface::output::friction_file::{self, Origin};
 use roughsurface::surface::file::SurfaceFile;
 use tables::figures::{Axis, Curve, Figure, Panel};
+use tables::interpolation::InterpolatedTable;
 use tables::table::Table;
 
 /// A coarse table: a look at the method, not a result to quote.
@@ -80,10 +81,10 @@ fn main() -> anyhow::Result<()> {
 }
 
 /// The table, from its file if that is there.
-fn table(folder: &Path) -> anyhow::Result<Table> {
+fn table(folder: &Path) -> anyhow::Result<InterpolatedTable> {
     let path = folder.join("table.nc");
     if path.exists() {
-        return Ok(Table::read(&path)?);
+        return Ok(Table::read(&path)?.at(None)?);
     }
     let request = parse_request(REQUEST, "the request of this example", &[])?;
     let journal = folder.join("table.nc.part");
@@ -93,10 +94,10 @@ fn table(folder: &Path) -> anyhow::Result<Table> {
     let table = tabulation.table(provenance::history("worn_surface"))?;
     table.write(&path)?;
     journal.remove()?;
-    Ok(table)
+    Ok(table.at(None)?)
 }
 
-fn surface(path: &Path, table: &Table, heights: &str) -> anyhow::Result<Prediction> {
+fn surface(path: &Path, table: &InterpolatedTable, heights: &str) -> anyhow::Result<Prediction> {
     let text = SURFACE.replace("HEIGHTS", heights);
     let file = SurfaceFile::parse("the surface of this example".as_ref(), text.clone())?;
     let prediction = predict(table, &file.surface, &file.query, &Settings::default(), &|_, _| ())?;

@@ -43,7 +43,7 @@ fn message(output: &Output) -> String {
 
 /// All of a table but the wall times.
 fn content(table: &Path) -> String {
-    let table = Table::read(table).unwrap();
+    let table = Table::read(table).unwrap().at(None).unwrap();
     let (rows, columns) = table.shape();
     let mut text = String::new();
     for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-use tables::interpolation::temperature::TemperatureSeries;
 use tables::quantity::Quantity;
 use tables::table::Cell;
+use tables::table::Table;
 
 mod program;
 
@@ -69,9 +69,9 @@ fn made() -> PathBuf {
 
 /// Cells of all temperatures, without what the clock says.
 fn cells(folder: &Path, name: &str) -> Vec<Cell> {
-    let series = TemperatureSeries::read(&folder.join(name)).unwrap();
-    let members = series.members().iter();
-    let cells = members.flat_map(|table| (0..2).map(|i| table.cell(i, 0).unwrap().clone()));
+    let table = Table::read(&folder.join(name)).unwrap();
+    let slices = table.slices().iter();
+    let cells = slices.flat_map(|slice| (0..2).map(|i| slice.cell(i, 0).unwrap().clone()));
     let timeless = |mut cell: Cell| {
         cell.wall_time = 0.0;
         cell
@@ -85,8 +85,8 @@ fn shards_merge_to_the_undivided_table() {
     let folder = made();
     done(&folder, "merge 2.nc 1.nc -o merged.nc --plot merged.svg");
     assert_eq!(cells(&folder, "merged.nc"), cells(&folder, "whole.nc"));
-    let merged = TemperatureSeries::read(&folder.join("merged.nc")).unwrap();
-    assert!(merged.members().iter().all(|table| table.metadata().shard.is_empty()));
+    let merged = Table::read(&folder.join("merged.nc")).unwrap();
+    assert!(merged.slices().iter().all(|table| table.metadata().shard.is_empty()));
     refused(&folder, "merge 1.nc -o partial.nc", &["of 6 cells", "K; --partial"]);
     refused(&folder, "merge 1.nc alone.nc -o mixed.nc", &["1.nc and alone.nc", "temperatures: 3 and 1"]);
     for name in ["whole", "merged"] {
@@ -138,11 +138,11 @@ fn at_one_of_its_temperatures_it_is_the_table_of_that_temperature() {
     assert!(check.contains("the same to the last digit"), "{check}");
     // In between what is computed again is within the errors.
     done(&folder, "table check whole.nc --cells 2 --temperature 610");
-    let series = TemperatureSeries::read(&folder.join("whole.nc")).unwrap();
-    let between = series.at(610.0).unwrap();
+    let table = Table::read(&folder.join("whole.nc")).unwrap();
+    let between = table.at(610.0).unwrap();
     for i in 0..2 {
         let mu = between.cell(i, 0).unwrap()[Quantity::Mu];
-        let ends = [1, 2].map(|member| series.members()[member].cell(i, 0).unwrap()[Quantity::Mu]);
+        let ends = [1, 2].map(|member| table.slices()[member].cell(i, 0).unwrap()[Quantity::Mu]);
         // And these are not much larger than those of the runs.
         assert!(mu.error < 1.5 * ends[0].error.max(ends[1].error), "{mu:?} {ends:?}");
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-use tables::table::{Metadata, Table};
+use tables::table::{Metadata, Slice, Table};
 
 mod program;
 
@@ -52,6 +52,11 @@ fn refused(arguments: &[&str], parts: &[&str], output: &str) {
     assert!(!folder.join(output).exists());
 }
 
+/// The table of one initial temperature.
+fn read(folder: &Path, name: &str) -> Slice {
+    Table::read(&folder.join(name)).unwrap().only().unwrap().clone()
+}
+
 #[test]
 fn merged_shards_are_the_undivided_table_bit_for_bit() {
     let _alone = alone();
@@ -59,7 +64,7 @@ fn merged_shards_are_the_undivided_table_bit_for_bit() {
     let output = asperity(&folder, &["merge", "2.nc", "1.nc", "-o", "merged.nc"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let numbers = |name: &str| {
-        let mut table = Table::read(&folder.join(name)).unwrap();
+        let mut table = read(&folder, name);
         let (rows, columns) = table.shape();
         for at in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
             let mut cell = table.cell(at.0, at.1).unwrap().clone();
@@ -85,11 +90,11 @@ fn shards_that_do_not_belong_together_are_refused() {
     refused(&["merge", "1.nc", "-o", "m1.nc"], &["2 of 4 cells", "--partial"], "m1.nc");
     let output = asperity(&folder, &["merge", "1.nc", "-o", "partial.nc", "--partial"]);
     assert_eq!(output.status.code(), Some(0));
-    let partial = Table::read(&folder.join("partial.nc")).unwrap();
+    let partial = read(&folder, "partial.nc");
     assert_eq!(partial.missing().len(), 2);
     assert_eq!(partial.metadata().shard, "1/2");
 
-    let shard = Table::read(&folder.join("2.nc")).unwrap();
+    let shard = read(&folder, "2.nc");
     let scene = shard.metadata().scene.replace("slip_distance = 0.05", "slip_distance = 0.06");
     let mut other = shard.clone();
     other.set_metadata(Metadata { scene, ..shard.metadata().clone() });
@@ -102,7 +107,7 @@ fn shards_that_do_not_belong_together_are_refused() {
     other.write(&folder.join("build.nc")).unwrap();
     refused(&["merge", "1.nc", "build.nc", "-o", "m3.nc"], &["fingerprint", "0123"], "m3.nc");
 
-    let mut other = Table::read(&folder.join("whole.nc")).unwrap();
+    let mut other = read(&folder, "whole.nc");
     let (i, j) = (0..4).map(|k| (k / 2, k % 2)).find(|at| shard.cell(at.0, at.1).is_some()).unwrap();
     let mut cell = other.cell(i, j).unwrap().clone();
     cell.levelled = !cell.levelled;

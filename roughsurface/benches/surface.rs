@@ -14,14 +14,14 @@ use roughsurface::friction::{Settings, predict};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
 use roughsurface::surface::heights::Gaussian;
 use roughsurface::surface::query::{Hold, Pressing, Query, Surface};
-use tables::table::Table;
+use tables::interpolation::InterpolatedTable;
 
 fn main() {
     divan::main();
 }
 
-fn law() -> Table {
-    table(&Weakening::new(), 200.0)
+fn law() -> InterpolatedTable {
+    table(&Weakening::new(), 200.0).interpolated()
 }
 
 fn surface() -> Surface {

@@ -9,9 +9,8 @@ use std::process::{Command, Output};
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
 use tables::closed_forms::hertz;
-use tables::interpolation::temperature::TemperatureSeries;
 use tables::netcdf::DatasetReader;
-use tables::table::Metadata;
+use tables::table::{Metadata, Table};
 
 const SURFACE: &str = r#"
 [surface]
@@ -104,7 +103,7 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
     let mut hot = table(&Stronger(Weakening::new()), 200.0);
     hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
     hot.write(&folder.path("hot.nc")).unwrap();
-    TemperatureSeries::new(vec![cold, hot]).unwrap().write(&folder.path("both.nc")).unwrap();
+    Table::new(vec![cold, hot]).unwrap().write(&folder.path("both.nc")).unwrap();
     let refused = folder.run("predict surface.toml --table both.nc -o friction.nc");
     let message = stderr(&refused);
     assert_eq!((refused.status.code(), message.lines().count()), (Some(2), 1), "{message}");

@@ -25,7 +25,6 @@ pub mod refinement;
 pub mod shipped;
 pub mod table;
 
-pub use interpolation::Extrapolated;
 pub use quantity::numbers;
 
 // Former paths of these rooms.

@@ -13,9 +13,8 @@ use asperity::scene::file::{parse_request, parse_scene};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::read as topography;
 use roughsurface::topography::read::Reading;
-use tables::interpolation::temperature::{Tables, TemperatureSeries};
 use tables::quantity::Quantity;
-use tables::table::{Axes, Cell, Metadata, Table};
+use tables::table::{Axes, Cell, Metadata, Slice, Table};
 use tests::programs;
 
 /// Of the process that reads, in kB; the inputs are below 200 kB.
@@ -127,7 +126,7 @@ fn seeds(kind: &str, folder: &Path) -> Vec<Vec<u8>> {
             hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
             let mut cold = table();
             cold.set_metadata(Metadata { temperature: 300.0, ..cold.metadata().clone() });
-            TemperatureSeries::new(vec![cold, hot]).unwrap().write(&path).unwrap();
+            Table::new(vec![cold, hot]).unwrap().write(&path).unwrap();
             vec![one, std::fs::read(path).unwrap()]
         }
         _ => files(
@@ -137,10 +136,10 @@ fn seeds(kind: &str, folder: &Path) -> Vec<Vec<u8>> {
     }
 }
 
-fn table() -> Table {
+fn table() -> Slice {
     let axes = Axes { interference: vec![0.5, 5.0], slip_rate: vec![0.0, 1.0], slip: vec![0.0, 0.5, 2.0] };
     let metadata = Metadata { title: "Hostile".into(), asperity_radius: 1e-3, ..Metadata::default() };
-    let mut table = Table::new(axes, metadata).unwrap();
+    let mut table = Slice::new(axes, metadata).unwrap();
     for (i, j) in [(0, 0), (0, 1), (1, 1)] {
         let mut cell = Cell::new();
         for (n, quantity) in Quantity::SCALARS.into_iter().enumerate() {
@@ -165,7 +164,7 @@ fn read(kind: &str, bytes: &[u8], folder: &Path) -> bool {
         "surface" => SurfaceFile::parse(&path, text()).is_ok(),
         "table" => {
             std::fs::write(&path, bytes).unwrap();
-            Tables::read(&path).is_ok()
+            Table::read(&path).is_ok()
         }
         _ => {
             std::fs::write(&path, bytes).unwrap();

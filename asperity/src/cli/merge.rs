@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::output::provenance;
 use serde_json::json;
-use tables::interpolation::temperature::Tables;
+use tables::table::Table;
 
 use super::{Display, Failure, MergeArguments, command_line, outputs, print};
 
@@ -14,9 +14,9 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         outputs::check_output(&arguments.output, shard)?;
         outputs::check_plot(arguments.plot.as_deref(), shard)?;
     }
-    let tables = merged(&arguments.shards)?;
-    let missing = tables.missing();
-    let cells: usize = tables.members().iter().map(|table| table.shape().0 * table.shape().1).sum();
+    let table = merged(&arguments.shards)?;
+    let missing = table.missing();
+    let cells: usize = table.slices().iter().map(|slice| slice.shape().0 * slice.shape().1).sum();
     if let Some(first) = missing.first()
         && !arguments.partial
     {
@@ -26,11 +26,11 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         )));
     }
     let missing = missing.len();
-    tables.write(&arguments.output).map_err(Failure::run)?;
+    table.write(&arguments.output).map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
-        outputs::plot(&tables, plot)?;
+        outputs::plot(&table, plot)?;
     }
-    let failed = tables.failures();
+    let failed = table.failures();
     if !display.quiet {
         for (label, reason) in &failed {
             eprintln!("failed: {label}: {reason}");
@@ -48,25 +48,25 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
 }
 
 /// All shards in one table, which is no shard any more if nothing is missing.
-fn merged(shards: &[impl AsRef<Path>]) -> Result<Tables, Failure> {
-    let mut whole: Option<(Tables, &Path)> = None;
+fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
+    let mut whole: Option<(Table, &Path)> = None;
     let mut histories = Vec::new();
     for path in shards.iter().map(AsRef::as_ref) {
-        let shard = Tables::read(path).map_err(Failure::input)?;
-        histories.push(shard.members()[0].metadata().history.clone());
+        let shard = Table::read(path).map_err(Failure::input)?;
+        histories.push(shard.metadata().history.clone());
         match &mut whole {
             None => whole = Some((shard, path)),
-            Some((tables, first)) => tables.merge(&shard).map_err(|error| {
+            Some((table, first)) => table.merge(&shard).map_err(|error| {
                 Failure::Input(format!("{} and {}: {error}", first.display(), path.display()))
             })?,
         }
     }
-    let (mut tables, _) = whole.ok_or_else(|| Failure::input("no shards"))?;
+    let (mut table, _) = whole.ok_or_else(|| Failure::input("no shards"))?;
     histories.push(provenance::history(&command_line()));
-    let shard = match tables.missing().is_empty() {
+    let shard = match table.missing().is_empty() {
         true => String::new(),
-        false => tables.members()[0].metadata().shard.clone(),
+        false => table.metadata().shard.clone(),
     };
-    tables.set_provenance(&histories.join("\n"), &shard);
-    Ok(tables)
+    table.set_provenance(&histories.join("\n"), &shard);
+    Ok(table)
 }

@@ -4,8 +4,8 @@ use std::fs::File;
 use std::path::Path;
 
 use tables::figures::Figure;
-use tables::interpolation::temperature::Tables;
 use tables::netcdf::destination;
+use tables::table::Table;
 
 use super::Failure;
 
@@ -42,14 +42,14 @@ pub fn check_plot(plot: Option<&Path>, input: &Path) -> Result<(), Failure> {
 }
 
 /// The figure of a table; of several temperatures one for each, NAME-500K.svg beside NAME.svg.
-pub fn plot(tables: &Tables, plot: &Path) -> Result<(), Failure> {
-    let Tables::Series(series) = tables else {
-        return tables.members()[0].figure().save(plot).map_err(Failure::run);
-    };
+pub fn plot(table: &Table, plot: &Path) -> Result<(), Failure> {
+    if let Ok(slice) = table.only() {
+        return slice.figure().save(plot).map_err(Failure::run);
+    }
     let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
     let (name, extension) = (part(plot.file_stem()), part(plot.extension()));
-    for temperature in series.temperatures() {
-        let table = series.at(temperature).map_err(Failure::run)?;
+    for temperature in table.temperatures() {
+        let table = table.at(temperature).map_err(Failure::run)?;
         let place = plot.with_file_name(format!("{name}-{temperature}K.{extension}"));
         table.figure().save(&place).map_err(Failure::run)?;
     }

@@ -47,15 +47,15 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
             resuming(&command_line()),
         )));
     }
-    let tables = tabulation.tables(provenance::history(&command_line())).map_err(Failure::run)?;
+    let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
     let clock = Instant::now();
-    tables.write(&arguments.output).map_err(Failure::run)?;
+    table.write(&arguments.output).map_err(Failure::run)?;
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
     journal.remove().map_err(Failure::run)?;
     report(&tabulation, &spent, arguments, display);
     if let Some(plot) = &arguments.plot {
-        outputs::plot(&tables, plot)?;
+        outputs::plot(&table, plot)?;
     }
     match tabulation.failures().count() {
         0 => Ok(()),

@@ -16,7 +16,7 @@ mod table;
 use std::path::Path;
 
 use tables::refinement::{Goal, refine};
-use tables::table::{Axes, Table, TableError};
+use tables::table::{Axes, Slice, TableError};
 
 pub use cell::{Finished, slip_grid};
 pub use journal::{CellResult, Index, Journal, JournalError, Point};
@@ -216,7 +216,7 @@ impl Simulator for FiniteElements {
 /// let journal = std::env::temp_dir().join(format!("asperity-example-{}.part", std::process::id()));
 /// let options = Options { jobs: 1, journal: &journal, resume: false, shard: None };
 /// let (tabulation, journal) = tabulate(&request, &options, &Unwatched)?;
-/// let table = tabulation.table("an example".to_owned())?;
+/// let table = tabulation.table("an example".to_owned())?.at(None)?;
 /// journal.remove()?;
 /// // Read at another radius, between the cells, after 1 nm of slip.
 /// let response = table.response(1e-4, 3.0, 0.0, 1e-9)?;
@@ -263,7 +263,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
     };
     let start = last.first()?;
     let templates = request.templates();
-    let evaluate = |table: Table| -> Result<Table, Stop> {
+    let evaluate = |table: Slice| -> Result<Slice, Stop> {
         let Axes { interference, slip_rate, .. } = table.axes();
         last.interferences.clone_from(interference);
         last.slip_rates.clone_from(slip_rate);

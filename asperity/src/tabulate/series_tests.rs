@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tables::interpolation::temperature::{Tables, TemperatureSeries};
 use tables::quantity::Quantity;
+use tables::table::Table;
 
 use super::*;
 use crate::scene::file::parse_request;
@@ -27,16 +27,13 @@ fn run<S: Simulator>(
     tabulate_with(simulator, &request, &options, watch).unwrap().0
 }
 
-fn series(tabulation: &Tabulation) -> TemperatureSeries {
-    match tabulation.tables("history".into()).unwrap() {
-        Tables::Series(series) => series,
-        Tables::One(_) => panic!("one table"),
-    }
+fn table_of(tabulation: &Tabulation) -> Table {
+    tabulation.table("history".into()).unwrap()
 }
 
 /// Without what the clock says.
-fn timeless(series: TemperatureSeries) -> TemperatureSeries {
-    let members = series.members().iter().map(|member| {
+fn timeless(table: Table) -> Table {
+    let members = table.slices().iter().map(|member| {
         let mut member = member.clone();
         let (rows, columns) = member.shape();
         for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
@@ -48,7 +45,7 @@ fn timeless(series: TemperatureSeries) -> TemperatureSeries {
         }
         member
     });
-    TemperatureSeries::new(members.collect()).unwrap()
+    Table::new(members.collect()).unwrap()
 }
 
 /// Stops after a number of cells.
@@ -68,17 +65,17 @@ impl TableWatch for StopAfter {
 fn every_temperature_has_the_table_of_its_own_request() {
     let folder = tempfile::tempdir().unwrap();
     let whole =
-        series(&run(&Fake::default(), REQUEST, (&folder.path().join("all"), 2, false, None), &Unwatched));
+        table_of(&run(&Fake::default(), REQUEST, (&folder.path().join("all"), 2, false, None), &Unwatched));
     let request = parse_request(REQUEST, "request.toml", &[]).unwrap();
-    for (k, member) in whole.members().iter().enumerate() {
+    for (k, member) in whole.slices().iter().enumerate() {
         let temperature = request.temperatures[k];
         let alone = write_request(&request.at_temperature(temperature));
         let place = folder.path().join(format!("{k}"));
         let alone = run(&Fake::default(), &alone, (&place, 1, false, None), &Unwatched);
-        let alone = alone.table("history".into()).unwrap();
+        let alone = alone.table("history".into()).unwrap().at(None).unwrap();
         assert_eq!(alone.compare(member).quantities, []);
         // But for the texts that name the other temperatures.
-        let numbers = |table: &Table| {
+        let numbers = |table: &Slice| {
             let mut table = table.clone();
             let metadata = table.metadata().clone();
             let [title, scene] = [String::new(), String::new()];
@@ -87,10 +84,8 @@ fn every_temperature_has_the_table_of_its_own_request() {
         };
         assert_eq!(numbers(&alone), numbers(member), "{temperature}");
     }
-    assert!(
-        whole.members()[2].metadata().yield_strength < 0.8 * whole.members()[0].metadata().yield_strength
-    );
-    let kept = parse_request(&whole.members()[1].metadata().scene, "attribute", &[]).unwrap();
+    assert!(whole.slices()[2].metadata().yield_strength < 0.8 * whole.slices()[0].metadata().yield_strength);
+    let kept = parse_request(&whole.slices()[1].metadata().scene, "attribute", &[]).unwrap();
     assert_eq!(kept, request);
 }
 
@@ -108,28 +103,28 @@ fn threads_interruptions_and_shards_change_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name);
     let fake = || Fake { slide_fails: Some(10.0), ..Fake::default() };
-    let whole = series(&run(&fake(), REQUEST, (&place("whole"), 1, false, None), &Unwatched));
-    assert_eq!(whole, series(&run(&fake(), REQUEST, (&place("threads"), 5, false, None), &Unwatched)));
+    let whole = table_of(&run(&fake(), REQUEST, (&place("whole"), 1, false, None), &Unwatched));
+    assert_eq!(whole, table_of(&run(&fake(), REQUEST, (&place("threads"), 5, false, None), &Unwatched)));
 
     let stop = StopAfter(7, AtomicUsize::new(0));
     let stopped = run(&fake(), REQUEST, (&place("stopped"), 1, false, None), &stop);
     assert!(!stopped.finished());
     let continued = run(&fake(), REQUEST, (&place("stopped"), 2, true, None), &Unwatched);
     assert_eq!(continued.resumed, 7);
-    assert_eq!(series(&continued), whole);
+    assert_eq!(table_of(&continued), whole);
     assert_eq!(continued.failures().count(), 12);
     let (at, _) = continued.failures().next().unwrap();
     assert_eq!(continued.label(at), "1 omega_c at 10 m/s from 298 K");
 
     for count in [2, 5] {
         let mut cells = 0;
-        let shards: Vec<TemperatureSeries> = (1..=count)
+        let shards: Vec<Table> = (1..=count)
             .map(|k| {
                 let shard = format!("{k}/{count}");
                 let journal = place(&shard.replace('/', "-"));
                 let tabulation = run(&fake(), REQUEST, (&journal, 2, false, Some(&shard)), &Unwatched);
                 cells += tabulation.cells.iter().flatten().flatten().count();
-                series(&tabulation)
+                table_of(&tabulation)
             })
             .collect();
         assert_eq!(cells, 24);
@@ -154,13 +149,13 @@ fn computed_between_the_temperatures_a_table_agrees_with_the_interpolated_one() 
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name);
     let whole = run(&FiniteElements, COARSE, (&place("whole"), 2, false, None), &Unwatched);
-    let whole = timeless(series(&whole));
+    let whole = timeless(table_of(&whole));
     let request = parse_request(COARSE, "request.toml", &[]).unwrap();
     let computed = |temperature: f64| {
         let text = write_request(&request.at_temperature(temperature));
         let table =
             run(&FiniteElements, &text, (&place(&format!("{temperature}")), 2, false, None), &Unwatched);
-        table.table("history".into()).unwrap()
+        table.table("history".into()).unwrap().at(None).unwrap()
     };
     // At one of the temperatures bit for bit.
     let (alone, member) = (computed(600.0), whole.at(600.0).unwrap());

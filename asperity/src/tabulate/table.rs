@@ -1,10 +1,9 @@
 //! A tabulation as a [`Table`]: axes, results, and what a reader of the file must know.
 
 use tables::closed_forms::hertz;
-use tables::interpolation::temperature::{Tables, TemperatureSeries};
 use tables::quantity::Quantity;
 use tables::refinement::{Goal, JUDGED};
-use tables::table::{Axes, Metadata, Table, TableError};
+use tables::table::{Axes, Metadata, Slice, Table, TableError};
 
 use super::{Index, Tabulation};
 use crate::output::provenance::{FINGERPRINT, SOURCE};
@@ -15,58 +14,42 @@ use tables::numbers::plain;
 
 impl Tabulation {
     /// The table of all cells; `history` as in [`crate::output::provenance::history`]. Where points were
-    /// added for a tolerance, errors include that of interpolation. Of several initial temperatures
-    /// there are as many tables: see [`Tabulation::tables`].
+    /// added for a tolerance, errors include that of interpolation.
     pub fn table(&self, history: String) -> Result<Table, TableError> {
-        Ok(self.tables(history)?.at(None)?)
-    }
-
-    /// The table of all cells, or those of all initial temperatures.
-    pub fn tables(&self, history: String) -> Result<Tables, TableError> {
-        Ok(match self.filled()? {
-            Tables::One(mut table) => {
-                if let Some(goal) = self.request.goal
-                    && self.finished()
-                {
-                    *table = table.with_interpolation_errors(goal.tolerance);
-                }
-                let mut metadata = Metadata { history, ..table.metadata().clone() };
-                metadata.comment = self.warnings().join("\n");
-                table.set_metadata(metadata);
-                Tables::One(table)
-            }
-            Tables::Series(mut series) => {
-                series.set_provenance(&history, &self.shard());
-                series.summarise();
-                Tables::Series(series)
-            }
-        })
+        let mut table = match self.goal_reached() {
+            Some(goal) => Table::from(self.first()?.with_interpolation_errors(goal.tolerance)),
+            None => self.filled()?,
+        };
+        table.set_provenance(&history, &self.shard());
+        table.set_comment(&self.warnings().join("\n"));
+        Ok(table)
     }
 
     /// The results as they are.
-    fn filled(&self) -> Result<Tables, TableError> {
+    fn filled(&self) -> Result<Table, TableError> {
         let templates = self.request.templates();
-        let members = templates.iter().enumerate().map(|(n, scene)| self.member(n, scene));
-        let mut members = members.collect::<Result<Vec<Table>, TableError>>()?;
-        Ok(match self.request.temperatures.is_empty() {
-            true => Tables::One(Box::new(members.remove(0))),
-            false => Tables::Series(TemperatureSeries::new(members)?),
-        })
+        let slices = templates.iter().enumerate().map(|(n, scene)| self.slice(n, scene));
+        Table::new(slices.collect::<Result<Vec<Slice>, TableError>>()?)
     }
 
     /// The results as they are, those of the lowest temperature if there are several.
-    pub(super) fn first(&self) -> Result<Table, TableError> {
-        self.member(0, &self.request.templates()[0])
+    pub(super) fn first(&self) -> Result<Slice, TableError> {
+        self.slice(0, &self.request.templates()[0])
     }
 
-    /// The n-th table, of the scenes that share `template`.
-    fn member(&self, n: usize, template: &Scene) -> Result<Table, TableError> {
+    /// The tolerance that points were added for, once all are run. Such a table has one initial temperature.
+    fn goal_reached(&self) -> Option<Goal> {
+        self.request.goal.filter(|_| self.finished())
+    }
+
+    /// The table at the n-th initial temperature, of the scenes that share `template`.
+    fn slice(&self, n: usize, template: &Scene) -> Result<Slice, TableError> {
         let axes = Axes {
             interference: self.interferences.clone(),
             slip_rate: self.slip_rates.clone(),
             slip: self.slips.clone(),
         };
-        let mut table = Table::new(axes, self.metadata(template))?;
+        let mut slice = Slice::new(axes, self.metadata(template))?;
         let count = self.interferences.len();
         let rows = self.cells.iter().skip(n * count).take(count);
         for (i, j, result) in rows.enumerate().flat_map(|(i, row)| {
@@ -76,12 +59,12 @@ impl Tabulation {
                 Ok(finished) => {
                     let mut cell = finished.cell.clone();
                     cell.warnings.clone_from(&finished.warnings);
-                    table.set_cell(i, j, cell)?;
+                    slice.set_cell(i, j, cell)?;
                 }
-                Err(reason) => table.mark_failed(i, j, reason),
+                Err(reason) => slice.mark_failed(i, j, reason),
             }
         }
-        Ok(table)
+        Ok(slice)
     }
 
     fn shard(&self) -> String {
@@ -137,19 +120,12 @@ impl Tabulation {
     /// Every warning once, with the cells that it concerns unless these are all; and whether
     /// interpolation falls short of the tolerance.
     pub fn warnings(&self) -> Vec<String> {
-        match self.filled() {
-            Err(_) => Vec::new(),
-            Ok(Tables::Series(series)) => series.warnings(),
-            Ok(Tables::One(table)) => {
-                let mut warnings = table.warnings();
-                if let Some(goal) = self.request.goal
-                    && self.finished()
-                {
-                    warnings.extend(shortfall(&table, &goal));
-                }
-                warnings
-            }
+        let Ok(table) = self.filled() else { return Vec::new() };
+        let mut warnings = table.warnings();
+        if let (Some(goal), Ok(slice)) = (self.goal_reached(), table.only()) {
+            warnings.extend(shortfall(slice, &goal));
         }
+        warnings
     }
 
     /// A cell by its coordinates.
@@ -164,7 +140,7 @@ impl Tabulation {
 }
 
 /// What interpolates worse than it should, where no more points were added.
-fn shortfall(table: &Table, goal: &Goal) -> Vec<String> {
+fn shortfall(table: &Slice, goal: &Goal) -> Vec<String> {
     let validation = table.cross_validation();
     let text = |quantity: Quantity| {
         let worst = validation.worst(quantity);

@@ -120,7 +120,7 @@ fn table_has_every_cell_and_says_which_failed() {
     if let Some(Ok(finished)) = &mut tabulation.cells[0][0] {
         finished.warnings = vec!["of one cell".into()];
     }
-    let table = tabulation.table("2000-01-01T00:00:00Z: test".into()).unwrap();
+    let table = tabulation.table("2000-01-01T00:00:00Z: test".into()).unwrap().at(None).unwrap();
     assert_eq!(table.shape(), (3, 3));
     assert_eq!(table.axes().slip, tabulation.slips);
     let expected = Fake::outcome(&request().scene(1, 1));
@@ -180,7 +180,7 @@ fn shards_merge_to_the_undivided_table_bit_for_bit() {
         // No cell is run twice.
         assert_eq!(cells, 15, "{count}");
         let mut merged = merged.unwrap();
-        merged.set_metadata(tables::table::Metadata { shard: String::new(), ..merged.metadata().clone() });
+        merged.set_provenance("history", "");
         assert_eq!(merged, whole, "{count}");
         assert_eq!(merged.checksum(), whole.checksum(), "{count}");
     }
@@ -224,7 +224,7 @@ fn points_are_added_for_a_tolerance_whatever_the_number_of_threads() {
     assert!(one.interferences.len() <= 3, "{:?}", one.interferences);
     assert_eq!(fake.slides.load(Ordering::Relaxed), one.interferences.len() * one.slip_rates.len());
     assert_eq!(one.cells, refined(5, &Unwatched, &Bench::new(), false).0.cells);
-    let table = one.table(String::new()).unwrap();
+    let table = one.table(String::new()).unwrap().at(None).unwrap();
     assert_eq!(table.metadata().interpolation_tolerance, Some(0.02));
     for rate in [0.13, 0.7, 2.5, 9.0, 40.0, 88.0] {
         let estimate = table.estimate(Quantity::Mu, 1e-3, 33.0, rate).unwrap();

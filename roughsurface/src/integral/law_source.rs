@@ -116,19 +116,19 @@ pub fn asperity_law_without_gaps(
     if asked.starts_with("model:") {
         return Ok((asperity_law(asked, material, temperature)?, None));
     }
-    let (table, filled) = shipped::open(asked, temperature).map_err(LawSourceError::Table)?.bridged();
+    let (table, filled) =
+        shipped::open(asked, temperature).map_err(LawSourceError::Table)?.with_failed_cells_interpolated();
     let labels: Vec<String> = filled.iter().map(|(i, j)| table.label(*i, *j)).collect();
     let warning = (!labels.is_empty())
         .then(|| format!("cells without results, interpolated around: {}", labels.join("; ")));
-    Ok((Box::new(table), warning))
+    Ok((Box::new(table.interpolated()), warning))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tables::interpolation::temperature::TemperatureSeries;
     use tables::quantity::Quantity;
-    use tables::table::Table;
+    use tables::table::{Slice, Table};
 
     #[test]
     fn gaps_of_a_table_are_filled_only_if_asked() {
@@ -138,7 +138,7 @@ mod tests {
             slip: vec![0.0, 1.0],
         };
         let metadata = tables::table::Metadata { asperity_radius: 1e-3, ..Default::default() };
-        let mut table = Table::new(axes, metadata).unwrap();
+        let mut table = Slice::new(axes, metadata).unwrap();
         for i in [0, 2] {
             let mut cell = tables::table::Cell::new().with(Quantity::ContactRadius, 1e-5, 0.0);
             for quantity in [Quantity::Load, Quantity::Friction, Quantity::Area] {
@@ -190,7 +190,7 @@ mod tests {
                 contact_modulus: 2e11,
                 ..Default::default()
             };
-            let mut table = Table::new(axes, metadata).unwrap();
+            let mut table = Slice::new(axes, metadata).unwrap();
             let mut cell = tables::table::Cell::new().with(Quantity::ContactRadius, 1e-5, 0.0);
             for quantity in [Quantity::Load, Quantity::Friction, Quantity::Area] {
                 cell = cell.with(quantity, temperature, 0.1).with_history(quantity, vec![temperature; 2]);
@@ -200,8 +200,8 @@ mod tests {
             table
         };
         let path = std::env::temp_dir().join(format!("roughsurface-series-{}.nc", std::process::id()));
-        let series = TemperatureSeries::new([300.0, 400.0, 500.0].map(member).to_vec()).unwrap();
-        series.write(&path).unwrap();
+        let several = Table::new([300.0, 400.0, 500.0].map(member).to_vec()).unwrap();
+        several.write(&path).unwrap();
         let asked = path.to_str().unwrap();
         let law = |temperature| asperity_law(asked, None, temperature);
         let load = law(Some(400.0)).unwrap().response(1e-3, 1.0, 1.0, 1e-5).unwrap().load.value;

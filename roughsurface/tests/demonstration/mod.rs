@@ -4,7 +4,7 @@
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::law::{AsperityLaw, Estimate, LookupError, Response};
 use tables::quantity::Quantity;
-use tables::table::{Axes, Cell, Metadata, Table};
+use tables::table::{Axes, Cell, Metadata, Slice};
 
 pub const STEEL: ElasticPlastic =
     ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
@@ -85,7 +85,7 @@ fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
 }
 
 /// The law as a table for spheres ten times as large as those of the surface.
-pub fn table(law: &dyn AsperityLaw, interference_to: f64) -> Table {
+pub fn table(law: &dyn AsperityLaw, interference_to: f64) -> Slice {
     let radius = 1e-3;
     let mut slip = vec![0.0];
     slip.extend(spaced(1e-4, 2.0, 40));
@@ -102,7 +102,7 @@ pub fn table(law: &dyn AsperityLaw, interference_to: f64) -> Table {
         temperature: 298.0,
         ..Metadata::default()
     };
-    let mut table = Table::new(axes.clone(), metadata).unwrap();
+    let mut table = Slice::new(axes.clone(), metadata).unwrap();
     for (i, &interference) in axes.interference.iter().enumerate() {
         for (j, &rate) in axes.slip_rate.iter().enumerate() {
             let at = |slip: f64| law.response(radius, interference, rate, slip).unwrap();

@@ -1,9 +1,10 @@
 //! A table at a glance.
 
 use super::{Axis, Curve, Drawing, Figure, Map, Panel, Sheet};
+use crate::interpolation::InterpolatedTable;
 use crate::numbers::digits;
 use crate::quantity::Quantity;
-use crate::table::{Cell, Table};
+use crate::table::{Cell, Slice};
 
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
@@ -31,17 +32,18 @@ const MAPPED: [Shown; 4] = [
 /// Points of a map between two of the table.
 const MAP_POINTS: usize = 6;
 
-impl Table {
+impl Slice {
     /// Friction, friction stress, energy release and temperature: a map over slip rate and
     /// interference beside curves against slip rate (or interference, where there are less than
     /// two positive slip rates, and no maps then).
     pub fn maps(&self) -> Sheet {
         let positive = self.axes().slip_rate.iter().filter(|rate| **rate > 0.0).count();
-        let (table, _) = self.bridged();
+        let (table, _) = self.with_failed_cells_interpolated();
+        let table = table.interpolated();
         let mut drawings = Vec::new();
         for shown in &MAPPED {
             if positive >= 2 && self.axes().interference.len() >= 2 {
-                drawings.push(Drawing::Map(table.map(shown)));
+                drawings.push(Drawing::Map(map(&table, shown)));
             }
             drawings.push(Drawing::Curves(match positive >= 2 {
                 true => self.over_slip_rate(shown),
@@ -49,31 +51,6 @@ impl Table {
             }));
         }
         Sheet::new(self.metadata().title.clone(), drawings)
-    }
-
-    fn map(&self, (title, label, value, log): &Shown) -> Map {
-        let axes = self.axes();
-        let rates: Vec<f64> = axes.slip_rate.iter().copied().filter(|rate| *rate > 0.0).collect();
-        let (x_values, y_values) = (between(&rates), between(&axes.interference));
-        let at = |omega: f64, rate: f64| {
-            let mut cell = Cell::new();
-            for quantity in Quantity::SCALARS {
-                if let Ok(known) = self.estimate(quantity, self.metadata().asperity_radius, omega, rate) {
-                    cell[quantity] = known;
-                }
-            }
-            if *log { value(&cell).0.log10() } else { value(&cell).0 }
-        };
-        let row = |omega: &f64| x_values.iter().map(|rate| at(*omega, *rate)).collect();
-        Map {
-            title: title.to_string(),
-            label: if *log { format!("log₁₀ of {label}") } else { label.to_string() },
-            x: Axis::logarithmic(RATE_LABEL),
-            y: Axis::logarithmic(INTERFERENCE_LABEL),
-            values: y_values.iter().map(row).collect(),
-            x_values,
-            y_values,
-        }
     }
 
     /// Sliding friction, friction stress and temperature against slip rate for a selection of
@@ -141,6 +118,32 @@ impl Table {
             y: Axis::linear("friction coefficient Q/P"),
             curves: selection(axes.slip_rate.len()).map(curve).collect(),
         }
+    }
+}
+
+/// A quantity over slip rate and interference.
+fn map(table: &InterpolatedTable, (title, label, value, log): &Shown) -> Map {
+    let axes = table.axes();
+    let rates: Vec<f64> = axes.slip_rate.iter().copied().filter(|rate| *rate > 0.0).collect();
+    let (x_values, y_values) = (between(&rates), between(&axes.interference));
+    let at = |omega: f64, rate: f64| {
+        let mut cell = Cell::new();
+        for quantity in Quantity::SCALARS {
+            if let Ok(known) = table.estimate(quantity, table.metadata().asperity_radius, omega, rate) {
+                cell[quantity] = known;
+            }
+        }
+        if *log { value(&cell).0.log10() } else { value(&cell).0 }
+    };
+    let row = |omega: &f64| x_values.iter().map(|rate| at(*omega, *rate)).collect();
+    Map {
+        title: title.to_string(),
+        label: if *log { format!("log₁₀ of {label}") } else { label.to_string() },
+        x: Axis::logarithmic(RATE_LABEL),
+        y: Axis::logarithmic(INTERFERENCE_LABEL),
+        values: y_values.iter().map(row).collect(),
+        x_values,
+        y_values,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which contacts have slid as far as the histories of a table go.
 
-use super::Interpolant;
-use crate::interpolation::steffen::locate;
+use super::interpolant::Interpolant;
+use super::steffen::locate;
 
 impl Interpolant {
     /// ω/ω_c at which the slip `slip` (m), at the radius of the table, is the last of the histories.

@@ -1,8 +1,8 @@
 //! Scalars beyond the table, for those who ask for them.
 
+use super::InterpolatedTable;
 use crate::law::{AsperityLaw, Estimate, LookupError};
 use crate::quantity::Quantity;
-use crate::table::Table;
 
 /// A number from a table, and whether it is from beyond its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,8 +11,8 @@ pub struct Extrapolated {
     pub outside: bool,
 }
 
-impl Table {
-    /// As [`Table::estimate`], but above the last interference and beyond the slip rates continued
+impl InterpolatedTable {
+    /// As [`InterpolatedTable::estimate`], but above the last interference and beyond the slip rates continued
     /// as the power law of the last interval; below the first slip rate, where heating vanishes,
     /// held. The distance between continuing and holding is added to the error.
     pub fn extrapolate(
@@ -36,7 +36,7 @@ impl Table {
             true => ratio.ln() / span * distance,
             false => 0.0,
         };
-        let (mut exponent, mut doubt) = (0.0, 0.0);
+        let (mut exponent, mut uncertainty) = (0.0, 0.0);
         let rows = &self.axes().interference;
         let last = rows.iter().position(|row| *row == limit).unwrap_or(rows.len() - 1);
         if interference > limit && last > 0 {
@@ -55,13 +55,13 @@ impl Table {
             let along = growth(ratio(edge, before), -step.ln(), (slip_rate / inside.1).ln());
             match slip_rate > fastest {
                 true => exponent += along,
-                // A rate of 0 is infinitely far along a power law: the whole value is in doubt.
-                false => doubt = if along.is_finite() { along } else { f64::NEG_INFINITY },
+                // A rate of 0 is infinitely far along a power law: the whole value is in uncertainty.
+                false => uncertainty = if along.is_finite() { along } else { f64::NEG_INFINITY },
             }
         }
         let held = edge.value - base;
         let value = held * exponent.exp();
-        let spread = (value - held).abs() + (held * (doubt.exp() - 1.0)).abs().min(held.abs());
+        let spread = (value - held).abs() + (held * (uncertainty.exp() - 1.0)).abs().min(held.abs());
         let error = edge.error * exponent.exp() + spread;
         Ok(Extrapolated { estimate: Estimate { value: base + value, error }, outside: true })
     }

@@ -1,21 +1,19 @@
-//! Bridging points without results.
+//! Interpolation across failed cells.
 
+use super::coordinates;
 use crate::law::Estimate;
 use crate::quantity::Quantity;
-use crate::table::{Cell, Status, Table};
+use crate::table::{Cell, Slice, Status};
 
-/// A point that was filled in from its neighbours: indices of interference and slip rate.
-pub type Bridged = (usize, usize);
-
-impl Table {
-    /// The table with points that failed or were not run filled in where results lie on both sides
+impl Slice {
+    /// The slice with points that failed or were not run interpolated where results lie on both sides
     /// of them, along the interference or along the slip rate; and which they are.
     ///
     /// Values are interpolated linearly in the logarithms (of quantities that are positive) between
     /// the nearest results, over the nearer of both pairs where there are two. The error is that of
     /// the results at both ends and half their difference. Each such cell carries a warning. What
     /// lies at the edge stays as it is: nothing is extrapolated.
-    pub fn bridged(&self) -> (Table, Vec<Bridged>) {
+    pub fn with_failed_cells_interpolated(&self) -> (Slice, Vec<(usize, usize)>) {
         let mut table = self.clone();
         let mut filled = Vec::new();
         for (i, j) in self.grid() {
@@ -40,15 +38,15 @@ impl Table {
     /// A cell between its nearest neighbours with results.
     fn across(&self, i: usize, j: usize) -> Option<Cell> {
         let (rows, columns) = self.shape();
-        let interpolant = self.interpolant();
+        let [log_interference, rate_coordinate] = coordinates(self.axes());
         let pair = |axis: &[f64], at: usize, length: usize, present: &dyn Fn(usize) -> bool| {
             let before = (0..at).rev().find(|k| present(*k))?;
             let after = (at + 1..length).find(|k| present(*k))?;
             let gap = axis[after] - axis[before];
             Some((gap, (axis[at] - axis[before]) / gap, before, after))
         };
-        let row = pair(interpolant.log_interference(), i, rows, &|k| self.cell(k, j).is_some());
-        let column = pair(interpolant.rate_coordinate(), j, columns, &|k| self.cell(i, k).is_some());
+        let row = pair(&log_interference, i, rows, &|k| self.cell(k, j).is_some());
+        let column = pair(&rate_coordinate, j, columns, &|k| self.cell(i, k).is_some());
         let along_row = match (row, column) {
             (Some((one, ..)), Some((other, ..))) => one <= other,
             (Some(_), None) => true,
@@ -99,14 +97,14 @@ mod tests {
     use crate::table::{Axes, Metadata};
 
     /// Power laws over 4 interferences and 4 slip rates.
-    fn table() -> Table {
+    fn table() -> Slice {
         let axes = Axes {
             interference: vec![1.0, 2.0, 4.0, 8.0],
             slip_rate: vec![0.1, 1.0, 10.0, 100.0],
             slip: vec![0.0, 1.0],
         };
         let metadata = Metadata { temperature: 300.0, asperity_radius: 1e-3, ..Metadata::default() };
-        let mut table = Table::new(axes, metadata).unwrap();
+        let mut table = Slice::new(axes, metadata).unwrap();
         for (i, j) in table.grid() {
             let (omega, rate) = table.coordinates(i, j);
             let mut cell = Cell::new().with(Quantity::TemperatureMax, 300.0 + 50.0 * rate.powf(0.5), 1.0);
@@ -125,14 +123,14 @@ mod tests {
     }
 
     #[test]
-    fn gaps_inside_are_bridged_with_a_larger_error_and_a_warning() {
+    fn failed_cells_inside_are_interpolated_with_a_larger_error_and_a_warning() {
         let whole = table();
         let mut table = whole.clone();
         table.mark_failed(1, 2, "no convergence");
-        assert!(table.estimate(Quantity::Load, 1e-3, 2.0, 10.0).is_err());
-        let (bridged, filled) = table.bridged();
+        assert!(table.clone().interpolated().estimate(Quantity::Load, 1e-3, 2.0, 10.0).is_err());
+        let (whole_again, filled) = table.with_failed_cells_interpolated();
         assert_eq!(filled, [(1, 2)]);
-        let (cell, truth) = (bridged.cell(1, 2).unwrap(), whole.cell(1, 2).unwrap());
+        let (cell, truth) = (whole_again.cell(1, 2).unwrap(), whole.cell(1, 2).unwrap());
         for quantity in [Quantity::Load, Quantity::Friction, Quantity::TemperatureMax] {
             let (found, actual) = (cell[quantity], truth[quantity]);
             assert!((found.value / actual.value - 1.0).abs() < 1e-12, "{quantity:?}");
@@ -142,24 +140,24 @@ mod tests {
         assert_eq!(cell.history(Quantity::Friction)[0], 0.0);
         let warning = "interpolated from neighbouring points (the run failed: no convergence)";
         assert_eq!(cell.warnings, [warning]);
-        assert!(bridged.metadata().comment.contains(warning));
-        assert!(bridged.estimate(Quantity::Load, 1e-3, 2.0, 10.0).is_ok());
+        assert!(whole_again.metadata().comment.contains(warning));
+        assert!(whole_again.clone().interpolated().estimate(Quantity::Load, 1e-3, 2.0, 10.0).is_ok());
     }
 
     #[test]
-    fn edges_are_bridged_along_the_edge_and_corners_not_at_all() {
+    fn edges_are_interpolated_along_the_edge_and_corners_not_at_all() {
         let mut table = table();
         table.mark_failed(0, 1, "a");
         table.mark_failed(3, 3, "b");
-        let (bridged, filled) = table.bridged();
+        let (whole_again, filled) = table.with_failed_cells_interpolated();
         assert_eq!(filled, [(0, 1)]);
-        assert_eq!(bridged.status(3, 3), table.status(3, 3));
-        assert_eq!(bridged.missing(), []);
+        assert_eq!(whole_again.status(3, 3), table.status(3, 3));
+        assert_eq!(whole_again.missing(), []);
     }
 
     #[test]
     fn whole_tables_stay_as_they_are() {
         let table = table();
-        assert_eq!(table.bridged(), (table.clone(), vec![]));
+        assert_eq!(table.with_failed_cells_interpolated(), (table.clone(), vec![]));
     }
 }

@@ -6,9 +6,9 @@
 //! assumed (the cubic is of third order where the data are smooth, which makes this an upper
 //! estimate there). Between two points the estimate varies as 4t(1−t), being zero on them.
 
-use crate::interpolation::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
+use super::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
 use crate::quantity::Quantity;
-use crate::table::{Status, Table};
+use crate::table::{Slice, Status};
 
 /// What the response of a table consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +35,7 @@ const BEFORE_SLIDING: [Quantity; FIELDS] =
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Nodes {
     rates: usize,
     slip: Vec<f64>,
@@ -48,7 +48,7 @@ pub(super) struct Nodes {
 }
 
 impl Nodes {
-    pub(super) fn new(table: &Table, log_interference: &[f64], rate_coordinate: &[f64]) -> Self {
+    pub(super) fn new(table: &Slice, log_interference: &[f64], rate_coordinate: &[f64]) -> Self {
         let slip = table.axes().slip.clone();
         let (_, rates) = table.shape();
         let base = table.metadata().temperature;
@@ -271,7 +271,7 @@ fn ends(place: Location) -> impl Iterator<Item = (usize, f64)> {
     [(index, 1.0 - t), (index + 1, t)].into_iter().filter(|(_, share)| *share > 0.0)
 }
 
-fn history(table: &Table, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 2]>> {
+fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 2]>> {
     // Without a₀ there is no telling where on the slip axis a slip lies.
     let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
     let slip = &table.axes().slip;
@@ -300,7 +300,7 @@ fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
 
 /// Relative error of the results of a cell at each slip: from those of static friction, and of load and area after
 /// the press, up to inception, along straight lines to those at the end.
-fn given_errors(table: &Table, i: usize, j: usize, base: f64) -> Vec<Values> {
+fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Values> {
     let slips = &table.axes().slip;
     let Some(cell) = table.cell(i, j) else {
         return vec![[f64::NAN; FIELDS]; slips.len()];
@@ -329,7 +329,7 @@ fn given_errors(table: &Table, i: usize, j: usize, base: f64) -> Vec<Values> {
 }
 
 /// ln a₀ of each row: a₀ belongs to the press and does not depend on the slip rate.
-pub(super) fn log_contact_radii(table: &Table) -> Vec<f64> {
+pub(super) fn log_contact_radii(table: &Slice) -> Vec<f64> {
     let (rows, rates) = table.shape();
     let radius = |i: usize| {
         let known = (0..rates)

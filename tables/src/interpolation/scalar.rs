@@ -2,13 +2,12 @@
 
 use super::elastic::{Descent, Elastic};
 use super::nodes::FIELDS;
-use super::{Absent, Interpolant};
-use crate::interpolation::steffen::{Location, locate};
+use super::steffen::{Location, locate};
+use super::{Absent, Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::Quantity;
-use crate::table::Table;
 
-impl Table {
+impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
     /// sliding at `slip_rate` (m/s); interpolated as the response is, with the error of the
     /// points (interpolated linearly) and, unless that includes it, half the difference to linear
@@ -22,7 +21,7 @@ impl Table {
     ) -> Result<Estimate, LookupError> {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(interference, slip_rate, ratio)?;
-        let interpolant = self.interpolant();
+        let interpolant = &self.interpolant;
         let absent = |absent| self.absent(absent, ratio);
         let (first, _) = interpolant.rows.ok_or((0, 0)).map_err(absent)?;
         let depth = interference.ln() - interpolant.log_interference[first];

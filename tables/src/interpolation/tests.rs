@@ -34,7 +34,7 @@ fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
     (0..points).map(|i| from * (i as f64 * step).exp()).collect()
 }
 
-fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
+fn slice_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Slice {
     let slip = vec![
         0.0, 1e-4, 2e-4, 4e-4, 7e-4, 1e-3, 1.3e-3, 1.6e-3, 2e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.35, 0.5, 0.75,
         1.0, 1.35, 1.7, 2.0,
@@ -51,7 +51,7 @@ fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
         ..Metadata::default()
     };
     let axes = Axes { interference, slip_rate, slip };
-    let mut table = Table::new(axes.clone(), metadata).unwrap();
+    let mut table = Slice::new(axes.clone(), metadata).unwrap();
     for (i, omega) in axes.interference.iter().enumerate() {
         for (j, rate) in axes.slip_rate.iter().enumerate() {
             let area = truth(*omega, 0.0, 0.0).area.value;
@@ -83,7 +83,18 @@ fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
     table
 }
 
-fn table() -> Table {
+fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> InterpolatedTable {
+    slice_of(interference, slip_rate).interpolated()
+}
+
+/// The smooth table with something changed.
+fn changed(change: impl FnOnce(&mut Slice)) -> InterpolatedTable {
+    let mut slice = table().into_slice();
+    change(&mut slice);
+    slice.interpolated()
+}
+
+fn table() -> InterpolatedTable {
     let mut rates = log_spaced(0.1, 10.0, 5);
     rates.insert(0, 0.0);
     table_of(log_spaced(0.5, 100.0, 8), rates)
@@ -207,8 +218,7 @@ fn other_radii_see_the_same_dimensionless_asperity() {
 
     let mut metadata = table.metadata().clone();
     metadata.gap_conductance = 1e4;
-    let mut fixed = table.clone();
-    fixed.set_metadata(metadata);
+    let fixed = changed(|slice| slice.set_metadata(metadata));
     assert!(fixed.response(RADIUS, 7.0, 1.0, 0.0).is_ok());
     let refused = fixed.response(2.0 * RADIUS, 7.0, 1.0, 0.0).unwrap_err();
     assert!(matches!(refused, LookupError::RadiusFixed { .. }));
@@ -224,12 +234,12 @@ fn last_slip_is_held() {
 
 #[test]
 fn outside_and_missing_are_refused_with_their_reason() {
-    let mut table = table();
-    let ask = |table: &Table, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
+    let table = table();
+    let ask = |table: &InterpolatedTable, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
     assert!(matches!(ask(&table, 101.0, 1.0), Err(LookupError::InterferenceAbove { .. })));
     assert!(ask(&table, 100.0, 10.0).is_ok());
     assert!(matches!(ask(&table, 1.0, 11.0), Err(LookupError::SlipRateOutside { .. })));
-    table.mark_failed(3, 2, "no convergence");
+    let table = changed(|slice| slice.mark_failed(3, 2, "no convergence"));
     let omega = table.axes().interference[3];
     let message = ask(&table, 1.01 * omega, 0.2).unwrap_err().to_string();
     assert!(message.ends_with("the run failed: no convergence"), "{message}");
@@ -276,38 +286,8 @@ fn fixed_slip_rate_gives_the_same_response() {
     assert!(table.at_slip_rate(RADIUS, 11.0).is_err());
 }
 
-#[test]
-fn overview_is_drawn() {
-    let svg = table().figure().svg();
-    assert!(svg.contains("Sliding friction") && svg.contains("slip rate V (m/s)"));
-}
-
-/// Run by hand for the time of a call: `cargo test --release -p asperity-tables -- --ignored --nocapture`.
-#[test]
-#[ignore = "a measurement"]
-fn time_per_call() {
-    let table = table();
-    let calls = 1_000_000;
-    let start = std::time::Instant::now();
-    let mut sum = 0.0;
-    for call in 0..calls {
-        let omega = 0.1 + 90.0 * call as f64 / calls as f64;
-        sum += table.response(RADIUS, omega, 0.7, 1e-6).unwrap().load.value;
-    }
-    let each = start.elapsed().as_secs_f64() / calls as f64;
-    println!("{:.0} ns per call ({sum:e})", 1e9 * each);
-    let fixed = table.at_slip_rate(RADIUS, 0.7).unwrap();
-    let start = std::time::Instant::now();
-    for call in 0..calls {
-        let omega = 0.1 + 90.0 * call as f64 / calls as f64;
-        sum += fixed(omega, 1e-6).unwrap().load.value;
-    }
-    let each = start.elapsed().as_secs_f64() / calls as f64;
-    println!("{:.0} ns per call at a fixed slip rate ({sum:e})", 1e9 * each);
-}
-
 /// d ln μ / d ln V at 7 ω_c by differences over a ten-thousandth.
-fn friction_slope(table: &Table, rate: f64) -> f64 {
+fn friction_slope(table: &InterpolatedTable, rate: f64) -> f64 {
     let mu = |rate: f64| {
         let state = table.response(RADIUS, 7.0, rate, 1e-5).unwrap();
         (state.friction.value / state.load.value).ln()
@@ -358,7 +338,7 @@ fn the_isothermal_limit_is_that_of_the_table() {
 /// G of a cell is per area at inception.
 #[test]
 fn energy_is_that_of_the_area_at_inception() {
-    let mut table = table();
+    let table = table();
     let (row, rate) = (3, 2);
     let cell = table.cell(row, rate).unwrap().clone();
     let a0 = cell[Quantity::ContactRadius].value;
@@ -366,7 +346,7 @@ fn energy_is_that_of_the_area_at_inception() {
     let area = cell[Quantity::Area].value;
     let grown = slips.iter().map(|slip| area * (1.0 + 0.1 * slip)).collect();
     let cell = cell.with_history(Quantity::Area, grown).with(Quantity::InceptionSlip, 0.5 * a0, 0.0);
-    table.set_cell(row, rate, cell).unwrap();
+    let table = changed(|slice| slice.set_cell(row, rate, cell).unwrap());
     let (omega, rate) = (table.axes().interference[row], table.axes().slip_rate[rate]);
     let energy = table.energy_release(RADIUS, omega, rate).unwrap().unwrap();
     assert!(relative(energy.value, 1e-3 * a0 * 1.05 * area) < 1e-9, "{energy:?}");
@@ -375,14 +355,14 @@ fn energy_is_that_of_the_area_at_inception() {
 /// Errors before the contact slides are those of static friction.
 #[test]
 fn errors_go_from_those_of_static_friction_to_those_of_the_end() {
-    let mut table = table();
+    let table = table();
     let (row, rate) = (3, 2);
     let cell = table.cell(row, rate).unwrap().clone();
     let a0 = cell[Quantity::ContactRadius].value;
     let friction = cell[Quantity::Friction].value;
     let cell =
         cell.with(Quantity::FrictionStatic, friction, 0.1 * friction).with(Quantity::InceptionSlip, a0, 0.0);
-    table.set_cell(row, rate, cell).unwrap();
+    let table = changed(|slice| slice.set_cell(row, rate, cell).unwrap());
     let (omega, rate) = (table.axes().interference[row], table.axes().slip_rate[rate]);
     for (slip, expected) in [(0.35, 0.1), (1.0, 0.1), (1.35, 0.072), (2.0, 0.02)] {
         let state = table.response(RADIUS, omega, rate, slip * a0).unwrap().friction;
@@ -424,7 +404,7 @@ fn beyond_the_table_only_when_asked_and_flagged() {
     let power = |omega: f64, rate: f64| 2.0 * omega.powf(1.3) * rate.powf(-0.2);
     let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![0.1, 1.0], slip: vec![0.0, 1.0] };
     let metadata = table().metadata().clone();
-    let mut table = Table::new(axes, metadata).unwrap();
+    let mut table = Slice::new(axes, metadata).unwrap();
     for (i, j) in table.grid() {
         let (omega, rate) = table.coordinates(i, j);
         let cell = Cell::new()
@@ -435,6 +415,7 @@ fn beyond_the_table_only_when_asked_and_flagged() {
             .with_history(Quantity::Area, vec![1.0, 1.0]);
         table.set_cell(i, j, cell).unwrap();
     }
+    let table = table.interpolated();
     let ask = |omega, rate| table.extrapolate(Quantity::Load, RADIUS, omega, rate).unwrap();
     assert!(table.estimate(Quantity::Load, RADIUS, 20.0, 1.0).is_err());
     let inside = ask(3.0, 0.3);

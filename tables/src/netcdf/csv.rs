@@ -2,59 +2,47 @@
 
 use std::io::Write;
 
-use crate::interpolation::temperature::Tables;
 use crate::numbers::exact;
 use crate::quantity::Quantity;
-use crate::table::{Cell, Status, Table};
+use crate::table::{Cell, Slice, Status, Table};
 
 impl Table {
     /// A line for each grid point: coordinates, state, every scalar with its error. Names carry
-    /// units, as in `Q [N]`; what is not known is empty.
-    pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
-        Lines { tables: std::slice::from_ref(self), series: false }.write(to)
-    }
-
-    /// A line for each grid point with results and each slip, in a₀: the histories.
-    pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
-        Lines { tables: std::slice::from_ref(self), series: false }.write_histories(to)
-    }
-}
-
-impl Tables {
-    /// As [`Table::write_csv`]; a series has `temperature [K]` as the first column.
+    /// units, as in `Q [N]`; what is not known is empty. Of several initial temperatures the first column is
+    /// `temperature [K]`.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
         self.lines().write(to)
     }
 
-    /// As [`Table::write_histories_csv`], with that column.
+    /// A line for each grid point with results and each slip, in a₀: the histories.
     pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
         self.lines().write_histories(to)
     }
 
     fn lines(&self) -> Lines<'_> {
-        Lines { tables: self.members(), series: matches!(self, Self::Series(_)) }
+        Lines { slices: self.slices(), several: self.slices().len() > 1 }
     }
 }
 
 struct Lines<'a> {
-    tables: &'a [Table],
-    series: bool,
+    slices: &'a [Slice],
+    several: bool,
 }
 
 impl Lines<'_> {
     /// The first columns.
     fn coordinates(&self, others: &[&str]) -> Vec<String> {
         let all = [&["temperature [K]", "interference [1]", "slip_rate [m s-1]"], others].concat();
-        all.into_iter().skip(usize::from(!self.series)).map(String::from).collect()
+        all.into_iter().skip(usize::from(!self.several)).map(String::from).collect()
     }
 
     /// Each grid point of each table, with its first columns.
-    fn points(&self) -> impl Iterator<Item = (&Table, (usize, usize), Vec<String>)> {
-        self.tables.iter().flat_map(move |table| {
+    fn points(&self) -> impl Iterator<Item = (&Slice, (usize, usize), Vec<String>)> {
+        self.slices.iter().flat_map(move |table| {
             table.grid().map(move |(i, j)| {
                 let (interference, slip_rate) = table.coordinates(i, j);
                 let all = [table.metadata().temperature, interference, slip_rate];
-                let line = all.into_iter().skip(usize::from(!self.series)).map(number).collect();
+                let line = all.into_iter().skip(usize::from(!self.several)).map(number).collect();
                 (table, (i, j), line)
             })
         })
@@ -124,14 +112,15 @@ mod tests {
     #[test]
     fn lines_have_names_units_and_exact_numbers() {
         let axes = Axes { interference: vec![0.5], slip_rate: vec![0.0, 1.0], slip: vec![0.0, 2.0] };
-        let mut table = Table::new(axes, Metadata::default()).unwrap();
+        let mut slice = Slice::new(axes, Metadata::default()).unwrap();
         let mut cell = Cell::new()
             .with(Quantity::Friction, 0.1 + 0.2, f64::NAN)
             .with(Quantity::ContactRadius, 1.25e-7, 1e-9)
             .with_history(Quantity::Mu, vec![0.0, 0.25]);
         cell.warnings = vec!["coarse, very".into()];
-        table.set_cell(0, 0, cell).unwrap();
-        table.mark_failed(0, 1, "no \"memory\"");
+        slice.set_cell(0, 0, cell).unwrap();
+        slice.mark_failed(0, 1, "no \"memory\"");
+        let table = Table::from(slice);
         let mut bytes = Vec::new();
         table.write_csv(&mut bytes).unwrap();
         let text = String::from_utf8(bytes).unwrap();

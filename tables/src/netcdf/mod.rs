@@ -26,8 +26,6 @@ pub use ::netcdf::AttributeValue;
 pub use atomic::{destination, write_atomically};
 pub use reader::DatasetReader;
 pub use sandbox::enable as enable_sandbox;
-pub(crate) use table_reader::read;
-pub(crate) use table_writer::write;
 pub use writer::DatasetWriter;
 
 /// CF version written to the attribute `Conventions`.

@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 
 use crate::netcdf::{DatasetError, DatasetReader, DatasetWriter};
 use crate::quantity::Quantity;
-use crate::table::{Cell, Metadata, Status, Table};
+use crate::table::{Cell, Metadata, Slice, Status, Table};
 
 /// Kind of file, in the attribute `schema`.
 pub const SCHEMA: &str = "asperity-table";
@@ -16,25 +16,25 @@ pub const SCHEMA: &str = "asperity-table";
 /// To be raised with every change that would make an older program misread a table.
 pub const SCHEMA_VERSION: i32 = 1;
 
-/// The same of a series over initial temperatures, which a program that knows version 1 only refuses.
-pub const SERIES_VERSION: i32 = 2;
+/// The same of a table of several initial temperatures.
+pub const TEMPERATURES_VERSION: i32 = 2;
 
 const CHECKSUM: &str = "checksum";
 const ALGORITHM: &str = "sha256:";
 
 /// Names kind, version and checksum in a file that is being written.
-pub(crate) fn stamp(file: &mut DatasetWriter, tables: &[Table], series: bool) -> Result<(), DatasetError> {
+pub(super) fn stamp(file: &mut DatasetWriter, slices: &[Slice], several: bool) -> Result<(), DatasetError> {
     file.attribute("schema", SCHEMA)?;
-    file.attribute("schema_version", if series { SERIES_VERSION } else { SCHEMA_VERSION })?;
-    file.attribute(CHECKSUM, checksum(tables, series))
+    file.attribute("schema_version", if several { TEMPERATURES_VERSION } else { SCHEMA_VERSION })?;
+    file.attribute(CHECKSUM, checksum(slices, several))
 }
 
-fn checksum(tables: &[Table], series: bool) -> String {
-    if series { checksum_of_series(tables) } else { tables[0].checksum() }
+fn checksum(slices: &[Slice], several: bool) -> String {
+    if several { checksum_of_several(slices) } else { slices[0].checksum() }
 }
 
-/// Refuses files that are no tables, or tables of another version; whether it is a series.
-pub(crate) fn is_series(file: &DatasetReader) -> Result<bool, DatasetError> {
+/// Refuses files that are no tables, or tables of another version; whether it has a dimension `temperature`.
+pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetError> {
     let again = "make it anew with `asperity tabulate`";
     match file.optional_text("schema")?.as_deref() {
         Some(SCHEMA) => {}
@@ -51,11 +51,11 @@ pub(crate) fn is_series(file: &DatasetReader) -> Result<bool, DatasetError> {
         }
     }
     let version = file.attribute_real("schema_version")?;
-    let known = [SCHEMA_VERSION, SERIES_VERSION].map(f64::from);
+    let known = [SCHEMA_VERSION, TEMPERATURES_VERSION].map(f64::from);
     if !known.contains(&version) {
         let what = format!(
             "is a table of schema version {version}, this program reads versions {SCHEMA_VERSION} and \
-             {SERIES_VERSION}; {again}"
+             {TEMPERATURES_VERSION}; {again}"
         );
         return Err(file.content(what));
     }
@@ -63,12 +63,12 @@ pub(crate) fn is_series(file: &DatasetReader) -> Result<bool, DatasetError> {
 }
 
 /// Compares what was read with the checksum in its file.
-pub(crate) fn check_content(
+pub(super) fn check_content(
     file: &DatasetReader,
-    tables: &[Table],
-    series: bool,
+    slices: &[Slice],
+    several: bool,
 ) -> Result<(), DatasetError> {
-    let (stored, found) = (file.attribute_text(CHECKSUM)?, checksum(tables, series));
+    let (stored, found) = (file.attribute_text(CHECKSUM)?, checksum(slices, several));
     if stored == found {
         return Ok(());
     }
@@ -79,7 +79,7 @@ pub(crate) fn check_content(
     Err(file.content(what))
 }
 
-impl Table {
+impl Slice {
     /// Whether the table has a scalar. Those of the first minor version of the schema are always there; one
     /// that came later only if it is known in any cell: older files lack it.
     pub fn holds(&self, quantity: Quantity) -> bool {
@@ -110,10 +110,22 @@ impl Table {
     }
 }
 
-/// Of the checksums of the members, which cover their temperatures.
-pub(crate) fn checksum_of_series(members: &[Table]) -> String {
+impl Table {
+    /// Of all that a reader relies on, as in the attribute `checksum`.
+    pub fn checksum(&self) -> String {
+        checksum(self.slices(), self.slices().len() > 1)
+    }
+
+    /// Version of the schema of its file.
+    pub fn schema_version(&self) -> i32 {
+        if self.slices().len() > 1 { TEMPERATURES_VERSION } else { SCHEMA_VERSION }
+    }
+}
+
+/// Of the checksums of the slices, which cover their temperatures.
+pub(super) fn checksum_of_several(slices: &[Slice]) -> String {
     let mut content = Content(Sha256::new());
-    members.iter().for_each(|member| content.text(&member.checksum()));
+    slices.iter().for_each(|slice| content.text(&slice.checksum()));
     content.finish()
 }
 

@@ -1,4 +1,4 @@
-//! Reads a file of one table or of several.
+//! Reads a table.
 
 use std::path::Path;
 
@@ -7,15 +7,14 @@ use super::table_writer::{
     TEXT_ATTRIBUTES, history_name,
 };
 use super::{DatasetError, DatasetReader, schema};
-use crate::interpolation::temperature::{Tables, TemperatureSeries};
 use crate::quantity::Quantity;
 use crate::table::fracture::FractureEnergy;
-use crate::table::{Axes, Cell, Metadata, Table, TableError};
+use crate::table::{Axes, Cell, Metadata, Slice, Table, TableError};
 
-/// Reads a file of either kind.
-pub(crate) fn read(path: &Path) -> Result<Tables, DatasetError> {
+/// Reads a table.
+pub(super) fn read(path: &Path) -> Result<Table, DatasetError> {
     let file = DatasetReader::open(path)?;
-    let series = schema::is_series(&file)?;
+    let several = schema::has_temperatures(&file)?;
     let axes = Axes {
         interference: file.coordinate("interference")?,
         slip_rate: file.coordinate("slip_rate")?,
@@ -38,28 +37,25 @@ pub(crate) fn read(path: &Path) -> Result<Tables, DatasetError> {
             Some(FractureEnergy { coefficient, radius_exponent })
         }
     };
-    let metadata = if series { read_temperatures(&file, &metadata)? } else { vec![metadata] };
+    let metadata = if several { read_temperatures(&file, &metadata)? } else { vec![metadata] };
     let wrong = |error: TableError| file.content(error.to_string());
     let mut shape = vec![metadata.len(), axes.interference.len(), axes.slip_rate.len()];
-    if !series {
+    if !several {
         shape.remove(0);
     }
     // Checks also that the file can hold so many.
     let status = file.flags("status", &shape)?;
-    let tables = metadata.into_iter().map(|metadata| Table::new(axes.clone(), metadata));
-    let mut tables = tables.collect::<Result<Vec<Table>, TableError>>().map_err(wrong)?;
-    if tables.is_empty() {
+    let slices = metadata.into_iter().map(|metadata| Slice::new(axes.clone(), metadata));
+    let mut slices = slices.collect::<Result<Vec<Slice>, TableError>>().map_err(wrong)?;
+    if slices.is_empty() {
         return Err(wrong(TableError::AxisEmpty("temperature")));
     }
-    read_cells(&file, &mut tables, &shape, &status)?;
-    schema::check_content(&file, &tables, series)?;
-    match series {
-        true => Ok(Tables::Series(TemperatureSeries::new(tables).map_err(wrong)?)),
-        false => Ok(Tables::One(Box::new(tables.remove(0)))),
-    }
+    read_cells(&file, &mut slices, &shape, &status)?;
+    schema::check_content(&file, &slices, several)?;
+    Table::new(slices).map_err(wrong)
 }
 
-/// The metadata of each table of a series.
+/// The metadata of each slice.
 fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Metadata>, DatasetError> {
     let temperatures = file.coordinate("temperature")?;
     let mut members = vec![common.clone(); temperatures.len()];
@@ -81,15 +77,15 @@ fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Meta
     Ok(members)
 }
 
-/// Fills tables from variables of a shape, of which the last two are those of a table.
+/// Fills slices from variables of a shape, of which the last two are those of a table.
 fn read_cells(
     file: &DatasetReader,
-    tables: &mut [Table],
+    slices: &mut [Slice],
     grid: &[usize],
     status: &[i8],
 ) -> Result<(), DatasetError> {
-    let (rows, rates) = tables[0].shape();
-    let slips = tables[0].axes().slip.len();
+    let (rows, rates) = slices[0].shape();
+    let slips = slices[0].axes().slip.len();
     let mut cells = vec![Cell::new(); status.len()];
     for quantity in Quantity::SCALARS {
         let name = quantity.descriptor().name;
@@ -115,16 +111,16 @@ fn read_cells(
         let (member, i, j) = (position / (rows * rates), position / rates % rows, position % rates);
         let all = [member, i, j];
         let index = &all[all.len() - grid.len()..];
-        let table = &mut tables[member];
+        let slice = &mut slices[member];
         match status[position] {
             0 => {
                 cell.levelled = levelled[position] != 0;
                 cell.wall_time = wall_time[position];
                 cell.warnings = file.text("warnings", index)?.lines().map(str::to_string).collect();
-                table.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;
+                slice.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;
             }
             1 => {}
-            2 => table.mark_failed(i, j, file.text("failure_reason", index)?),
+            2 => slice.mark_failed(i, j, file.text("failure_reason", index)?),
             other => {
                 let what = format!("variable \"status\" has the unknown value {other}");
                 return Err(file.content(what));

@@ -1,14 +1,13 @@
-//! Tables as CF netCDF files.
+//! Writes a slice.
 
 use std::path::Path;
 
 use super::{AttributeValue, DatasetError, DatasetWriter, schema};
-use crate::interpolation::temperature::Tables;
 use crate::quantity::{Descriptor, Quantity, Stored};
 use crate::table::fracture::FractureEnergy;
-use crate::table::{Cell, Metadata, Status, Table};
+use crate::table::{Cell, Metadata, Slice, Status, Table};
 
-/// Of which a single table lacks the first, and what is not a history the last.
+/// Of which a table of one temperature lacks the first, and what is not a history the last.
 const DIMENSIONS: [&str; 4] = ["temperature", "interference", "slip_rate", "slip"];
 /// G_IIc = coefficient·aⁿ in J m-2, contact radius a in m.
 pub(super) const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
@@ -35,7 +34,7 @@ pub(super) const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
     gap_conductance
 ];
 
-/// Numbers of the metadata that change with the initial temperature: in a series they are variables over
+/// Numbers of the metadata that change with the initial temperature: at several they are variables over
 /// it, beside the attributes, which are those of the lowest. Name, unit, meaning.
 pub(super) const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
     ("critical_interference", "m", "interference of first yield"),
@@ -65,24 +64,28 @@ pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
 ];
 
 impl Table {
-    /// Writes the table; the file appears whole or not at all.
+    /// Writes the table; the file appears whole or not at all. The dimension `temperature` is there if there are
+    /// several initial temperatures.
     pub fn write(&self, path: &Path) -> Result<(), DatasetError> {
-        write(path, std::slice::from_ref(self), false)
+        write(path, self.slices())
     }
 
-    /// Reads a table. A file that has several, of different initial temperatures, is refused: see
-    /// [`Tables`].
+    /// Reads a slice.
     pub fn read(path: &Path) -> Result<Table, DatasetError> {
-        Tables::read(path)?.at(None).map_err(|error| DatasetError::Content {
-            path: path.display().to_string(),
-            what: error.to_string(),
-        })
+        super::table_reader::read(path)
     }
 }
 
-/// Writes tables into one file: a single one, or those of a series.
-pub(crate) fn write(path: &Path, tables: &[Table], series: bool) -> Result<(), DatasetError> {
-    let mut metadata = tables[0].metadata().clone();
+impl Slice {
+    /// Writes a table of this initial temperature only.
+    pub fn write(&self, path: &Path) -> Result<(), DatasetError> {
+        write(path, std::slice::from_ref(self))
+    }
+}
+
+fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
+    let several = slices.len() > 1;
+    let mut metadata = slices[0].metadata().clone();
     let mut file = DatasetWriter::create(path, &metadata.title)?;
     for (name, text) in TEXT_ATTRIBUTES.iter().skip(1) {
         let text = text(&mut metadata);
@@ -99,14 +102,14 @@ pub(crate) fn write(path: &Path, tables: &[Table], series: bool) -> Result<(), D
             file.attribute(name, value)?;
         }
     }
-    schema::stamp(&mut file, tables, series)?;
-    let content = Content { tables, series };
-    if series {
+    schema::stamp(&mut file, slices, several)?;
+    let content = Content { slices, several };
+    if several {
         content.write_temperatures(&mut file)?;
     }
     content.write_coordinates(&mut file)?;
     for quantity in Quantity::SCALARS {
-        if tables.iter().any(|table| table.holds(quantity)) {
+        if slices.iter().any(|slice| slice.holds(quantity)) {
             content.write_quantity(&mut file, quantity.descriptor())?;
         }
     }
@@ -117,16 +120,16 @@ pub(crate) fn write(path: &Path, tables: &[Table], series: bool) -> Result<(), D
     file.finish()
 }
 
-/// What is written of tables with common axes; those of a series have a leading dimension.
+/// What is written; slices at several temperatures have a leading dimension.
 struct Content<'a> {
-    tables: &'a [Table],
-    series: bool,
+    slices: &'a [Slice],
+    several: bool,
 }
 
 impl Content<'_> {
     fn write_temperatures(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
         let of_members = |value: &dyn Fn(&Metadata) -> f64| -> Vec<f64> {
-            self.tables.iter().map(|table| value(table.metadata())).collect()
+            self.slices.iter().map(|slice| value(slice.metadata())).collect()
         };
         file.coordinate(
             "temperature",
@@ -143,7 +146,7 @@ impl Content<'_> {
             let attributes = [("units", units.into()), ("long_name", long_name.into())];
             file.reals(name, &["temperature"], &of_members(value), &attributes)?;
         }
-        if let Some(law) = self.tables[0].metadata().fracture_energy {
+        if let Some(law) = self.slices[0].metadata().fracture_energy {
             let units = if law.radius_exponent == 0 { "J m-2" } else { "J m-3" };
             let long_name = "coefficient of the shear fracture energy";
             let coefficient =
@@ -155,15 +158,15 @@ impl Content<'_> {
     }
 
     fn grid(&self) -> &'static [&'static str] {
-        &DIMENSIONS[usize::from(!self.series)..3]
+        &DIMENSIONS[usize::from(!self.several)..3]
     }
 
     fn grid_and_slip(&self) -> &'static [&'static str] {
-        &DIMENSIONS[usize::from(!self.series)..]
+        &DIMENSIONS[usize::from(!self.several)..]
     }
 
     fn write_coordinates(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
-        let axes = self.tables[0].axes();
+        let axes = self.slices[0].axes();
         file.coordinate(
             "interference",
             &axes.interference,
@@ -212,8 +215,8 @@ impl Content<'_> {
         file.reals(&error_name, self.grid(), &errors, &attributes)?;
 
         if descriptor.history == Stored::RunAndTable {
-            let slips = self.tables[0].axes().slip.len();
-            let history = |(_, cell): (&Table, Option<&Cell>)| match cell {
+            let slips = self.slices[0].axes().slip.len();
+            let history = |(_, cell): (&Slice, Option<&Cell>)| match cell {
                 Some(cell) => cell.history(quantity).to_vec(),
                 None => vec![f64::NAN; slips],
             };
@@ -229,8 +232,8 @@ impl Content<'_> {
     fn write_energy_ratio(&self, file: &mut DatasetWriter, law: FractureEnergy) -> Result<(), DatasetError> {
         file.attribute(FRACTURE_ENERGY, law.coefficient)?;
         file.attribute(FRACTURE_EXPONENT, law.radius_exponent)?;
-        let ratio = |table: &Table, cell: &Cell| {
-            let law = table.metadata().fracture_energy.unwrap_or(law);
+        let ratio = |slice: &Slice, cell: &Cell| {
+            let law = slice.metadata().fracture_energy.unwrap_or(law);
             law.ratio(cell[Quantity::EnergyRelease], cell[Quantity::ContactRadius])
         };
         let exponent = Quantity::EnergyRelease.descriptor().radius_exponent - law.radius_exponent;
@@ -244,10 +247,10 @@ impl Content<'_> {
         let long_name = "energy released over the shear fracture energy of the material, G/G_IIc";
         let mut described = attributes(long_name);
         described.push(("ancillary_variables", "G_ratio_error status".into()));
-        let values = self.collect(|table, cell| ratio(table, cell).value);
+        let values = self.collect(|slice, cell| ratio(slice, cell).value);
         file.reals("G_ratio", self.grid(), &values, &described)?;
         let described = attributes(&format!("absolute error of {long_name}"));
-        let errors = self.collect(|table, cell| ratio(table, cell).error);
+        let errors = self.collect(|slice, cell| ratio(slice, cell).error);
         file.reals("G_ratio_error", self.grid(), &errors, &described)
     }
 
@@ -300,19 +303,19 @@ impl Content<'_> {
         )
     }
 
-    fn each_status(&self) -> impl Iterator<Item = (&Table, &Status)> {
-        self.tables.iter().flat_map(|table| table.grid().map(move |(i, j)| (table, table.status(i, j))))
+    fn each_status(&self) -> impl Iterator<Item = (&Slice, &Status)> {
+        self.slices.iter().flat_map(|slice| slice.grid().map(move |(i, j)| (slice, slice.status(i, j))))
     }
 
-    fn each_cell(&self) -> impl Iterator<Item = (&Table, Option<&Cell>)> {
-        self.each_status().map(|(table, status)| match status {
-            Status::Done(cell) => (table, Some(&**cell)),
-            _ => (table, None),
+    fn each_cell(&self) -> impl Iterator<Item = (&Slice, Option<&Cell>)> {
+        self.each_status().map(|(slice, status)| match status {
+            Status::Done(cell) => (slice, Some(&**cell)),
+            _ => (slice, None),
         })
     }
 
-    fn collect(&self, value: impl Fn(&Table, &Cell) -> f64) -> Vec<f64> {
-        let of = |(table, cell): (&Table, Option<&Cell>)| cell.map_or(f64::NAN, |cell| value(table, cell));
+    fn collect(&self, value: impl Fn(&Slice, &Cell) -> f64) -> Vec<f64> {
+        let of = |(slice, cell): (&Slice, Option<&Cell>)| cell.map_or(f64::NAN, |cell| value(slice, cell));
         self.each_cell().map(of).collect()
     }
 }

@@ -5,9 +5,9 @@ use std::path::Path;
 use super::*;
 use crate::quantity::Quantity;
 use crate::table::Axes;
-use crate::table::{Cell, FractureEnergy, Metadata, Table};
+use crate::table::{Cell, FractureEnergy, Metadata, Slice, Table};
 
-fn table() -> Table {
+fn table() -> Slice {
     let axes =
         Axes { interference: vec![0.5, 5.0], slip_rate: vec![0.0, 0.1, 1.0], slip: vec![0.0, 0.5, 2.0] };
     let metadata = Metadata {
@@ -21,7 +21,7 @@ fn table() -> Table {
         strength_factor: Some(0.9),
         ..Metadata::default()
     };
-    let mut table = Table::new(axes, metadata).unwrap();
+    let mut table = Slice::new(axes, metadata).unwrap();
     for (i, j) in [(0, 0), (0, 1), (1, 2)] {
         let mut cell = Cell::new();
         for (n, quantity) in Quantity::SCALARS.into_iter().enumerate() {
@@ -49,7 +49,7 @@ fn place(name: &str) -> std::path::PathBuf {
 fn what_is_written_is_read_back() {
     let path = place("round-trip");
     table().write(&path).unwrap();
-    let read = Table::read(&path).unwrap();
+    let read = Table::read(&path).unwrap().only().unwrap().clone();
     std::fs::remove_file(&path).unwrap();
     assert_eq!(read, table());
 }
@@ -155,7 +155,7 @@ fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
         let law = FractureEnergy { coefficient: 0.25, radius_exponent };
         with.set_metadata(Metadata { fracture_energy: Some(law), ..with.metadata().clone() });
         with.write(&path).unwrap();
-        assert_eq!(Table::read(&path).unwrap(), with);
+        assert_eq!(Table::read(&path).unwrap().only().unwrap().clone(), with);
         let file = DatasetReader::open(&path).unwrap();
         let values = file.reals("G_ratio", &[2, 3]).unwrap();
         let cell = with.cell(1, 2).unwrap();
@@ -165,4 +165,67 @@ fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
         assert!(file.reals("G_ratio_error", &[2, 3]).unwrap()[5] > 0.0);
         std::fs::remove_file(&path).unwrap();
     }
+}
+
+/// Tables of several initial temperatures, with cells of every state.
+fn several() -> Table {
+    let at = |temperature: f64| {
+        let mut slice = table();
+        slice.set_metadata(Metadata {
+            temperature,
+            yield_strength: 1e9 - temperature,
+            ..slice.metadata().clone()
+        });
+        slice
+    };
+    Table::new([300.0, 450.0, 600.0].map(at).to_vec()).unwrap()
+}
+
+#[test]
+fn several_temperatures_are_written_and_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name);
+    several().write(&place("several.nc")).unwrap();
+    table().write(&place("one.nc")).unwrap();
+    assert_eq!(Table::read(&place("several.nc")).unwrap(), several());
+    let version = |name: &str| {
+        let file = DatasetReader::open(&place(name)).unwrap();
+        assert_eq!(file.has("temperature"), name == "several.nc");
+        file.attribute_real("schema_version").unwrap()
+    };
+    // A program that reads version 1 only refuses any other.
+    assert_eq!((version("one.nc"), version("several.nc")), (1.0, 2.0));
+}
+
+#[test]
+fn changed_content_of_several_temperatures_is_noticed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("several.nc");
+    for (name, index) in [
+        ("temperature", &[0][..]),
+        ("critical_interference", &[0]),
+        ("yield_strength", &[0]),
+        ("mu", &[2, 1, 2]),
+    ] {
+        several().write(&path).unwrap();
+        ::netcdf::append(&path).unwrap().variable_mut(name).unwrap().put_value(301.0, index).unwrap();
+        let message = Table::read(&path).map(drop).unwrap_err().to_string();
+        assert!(message.contains("checksum"), "{name}: {message}");
+    }
+}
+
+#[test]
+fn lines_have_the_temperature_first() {
+    let text = |write: &dyn Fn(&mut Vec<u8>)| {
+        let mut bytes = Vec::new();
+        write(&mut bytes);
+        String::from_utf8(bytes).unwrap()
+    };
+    let table = several();
+    let scalars = text(&|bytes| table.write_csv(bytes).unwrap());
+    assert!(scalars.starts_with("temperature [K],interference [1],slip_rate [m s-1],status,"));
+    assert_eq!(scalars.lines().count(), 1 + 3 * 6);
+    assert!(scalars.lines().last().unwrap().starts_with("600,5,1,"));
+    let histories = text(&|bytes| table.write_histories_csv(bytes).unwrap());
+    assert!(histories.starts_with("temperature [K],interference [1],slip_rate [m s-1],slip [1],"));
 }

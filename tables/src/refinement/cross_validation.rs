@@ -6,8 +6,9 @@
 //! taken to be smaller in proportion, as it is at a kink. Where the data are smooth the
 //! interpolation is of third order, and this an upper estimate.
 
+use crate::interpolation::{InterpolatedTable, coordinates};
 use crate::quantity::Quantity;
-use crate::table::{Axes, Table};
+use crate::table::{Axes, Slice};
 
 /// Relative errors of interpolation between neighbouring points of a table.
 ///
@@ -60,14 +61,12 @@ pub struct Worst {
     pub at: (usize, usize),
 }
 
-impl Table {
+impl Slice {
     /// Leaves out every inner interference and slip rate in turn.
     pub fn cross_validation(&self) -> CrossValidation {
         let (rows, columns) = self.shape();
         let empty = || vec![[None; Quantity::SCALARS.len()]; rows * columns];
-        let interpolant = self.interpolant();
-        let mut along = [interpolant.log_interference(), interpolant.rate_coordinate()]
-            .map(|coordinate| Misfits { coordinate: coordinate.to_vec(), points: empty() });
+        let mut along = coordinates(self.axes()).map(|coordinate| Misfits { coordinate, points: empty() });
         for i in 1..rows.saturating_sub(1) {
             let rest = self.without(Along::Interference, i);
             for j in 0..columns {
@@ -84,16 +83,16 @@ impl Table {
     }
 
     /// The table less one row or column.
-    fn without(&self, along: Along, index: usize) -> Table {
+    fn without(&self, along: Along, index: usize) -> InterpolatedTable {
         let mut axes: Axes = self.axes().clone();
         match along {
             Along::Interference => axes.interference.remove(index),
             Along::SlipRate => axes.slip_rate.remove(index),
         };
-        self.regridded(axes).expect("axes of a table less a point are axes")
+        self.regridded(axes).expect("axes of a table less a point are axes").interpolated()
     }
 
-    fn misfit(&self, rest: &Table, i: usize, j: usize) -> [Option<f64>; Quantity::SCALARS.len()] {
+    fn misfit(&self, rest: &InterpolatedTable, i: usize, j: usize) -> [Option<f64>; Quantity::SCALARS.len()] {
         let (interference, slip_rate) = self.coordinates(i, j);
         let radius = self.metadata().asperity_radius;
         Quantity::SCALARS.map(|quantity| {

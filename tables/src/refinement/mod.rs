@@ -10,7 +10,7 @@ pub mod statistics;
 
 use crate::law::Estimate;
 use crate::quantity::Quantity;
-use crate::table::{Axes, Metadata, Table};
+use crate::table::{Axes, Metadata, Slice};
 use cross_validation::{Along, CrossValidation};
 
 /// What must interpolate well: the friction of an asperity, from which all else follows.
@@ -37,12 +37,12 @@ const NARROWEST: f64 = 1.02;
 /// ```
 /// use tables::quantity::Quantity;
 /// use tables::refinement::{Goal, JUDGED, refine};
-/// use tables::table::{Axes, Cell, Metadata, Table};
+/// use tables::table::{Axes, Cell, Metadata, Slice};
 ///
 /// // Friction with a change of regime at first yield, in place of a simulation.
 /// let friction = |omega: f64| 0.2 + 0.3 / (1.0 + omega * omega);
 /// let mut runs = 0;
-/// let evaluate = |mut table: Table| {
+/// let evaluate = |mut table: Slice| {
 ///     for (i, j) in table.missing() {
 ///         let omega = table.axes().interference[i];
 ///         let mut cell = Cell::new();
@@ -70,7 +70,7 @@ const NARROWEST: f64 = 1.02;
 ///     ..Metadata::default()
 /// };
 /// let goal = Goal { tolerance: 0.05, most_cells: 40 };
-/// let table = refine(Table::new(axes, metadata)?, &goal, evaluate)?;
+/// let table = refine(Slice::new(axes, metadata)?, &goal, evaluate)?;
 /// // Points were added, and more of them where the friction changes.
 /// let interference = &table.axes().interference;
 /// let among = |from: f64, to: f64| interference.iter().filter(|omega| (from..to).contains(*omega)).count();
@@ -81,10 +81,10 @@ const NARROWEST: f64 = 1.02;
 /// # Ok::<(), tables::table::TableError>(())
 /// ```
 pub fn refine<E>(
-    mut table: Table,
+    mut table: Slice,
     goal: &Goal,
-    mut evaluate: impl FnMut(Table) -> Result<Table, E>,
-) -> Result<Table, E> {
+    mut evaluate: impl FnMut(Slice) -> Result<Slice, E>,
+) -> Result<Slice, E> {
     loop {
         table = evaluate(table)?;
         match goal.next_axes(&table) {
@@ -112,7 +112,7 @@ impl Goal {
     /// assert!(more.interference.len() * more.slip_rate.len() > 56);
     /// # Ok::<(), tables::shipped::TableSourceError>(())
     /// ```
-    pub fn next_axes(&self, table: &Table) -> Option<Axes> {
+    pub fn next_axes(&self, table: &Slice) -> Option<Axes> {
         let mut wanted = self.wanted(table, &table.cross_validation());
         // The worst first: what does not fit any more is left out.
         wanted.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -134,7 +134,7 @@ impl Goal {
 
     /// The intervals that a mesh of the grid with too large an error votes for: of its two, the
     /// one with the larger share of it.
-    fn wanted(&self, table: &Table, validation: &CrossValidation) -> Vec<Wanted> {
+    fn wanted(&self, table: &Slice, validation: &CrossValidation) -> Vec<Wanted> {
         let (rows, columns) = table.shape();
         let mut wanted: Vec<Wanted> = Vec::new();
         let mut vote = |error: f64, along: Along, index: usize| match wanted
@@ -174,7 +174,7 @@ impl Goal {
     /// Error of an interval as far as a point in it can help.
     fn relevant(
         &self,
-        table: &Table,
+        table: &Slice,
         validation: &CrossValidation,
         along: Along,
         index: usize,
@@ -195,7 +195,7 @@ impl Goal {
 }
 
 /// The larger relative error of the results at both ends of an interval.
-fn own_error(table: &Table, along: Along, index: usize, across: usize, quantity: Quantity) -> f64 {
+fn own_error(table: &Slice, along: Along, index: usize, across: usize, quantity: Quantity) -> f64 {
     let of = |point: usize| {
         let (i, j) = match along {
             Along::Interference => (point, across),
@@ -218,10 +218,10 @@ fn middle(lower: f64, upper: f64) -> f64 {
     if inside(rounded) { rounded } else { exact }
 }
 
-impl Table {
+impl Slice {
     /// The table with the error of interpolating around each point added to its errors, and a note
     /// of it, so that it is not added again on reading.
-    pub fn with_interpolation_errors(mut self, tolerance: f64) -> Table {
+    pub fn with_interpolation_errors(mut self, tolerance: f64) -> Slice {
         let validation = self.cross_validation();
         let base = self.metadata().temperature;
         for (i, j) in self.grid() {

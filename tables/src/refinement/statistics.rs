@@ -1,7 +1,7 @@
 //! What a table is worth, in a few numbers.
 
 use crate::quantity::Quantity;
-use crate::table::{Status, Table};
+use crate::table::{Slice, Status};
 
 /// Relative errors of a quantity over the cells with results.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub struct Counts {
     pub failed: usize,
 }
 
-impl Table {
+impl Slice {
     /// Errors of each quantity that has any values, relative to the value (of temperatures: to the
     /// rise above the initial one).
     pub fn error_statistics(&self) -> Vec<ErrorStatistics> {
@@ -89,7 +89,7 @@ mod tests {
         let axes =
             Axes { interference: vec![1.0], slip_rate: vec![1.0, 2.0, 3.0, 4.0], slip: vec![0.0, 1.0] };
         let metadata = Metadata { temperature: 300.0, ..Metadata::default() };
-        let mut table = Table::new(axes, metadata).unwrap();
+        let mut table = Slice::new(axes, metadata).unwrap();
         for (j, error) in [0.01, 0.05, 0.02].into_iter().enumerate() {
             let mut cell =
                 Cell::new().with(Quantity::Mu, 0.5, error).with(Quantity::TemperatureMax, 310.0, 1.0);

@@ -18,7 +18,7 @@ fn law(omega: f64, rate: f64) -> [f64; 4] {
 }
 
 /// Fills every point that is not run, without error of its own; counts them.
-fn evaluate(table: Table, runs: &mut usize) -> Table {
+fn evaluate(table: Slice, runs: &mut usize) -> Slice {
     let mut table = table;
     for (i, j) in table.missing() {
         let (omega, rate) = table.coordinates(i, j);
@@ -41,7 +41,7 @@ fn evaluate(table: Table, runs: &mut usize) -> Table {
     table
 }
 
-fn start(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
+fn start(interference: Vec<f64>, slip_rate: Vec<f64>) -> Slice {
     let metadata = Metadata {
         asperity_radius: RADIUS,
         critical_interference: 1e-7,
@@ -52,14 +52,14 @@ fn start(interference: Vec<f64>, slip_rate: Vec<f64>) -> Table {
         temperature: TEMPERATURE,
         ..Metadata::default()
     };
-    Table::new(Axes { interference, slip_rate, slip: vec![0.0, 1.0] }, metadata).unwrap()
+    Slice::new(Axes { interference, slip_rate, slip: vec![0.0, 1.0] }, metadata).unwrap()
 }
 
 fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
     (0..points).map(|i| from * (to / from).powf(i as f64 / (points - 1) as f64)).collect()
 }
 
-fn refined(tolerance: f64, most_cells: usize) -> (Table, usize) {
+fn refined(tolerance: f64, most_cells: usize) -> (Slice, usize) {
     let mut runs = 0;
     let table = start(vec![0.1, 3.0, 100.0], vec![0.01, 0.3, 10.0]);
     let goal = Goal { tolerance, most_cells };
@@ -69,7 +69,8 @@ fn refined(tolerance: f64, most_cells: usize) -> (Table, usize) {
 
 /// Largest relative error between the points, on a fine grid that the table knows nothing of, and
 /// the share of answers whose error estimate covers the true error.
-fn actual(table: &Table) -> (f64, f64) {
+fn actual(slice: &Slice) -> (f64, f64) {
+    let table = slice.clone().interpolated();
     let (mut worst, mut covered, mut asked) = (0.0_f64, 0, 0);
     for omega in log_spaced(0.1, 100.0, 97) {
         for rate in log_spaced(0.01, 10.0, 61) {
@@ -170,7 +171,7 @@ fn two_points_say_nothing_and_one_point_needs_no_neighbour() {
 
 #[test]
 fn scatter_that_the_points_own_up_to_is_not_chased() {
-    let noisy = |table: Table| {
+    let noisy = |table: Slice| {
         let mut runs = 0;
         let mut table = evaluate(table, &mut runs);
         for (i, j) in table.grid() {
@@ -194,7 +195,7 @@ fn scatter_that_the_points_own_up_to_is_not_chased() {
 #[test]
 fn failed_points_are_passed_over() {
     let goal = Goal { tolerance: 0.02, most_cells: 10_000 };
-    let failing = |table: Table| {
+    let failing = |table: Slice| {
         let mut runs = 0;
         let mut table = evaluate(table, &mut runs);
         table.mark_failed(1, 1, "no convergence");

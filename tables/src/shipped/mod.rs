@@ -7,9 +7,9 @@
 use std::io::Write;
 use std::path::Path;
 
-use crate::interpolation::temperature::{Tables, TemperatureError, TemperatureSeries};
+use crate::interpolation::InterpolatedTable;
 use crate::netcdf::DatasetError;
-use crate::table::Table;
+use crate::table::{Table, TemperatureError};
 
 macro_rules! shipped {
     ($($name:literal),*) => {
@@ -25,7 +25,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     SHIPPED.iter().map(|(name, _)| *name)
 }
 
-/// Why a table is not to be had.
+/// Why a table is unavailable.
 #[derive(Debug, thiserror::Error)]
 pub enum TableSourceError {
     /// Neither a file nor shipped.
@@ -47,12 +47,6 @@ pub enum TableSourceError {
         /// Why not.
         error: TemperatureError,
     },
-    /// The file has one initial temperature only.
-    #[error("{asked}: is a table of one initial temperature")]
-    NoSeries {
-        /// What was asked for.
-        asked: String,
-    },
     /// A shipped table could not be unpacked.
     #[error("{name}: cannot be unpacked into a temporary file: {reason}")]
     Unpacked {
@@ -63,7 +57,7 @@ pub enum TableSourceError {
     },
 }
 
-/// The table in the file `asked`, or the shipped one of that name.
+/// The table in the file `asked`, or the shipped one of that name, of one initial temperature.
 ///
 /// ```
 /// use tables::shipped::table;
@@ -73,33 +67,25 @@ pub enum TableSourceError {
 /// assert!(table("unobtainium").unwrap_err().to_string().contains("steel-4340"));
 /// # Ok::<(), tables::shipped::TableSourceError>(())
 /// ```
-pub fn table(asked: &str) -> Result<Table, TableSourceError> {
+pub fn table(asked: &str) -> Result<InterpolatedTable, TableSourceError> {
     open(asked, None)
 }
 
 /// The same at an initial temperature, K, which a file of several must be given.
-pub fn open(asked: &str, temperature: Option<f64>) -> Result<Table, TableSourceError> {
+pub fn open(asked: &str, temperature: Option<f64>) -> Result<InterpolatedTable, TableSourceError> {
     let of_asked = |error| TableSourceError::Temperature { asked: asked.to_owned(), error };
-    tables(asked)?.at(temperature).map_err(of_asked)
+    load(asked)?.at(temperature).map_err(of_asked)
 }
 
-/// The tables at all initial temperatures of the file `asked`.
-pub fn series(asked: &str) -> Result<TemperatureSeries, TableSourceError> {
-    match tables(asked)? {
-        Tables::Series(series) => Ok(series),
-        Tables::One(_) => Err(TableSourceError::NoSeries { asked: asked.to_owned() }),
-    }
-}
-
-/// Whatever the file `asked`, or the shipped table of that name, has.
-pub fn tables(asked: &str) -> Result<Tables, TableSourceError> {
+/// The table in the file `asked`, or the shipped one of that name, with all its initial temperatures.
+pub fn load(asked: &str) -> Result<Table, TableSourceError> {
     if Path::new(asked).exists() {
-        return Ok(Tables::read(Path::new(asked))?);
+        return Ok(Table::read(Path::new(asked))?);
     }
     match SHIPPED.iter().find(|(name, _)| *name == asked) {
         Some((name, bytes)) => unpacked(name, bytes),
         // The library knows better what is wrong with something that looks like a file.
-        None if asked.contains(['/', '.']) => Ok(Tables::read(Path::new(asked))?),
+        None if asked.contains(['/', '.']) => Ok(Table::read(Path::new(asked))?),
         None => Err(TableSourceError::Unknown {
             asked: asked.to_owned(),
             shipped: names().collect::<Vec<_>>().join(", "),
@@ -108,7 +94,7 @@ pub fn tables(asked: &str) -> Result<Tables, TableSourceError> {
 }
 
 /// The libraries read files only.
-fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Tables, TableSourceError> {
+fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Table, TableSourceError> {
     let unpack = || {
         let mut file = tempfile::Builder::new().prefix(name).suffix(".nc").tempfile()?;
         file.write_all(bytes)?;
@@ -116,7 +102,7 @@ fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Tables, TableSourceError
         Ok(file)
     };
     let file = unpack().map_err(|reason| TableSourceError::Unpacked { name, reason })?;
-    Ok(Tables::read(file.path())?)
+    Ok(Table::read(file.path())?)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Two tables side by side.
 
 use crate::quantity::Quantity;
-use crate::table::{Status, Table};
+use crate::table::{Slice, Status};
 
 /// Coordinates closer than this, relatively, are the same.
 const SAME: f64 = 1e-9;
@@ -41,9 +41,9 @@ pub struct Difference {
     pub values: (f64, f64),
 }
 
-impl Table {
+impl Slice {
     /// Compares scalars where both tables have results at the same coordinates.
-    pub fn compare(&self, other: &Table) -> Comparison {
+    pub fn compare(&self, other: &Slice) -> Comparison {
         let mut comparison = Comparison { metadata: self.metadata_differences(other), ..Default::default() };
         let mut pairs: Vec<Pair> = Vec::new();
         for (i, j) in self.grid() {
@@ -68,7 +68,7 @@ impl Table {
         comparison
     }
 
-    fn difference(&self, other: &Table, pairs: &[Pair], quantity: Quantity) -> Option<Difference> {
+    fn difference(&self, other: &Slice, pairs: &[Pair], quantity: Quantity) -> Option<Difference> {
         let (mut compared, mut beyond_errors) = (0, 0);
         let values = self.grid().filter_map(|(i, j)| Some(self.cell(i, j)?[quantity].value.abs()));
         let negligible = NEGLIGIBLE * values.fold(0.0, f64::max);
@@ -93,7 +93,7 @@ impl Table {
         worst.map(|worst| Difference { compared, beyond_errors, ..worst })
     }
 
-    fn metadata_differences(&self, other: &Table) -> Vec<(&'static str, String, String)> {
+    fn metadata_differences(&self, other: &Slice) -> Vec<(&'static str, String, String)> {
         let (here, there) = (self.metadata(), other.metadata());
         let mut differences = Vec::new();
         let texts = [
@@ -135,10 +135,10 @@ mod tests {
     use super::*;
     use crate::table::{Axes, Cell, Metadata};
 
-    fn table(slip_rate: Vec<f64>, scene: &str) -> Table {
+    fn table(slip_rate: Vec<f64>, scene: &str) -> Slice {
         let axes = Axes { interference: vec![1.0, 10.0], slip_rate, slip: vec![0.0, 1.0] };
         let metadata = Metadata { scene: scene.into(), ..Metadata::default() };
-        let mut table = Table::new(axes, metadata).unwrap();
+        let mut table = Slice::new(axes, metadata).unwrap();
         for (i, j) in table.grid() {
             let (omega, rate) = table.coordinates(i, j);
             let cell = Cell::new().with(Quantity::Mu, 0.3 / omega, 0.01).with(Quantity::Load, rate, 0.0);

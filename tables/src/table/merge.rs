@@ -1,9 +1,9 @@
 //! Tables made in pieces: what is missing, shards, added points.
 
 use crate::numbers::plain;
-use crate::table::{Axes, Metadata, Status, Table, TableError};
+use crate::table::{Axes, Metadata, Slice, Status, TableError};
 
-impl Table {
+impl Slice {
     /// Grid points that have not been run, in the order of the grid.
     pub fn missing(&self) -> Vec<(usize, usize)> {
         (self.grid()).filter(|(i, j)| *self.status(*i, *j) == Status::NotRun).collect()
@@ -20,7 +20,7 @@ impl Table {
     /// Takes over from `other` what is done there and not here, or failed there and not run
     /// here. Request, axes and program must be the same, and so must be what both have done,
     /// but for the wall times.
-    pub fn merge(&mut self, other: &Table) -> Result<(), TableError> {
+    pub fn merge(&mut self, other: &Slice) -> Result<(), TableError> {
         self.check_same_origin(other)?;
         for (i, j) in self.grid() {
             if let (Some(cell), Some(there)) = (self.cell(i, j), other.cell(i, j))
@@ -46,7 +46,7 @@ impl Table {
         Ok(())
     }
 
-    fn check_same_origin(&self, other: &Table) -> Result<(), TableError> {
+    fn check_same_origin(&self, other: &Slice) -> Result<(), TableError> {
         let (here, there) = (self.metadata(), other.metadata());
         let texts = [
             ("their program", &here.source, &there.source),
@@ -59,9 +59,9 @@ impl Table {
                 return Err(TableError::Different { what, here, there });
             }
         }
-        let axes = |table: &Table| format!("{:?}", table.axes());
-        let radius = |table: &Table| table.metadata().asperity_radius.to_string();
-        for (what, of) in [("asperity_radius", &radius as &dyn Fn(&Table) -> String), ("their axes", &axes)] {
+        let axes = |table: &Slice| format!("{:?}", table.axes());
+        let radius = |table: &Slice| table.metadata().asperity_radius.to_string();
+        for (what, of) in [("asperity_radius", &radius as &dyn Fn(&Slice) -> String), ("their axes", &axes)] {
             let (here, there) = (of(self), of(other));
             if here != there {
                 return Err(TableError::Different { what, here, there });
@@ -107,7 +107,7 @@ impl Table {
 
     /// The same results on other interferences and slip rates: grid points at equal coordinates
     /// keep their state, new ones are not run. The slip axis must stay.
-    pub fn regridded(&self, axes: Axes) -> Result<Table, TableError> {
+    pub fn regridded(&self, axes: Axes) -> Result<Slice, TableError> {
         if axes.slip != self.axes().slip {
             let slips = |axes: &Axes| format!("{:?}", axes.slip);
             return Err(TableError::Different {
@@ -116,7 +116,7 @@ impl Table {
                 there: slips(&axes),
             });
         }
-        let mut table = Table::new(axes, self.metadata().clone())?;
+        let mut table = Slice::new(axes, self.metadata().clone())?;
         let find = |axis: &[f64], value: f64| axis.iter().position(|known| *known == value);
         for (i, omega) in table.axes().interference.clone().into_iter().enumerate() {
             let Some(i_here) = find(&self.axes().interference, omega) else {
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn shards_merge_to_the_whole() {
-        let mut whole = Table::new(axes(), Metadata::default()).unwrap();
+        let mut whole = Slice::new(axes(), Metadata::default()).unwrap();
         let (mut first, mut second) = (whole.clone(), whole.clone());
         whole.set_cell(0, 1, cell(0.3)).unwrap();
         first.set_cell(0, 1, cell(0.3)).unwrap();
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn what_does_not_belong_together_is_not_merged() {
-        let table = |metadata| Table::new(axes(), metadata).unwrap();
+        let table = |metadata| Slice::new(axes(), metadata).unwrap();
         let refused = |metadata: Metadata| {
             let mut here = table(Metadata { scene: "a = 1\nb = 2\n".into(), ..Metadata::default() });
             here.merge(&table(metadata)).unwrap_err().to_string()
@@ -192,14 +192,14 @@ mod tests {
         assert!(other.contains("the fingerprint of their program: nothing and \"ab\""), "{other}");
         let mut finer = axes();
         finer.interference[0] = 1.5;
-        let finer = Table::new(finer, Metadata::default()).unwrap();
+        let finer = Slice::new(finer, Metadata::default()).unwrap();
         let error = table(Metadata::default()).merge(&finer).unwrap_err().to_string();
         assert!(error.contains("their axes"), "{error}");
     }
 
     #[test]
     fn overlaps_must_agree_but_for_the_wall_time() {
-        let mut first = Table::new(axes(), Metadata::default()).unwrap();
+        let mut first = Slice::new(axes(), Metadata::default()).unwrap();
         let mut second = first.clone();
         let timed = |wall_time: f64| {
             let mut cell = cell(0.3);
@@ -221,7 +221,7 @@ mod tests {
 
     #[test]
     fn a_warning_of_some_cells_names_them() {
-        let mut table = Table::new(axes(), Metadata::default()).unwrap();
+        let mut table = Slice::new(axes(), Metadata::default()).unwrap();
         let warned = |warnings: &[&str]| {
             let mut cell = cell(0.3);
             cell.warnings = warnings.iter().map(|text| text.to_string()).collect();
@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn regridding_keeps_what_is_known() {
-        let mut table = Table::new(axes(), Metadata::default()).unwrap();
+        let mut table = Slice::new(axes(), Metadata::default()).unwrap();
         table.set_cell(1, 1, cell(0.3)).unwrap();
         let mut finer = axes();
         finer.interference.insert(1, 1.4);

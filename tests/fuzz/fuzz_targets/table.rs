@@ -2,12 +2,12 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use tables::interpolation::temperature::Tables;
+use tables::table::Table;
 
 fuzz_target!(|bytes: &[u8]| {
     let path = std::path::PathBuf::from(format!("/dev/shm/asperity-fuzz-table-{}", std::process::id()));
     let _ = std::fs::remove_file(&path);
     std::fs::write(&path, bytes).unwrap();
-    let _ = Tables::read(&path);
+    let _ = Table::read(&path);
     let _ = std::fs::remove_file(&path);
 });

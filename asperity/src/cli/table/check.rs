@@ -5,7 +5,7 @@ use asperity::tabulate::{Options, tabulate};
 use rand::SeedableRng;
 use rand::rngs::StdRng;
 use rand::seq::index;
-use tables::table::Table;
+use tables::table::Slice;
 
 use super::{CheckArguments, read};
 use crate::progress::{Progress, watch_for_interrupt};
@@ -53,11 +53,11 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
 
 /// A table of one cell.
 fn computed_again(
-    table: &Table,
+    table: &Slice,
     request: &Request,
     (i, j): (usize, usize),
     display: &Display,
-) -> Result<Table, Failure> {
+) -> Result<Slice, Failure> {
     let axes = table.axes();
     let request = Request {
         interferences: vec![axes.interference[i]],
@@ -74,12 +74,12 @@ fn computed_again(
     let result = tabulate(&request, &options, &progress);
     progress.clear();
     let (tabulation, journal) = result.map_err(Failure::run)?;
-    let again = tabulation.table(String::new()).map_err(Failure::run);
+    let again = tabulation.table(String::new()).map_err(Failure::run)?;
     journal.remove().map_err(Failure::run)?;
     if !tabulation.finished() {
         return Err(Failure::Run("stopped on request".into()));
     }
-    again
+    again.only().cloned().map_err(Failure::run)
 }
 
 fn processors() -> usize {

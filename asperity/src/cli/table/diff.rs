@@ -11,7 +11,8 @@ use crate::{Display, Failure, print};
 
 /// Compare two tables, print how they differ, fail if it is by more than allowed.
 pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure> {
-    let comparison = read(&arguments.here, &arguments.at)?.compare(&read(&arguments.there, &arguments.at)?);
+    let [here, there] = [&arguments.here, &arguments.there].map(|table| read(table, &arguments.at));
+    let comparison = here?.compare(&*there?);
     if display.json {
         print(&format!("{:#}\n", as_json(&comparison)));
     } else if !display.quiet {

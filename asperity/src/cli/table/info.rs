@@ -3,26 +3,24 @@
 use std::fmt::Write;
 
 use serde_json::{Value, json};
-use tables::interpolation::temperature::{Tables, TemperatureSeries};
-use tables::netcdf::schema::{SCHEMA_VERSION, SERIES_VERSION};
 use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::refinement::statistics::{Counts, ErrorStatistics};
 use tables::shipped;
-use tables::table::{Metadata, Table};
+use tables::table::{Metadata, Slice, Table};
 
 use crate::{Display, Failure, print};
 
 /// Print what a table holds.
-pub fn info(tables: &Tables, asked: &str, display: &Display) {
+pub fn info(table: &Table, asked: &str, display: &Display) {
     if display.json {
-        let json = match tables {
-            Tables::One(table) => as_json(table, asked),
-            Tables::Series(series) => series_as_json(series, asked),
+        let json = match table.only() {
+            Ok(slice) => as_json(table, slice, asked),
+            Err(_) => by_temperature(table, asked),
         };
         print(&format!("{json:#}\n"));
     } else if !display.quiet {
-        print(&text(tables, asked, display.verbose));
+        print(&text(table, asked, display.verbose));
     }
 }
 
@@ -65,10 +63,9 @@ pub fn list(display: &Display) -> Result<(), Failure> {
     Ok(())
 }
 
-fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
-    let members = tables.members();
-    let (axes, metadata) = (members[0].axes(), members[0].metadata());
-    let sum = |of: fn(&Counts) -> usize| members.iter().map(|table| of(&table.counts())).sum::<usize>();
+fn text(table: &Table, asked: &str, verbose: bool) -> String {
+    let (slices, axes, metadata) = (table.slices(), table.axes(), table.metadata());
+    let sum = |of: fn(&Counts) -> usize| slices.iter().map(|slice| of(&slice.counts())).sum::<usize>();
     let mut text = String::new();
     // Writing to a String cannot fail.
     let mut line = |name: &str, value: String| {
@@ -76,8 +73,8 @@ fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
     };
     line("table", asked.to_owned());
     line("title", metadata.title.clone());
-    if let Tables::Series(series) = tables {
-        line("temperature", range(&series.temperatures(), "K"));
+    if slices.len() > 1 {
+        line("temperature", range(&table.temperatures(), "K"));
     }
     line("interference", range(&axes.interference, "omega_c"));
     line("slip rate", range(&axes.slip_rate, "m/s"));
@@ -90,13 +87,10 @@ fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
         line("shard", metadata.shard.clone());
     }
     // From +0: the sum of nothing is −0.
-    let cost = members.iter().map(Table::cost).fold(0.0, |sum, cost| sum + cost);
+    let cost = slices.iter().map(Slice::cost).fold(0.0, |sum, cost| sum + cost);
     line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
     line("made by", format!("{}, fingerprint {}", metadata.source, or_none(&metadata.fingerprint)));
-    let (version, checksum) = match tables {
-        Tables::One(table) => (SCHEMA_VERSION, table.checksum()),
-        Tables::Series(series) => (SERIES_VERSION, series.checksum()),
-    };
+    let (version, checksum) = (table.schema_version(), table.checksum());
     line("schema", format!("version {version}, content agrees with its {checksum}"));
     for entry in metadata.history.lines() {
         line("history", entry.to_string());
@@ -104,12 +98,12 @@ fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
     for warning in metadata.comment.lines() {
         line("warning", warning.to_string());
     }
-    for (label, reason) in tables.failures() {
+    for (label, reason) in table.failures() {
         line("failed", format!("{label}: {reason}"));
     }
-    for table in members {
-        if let Tables::Series(_) = tables {
-            let Metadata { temperature, yield_strength, critical_interference, .. } = table.metadata();
+    for slice in slices {
+        if slices.len() > 1 {
+            let Metadata { temperature, yield_strength, critical_interference, .. } = slice.metadata();
             let _ = write!(
                 text,
                 "\nfrom {} K: yield strength {} Pa, omega_c {} m",
@@ -118,7 +112,7 @@ fn text(tables: &Tables, asked: &str, verbose: bool) -> String {
                 plain(*critical_interference)
             );
         }
-        let _ = write!(text, "\n{}", errors(table));
+        let _ = write!(text, "\n{}", errors(slice));
     }
     if verbose {
         let _ = write!(text, "\nrequest:\n{}", metadata.scene);
@@ -136,7 +130,7 @@ fn range(axis: &[f64], unit: &str) -> String {
 }
 
 /// One line per quantity: range, and errors in percent.
-fn errors(table: &Table) -> String {
+fn errors(table: &Slice) -> String {
     let interpolated = match table.metadata().interpolation_tolerance {
         Some(_) => "(part of the errors)",
         None => "(comes on top)",
@@ -172,9 +166,9 @@ fn percent(share: f64) -> String {
     }
 }
 
-fn as_json(table: &Table, asked: &str) -> Value {
-    let (axes, metadata) = (table.axes(), table.metadata());
-    let counts = table.counts();
+fn as_json(table: &Table, slice: &Slice, asked: &str) -> Value {
+    let (axes, metadata) = (slice.axes(), slice.metadata());
+    let counts = slice.counts();
     let quantity = |statistics: ErrorStatistics| {
         let descriptor = statistics.quantity.descriptor();
         let entry = json!({
@@ -188,14 +182,14 @@ fn as_json(table: &Table, asked: &str) -> Value {
         (descriptor.name.to_owned(), entry)
     };
     let quantities: serde_json::Map<String, Value> =
-        table.error_statistics().into_iter().map(quantity).collect();
+        slice.error_statistics().into_iter().map(quantity).collect();
     let failures: Vec<Value> =
-        table.failures().map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
+        slice.failures().map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
     json!({
         "table": asked.to_owned(),
         "title": metadata.title,
-        "schema_version": SCHEMA_VERSION,
-        "checksum": table.checksum(),
+        "schema_version": table.schema_version(),
+        "checksum": slice.checksum(),
         "source": metadata.source,
         "fingerprint": metadata.fingerprint,
         "shard": metadata.shard,
@@ -208,16 +202,16 @@ fn as_json(table: &Table, asked: &str) -> Value {
         "interpolation_tolerance": metadata.interpolation_tolerance,
         "cells": { "done": counts.done, "not_run": counts.not_run, "failed": counts.failed },
         "failures": failures,
-        "wall_time": table.cost(),
+        "wall_time": slice.cost(),
         "quantities": quantities,
     })
 }
 
-/// What the tables have in common, and each by its initial temperature.
-fn series_as_json(series: &TemperatureSeries, asked: &str) -> Value {
-    let member = |table: &Table| {
-        let metadata = table.metadata();
-        let mut json = as_json(table, asked);
+/// What the slices have in common, and each by its initial temperature.
+fn by_temperature(table: &Table, asked: &str) -> Value {
+    let slice = |slice: &Slice| {
+        let metadata = slice.metadata();
+        let mut json = as_json(table, slice, asked);
         json["temperature"] = metadata.temperature.into();
         json["yield_strength"] = metadata.yield_strength.into();
         json["critical_interference"] = metadata.critical_interference.into();
@@ -225,10 +219,10 @@ fn series_as_json(series: &TemperatureSeries, asked: &str) -> Value {
     };
     json!({
         "table": asked.to_owned(),
-        "title": series.members()[0].metadata().title,
-        "schema_version": SERIES_VERSION,
-        "checksum": series.checksum(),
-        "temperature": series.temperatures(),
-        "tables": series.members().iter().map(member).collect::<Vec<_>>(),
+        "title": table.metadata().title,
+        "schema_version": table.schema_version(),
+        "checksum": table.checksum(),
+        "temperature": table.temperatures(),
+        "tables": table.slices().iter().map(slice).collect::<Vec<_>>(),
     })
 }

@@ -4,13 +4,12 @@ mod check;
 mod diff;
 mod info;
 
-use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use tables::interpolation::temperature::Tables;
-use tables::netcdf::destination;
+use tables::interpolation::InterpolatedTable;
+use tables::netcdf::write_atomically;
 use tables::shipped;
 use tables::table::Table;
 
@@ -133,30 +132,26 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
     }
 }
 
-/// One table, of a series that at the temperature asked for.
-fn read(asked: &str, at: &At) -> Result<Table, Failure> {
+/// The table at the temperature asked for, which must be given where it has several.
+fn read(asked: &str, at: &At) -> Result<InterpolatedTable, Failure> {
     shipped::open(asked, at.temperature).map_err(Failure::input)
 }
 
-/// The same, or all of a series if no temperature is asked for.
-fn read_all(asked: &str, at: &At) -> Result<Tables, Failure> {
+/// The same, or the whole table if no temperature is asked for.
+fn read_all(asked: &str, at: &At) -> Result<Table, Failure> {
     match at.temperature {
-        Some(_) => read(asked, at).map(|table| Tables::One(Box::new(table))),
-        None => shipped::tables(asked).map_err(Failure::input),
+        Some(_) => read(asked, at).map(|table| Table::from(table.into_slice())),
+        None => shipped::load(asked).map_err(Failure::input),
     }
 }
 
-/// Under a temporary name first: nobody shall find half a file.
-fn export(tables: &Tables, output: &Path, histories: bool) -> Result<(), Failure> {
-    let place = destination(output);
-    let name = place.file_name().unwrap_or_default().to_string_lossy();
-    let temporary = place.with_file_name(format!(".{name}.{}.partial", std::process::id()));
-    let written = File::create(&temporary).map(BufWriter::new).and_then(|file| match histories {
-        true => tables.write_histories_csv(file),
-        false => tables.write_csv(file),
+fn export(table: &Table, output: &Path, histories: bool) -> Result<(), Failure> {
+    let written = write_atomically(output, |file| {
+        let file = BufWriter::new(file);
+        match histories {
+            true => table.write_histories_csv(file),
+            false => table.write_csv(file),
+        }
     });
-    written.and_then(|()| std::fs::rename(&temporary, &place)).map_err(|error| {
-        let _ = std::fs::remove_file(&temporary);
-        Failure::Run(format!("{}: cannot be written: {error}", output.display()))
-    })
+    written.map_err(|error| Failure::Run(format!("{}: cannot be written: {error}", output.display())))
 }

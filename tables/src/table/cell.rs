@@ -1,0 +1,100 @@
+//! Results at one point of the grid.
+
+use std::ops::{Index, IndexMut};
+
+use crate::quantity::{Estimate, History, Quantity, Scalars};
+
+/// Results at one interference and slip rate. Values not known are NaN.
+///
+/// Unknown values of two cells are equal to each other.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    /// Values with their errors.
+    pub scalars: Scalars,
+    /// Values over the slip axis; a column that is not known is empty.
+    pub histories: History,
+    /// Whether μ has levelled off at the end of the slide.
+    pub levelled: bool,
+    /// What the run took, s.
+    pub wall_time: f64,
+    /// What a reader must know before trusting the numbers of this cell.
+    pub warnings: Vec<String>,
+}
+
+impl Default for Cell {
+    fn default() -> Self {
+        Self {
+            scalars: Scalars::default(),
+            histories: History::new(&Quantity::TABLE_HISTORIES),
+            levelled: false,
+            wall_time: f64::NAN,
+            warnings: Vec::new(),
+        }
+    }
+}
+
+impl Cell {
+    /// A cell in which nothing is known yet: set values by `cell[Quantity::Mu] = …` and
+    /// histories by [`Cell::with_history`].
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets one scalar.
+    pub fn with(mut self, quantity: Quantity, value: f64, error: f64) -> Self {
+        self[quantity] = Estimate { value, error };
+        self
+    }
+
+    /// Sets the history of a quantity of [`Quantity::TABLE_HISTORIES`], one value per point of the
+    /// slip axis (see [`Steffen`](crate::interpolation::steffen::Steffen) to resample). Panics for the others.
+    pub fn with_history(mut self, quantity: Quantity, values: Vec<f64>) -> Self {
+        *self.histories.column_mut(quantity) = values;
+        self
+    }
+
+    /// History of a quantity over the slip axis; empty where none was set.
+    pub fn history(&self, quantity: Quantity) -> &[f64] {
+        self.histories.column(quantity)
+    }
+
+    /// Whether all is equal but the wall time.
+    pub fn agrees_with(&self, other: &Cell) -> bool {
+        self.levelled == other.levelled
+            && self.warnings == other.warnings
+            && self.scalars == other.scalars
+            && self.histories == other.histories
+    }
+}
+
+impl Index<Quantity> for Cell {
+    type Output = Estimate;
+
+    fn index(&self, quantity: Quantity) -> &Estimate {
+        &self.scalars[quantity]
+    }
+}
+
+impl IndexMut<Quantity> for Cell {
+    fn index_mut(&mut self, quantity: Quantity) -> &mut Estimate {
+        &mut self.scalars[quantity]
+    }
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Self) -> bool {
+        let same_time =
+            self.wall_time == other.wall_time || (self.wall_time.is_nan() && other.wall_time.is_nan());
+        self.agrees_with(other) && same_time
+    }
+}
+
+/// What became of one point of the grid.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Status {
+    Done(Box<Cell>),
+    #[default]
+    NotRun,
+    /// The run failed, for this reason.
+    Failed(String),
+}

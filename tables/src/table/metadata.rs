@@ -1,0 +1,44 @@
+//! What holds for a whole table.
+
+use super::FractureEnergy;
+
+/// What holds for the whole table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Metadata {
+    pub title: String,
+    /// One line per command that made or changed the table.
+    pub history: String,
+    /// Program and version.
+    pub source: String,
+    /// Of the physics of the program: equal ones give equal numbers. May be empty.
+    pub fingerprint: String,
+    /// `K/N` where the table is one of N parts of the request; empty for a whole one.
+    pub shard: String,
+    /// What a reader must know before trusting the numbers; may be empty.
+    pub comment: String,
+    /// The request as TOML.
+    pub scene: String,
+    /// R_t, m: the radius that the values are for.
+    pub asperity_radius: f64,
+    /// ω_c at that radius, m.
+    pub critical_interference: f64,
+    /// E* = E/(1−ν²) at the initial temperature, Pa.
+    pub contact_modulus: f64,
+    /// ν.
+    pub poisson_ratio: f64,
+    /// σ_Y at the initial temperature, Pa.
+    pub yield_strength: f64,
+    /// f_τ; none where the interface has no strength of its own (Coulomb, full stick, frictionless).
+    pub strength_factor: Option<f64>,
+    /// Initial temperature of body and flat, K.
+    pub temperature: f64,
+    /// f_h, share of the frictional heat that enters the asperity.
+    pub heat_partition: f64,
+    /// h_g, W/(m² K); unless 0 the table holds for its own radius only.
+    pub gap_conductance: f64,
+    /// Of the material in shear, where it is known.
+    pub fracture_energy: Option<FractureEnergy>,
+    /// Relative error of interpolation that points were added for. Where there is one, the errors
+    /// of the cells include that of interpolating around them.
+    pub interpolation_tolerance: Option<f64>,
+}

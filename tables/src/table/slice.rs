@@ -1,0 +1,163 @@
+//! A table at one initial temperature.
+
+use super::axes::check_axis;
+use super::{Axes, Cell, Metadata, Status, TableError};
+use crate::quantity::Quantity;
+
+/// A table at one initial temperature: results over interference and slip rate.
+/// ```
+/// use tables::quantity::Quantity;
+/// use tables::table::{Axes, Cell, Metadata, Slice, Table};
+///
+/// let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![1.0], slip: vec![0.0, 1.0, 2.0] };
+/// let metadata = Metadata {
+///     asperity_radius: 1e-3,
+///     critical_interference: 1e-7,
+///     contact_modulus: 220e9,
+///     poisson_ratio: 0.3,
+///     yield_strength: 800e6,
+///     strength_factor: Some(1.0),
+///     temperature: 298.0,
+///     heat_partition: 0.5,
+///     ..Metadata::default()
+/// };
+/// let mut slice = Slice::new(axes, metadata)?;
+/// for (i, load) in [0.1, 5.0].into_iter().enumerate() {
+///     let mut cell = Cell::new();
+///     for quantity in Quantity::SCALARS {
+///         cell = cell.with(quantity, load, 0.01 * load);
+///     }
+///     for quantity in Quantity::TABLE_HISTORIES {
+///         cell = cell.with_history(quantity, vec![load; 3]);
+///     }
+///     slice.set_cell(i, 0, cell)?;
+/// }
+/// assert!(slice.missing().is_empty());
+/// let path = std::env::temp_dir().join(format!("tables-example-{}.nc", std::process::id()));
+/// Table::from(slice).write(&path)?;
+/// let read = Table::read(&path)?.at(None)?;
+/// assert_eq!(read.cell(1, 0).unwrap()[Quantity::Load].value, 5.0);
+/// # std::fs::remove_file(&path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slice {
+    axes: Axes,
+    metadata: Metadata,
+    /// Row-major: slip rates of the first interference first.
+    cells: Vec<Status>,
+}
+
+impl Slice {
+    /// A slice in which nothing has been run.
+    pub fn new(axes: Axes, metadata: Metadata) -> Result<Self, TableError> {
+        check_axis("interference", &axes.interference, true)?;
+        check_axis("slip_rate", &axes.slip_rate, false)?;
+        check_axis("slip", &axes.slip, false)?;
+        let cells = vec![Status::NotRun; axes.interference.len() * axes.slip_rate.len()];
+        Ok(Self { axes, metadata, cells })
+    }
+
+    pub fn axes(&self) -> &Axes {
+        &self.axes
+    }
+
+    pub fn metadata(&self) -> &Metadata {
+        &self.metadata
+    }
+
+    /// Changes the metadata; results are kept.
+    pub fn set_metadata(&mut self, metadata: Metadata) {
+        self.metadata = metadata;
+    }
+
+    /// (numbers of interferences, of slip rates).
+    pub fn shape(&self) -> (usize, usize) {
+        (self.axes.interference.len(), self.axes.slip_rate.len())
+    }
+
+    /// State of the point (i-th interference, j-th slip rate).
+    pub fn status(&self, i: usize, j: usize) -> &Status {
+        &self.cells[self.position(i, j)]
+    }
+
+    /// Results at (i-th interference, j-th slip rate), if there are any.
+    pub fn cell(&self, i: usize, j: usize) -> Option<&Cell> {
+        match self.status(i, j) {
+            Status::Done(cell) => Some(cell),
+            _ => None,
+        }
+    }
+
+    /// Enters results; each history must be as long as the slip axis, or empty.
+    pub fn set_cell(&mut self, i: usize, j: usize, mut cell: Cell) -> Result<(), TableError> {
+        let expected = self.axes.slip.len();
+        for quantity in Quantity::TABLE_HISTORIES {
+            let column = cell.histories.column_mut(quantity);
+            if column.is_empty() {
+                *column = vec![f64::NAN; expected];
+            }
+            if column.len() != expected {
+                let quantity = quantity.descriptor().name;
+                return Err(TableError::HistoryLength { quantity, expected, found: column.len() });
+            }
+        }
+        self.set_status(i, j, Status::Done(Box::new(cell)));
+        Ok(())
+    }
+
+    /// Enters that the run failed.
+    pub fn mark_failed(&mut self, i: usize, j: usize, reason: impl Into<String>) {
+        self.set_status(i, j, Status::Failed(reason.into()));
+    }
+
+    /// Enters what became of a point.
+    pub(crate) fn set_status(&mut self, i: usize, j: usize, status: Status) {
+        let position = self.position(i, j);
+        self.cells[position] = status;
+    }
+
+    fn position(&self, i: usize, j: usize) -> usize {
+        let (interferences, rates) = self.shape();
+        assert!(i < interferences && j < rates, "({i}, {j}) is outside the table");
+        i * rates + j
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axes() -> Axes {
+        Axes { interference: vec![1.0, 2.0], slip_rate: vec![0.0, 0.5, 1.0], slip: vec![0.0, 2.0] }
+    }
+
+    fn cell(mu: f64) -> Cell {
+        Cell::new().with(Quantity::Mu, mu, 0.01).with_history(Quantity::Mu, vec![0.0, mu])
+    }
+
+    #[test]
+    fn cells_come_back() {
+        let mut table = Slice::new(axes(), Metadata::default()).unwrap();
+        table.set_cell(1, 2, cell(0.3)).unwrap();
+        table.mark_failed(0, 0, "no convergence");
+        assert_eq!(table.cell(1, 2).unwrap()[Quantity::Mu].value, 0.3);
+        assert_eq!(table.cell(1, 2).unwrap().history(Quantity::Mu), [0.0, 0.3]);
+        assert!(table.cell(1, 2).unwrap()[Quantity::Load].value.is_nan());
+        assert_eq!(*table.status(0, 0), Status::Failed("no convergence".to_string()));
+        assert_eq!(table.missing(), [(0, 1), (0, 2), (1, 0), (1, 1)]);
+        assert_eq!(table, table.clone());
+    }
+
+    #[test]
+    fn bad_axes_and_histories_are_named() {
+        let mut bad = axes();
+        bad.slip_rate[1] = 2.0;
+        let error = Slice::new(bad, Metadata::default()).unwrap_err();
+        assert_eq!(error.to_string(), "axis \"slip_rate\" must increase, but has 1 at position 2");
+        let mut table = Slice::new(axes(), Metadata::default()).unwrap();
+        let short = cell(0.3).with_history(Quantity::Load, vec![1.0]);
+        let error = table.set_cell(0, 0, short).unwrap_err();
+        assert_eq!(error.to_string(), "history of P has 1 values, the slip axis 2");
+    }
+}
