@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use asperity::scene::TemperatureTable;
 use asperity::scene::presets::{self, ConstantValue, Preset};
-use serde_json::json;
+use serde_json::{Map, Value, json};
 use tables::numbers;
 
 use super::{Display, Failure, print};
@@ -71,23 +71,10 @@ fn points(text: &mut String, value: &ConstantValue) {
     }
 }
 
-fn as_json(preset: &Preset) -> serde_json::Value {
-    let constants: serde_json::Map<_, _> = preset
-        .constants
-        .iter()
-        .map(|c| {
-            let value = match &c.value {
-                ConstantValue::Number(number) => json!(number),
-                ConstantValue::List(numbers) => json!(numbers),
-                ConstantValue::Table(TemperatureTable { temperature, value }) => {
-                    json!({ "temperature": temperature, "value": value })
-                }
-            };
-            let entry = json!({ "value": value, "unit": c.unit, "source": c.source });
-            (c.key.clone(), entry)
-        })
-        .collect();
-    let laws: serde_json::Map<_, _> =
+fn as_json(preset: &Preset) -> Value {
+    let constants: Map<String, Value> =
+        preset.constants.iter().map(|constant| (constant.key.clone(), json!(constant))).collect();
+    let laws: Map<String, Value> =
         preset.laws.iter().map(|(group, law)| (group.clone(), json!(law))).collect();
     json!({
         "name": preset.name,

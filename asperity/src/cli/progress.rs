@@ -1,29 +1,29 @@
-//! Progress on stderr, and the wish to stop.
+//! Progress on stderr, and requests to stop.
 
 use std::io::IsTerminal;
 use std::sync::{Mutex, OnceLock};
-use std::time::{Duration, Instant as Clock};
+use std::time::{Duration, Instant};
 
 use asperity::simulate::Watch;
-use asperity::tabulate::{CellResult, Index, Standing, TableWatch};
+use asperity::tabulate::{CellProgress, CellResult, Index, TableWatch};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Display;
 
-/// When it was first asked to stop.
-static INTERRUPTED: OnceLock<Clock> = OnceLock::new();
+/// Time of the first request to stop.
+static INTERRUPTED: OnceLock<Instant> = OnceLock::new();
 
-/// Signals within that time are one request: `timeout` and batch systems send one to the program and, at once, one to
-/// the group of processes that it is in.
+/// Signals within this time are one request: `timeout` and batch systems send one to the program and one to its
+/// process group at once.
 const SAME_REQUEST: Duration = Duration::from_millis(500);
 
-/// From now on the first interrupt, or the signal that ends a batch job, asks to stop, so that results
-/// can be saved; the second stops at once.
+/// From now on the first interrupt, or the signal that ends a batch job, requests a stop, so that results
+/// can be saved; the second ends the program at once.
 pub fn watch_for_interrupt() {
     let handler = || match INTERRUPTED.get() {
         None => {
-            let _ = INTERRUPTED.set(Clock::now());
-            eprintln!("stopping; once more to stop without saving");
+            let _ = INTERRUPTED.set(Instant::now());
+            eprintln!("stopping; interrupt again to stop without saving");
         }
         Some(first) if first.elapsed() > SAME_REQUEST => std::process::exit(130),
         Some(_) => {}
@@ -32,37 +32,37 @@ pub fn watch_for_interrupt() {
     let _ = ctrlc::set_handler(handler);
 }
 
-/// Shows how far a run or a tabulation is.
+/// Shows the progress of a run or a tabulation.
 pub struct Progress {
     shown: Shown,
     /// The present stage and when it began.
-    stage: Mutex<(&'static str, Clock)>,
+    stage: Mutex<(&'static str, Instant)>,
 }
 
 enum Shown {
     Hidden,
     Bar(ProgressBar),
-    /// A line per tenth, for logs: the last one shown.
+    /// A line per tenth, for logs; holds the last one shown.
     Lines(Mutex<(String, u64)>),
 }
 
 /// Steps of the bar.
 const LENGTH: u64 = 1000;
 
-/// Share of a stage before which nothing is said of the time that is left.
+/// Share of a stage from which on the time left is estimated.
 const FIRST_ESTIMATE: f64 = 0.05;
 
 impl Progress {
-    /// As the options say: by default only on a terminal.
+    /// As the options ask; by default only on a terminal.
     pub fn new(display: &Display) -> Self {
-        Self { shown: Shown::new(display), stage: Mutex::new(("", Clock::now())) }
+        Self { shown: Shown::new(display), stage: Mutex::new(("", Instant::now())) }
     }
 
-    /// Seconds left in a stage of which a share is done, going by the time since it began.
+    /// Seconds left in a stage of which a share is done, from the time since it began.
     fn left(&self, stage: &'static str, done: f64) -> Option<f64> {
         let mut present = self.stage.lock().ok()?;
         if present.0 != stage {
-            *present = (stage, Clock::now());
+            *present = (stage, Instant::now());
         }
         let elapsed = present.1.elapsed().as_secs_f64();
         (FIRST_ESTIMATE..1.0).contains(&done).then(|| elapsed * (1.0 - done) / done)
@@ -126,7 +126,7 @@ impl Shown {
     }
 }
 
-/// Two units at most: what is estimated is not known to the second.
+/// An estimate, in two units at most.
 fn duration(seconds: f64) -> String {
     let minutes = (seconds / 60.0).round() as u64;
     match (seconds, minutes) {
@@ -151,8 +151,8 @@ impl Watch for Progress {
 }
 
 impl TableWatch for Progress {
-    fn finished(&self, _: Index, _: &CellResult, standing: &Standing) {
-        let Standing { done, total, remaining } = *standing;
+    fn finished(&self, _: Index, _: &CellResult, progress: &CellProgress) {
+        let CellProgress { done, total, remaining } = *progress;
         let detail = format!("{done} of {total} cells, {} left", duration(remaining));
         self.show("cells", done as f64 / total as f64, &detail);
     }
@@ -167,9 +167,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_time_left_is_that_of_the_stage() {
+    fn time_left_is_that_of_the_stage() {
         let hidden = Shown::Hidden;
-        let begun = Clock::now() - std::time::Duration::from_secs(10);
+        let begun = Instant::now() - std::time::Duration::from_secs(10);
         let progress = Progress { shown: hidden, stage: Mutex::new(("slide", begun)) };
         let left = progress.left("slide", 0.25).unwrap();
         assert!((30.0..31.0).contains(&left), "{left}");

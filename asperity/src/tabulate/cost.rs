@@ -1,9 +1,9 @@
-//! How long cases take, learnt from those that are finished.
+//! Run times of cells, fitted to those of finished cells.
 //!
 //! ln t = level + slope·x + curvature·x² + [no heat]·saving + trend·j + share of the j-th slip rate, with
-//! x = ln(ω/ω_max), fitted by least squares with a prior on every term but the level. The prior is what was
-//! seen in tables of six metals: light contacts take long, as their edge needs many elements, heavy ones, as
-//! they are at finite strain, and a slide without heat takes little more than half as long.
+//! x = ln(ω/ω_max), by least squares with a prior on every term. The priors are means and scatters in tables
+//! of six metals: small interferences take long because their contact edge needs many elements, large ones
+//! because they are at finite strain; a slide without heat takes little more than half the time.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -43,7 +43,7 @@ pub struct CostModel {
 }
 
 impl CostModel {
-    /// For cases up to the interference `largest`, at so many slip rates; knows the prior only.
+    /// The prior, for cases up to the interference `largest` at this number of slip rates.
     pub fn new(largest: f64, columns: usize) -> Self {
         let priors = [LEVEL, SLOPE, CURVATURE, SAVING, TREND].into_iter();
         let priors: Vec<Prior> = priors.chain(std::iter::repeat_n(COLUMN, columns)).collect();
@@ -53,7 +53,7 @@ impl CostModel {
         Self { largest, matrix: DMatrix::from_diagonal(&weights), right, terms }
     }
 
-    /// Takes note that a case took so many seconds.
+    /// Adds the run time of a case to the fit.
     pub fn learn(&mut self, case: Case, seconds: f64) {
         if seconds <= 0.0 || !seconds.is_finite() {
             return;
@@ -67,7 +67,7 @@ impl CostModel {
         }
     }
 
-    /// Run time of a case, s. Before anything is learnt only ratios mean something.
+    /// Run time of a case, s. Of the prior alone only ratios are meaningful.
     pub fn seconds(&self, case: Case) -> f64 {
         self.row(case).dot(&self.terms).exp()
     }
@@ -82,7 +82,7 @@ impl CostModel {
     }
 }
 
-/// Where a case stands.
+/// State of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum State {
     Waiting,
@@ -125,7 +125,7 @@ impl Forecast {
             let expected = self.model.seconds(*case);
             match state {
                 State::Waiting => expected,
-                // A case that is late will still take a while.
+                // A late case is expected to need another tenth of its time.
                 State::Running(start) => (expected - (now - start)).max(0.1 * expected),
                 State::Done => 0.0,
             }
@@ -186,7 +186,7 @@ mod tests {
                 return forecast.remaining(end) / (last - end);
             }
         }
-        panic!("less than a tenth of the work is all of it");
+        panic!("the cases end before a tenth of the work is done");
     }
 
     /// Scatter of the run times: the same for a case in every run of the test.

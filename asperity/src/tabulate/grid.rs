@@ -13,7 +13,7 @@ use super::cost::{CostModel, Forecast};
 use super::journal::{CellResult, Index, Journal, JournalError};
 use super::known::Known;
 use super::layout::Layout;
-use super::{Simulator, Standing, TableWatch};
+use super::{CellProgress, Simulator, TableWatch};
 use crate::simulate::{SimulationError, Watch};
 
 /// The cells to be run, and what runs them.
@@ -46,7 +46,7 @@ impl<S: Simulator> Watch for Grid<'_, S> {
     }
 }
 
-/// What is asked of [`run`].
+/// The work of [`run`].
 pub struct Work<'a> {
     pub layout: Layout<'a>,
     pub slips: &'a [f64],
@@ -195,12 +195,12 @@ impl<'a, S: Simulator> Grid<'a, S> {
         ledger.done += 1;
         let now = self.now();
         ledger.forecast.finished(position, now);
-        let standing = Standing {
+        let progress = CellProgress {
             done: ledger.done,
             total: self.wanted.iter().filter(|wanted| **wanted).count(),
             remaining: ledger.forecast.remaining(now),
         };
-        self.watch.finished(index, &result, &standing);
+        self.watch.finished(index, &result, &progress);
         ledger.known.insert(self.layout.point(index), result);
     }
 
@@ -219,7 +219,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
 
 /// Result of `work`, or why it failed; `None` if it was stopped on request.
 fn guard<T>(work: impl FnOnce() -> Result<T, SimulationError>) -> Result<T, Option<String>> {
-    // One cell that breaks must not take hours of others with it.
+    // A panic in one cell must not lose the results of the others.
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(value)) => Ok(value),
         Ok(Err(SimulationError::Cancelled { .. })) => Err(None),

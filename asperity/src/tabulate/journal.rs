@@ -4,8 +4,7 @@
 //! A line is the CRC-32 of the rest, a space, and JSON. The first line is the request. A
 //! line that was cut off or damaged is passed over and its cell computed again.
 //!
-//! The journal is locked while it is open: two programs that make the same table would undo each
-//! other's work.
+//! The journal is locked while it is open, so that only one program makes the table.
 
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
@@ -55,26 +54,26 @@ pub enum JournalError {
         /// What differs.
         reason: String,
     },
-    /// Another program is at it.
+    /// Another program has it open.
     #[error("{path}: another program is making this table")]
     InUse {
         /// The journal.
         path: String,
     },
-    /// Results would be written to a file that no name leads to any more.
+    /// Results would be written to a file that has been unlinked.
     #[error("{path}: was removed or replaced while the table was being made")]
     Vanished {
         /// The journal.
         path: String,
     },
-    /// There is not enough room on the disk for the results.
+    /// The disk has no space for the results.
     #[error("{path}: no room for {cells} results, about {kilobytes} kB: {source}")]
     NoRoom {
         /// The journal.
         path: String,
-        /// That are to come.
+        /// Number of results to come.
         cells: usize,
-        /// That they need at most.
+        /// Space that they need at most.
         kilobytes: usize,
         /// What the system said.
         source: io::Error,
@@ -92,7 +91,7 @@ pub enum JournalError {
 #[derive(Serialize, Deserialize, PartialEq)]
 struct Header {
     source: String,
-    /// Of the program: one of the same version may do other physics.
+    /// Of the program: another build of the version may give other numbers.
     #[serde(default)]
     fingerprint: String,
     #[serde(default)]
@@ -123,11 +122,11 @@ struct Record {
 pub struct Journal {
     path: PathBuf,
     file: File,
-    /// The last line was not written to its end.
+    /// The last line is incomplete.
     torn: bool,
 }
 
-/// Room for a result with its warnings; one without is some 5 kB.
+/// Space for a result with its warnings; one without takes about 5 kB.
 const MOST_OF_A_LINE: usize = 8 << 10;
 
 impl Journal {
@@ -182,8 +181,8 @@ impl Journal {
         Ok((journal, cells))
     }
 
-    /// Makes sure that there is room on the disk for so many more cells, where the system can: a
-    /// result that took hours shall not be lost for want of a few kilobytes.
+    /// Reserves disk space for a number of further cells, where the system can, so that no result is lost
+    /// to a full disk.
     pub fn reserve(&self, cells: usize) -> Result<(), JournalError> {
         #[cfg(target_os = "linux")]
         {
@@ -202,7 +201,7 @@ impl Journal {
                     kilobytes: bytes >> 10,
                     source: error.into(),
                 }),
-                // Not every file system can.
+                // Other errors: the file system cannot reserve.
                 _ => Ok(()),
             }
         }
@@ -246,10 +245,10 @@ fn open_locked(path: &Path) -> Result<File, JournalError> {
         match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => return Err(JournalError::InUse { path: shown() }),
-            // Some network file systems have no locks: better without than not at all.
+            // Some network file systems have no locks.
             Err(TryLockError::Error(_)) => {}
         }
-        // Whoever had it before may have finished the table and removed the file in between.
+        // The program that had it open before may have removed it in between.
         if leads_to(path, &file) {
             return Ok(file);
         }

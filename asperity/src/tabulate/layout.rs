@@ -7,8 +7,8 @@ use super::journal::{Index, Point};
 use crate::heat::expected::{Heat, HeatEffect, choose_heat};
 use crate::scene::Scene;
 
-/// With so many interferences or more, one cell of the middle, of the smallest and of the largest are run first:
-/// what run times do with interference is then known from the start.
+/// From this number of interferences on, one cell of the middle, of the smallest and of the largest are run first, so
+/// that the dependence of run times on interference is known from the start.
 const ROWS_WORTH_A_PROBE: usize = 4;
 
 /// The rows of cells are the interferences at the first temperature, then those at the next.
@@ -90,7 +90,7 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Rows of which one cell is run first, of so many.
+/// Rows of which one cell is run first, of a number of rows.
 pub fn probes(rows: usize) -> [usize; 3] {
     [rows / 2, 0, rows - 1]
 }

@@ -32,22 +32,22 @@ use grid::Work;
 use known::Known;
 use layout::Layout;
 
-/// How far a tabulation is.
+/// Progress of a tabulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Standing {
+pub struct CellProgress {
     /// Cells with a result.
     pub done: usize,
-    /// Cells to be run, as far as is known.
+    /// Cells to be run; those that refinement will add are not known yet.
     pub total: usize,
-    /// Time until these are done, s, from the run times of finished cells.
+    /// Estimated time until these are done, s, from the run times of finished cells.
     pub remaining: f64,
 }
 
-/// Follows a tabulation and can stop it.
+/// Observes a tabulation and can stop it.
 pub trait TableWatch: Sync {
     /// A cell is finished.
-    fn finished(&self, _index: Index, _result: &CellResult, _standing: &Standing) {}
-    /// True once the tabulation shall stop.
+    fn finished(&self, _index: Index, _result: &CellResult, _progress: &CellProgress) {}
+    /// Whether the tabulation is to stop.
     fn cancelled(&self) -> bool {
         false
     }
@@ -67,16 +67,16 @@ pub struct Options<'a> {
     pub shard: Option<Shard>,
 }
 
-/// Why a tabulation could not run at all; a cell that fails is not such a reason.
+/// Why a tabulation could not run at all. A failed cell is part of the result.
 #[derive(Debug, thiserror::Error)]
 pub enum TabulateError {
     /// The journal cannot be used.
     #[error(transparent)]
     Journal(#[from] JournalError),
-    /// The grid is none.
+    /// The axes are not valid.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// Where points go follows from results of the whole grid.
+    /// Points are added where results of the whole grid need them.
     #[error(
         "--shard {0}: table.tolerance adds points where the whole table needs them; leave one of the two out"
     )]
@@ -166,7 +166,7 @@ impl Tabulation {
     }
 }
 
-/// What presses and slides; separate from [`simulate`] for the sake of tests.
+/// Presses and slides; a trait so that tests can replace the simulation.
 pub(crate) trait Simulator: Sync {
     /// State after the press.
     type Pressed: Send + Sync;

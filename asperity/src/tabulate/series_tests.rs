@@ -52,8 +52,8 @@ fn timeless(table: Table) -> Table {
 struct StopAfter(usize, AtomicUsize);
 
 impl TableWatch for StopAfter {
-    fn finished(&self, _: Index, _: &CellResult, standing: &Standing) {
-        assert_eq!(standing.total, 24);
+    fn finished(&self, _: Index, _: &CellResult, progress: &CellProgress) {
+        assert_eq!(progress.total, 24);
         self.1.fetch_add(1, Ordering::Relaxed);
     }
     fn cancelled(&self) -> bool {

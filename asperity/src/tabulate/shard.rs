@@ -1,9 +1,9 @@
-//! Parts of a tabulation for machines that do not talk to each other.
+//! Parts of a tabulation for separate machines.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// The part K of N: some of the cells, so chosen that parts take about as long as each other.
+/// The part K of N: a share of the cells with about the same run time as the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     /// K − 1.
@@ -12,7 +12,7 @@ pub struct Shard {
     count: usize,
 }
 
-/// More parts than that are a slip of the pen.
+/// A larger number of parts is taken for a misprint.
 const MOST: usize = 100_000;
 
 impl FromStr for Shard {
@@ -35,8 +35,8 @@ impl fmt::Display for Shard {
 }
 
 impl Shard {
-    /// Which of the cases with these expected costs belong to the part. Every case belongs to one
-    /// part; the costliest are dealt first, each to the part that has least.
+    /// Which of the cases with these expected run times belong to the part. Every case belongs to one
+    /// part; the longest are assigned first, each to the part with the smallest sum.
     pub fn members(&self, costs: &[f64]) -> Vec<bool> {
         let mut order: Vec<usize> = (0..costs.len()).collect();
         order.sort_by(|a, b| costs[*b].total_cmp(&costs[*a]));

@@ -43,7 +43,7 @@ impl Bench {
 struct StopAfter(usize, AtomicUsize);
 
 impl TableWatch for StopAfter {
-    fn finished(&self, _: Index, _: &CellResult, _: &Standing) {
+    fn finished(&self, _: Index, _: &CellResult, _: &CellProgress) {
         self.1.fetch_add(1, Ordering::Relaxed);
     }
     fn cancelled(&self) -> bool {
@@ -275,17 +275,17 @@ fn refinement_says_if_it_falls_short_and_cannot_be_divided() {
 
 #[test]
 fn time_remaining_is_told() {
-    struct Told(std::sync::Mutex<Vec<Standing>>);
+    struct Told(std::sync::Mutex<Vec<CellProgress>>);
     impl TableWatch for Told {
-        fn finished(&self, _: Index, _: &CellResult, standing: &Standing) {
-            self.0.lock().unwrap().push(*standing);
+        fn finished(&self, _: Index, _: &CellResult, progress: &CellProgress) {
+            self.0.lock().unwrap().push(*progress);
         }
     }
     let told = Told(Vec::new().into());
     Bench::new().run(&Fake::default(), 1, false, &told).unwrap();
     let told = told.0.into_inner().unwrap();
-    assert_eq!(told.iter().map(|standing| standing.done).collect::<Vec<_>>(), (1..=9).collect::<Vec<_>>());
-    assert!(told.iter().all(|standing| standing.total == 9));
-    assert!(told[..8].iter().all(|standing| standing.remaining > 0.0));
+    assert_eq!(told.iter().map(|progress| progress.done).collect::<Vec<_>>(), (1..=9).collect::<Vec<_>>());
+    assert!(told.iter().all(|progress| progress.total == 9));
+    assert!(told[..8].iter().all(|progress| progress.remaining > 0.0));
     assert_eq!(told[8].remaining, 0.0);
 }

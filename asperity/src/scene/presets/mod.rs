@@ -1,10 +1,11 @@
-//! Materials that come with the program: every constant with its unit and its source.
+//! Materials with published constants: every constant with its unit and its source.
 //!
 //! One file per material beside this one. To add a material, add its file; the tests check that it
 //! is complete and that every constant names a source.
 
 use std::sync::OnceLock;
 
+use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use crate::scene::TemperatureTable;
@@ -12,8 +13,9 @@ use crate::scene::TemperatureTable;
 // FILES: name and content of each material file, by name; made by build.rs.
 include!(concat!(env!("OUT_DIR"), "/presets.rs"));
 
-/// A number, a list of a law's points, or a property over temperature.
-#[derive(Clone, Debug, PartialEq)]
+/// A number, the points of a law, or a property over temperature.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum ConstantValue {
     Number(f64),
     List(Vec<f64>),
@@ -22,9 +24,10 @@ pub enum ConstantValue {
 }
 
 /// One constant of a preset.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Constant {
     /// Key below `[material]`, as in `hardening.modulus`.
+    #[serde(skip)]
     pub key: String,
     /// In `unit`.
     pub value: ConstantValue,
@@ -41,9 +44,9 @@ pub struct Preset {
     pub name: &'static str,
     /// Designation and condition.
     pub title: String,
-    /// Which constants were compared with what, other than their source.
+    /// Which constants were compared with which other source.
     pub checked: String,
-    /// Constants in the order of the file.
+    /// [`REQUIRED`] constants first.
     pub constants: Vec<Constant>,
     /// Laws of hardening and softening: (`hardening` or `softening`, name of the law).
     pub laws: Vec<(String, String)>,
@@ -54,18 +57,16 @@ impl Preset {
     pub fn section(&self) -> Table {
         let mut section = Table::new();
         for (group, law) in &self.laws {
-            let mut table = Table::new();
-            table.insert("law".into(), Value::String(law.clone()));
-            section.insert(group.clone(), Value::Table(table));
+            let law = [("law".to_owned(), Value::from(law.as_str()))];
+            section.insert(group.clone(), Value::Table(law.into_iter().collect()));
         }
         for constant in &self.constants {
-            let value = constant.value.as_toml();
+            let value = Value::try_from(&constant.value).expect("plain data");
             match constant.key.split_once('.') {
                 None => section.insert(constant.key.clone(), value),
-                Some((group, key)) => match section.get_mut(group) {
-                    Some(Value::Table(table)) => table.insert(key.into(), value),
-                    _ => None,
-                },
+                Some((group, key)) => {
+                    section[group].as_table_mut().and_then(|law| law.insert(key.into(), value))
+                }
             };
         }
         section
@@ -100,7 +101,7 @@ pub fn names() -> Vec<&'static str> {
     FILES.iter().map(|&(name, _)| name).collect()
 }
 
-/// Constants that every material has, in the order in which they are listed; others follow.
+/// Constants that every material has, in the order in which they are listed.
 pub const REQUIRED: [&str; 7] = [
     "youngs_modulus",
     "poisson_ratio",
@@ -111,76 +112,64 @@ pub const REQUIRED: [&str; 7] = [
     "thermal_expansion",
 ];
 
-fn parse(name: &'static str, text: &str) -> Result<Preset, String> {
-    let mut table: Table = text.parse().map_err(|error| format!("{error}"))?;
-    let mut text = |key: &str| match table.remove(key) {
-        Some(Value::String(text)) => Ok(text),
-        _ => Err(format!("no {key}")),
-    };
-    let (title, checked) = (text("title")?, text("checked")?);
-    let mut preset = Preset { name, title, checked, constants: Vec::new(), laws: Vec::new() };
-    for key in REQUIRED {
-        let value = table.remove(key).ok_or(format!("no {key}"))?;
-        preset.constants.push(constant(key, &value)?);
-    }
-    for (group, value) in table {
-        let Value::Table(members) = value else {
-            return Err(format!("{group} is not a law"));
-        };
-        for (key, value) in &members {
-            match value {
-                Value::String(law) if key == "law" => preset.laws.push((group.clone(), law.clone())),
-                value => {
-                    let key = format!("{group}.{key}");
-                    preset.constants.push(constant(&key, value)?);
+/// A material file: below the texts, constants and laws of constants.
+#[derive(Deserialize)]
+struct PresetFile {
+    title: String,
+    checked: String,
+    #[serde(flatten)]
+    entries: Table,
+}
+
+/// A constant of a material file; with temperatures its values are those at them, K.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ConstantEntry {
+    value: NumberOrList,
+    temperature: Option<Vec<f64>>,
+    unit: String,
+    source: String,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum NumberOrList {
+    Number(f64),
+    List(Vec<f64>),
+}
+
+fn parse(name: &'static str, text: &str) -> Result<Preset, toml::de::Error> {
+    let PresetFile { title, checked, entries } = toml::from_str(text)?;
+    let (mut constants, mut laws) = (Vec::new(), Vec::new());
+    for (key, value) in entries {
+        match value {
+            Value::Table(members) if members.contains_key("law") => {
+                for (member, value) in members {
+                    match value {
+                        Value::String(law) => laws.push((key.clone(), law)),
+                        value => constants.push(constant(format!("{key}.{member}"), value)?),
+                    }
                 }
             }
+            value => constants.push(constant(key, value)?),
         }
     }
-    Ok(preset)
+    constants.sort_by_key(|constant| {
+        REQUIRED.iter().position(|key| constant.key == *key).unwrap_or(REQUIRED.len())
+    });
+    Ok(Preset { name, title, checked, constants, laws })
 }
 
-fn constant(key: &str, value: &Value) -> Result<Constant, String> {
-    let text = |member: &str| {
-        let found = value.get(member).and_then(Value::as_str);
-        found.map(str::to_owned).ok_or(format!("{key}: no {member}"))
+fn constant(key: String, value: Value) -> Result<Constant, toml::de::Error> {
+    let ConstantEntry { value, temperature, unit, source } = value.try_into()?;
+    let value = match (value, temperature) {
+        (NumberOrList::Number(number), _) => ConstantValue::Number(number),
+        (NumberOrList::List(value), Some(temperature)) => {
+            ConstantValue::Table(TemperatureTable { temperature, value })
+        }
+        (NumberOrList::List(list), None) => ConstantValue::List(list),
     };
-    Ok(Constant {
-        key: key.to_owned(),
-        value: constant_value(value).ok_or(format!("{key}: no value"))?,
-        unit: text("unit")?,
-        source: text("source")?,
-    })
-}
-
-fn constant_value(constant: &Value) -> Option<ConstantValue> {
-    let list =
-        |value: &Value| -> Option<Vec<f64>> { value.as_array()?.iter().map(Value::as_float).collect() };
-    let value = constant.get("value")?;
-    Some(match (value, constant.get("temperature")) {
-        (Value::Float(number), None) => ConstantValue::Number(*number),
-        (value, None) => ConstantValue::List(list(value)?),
-        (value, Some(temperature)) => {
-            ConstantValue::Table(TemperatureTable { temperature: list(temperature)?, value: list(value)? })
-        }
-    })
-}
-
-impl ConstantValue {
-    /// As in a scene.
-    fn as_toml(&self) -> Value {
-        let list = |numbers: &[f64]| Value::Array(numbers.iter().copied().map(Value::Float).collect());
-        match self {
-            Self::Number(number) => Value::Float(*number),
-            Self::List(numbers) => list(numbers),
-            Self::Table(TemperatureTable { temperature, value }) => {
-                let columns = [("temperature", temperature), ("value", value)];
-                Value::Table(
-                    columns.map(|(key, numbers)| (key.to_owned(), list(numbers))).into_iter().collect(),
-                )
-            }
-        }
-    }
+    Ok(Constant { key, value, unit, source })
 }
 
 #[cfg(test)]
