@@ -2,23 +2,16 @@
 //! points.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 use std::sync::OnceLock;
 
 use tables::table::{Metadata, Slice, Table};
 
-mod program;
-
-use program::{alone, text};
+use crate::{alone, asperity, done, message};
 
 const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
                        [loading]\nslip_distance = 0.05\n\
                        [table]\ninterference = [1, 10]\nslip_rate = [0, 1]\n\
                        [numerics]\nelements_per_radius = 4\nsectors = 4\n";
-
-fn asperity(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_asperity")).args(arguments).current_dir(directory).output().unwrap()
-}
 
 /// A folder with the undivided table and both shards of it.
 fn made() -> PathBuf {
@@ -26,30 +19,19 @@ fn made() -> PathBuf {
     let folder = MADE.get_or_init(|| {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
-        for arguments in [
-            &["-o", "whole.nc", "--jobs", "2"][..],
-            &["-o", "1.nc", "--shard", "1/2"],
-            &["-o", "2.nc", "--shard", "2/2", "--resume"],
-        ] {
-            let output = asperity(folder.path(), &[&["tabulate", "request.toml"], arguments].concat());
-            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        for output in ["whole.nc --jobs 2", "1.nc --shard 1/2", "2.nc --shard 2/2 --resume"] {
+            done(folder.path(), &format!("tabulate request.toml -o {output}"));
         }
         folder
     });
     folder.path().to_path_buf()
 }
 
-/// Exit status 2, one line with all of `parts`, and no file `output`.
-fn refused(arguments: &[&str], parts: &[&str], output: &str) {
+/// Refused, and no file `output`.
+fn refused(line: &str, parts: &[&str], output: &str) {
     let folder = made();
-    let result = asperity(&folder, arguments);
-    let message = text(&result.stderr);
-    assert_eq!(result.status.code(), Some(2), "{message}");
-    assert_eq!(message.lines().count(), 1, "{message}");
-    for part in parts {
-        assert!(message.contains(part), "{message} lacks {part}");
-    }
-    assert!(!folder.join(output).exists());
+    crate::refused(&folder, line, parts);
+    assert!(!folder.join(output).exists(), "{line}");
 }
 
 /// The table of one initial temperature.
@@ -61,8 +43,7 @@ fn read(folder: &Path, name: &str) -> Slice {
 fn merged_shards_are_the_undivided_table_bit_for_bit() {
     let _alone = alone();
     let folder = made();
-    let output = asperity(&folder, &["merge", "2.nc", "1.nc", "-o", "merged.nc"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    done(&folder, "merge 2.nc 1.nc -o merged.nc");
     let numbers = |name: &str| {
         let mut table = read(&folder, name);
         let (rows, columns) = table.shape();
@@ -78,18 +59,16 @@ fn merged_shards_are_the_undivided_table_bit_for_bit() {
     assert_eq!(merged, whole);
     // The checksum is over the bits of every number.
     assert_eq!(merged.checksum(), whole.checksum());
-    let same = asperity(&folder, &["table", "diff", "merged.nc", "whole.nc", "--tolerance", "0"]);
-    assert_eq!(same.status.code(), Some(0));
-    assert!(text(&same.stdout).contains("no differences in any quantity"));
+    let same = done(&folder, "table diff merged.nc whole.nc --tolerance 0");
+    assert!(same.contains("no differences in any quantity"));
 }
 
 #[test]
 fn shards_that_do_not_belong_together_are_refused() {
     let _alone = alone();
     let folder = made();
-    refused(&["merge", "1.nc", "-o", "m1.nc"], &["2 of 4 cells", "--partial"], "m1.nc");
-    let output = asperity(&folder, &["merge", "1.nc", "-o", "partial.nc", "--partial"]);
-    assert_eq!(output.status.code(), Some(0));
+    refused("merge 1.nc -o m1.nc", &["2 of 4 cells", "--partial"], "m1.nc");
+    done(&folder, "merge 1.nc -o partial.nc --partial");
     let partial = read(&folder, "partial.nc");
     assert_eq!(partial.missing().len(), 2);
     assert_eq!(partial.metadata().shard, "1/2");
@@ -100,12 +79,12 @@ fn shards_that_do_not_belong_together_are_refused() {
     other.set_metadata(Metadata { scene, ..shard.metadata().clone() });
     other.write(&folder.join("request.nc")).unwrap();
     let parts = ["1.nc and request.nc", "their request", "slip_distance = 0.05", "slip_distance = 0.06"];
-    refused(&["merge", "1.nc", "request.nc", "-o", "m2.nc"], &parts, "m2.nc");
+    refused("merge 1.nc request.nc -o m2.nc", &parts, "m2.nc");
 
     let mut other = shard.clone();
     other.set_metadata(Metadata { fingerprint: "0123".into(), ..shard.metadata().clone() });
     other.write(&folder.join("build.nc")).unwrap();
-    refused(&["merge", "1.nc", "build.nc", "-o", "m3.nc"], &["fingerprint", "0123"], "m3.nc");
+    refused("merge 1.nc build.nc -o m3.nc", &["fingerprint", "0123"], "m3.nc");
 
     let mut other = read(&folder, "whole.nc");
     let (i, j) = (0..4).map(|k| (k / 2, k % 2)).find(|at| shard.cell(at.0, at.1).is_some()).unwrap();
@@ -113,7 +92,7 @@ fn shards_that_do_not_belong_together_are_refused() {
     cell.levelled = !cell.levelled;
     other.set_cell(i, j, cell).unwrap();
     other.write(&folder.join("overlap.nc")).unwrap();
-    refused(&["merge", "2.nc", "overlap.nc", "-o", "m4.nc"], &["different results at"], "m4.nc");
+    refused("merge 2.nc overlap.nc -o m4.nc", &["different results at"], "m4.nc");
 }
 
 #[test]
@@ -124,20 +103,20 @@ fn damaged_tables_are_refused_everywhere() {
     std::fs::copy(folder.join("whole.nc"), &path).unwrap();
     netcdf::append(&path).unwrap().variable_mut("mu").unwrap().put_value(0.5, [0, 0]).unwrap();
     let part = ["damaged.nc", "checksum"];
-    refused(&["table", "info", "damaged.nc"], &part, "none");
-    refused(&["table", "plot", "damaged.nc", "-o", "d.png"], &part, "d.png");
-    refused(&["table", "export", "damaged.nc", "-o", "d.csv"], &part, "d.csv");
-    refused(&["table", "diff", "whole.nc", "damaged.nc"], &part, "none");
-    refused(&["merge", "damaged.nc", "-o", "m5.nc"], &part, "m5.nc");
-    refused(&["table", "plot", "whole.nc", "-o", "plot.pdf"], &["plot.pdf", "svg, png"], "plot.pdf");
-    refused(&["table", "info", "request.toml"], &["cannot read request.toml"], "none");
+    refused("table info damaged.nc", &part, "none");
+    refused("table plot damaged.nc -o d.png", &part, "d.png");
+    refused("table export damaged.nc -o d.csv", &part, "d.csv");
+    refused("table diff whole.nc damaged.nc", &part, "none");
+    refused("merge damaged.nc -o m5.nc", &part, "m5.nc");
+    refused("table plot whole.nc -o plot.pdf", &["plot.pdf", "svg, png"], "plot.pdf");
+    refused("table info request.toml", &["cannot read request.toml"], "none");
 }
 
 #[test]
 fn a_table_is_described_plotted_and_exported() {
     let _alone = alone();
     let folder = made();
-    let info = text(&asperity(&folder, &["table", "info", "whole.nc"]).stdout);
+    let info = done(&folder, "table info whole.nc");
     for part in [
         "2 values from 1 to 10 omega_c",
         "4 done, 0 not run, 0 failed",
@@ -148,26 +127,23 @@ fn a_table_is_described_plotted_and_exported() {
     ] {
         assert!(info.contains(part), "{info} lacks {part}");
     }
-    let json = text(&asperity(&folder, &["table", "info", "1.nc", "--json"]).stdout);
+    let json = done(&folder, "table info 1.nc --json");
     let value: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(value["cells"]["not_run"], 2);
     assert_eq!(value["shard"], "1/2");
     assert!(value["quantities"]["mu"]["relative_error_median"].as_f64().unwrap() > 0.0);
 
-    let plot = asperity(&folder, &["table", "plot", "whole.nc", "-o", "plot.svg"]);
-    assert_eq!(plot.status.code(), Some(0));
+    done(&folder, "table plot whole.nc -o plot.svg");
     let svg = std::fs::read_to_string(folder.join("plot.svg")).unwrap();
     for label in ["friction coefficient", "friction stress", "energy release", "highest temperature"] {
         assert!(svg.contains(label), "{label}");
     }
-    for (histories, lines) in [(None, 5), (Some("--histories"), 1 + 4 * 73)] {
-        let arguments = ["table", "export", "whole.nc", "-o", "table.csv"].into_iter().chain(histories);
-        let export = asperity(&folder, &arguments.collect::<Vec<_>>());
-        assert_eq!(export.status.code(), Some(0));
+    for (histories, lines) in [("", 5), ("--histories", 1 + 4 * 73)] {
+        done(&folder, &format!("table export whole.nc -o table.csv {histories}"));
         let csv = std::fs::read_to_string(folder.join("table.csv")).unwrap();
         assert_eq!(csv.lines().count(), lines);
     }
-    let diff = asperity(&folder, &["table", "diff", "whole.nc", "1.nc", "--tolerance", "0"]);
+    let diff = asperity(&folder, "table diff whole.nc 1.nc --tolerance 0");
     assert_eq!(diff.status.code(), Some(1));
-    assert!(text(&diff.stderr).contains("is done in one, not run in the other"));
+    assert!(message(&diff).contains("is done in one, not run in the other"));
 }

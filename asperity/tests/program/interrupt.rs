@@ -6,15 +6,14 @@ use std::process::{Child, Command, Stdio};
 
 use tables::netcdf::DatasetReader;
 
+use crate::{alone, message};
+
 const MATERIAL: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
 const NUMERICS: &str = "[numerics]\nelements_per_radius = 8\nsectors = 8\n";
 
 /// The program with progress on stderr.
 fn start(directory: &Path, arguments: &str) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_asperity"))
-        .args(arguments.split(' '))
-        .arg("--progress")
-        .current_dir(directory)
+    crate::command(directory, &format!("{arguments} --progress"))
         .env("HDF5_USE_FILE_LOCKING", "FALSE")
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -44,6 +43,7 @@ fn interrupt_at(mut child: Child, signals: &[&str], seen: impl Fn(&str) -> bool)
 
 #[test]
 fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
+    let _alone = alone();
     let directory = tempfile::tempdir().unwrap();
     let scene = format!("{MATERIAL}[loading]\ninterference = 20\nslip_rate = 1\n{NUMERICS}");
     std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
@@ -75,6 +75,7 @@ fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
 /// finite strain, after a coarse slide at small strain, and that is kept.
 #[test]
 fn two_signals_at_once_are_one_request_and_lose_nothing() {
+    let _alone = alone();
     let directory = tempfile::tempdir().unwrap();
     let numerics = "[numerics]\nelements_per_radius = 24\n";
     let scene = format!("{MATERIAL}[loading]\ninterference = 5\nslip_rate = 0\n{numerics}");
@@ -88,6 +89,7 @@ fn two_signals_at_once_are_one_request_and_lose_nothing() {
 
 #[test]
 fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
+    let _alone = alone();
     let directory = tempfile::tempdir().unwrap();
     let request = format!(
         "{MATERIAL}[table]\ninterference = [1, 2, 20]\nslip_rate = [1]\n[numerics]\nelements_per_radius = 6\nsectors = 4\n"
@@ -100,14 +102,11 @@ fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
     assert!(directory.path().join("table.nc.part").exists());
     let (_, command) = said.lines().last().unwrap().split_once("to continue: asperity ").unwrap();
     assert!(command.contains("--resume"), "{command}");
-    let output = Command::new(env!("CARGO_BIN_EXE_asperity"))
-        .args(command.split(' '))
-        .arg("-v")
-        .current_dir(directory.path())
+    let output = crate::command(directory.path(), &format!("{command} -v"))
         .env("HDF5_USE_FILE_LOCKING", "FALSE")
         .output()
         .unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
+    let said = message(&output);
     assert_eq!(output.status.code(), Some(0), "{said}");
     assert!(!said.contains("0 cells were taken") && said.contains("cells were taken"), "{said}");
     assert!(directory.path().join("table.nc").exists());

@@ -2,14 +2,15 @@
 //! anywhere, a full disk, a directory that goes away or cannot be written, a clock that is wrong, names that
 //! are links or no text, two programs at one table. What is finished is kept, and the table in the end is
 //! that of an undisturbed run.
-#![cfg(target_os = "linux")]
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
-use std::sync::{Mutex, MutexGuard, OnceLock};
+use std::sync::OnceLock;
 use std::time::Duration;
 
 use tables::table::{Status, Table};
+
+use crate::{alone, message};
 
 const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
                        [loading]\nslip_distance = 0.02\n\
@@ -19,26 +20,15 @@ const CELLS: usize = 6;
 const JOBS: usize = 2;
 
 fn tabulate(directory: &Path, more: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
-    command.args(["tabulate", "request.toml", "-o", "table.nc", "--jobs", "2"]).args(more);
-    command.current_dir(directory).stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut command = crate::command(directory, "tabulate request.toml -o table.nc --jobs 2");
+    command.args(more).stdout(Stdio::null()).stderr(Stdio::piped());
     command
-}
-
-/// One test at a time: children would inherit the files that the HDF5 library has open here.
-fn alone() -> MutexGuard<'static, ()> {
-    static ALONE: Mutex<()> = Mutex::new(());
-    ALONE.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
 }
 
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
     folder
-}
-
-fn message(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
 }
 
 /// All of a table but the wall times.
@@ -191,9 +181,9 @@ fn a_directory_that_vanishes_ends_the_run() {
     let folder = folder();
     let place: PathBuf = folder.path().join("place");
     std::fs::create_dir(&place).unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
-    command.args(["tabulate", "request.toml", "-o", "place/table.nc", "--jobs", "2", "--quiet"]);
-    let child = command.current_dir(folder.path()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut command =
+        crate::command(folder.path(), "tabulate request.toml -o place/table.nc --jobs 2 --quiet");
+    let child = command.stderr(Stdio::piped()).spawn().unwrap();
     while journalled(&place) < 1 {
         std::thread::sleep(Duration::from_millis(5));
     }
@@ -313,10 +303,7 @@ fn tables_are_written_through_links() {
     for (link, target) in [("table.nc", "large disk/table.nc"), ("figure.svg", "large disk/figure.svg")] {
         std::os::unix::fs::symlink(target, folder.path().join(link)).unwrap();
     }
-    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
-    command.args(["tabulate", "linked.toml", "-o", "table.nc", "--jobs", "2", "--plot", "figure.svg"]);
-    let output = command.current_dir(folder.path()).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    crate::done(folder.path(), "tabulate linked.toml -o table.nc --jobs 2 --plot figure.svg");
     for name in ["table.nc", "figure.svg"] {
         assert!(folder.path().join(name).is_symlink(), "{name}");
         assert!(folder.path().join("large disk").join(name).metadata().unwrap().is_file(), "{name}");
@@ -338,16 +325,8 @@ fn names_may_be_anything() {
     let [request, table, figure] = [&b"request \xff.toml"[..], b"my table \xff.nc", b"\xe9.svg"]
         .map(|name| odd.join(OsStr::from_bytes(name)));
     std::fs::rename(folder.path().join("request.toml"), &request).unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
-    command
-        .arg("tabulate")
-        .arg(&request)
-        .arg("-o")
-        .arg(&table)
-        .arg("--plot")
-        .arg(&figure)
-        .args(["--jobs", "2"]);
-    let output = command.current_dir(folder.path()).output().unwrap();
+    let mut command = crate::command(folder.path(), "tabulate --jobs 2 -o");
+    let output = command.arg(&table).arg("--plot").arg(&figure).arg(&request).output().unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(content(&table), undisturbed());
     assert!(figure.exists());

@@ -2,43 +2,18 @@
 //! between. A coarse asperity at 2 × 1 points and 3 temperatures.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 use std::sync::OnceLock;
 
 use tables::quantity::Quantity;
 use tables::table::Cell;
 use tables::table::Table;
 
-mod program;
-
-use program::{alone, text};
+use crate::{alone, done, refused};
 
 const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
                        [loading]\nslip_distance = 0.05\n\
                        [table]\ninterference = [2, 8]\nslip_rate = [1]\ntemperature = [298, 500, 700]\n\
                        [numerics]\nelements_per_radius = 4\nsectors = 4\n";
-
-fn asperity(directory: &Path, line: &str) -> Output {
-    let arguments = line.split(' ').filter(|word| !word.is_empty());
-    Command::new(env!("CARGO_BIN_EXE_asperity")).args(arguments).current_dir(directory).output().unwrap()
-}
-
-fn done(folder: &Path, line: &str) -> String {
-    let output = asperity(folder, line);
-    assert_eq!(output.status.code(), Some(0), "{line}: {}", text(&output.stderr));
-    text(&output.stdout)
-}
-
-/// Exit status 2 and one line with all of `parts`.
-fn refused(folder: &Path, line: &str, parts: &[&str]) {
-    let output = asperity(folder, line);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{line}: {message}");
-    assert_eq!(message.lines().count(), 1, "{message}");
-    for part in parts {
-        assert!(message.contains(part), "{line}: {message} lacks {part}");
-    }
-}
 
 /// A folder with the table and both shards of it, and the table of 500 K by itself.
 fn made() -> PathBuf {

@@ -1,0 +1,143 @@
+//! The program from outside: exit status, messages, and that nothing is left behind by a
+//! command that was refused.
+
+use std::path::Path;
+
+use crate::{alone, asperity, done, message};
+
+const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
+                     [loading]\ninterference = 20\nslip_rate = 1\n";
+const REQUEST: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+                       [table]\ninterference = [1, 10]\nslip_rate = [1]\n";
+
+/// Refused, and no new file.
+fn refused(line: &str, parts: &[&str]) {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("scene.toml"), SCENE).unwrap();
+    std::fs::write(directory.path().join("request.toml"), REQUEST).unwrap();
+    crate::refused(directory.path(), line, parts);
+    assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 2, "{line}");
+}
+
+#[test]
+fn bad_input_is_refused_before_any_work() {
+    let _alone = alone();
+    let run = "run scene.toml -o run.nc";
+    let tabulate = "tabulate request.toml -o table.nc";
+    for (line, parts) in [
+        (
+            format!("{run} --set material.youngs_modulus=-1"),
+            &["material.youngs_modulus", "-1", "a positive number (Pa)"][..],
+        ),
+        (
+            format!("{run} --set loading.interferance=3"),
+            &["loading.interferance", "did you mean interference?"],
+        ),
+        (format!("{run} --plot run.pdf"), &["run.pdf", "svg, png"]),
+        (format!("{run} --fields-at 1,5"), &["--fields-at 5", "loading.slip_distance = 2"]),
+        ("run none.toml -o run.nc".into(), &["none.toml", "cannot be read"]),
+        ("run scene.toml -o none/run.nc".into(), &["none/run.nc", "cannot be written"]),
+        ("run scene.toml -o scene.toml".into(), &["is the input"]),
+        ("run request.toml -o run.nc".into(), &["asperity tabulate"]),
+        ("tabulate scene.toml -o table.nc".into(), &["table is missing"]),
+        (format!("{tabulate} --set table.tolerance=2"), &["table.tolerance = 2", "at most 0.5"]),
+        (format!("{tabulate} --set table.max_cells=100"), &["table.max_cells = 100", "unless tolerance"]),
+        (format!("{tabulate} --set table.tolerance=0.1 --shard 1/2"), &["--shard 1/2", "table.tolerance"]),
+        ("merge scene.toml none.nc -o table.nc".into(), &["scene.toml"]),
+        ("materials steel4340".into(), &["steel4340", "steel-4340"]),
+    ] {
+        refused(&line, parts);
+    }
+}
+
+#[test]
+fn usage_errors_have_status_2_and_help_has_0() {
+    let _alone = alone();
+    let here = Path::new(".");
+    for line in ["", "run", "run scene.toml", "fly"] {
+        assert_eq!(asperity(here, line).status.code(), Some(2), "{line}");
+    }
+    for line in ["--help", "run --help", "tabulate --help", "honesty --help", "--version"] {
+        assert!(done(here, line).contains("asperity"), "{line}");
+    }
+}
+
+#[test]
+fn materials_are_listed_with_units_and_sources() {
+    let _alone = alone();
+    let here = Path::new(".");
+    let list = done(here, "materials");
+    let names: Vec<&str> = list.lines().map(|line| line.split(' ').next().unwrap()).collect();
+    assert_eq!(names, asperity::scene::presets::names());
+    assert!(names.contains(&"copper") && names.len() >= 7, "{list}");
+    let steel = done(here, "materials steel-4340");
+    let line = steel.lines().find(|line| line.starts_with("yield_strength")).unwrap();
+    for part in ["7.92e8", "Pa", "Johnson & Cook 1985"] {
+        assert!(line.contains(part), "{line}");
+    }
+    let json: serde_json::Value = serde_json::from_str(&done(here, "materials copper --json")).unwrap();
+    assert_eq!(json["constants"]["yield_strength"]["value"], 90e6);
+    assert_eq!(json["laws"]["hardening"], "johnson-cook");
+    let carbon = done(here, "materials carbon-steel-en1993");
+    for part in ["youngs_modulus", "873.15 K: 6.51e10", "1008.15 K: 5000", "EN 1993-1-2:2005", "checked: "] {
+        assert!(carbon.contains(part), "{carbon}");
+    }
+}
+
+/// Where there is no friction the numbers are none, not rounding, and where sliding does not begin or the strength is
+/// that of another temperature, a warning says so.
+#[test]
+fn a_run_says_what_its_numbers_are_not() {
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("scene.toml"), SCENE).unwrap();
+    let run = |set: &[&str]| {
+        let coarse = ["numerics.elements_per_radius=4", "numerics.sectors=4", "numerics.accuracy=0.5"];
+        let set: String = coarse.iter().chain(set).map(|change| format!(" --set {change}")).collect();
+        let output = asperity(directory.path(), &format!("run scene.toml -o run.nc --json -v{set}"));
+        let said = message(&output);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        (serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap(), said)
+    };
+    for set in [
+        &["loading.slip_distance=0"][..],
+        &["interface.law=coulomb", "interface.friction=0"],
+        &["interface.law=frictionless"],
+    ] {
+        let (json, said) = run(set);
+        for name in ["mu", "mu_static", "Q", "G", "inception_slip"] {
+            assert_eq!(json["summary"][name]["value"], 0.0, "{set:?} {name}");
+        }
+        assert!(!said.contains("NaN") && !said.contains("warning"), "{set:?} {said}");
+    }
+    let begun = "sliding has not begun";
+    assert!(!run(&[]).1.contains(begun));
+    assert!(run(&["loading.interference=100", "loading.slip_distance=0.005"]).1.contains(begun));
+    assert!(run(&["loading.temperature=700"]).1.contains("yield_strength is taken to hold at"));
+}
+
+/// `-v` tells the notes of cells whether or not the table is a resumed one; tables without a common cell differ.
+#[test]
+fn tables_tell_notes_and_differ_in_their_cells() {
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    let coarse =
+        "[numerics]\nelements_per_radius = 4\nsectors = 4\naccuracy = 0.5\n[loading]\nslip_distance = 0.02\n";
+    std::fs::write(directory.path().join("request.toml"), format!("{REQUEST}{coarse}")).unwrap();
+    for (table, interference) in [("one.nc", "[1]"), ("other.nc", "[2]")] {
+        let line = format!("tabulate request.toml -o {table} -v --set table.interference={interference}");
+        let output = asperity(directory.path(), &line);
+        let said = message(&output);
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        assert!(
+            said.contains("4 elements per contact radius") && !said.contains("interrupted run"),
+            "{said}"
+        );
+    }
+    let diff =
+        |other: &str| asperity(directory.path(), &format!("table diff one.nc {other} --tolerance 0.1"));
+    assert_eq!(diff("one.nc").status.code(), Some(0));
+    let output = diff("other.nc");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(message(&output).contains("1 cells are in the first only, 1 in the second only"));
+}

@@ -1,0 +1,59 @@
+//! The program from outside: exit status, messages, files, and what a crash, a signal or a full disk leave.
+
+mod command_line;
+#[cfg(target_os = "linux")]
+mod faults;
+mod initial_temperatures;
+mod interrupt;
+mod shards_and_tables;
+mod shipped_tables;
+
+use std::path::Path;
+use std::process::{Command, Output};
+use std::sync::{Mutex, MutexGuard};
+
+/// One test at a time: a program started by one would inherit the files that another has open in
+/// the HDF5 library, and their locks.
+fn alone() -> MutexGuard<'static, ()> {
+    static ALONE: Mutex<()> = Mutex::new(());
+    ALONE.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+}
+
+/// The program with arguments separated by blanks.
+fn command(directory: &Path, line: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    command.args(line.split(' ').filter(|word| !word.is_empty())).current_dir(directory);
+    command
+}
+
+fn asperity(directory: &Path, line: &str) -> Output {
+    command(directory, line).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// What the program wrote on stderr.
+fn message(output: &Output) -> String {
+    text(&output.stderr)
+}
+
+/// Exit status 0; what the program printed.
+fn done(directory: &Path, line: &str) -> String {
+    let output = asperity(directory, line);
+    assert_eq!(output.status.code(), Some(0), "{line}: {}", message(&output));
+    text(&output.stdout)
+}
+
+/// Exit status 2, nothing printed, and one line on stderr with all of `parts`.
+fn refused(directory: &Path, line: &str, parts: &[&str]) {
+    let output = asperity(directory, line);
+    let message = message(&output);
+    assert_eq!(output.status.code(), Some(2), "{line}: {message}");
+    assert_eq!(message.lines().count(), 1, "{line}: {message}");
+    assert!(output.stdout.is_empty(), "{line}");
+    for part in parts {
+        assert!(message.contains(part), "{line}: {message} lacks {part}");
+    }
+}
