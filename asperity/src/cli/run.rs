@@ -10,7 +10,7 @@ use asperity::output::{figures, numbers, provenance, vtu};
 use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
 use asperity::simulate::fracture;
-use asperity::simulate::outcome::{ErrorSource, Kernel, Outcome};
+use asperity::simulate::outcome::{ErrorSource, Kernel, Outcome, Warning};
 use asperity::simulate::quantities::{estimate, inception_in_words};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
@@ -40,7 +40,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     progress.clear();
     match result {
         Ok(mut outcome) => {
-            outcome.account.warnings.extend(scene.reference_temperature_warning());
+            outcome.account.warnings.extend(scene.reference_temperature_warning().map(Warning::Scene));
             report(&scene, &outcome, None, arguments, display)
         }
         Err(error) => {
@@ -56,7 +56,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
                     Err(Failure::Run(format!("{reason}; the slide had not begun, there is nothing to save")))
                 }
                 Some(mut outcome) => {
-                    outcome.account.warnings.extend(scene.reference_temperature_warning());
+                    outcome.account.warnings.extend(scene.reference_temperature_warning().map(Warning::Scene));
                     report(&scene, &outcome, Some(&reason), arguments, display)?;
                     let output = arguments.output.display();
                     Err(Failure::Run(format!(

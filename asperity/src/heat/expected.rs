@@ -1,31 +1,51 @@
-//! Whether heat need be simulated, and act back on the contact.
+//! Expected effect of heat on friction, by which a slide is simulated with heat or without.
+//!
+//! Rise of temperature in the middle of a disc source, f_h τ₀ V a/k (Carslaw & Jaeger, Conduction of
+//! Heat in Solids, 1959, §10.5), and what it changes: the strength by softening, the load at a held
+//! interference by thermal expansion and softer moduli.
 
-use crate::loading::problem::{Problem, SHEAR_RATIO};
-use crate::material::Solid;
+use tables::closed_forms::hertz;
+
+use crate::material::{SHEAR_RATIO, Solid};
 use crate::scene::{Scene, Switch};
 
-/// Heat acts back unless what that changes is below this share of the asked accuracy.
-const ONE_WAY_SHARE: f64 = 0.05;
+/// Heat is left out where its expected effect on friction is below this share of the asked accuracy.
+const NEGLIGIBLE_SHARE: f64 = 1e-3;
 /// Change of the load over (1 + ν)α Δθ a/ω: measured 2.1, 2.9 and 3.3 at 0.5, 5 and 40 omega_c (4340 and 1045 steel,
 /// copper).
 const LOAD_OF_EXPANSION: f64 = 3.0;
 
-/// What the simulation does about heat.
+/// What is done about heat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Heat {
-    ModellingError,
-    /// Temperatures follow from a contact that does not know them.
-    OneWay,
+pub enum HeatChoice {
     /// Temperatures soften and expand the contact.
     Coupled,
+    Off(NoHeat),
 }
 
-/// What frictional heat is expected to do to a contact that slides steadily.
+/// Why there is no heat.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoHeat {
+    SwitchedOff,
+    /// V = 0, the isothermal limit.
+    AtRest,
+    NoFriction,
+    /// The expected effect is far below the accuracy.
+    Negligible,
+}
+
+impl HeatChoice {
+    pub fn is_coupled(self) -> bool {
+        self == Self::Coupled
+    }
+}
+
+/// Expected effect of heat on a contact that slides steadily.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatEffect {
-    /// f_h τ₀ V a/k, K: the rise in the middle of a disc source, Carslaw & Jaeger §10.5.
+    /// f_h τ₀ V a/k, K. Without frictional heat that of plastic work at most: β in place of f_h.
     pub rise: f64,
-    /// Share of the strength, and with it of friction, that goes at this rise.
+    /// Share of the strength, and with it of friction, that is lost at this rise.
     pub softening: f64,
     /// Share by which expansion and softening moduli change the load at a held interference.
     pub load: f64,
@@ -36,12 +56,17 @@ impl HeatEffect {
     pub fn expected(scene: &Scene, slip_rate: f64, contact_radius: f64) -> Self {
         let (material, interface) = (&scene.material, &scene.interface);
         let strength = interface.strength_factor * SHEAR_RATIO * material.yield_strength;
-        let rise =
-            interface.heat_partition * strength * slip_rate * contact_radius / material.thermal_conductivity;
+        let share = match interface.heat_partition {
+            0.0 => interface.taylor_quinney,
+            partition => partition,
+        };
+        let rise = share * strength * slip_rate * contact_radius / material.thermal_conductivity;
         let solid = Solid::new(material, scene.loading.temperature);
-        let problem = Problem::new(scene);
+        let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
+        let critical =
+            hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);
+        let interference = scene.loading.interference * critical * scene.radius;
         let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
-        let interference = problem.interference * problem.units.length;
         Self {
             rise,
             softening: (1.0 - solid.softening_factor(rise)).abs(),
@@ -49,94 +74,42 @@ impl HeatEffect {
         }
     }
 
-    /// Change of the friction coefficient.
+    /// Relative change of the friction coefficient.
     pub fn friction(&self) -> f64 {
         self.softening + self.load
     }
-
-    fn in_words(&self) -> String {
-        if self.softening >= 1.0 {
-            return "at its full strength the contact would melt".into();
-        }
-        let load =
-            if self.load < 1.0 { format!("by {:.2} %", 100.0 * self.load) } else { "altogether".into() };
-        format!(
-            "a rise of about {:.2} K takes {:.2} % of the strength and changes the load {load}",
-            self.rise,
-            100.0 * self.softening,
-        )
-    }
 }
 
-/// What is done about heat; says why.
-pub fn choose_heat(scene: &Scene, slip_rate: f64, effect: &HeatEffect, notes: &mut Vec<String>) -> Heat {
-    let modelling_error = |why: &str| (Heat::ModellingError, format!("heat is left out: {why}"));
-    let (heat, note) = match scene.model.heat {
-        Switch::Off => modelling_error("it is switched off"),
-        _ if slip_rate == 0.0 => modelling_error("the slip rate is 0, the isothermal limit"),
-        Switch::Auto if !scene.interface.law.has_friction() => modelling_error("there is no friction"),
-        Switch::Auto if scene.interface.heat_partition == 0.0 => (
-            Heat::OneWay,
-            "heat does not act back: that of friction does not enter, that of plastic work is small".into(),
-        ),
-        Switch::Auto if effect.friction() < ONE_WAY_SHARE * scene.numerics.accuracy => {
-            (Heat::OneWay, format!("heat does not act back: {}, which the errors include", effect.in_words()))
+/// Heat is coupled unless there is none or its effect is negligible.
+pub fn choose_heat(scene: &Scene, slip_rate: f64, effect: &HeatEffect) -> HeatChoice {
+    match scene.model.heat {
+        Switch::Off => HeatChoice::Off(NoHeat::SwitchedOff),
+        _ if slip_rate == 0.0 => HeatChoice::Off(NoHeat::AtRest),
+        Switch::Auto if !scene.interface.law.has_friction() => HeatChoice::Off(NoHeat::NoFriction),
+        Switch::Auto if effect.friction() < NEGLIGIBLE_SHARE * scene.numerics.accuracy => {
+            HeatChoice::Off(NoHeat::Negligible)
         }
-        Switch::On | Switch::Auto => (Heat::Coupled, format!("heat is included: {}", effect.in_words())),
-    };
-    notes.push(note);
-    heat
+        Switch::On | Switch::Auto => HeatChoice::Coupled,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::file::parse_scene;
-    use crate::simulate::{Unwatched, simulate};
 
-    fn scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {
+    fn scene(preset: &str, interference: f64, slip_rate: f64) -> Scene {
         let text = format!(
             "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
-             [loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n\
-             [model]\nheat = \"{heat}\"\nkinematics = \"small\"\n\
-             [numerics]\naccuracy = 0.5\nelements_per_radius = 6\nsectors = 4\n"
+             [loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n"
         );
         parse_scene(&text, "this test", &[]).unwrap()
     }
 
-    /// On one mesh heat that acts back changes load and friction by what was expected, and the same numbers without
-    /// it state that error; the temperatures are the same but for the feedback.
-    #[test]
-    fn what_is_left_out_is_estimated() {
-        for (preset, interference, slip_rate) in
-            [("steel-4340", 0.5, 0.08), ("steel-1045", 5.0, 0.1), ("copper", 40.0, 2.0)]
-        {
-            let run =
-                |heat: &str| simulate(&scene(preset, interference, slip_rate, heat), &Unwatched).unwrap();
-            let [one_way, coupled, none] = ["auto", "on", "off"].map(run);
-            assert!(one_way.account.notes.iter().any(|note| note.contains("does not act back")));
-            assert!(coupled.account.notes.iter().any(|note| note.contains("heat is included")));
-            let [one_way, coupled, none] = [one_way, coupled, none].map(|outcome| outcome.summary);
-            for of in
-                [|s: &crate::simulate::outcome::Summary| s.load, |s: &crate::simulate::outcome::Summary| s.mu]
-            {
-                let [one_way, coupled, none] = [&one_way, &coupled, &none].map(of);
-                assert_eq!(one_way.value, none.value, "{preset}");
-                let stated = one_way.error - none.error;
-                let ratio = (one_way.value - coupled.value).abs() / stated;
-                assert!((0.2..1.5).contains(&ratio), "{preset}: {ratio}");
-            }
-            let [alone, fed_back] = [&one_way, &coupled].map(|s| s.temperature_max);
-            assert!(alone.value > none.temperature_max.value + 0.1);
-            let apart = (alone.value - fed_back.value).abs();
-            assert!(apart <= alone.error, "{preset}: {apart} K, {} stated", alone.error);
-        }
-    }
-
-    /// The strength that goes is that of the law of softening, however steeply it begins.
+    /// The strength that is lost is that of the law of softening, however steeply it begins.
     #[test]
     fn softening_is_that_of_the_law() {
-        let mut scene = scene("steel-4340", 20.0, 1.0, "auto");
+        let mut scene = scene("steel-4340", 20.0, 1.0);
         let crate::scene::Softening::JohnsonCook { melting, exponent, .. } = &mut scene.material.softening
         else {
             panic!("a preset of Johnson and Cook")
@@ -148,5 +121,25 @@ mod tests {
         let number = 0.5 * SHEAR_RATIO * scene.material.yield_strength * 0.01 * 40e-6
             / (scene.material.thermal_conductivity * range);
         assert!((effect.rise / range / number - 1.0).abs() < 1e-12);
+    }
+
+    /// Heat is left out for a reason, and far below the accuracy only.
+    #[test]
+    fn heat_is_coupled_unless_negligible() {
+        let choice = |slip_rate: f64, change: &dyn Fn(&mut Scene)| {
+            let mut scene = scene("steel-4340", 2.0, slip_rate);
+            change(&mut scene);
+            choose_heat(&scene, slip_rate, &HeatEffect::expected(&scene, slip_rate, 2e-5))
+        };
+        let off = |reason| HeatChoice::Off(reason);
+        assert_eq!(choice(1.0, &|_| ()), HeatChoice::Coupled);
+        assert_eq!(choice(0.0, &|_| ()), off(NoHeat::AtRest));
+        assert_eq!(choice(1.0, &|s| s.model.heat = Switch::Off), off(NoHeat::SwitchedOff));
+        let frictionless = |s: &mut Scene| s.interface.law = crate::scene::FrictionLaw::Frictionless;
+        assert_eq!(choice(1.0, &frictionless), off(NoHeat::NoFriction));
+        assert_eq!(choice(1e-6, &|_| ()), off(NoHeat::Negligible));
+        assert_eq!(choice(1e-6, &|s| s.model.heat = Switch::On), HeatChoice::Coupled);
+        // Plastic work heats where friction does not.
+        assert_eq!(choice(1.0, &|s| s.interface.heat_partition = 0.0), HeatChoice::Coupled);
     }
 }

@@ -5,8 +5,8 @@ use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::MeshSize;
 use crate::interface::contact::{Contact, FlatPosition};
+use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::problem::{Discretisation, Problem};
-use crate::simulate::accuracy::resolution::NEWTON_TOLERANCE;
 use crate::solver::harmonic::FactorError;
 use crate::solver::newton::{CouplingData, LoadingControl, Mechanics, StepFailure};
 

@@ -18,8 +18,7 @@ use crate::scene::curve::Curve;
 use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene, TemperatureTable};
 use crate::solver::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
 
-/// 1/√3, von Mises' ratio of shear to tensile strength.
-pub const SHEAR_RATIO: f64 = 0.577_350_269_189_625_8;
+pub use crate::material::SHEAR_RATIO;
 
 #[derive(Clone, Debug)]
 pub struct Problem {

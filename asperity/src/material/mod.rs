@@ -18,6 +18,9 @@ mod return_map;
 pub use flow::StrainPath;
 use return_map::Trial;
 
+/// 1/√3, von Mises' ratio of shear to tensile strength.
+pub const SHEAR_RATIO: f64 = 0.577_350_269_189_625_8;
+
 /// The material in dimensionless form.
 #[derive(Clone, Debug)]
 pub struct Solid {

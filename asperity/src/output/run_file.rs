@@ -96,14 +96,19 @@ pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -
     file.attribute("history", about.history.as_str())?;
     file.attribute("scene", write_scene(scene))?;
     file.attribute("completion", completion)?;
-    file.attribute("notes", outcome.account.notes.join("\n"))?;
-    file.attribute("warnings", outcome.account.warnings.join("\n"))?;
+    file.attribute("notes", lines(&outcome.account.notes))?;
+    file.attribute("warnings", lines(&outcome.account.warnings))?;
     columns(&mut file, "step_press", &PRESS, &outcome.press, "interference_press")?;
     columns(&mut file, "step", &SLIDE, &outcome.slide, "slip time")?;
     estimates(&mut file, scene, outcome)?;
     account(&mut file, outcome)?;
     fields(&mut file, outcome)?;
     file.finish()
+}
+
+/// One sentence a line.
+fn lines<T: ToString>(sentences: &[T]) -> String {
+    sentences.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 /// One variable per column over `dimension`.
@@ -309,7 +314,7 @@ mod tests {
         };
         assert_eq!(text("Conventions"), "CF-1.11");
         assert_eq!(text("completion"), "complete");
-        assert_eq!(text("warnings"), "a warning\nanother");
+        assert_eq!(text("warnings"), lines(&outcome.account.warnings));
         let scene = parse_scene(&text("scene"), "attribute", &[]).unwrap();
         assert_eq!(scene, fake::scene(20.0, 1.0));
         let slip: Vec<f64> = file.variable("slip").unwrap().get_values(..).unwrap();

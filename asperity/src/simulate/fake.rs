@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 use crate::simulate::outcome::{
     Account, ContactGrid, ContactStatus, ErrorBudget, InceptionCriterion, Outcome, PressStep, SlideStep,
-    Snapshot, Summary,
+    Note, Snapshot, Summary, Warning,
 };
 use crate::simulate::{SimulationError, Watch};
 use crate::tabulate::Simulator;
@@ -110,8 +110,8 @@ impl Fake {
             }],
             body: None,
             account: Account {
-                notes: vec!["a note".into()],
-                warnings: vec!["a warning".into(), "another".into()],
+                notes: vec![Note::Remeshed { growth: 2.0, room: 3.0 }],
+                warnings: vec![Warning::ErrorsUnknown, Warning::NotSliding],
                 ..Account::default()
             },
         }

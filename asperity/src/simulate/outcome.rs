@@ -3,8 +3,10 @@
 use tables::law::Estimate;
 
 pub use crate::interface::contact::Status as ContactStatus;
+pub use crate::loading::inception::InceptionCriterion;
 pub use crate::loading::body_fields::{BodyFields, BodySnapshot};
 pub use crate::simulate::accuracy::error_budget::{ErrorBudget, ErrorSource};
+pub use crate::simulate::messages::{Note, Warning};
 pub use crate::solver::timings::{Kernel, Timings};
 
 /// One increment of the press.
@@ -54,17 +56,6 @@ pub struct SlideStep {
     pub heat_stored: f64,
     /// Heat that left through the base and the gap.
     pub heat_out: f64,
-}
-
-/// Which of the two criteria of sliding inception was met first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InceptionCriterion {
-    /// No contact point sticks.
-    FullSlip,
-    /// dQ/ds fell below 1 % of its initial value.
-    Stiffness,
-    /// Neither, up to the end of the slide.
-    None,
 }
 
 /// Scalars of a run; errors are absolute.
@@ -133,10 +124,10 @@ pub struct Account {
     pub wall_time: f64,
     /// Where the time went; without that of the output, which is not done then.
     pub timings: Timings,
-    /// What was chosen or left out and why, a sentence each.
-    pub notes: Vec<String>,
-    /// What the reader must know before trusting the numbers, a sentence each.
-    pub warnings: Vec<String>,
+    /// What was chosen or left out and why.
+    pub notes: Vec<Note>,
+    /// What the reader must know before trusting the numbers.
+    pub warnings: Vec<Warning>,
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -1,11 +1,13 @@
-//! The press, on as many meshes as slides ask for.
+//! The press: on the planned resolutions, shared by slides at any slip rate.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
 use tables::law::Estimate;
 
+use super::messages::StrainChoice;
+use super::strain::choose_strain;
 use super::{SimulationError, Watch};
 use crate::discretisation::body::{Body, LargestMises};
 use crate::discretisation::mesh::MeshSize;
@@ -13,14 +15,14 @@ use crate::interface::contact::Contact;
 use crate::loading::press::{self, Increment, PressFailure};
 use crate::loading::problem::Problem;
 use crate::loading::recording::Recording;
-use crate::scene::Scene;
+use crate::scene::{Kinematics, Scene};
 use crate::simulate::accuracy::error_budget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::solver::newton::Effort;
 
 /// The pressed asperity on one mesh.
 pub(super) struct PressedMesh {
-    pub(super) press_increments: usize,
+    press_increments: usize,
     pub(super) size: MeshSize,
     /// Axisymmetric state at the end of the press.
     pub(super) body: Body,
@@ -34,37 +36,17 @@ pub(super) struct PressedMesh {
 
 /// Asperity after the press, in full stick: start of slides at any slip rate.
 pub struct Pressed {
-    pub(crate) scene: Scene,
+    pub(super) scene: Scene,
     pub(super) problem: Problem,
+    /// Strain measure, where the scene leaves the choice.
+    pub(super) strain: Option<StrainChoice>,
     pub(super) resolution: Resolution,
     /// Contact radius over R that meshes are laid out for.
     pub(super) contact_radius: f64,
-    /// Meshes pressed so far; more are added where a slide needs a finer one.
-    pub(super) meshes: Mutex<Vec<Arc<PressedMesh>>>,
-    /// The same at finite strain, where a slide asked for that.
-    pub(crate) finite: Mutex<Option<Arc<Pressed>>>,
+    /// The coarse mesh, that of the main run, and the coarse one in longer increments.
+    pub(super) meshes: Vec<Arc<PressedMesh>>,
     pub(super) recording: Recording,
     pub(super) wall_time: f64,
-}
-
-/// Press on the coarse mesh alone: what [`sample`] starts from.
-pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
-    let clock = Instant::now();
-    let problem = Problem::new(scene);
-    let resolution = Resolution::choose(&scene.numerics);
-    let expected = problem.expected_contact_radius();
-    let mesh = press_mesh(&problem, &resolution.coarse(), expected, watch)?;
-    let contact_radius = mesh.contact.radius(&mesh.contact.committed);
-    Ok(Pressed {
-        scene: scene.clone(),
-        problem,
-        resolution,
-        contact_radius,
-        meshes: Mutex::new(vec![Arc::new(mesh)]),
-        finite: Mutex::new(None),
-        recording: Recording::default(),
-        wall_time: clock.elapsed().as_secs_f64(),
-    })
 }
 
 /// Press the asperity to the interference of the scene, in full stick and without heat.
@@ -85,32 +67,72 @@ pub(crate) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
 /// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Instant::now();
-    let problem = Problem::new(scene);
-    let fine = Resolution::choose(&scene.numerics);
-    let coarse = fine.coarse();
-    watch.progress("press", 0.0, "coarse mesh");
-    let expected = problem.expected_contact_radius();
-    let first = press_mesh(&problem, &coarse, expected, watch)?;
-    let contact_radius = first.contact.radius(&first.contact.committed);
-    let mut meshes = vec![Arc::new(first)];
+    let mut pressed = press_coarsely(scene, watch)?;
     watch.progress("press", 0.2, "fine mesh");
-    let others = [fine, coarse.longer_steps()];
-    let pressed: Vec<_> =
-        others.par_iter().map(|resolution| press_mesh(&problem, resolution, contact_radius, watch)).collect();
-    for mesh in pressed {
-        meshes.push(Arc::new(mesh?));
-    }
+    let others = [pressed.resolution, pressed.resolution.coarse().longer_steps()];
+    add_presses(&mut pressed.meshes, &pressed.problem, &others, pressed.contact_radius, watch)?;
     watch.progress("press", 1.0, "");
+    pressed.wall_time = clock.elapsed().as_secs_f64();
+    Ok(pressed)
+}
+
+/// Press on the coarse mesh alone; there the strain measure is decided, where the scene leaves it.
+pub(super) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
+    let mut problem = Problem::new(scene);
+    let resolution = Resolution::choose(&scene.numerics);
+    let expected = problem.expected_contact_radius();
+    watch.progress("press", 0.0, "coarse mesh");
+    let mut mesh = press_mesh(&problem, &resolution.coarse(), expected, watch)?;
+    let strain = (scene.model.kinematics == Kinematics::Auto)
+        .then(|| choose_strain(scene, &problem, &mesh.body, &mesh.contact));
+    if strain.is_some_and(|choice| choice.finite) {
+        problem.finite_strain = true;
+        watch.progress("press", 0.1, "coarse mesh, finite strain");
+        mesh = press_mesh(&problem, &resolution.coarse(), expected, watch)?;
+    }
     Ok(Pressed {
         scene: scene.clone(),
         problem,
-        resolution: fine,
-        contact_radius,
-        meshes: Mutex::new(meshes),
-        finite: Mutex::new(None),
+        strain,
+        resolution,
+        contact_radius: mesh.contact.radius(&mesh.contact.committed),
+        meshes: vec![Arc::new(mesh)],
         recording: Recording::default(),
-        wall_time: clock.elapsed().as_secs_f64(),
+        wall_time: 0.0,
     })
+}
+
+/// Presses on the meshes of those of the resolutions that `meshes` lacks.
+pub(super) fn add_presses(
+    meshes: &mut Vec<Arc<PressedMesh>>,
+    problem: &Problem,
+    resolutions: &[Resolution],
+    contact_radius: f64,
+    watch: &dyn Watch,
+) -> Result<(), SimulationError> {
+    let mut missing: Vec<&Resolution> = Vec::new();
+    for resolution in resolutions {
+        let known = meshes.iter().any(|mesh| mesh.serves(resolution));
+        if !known && !missing.iter().any(|other| other.shares_press(resolution)) {
+            missing.push(resolution);
+        }
+    }
+    let pressed: Vec<_> =
+        missing.par_iter().map(|resolution| press_mesh(problem, resolution, contact_radius, watch)).collect();
+    for mesh in pressed {
+        meshes.push(Arc::new(mesh?));
+    }
+    Ok(())
+}
+
+impl PressedMesh {
+    /// Whether this is the press of slides at the resolution.
+    pub(super) fn serves(&self, resolution: &Resolution) -> bool {
+        self.size.elements_per_radius == resolution.elements_per_radius
+            && self.size.growth_zone == resolution.growth_zone
+            && self.size.thermal_layer_refinements == resolution.thermal_layer_refinements
+            && self.press_increments == resolution.press_increments
+    }
 }
 
 /// The contact at the end of the press, SI.
@@ -130,7 +152,7 @@ pub struct PressedContact {
 
 /// p₀ of p₀√(1 − r²/a²) from the mean over the points within a/2: over r < sa that is
 /// p₀ 2(1 − (1 − s²)^{3/2})/(3s²).
-pub(super) fn peak_pressure(contact: &Contact) -> f64 {
+fn peak_pressure(contact: &Contact) -> f64 {
     let radius = contact.radius(&contact.committed);
     let inner = contact.radii.iter().take_while(|&&r| r < 0.5 * radius).count();
     // One angle; areas are those of the half body.
@@ -144,8 +166,7 @@ pub(super) fn peak_pressure(contact: &Contact) -> f64 {
 impl Pressed {
     /// The contact, with errors as those of runs.
     pub fn contact(&self) -> PressedContact {
-        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
-        let [coarse, fine, longer] = [0, 1, 2].map(|i| &meshes[i]);
+        let [coarse, fine, longer] = [0, 1, 2].map(|i| &self.meshes[i]);
         let (run, coarser) = (&self.resolution, &self.resolution.coarse());
         let units = self.problem.units;
         let estimate = |unit: f64, edge_power: f64, of: fn(&Contact) -> f64| {
@@ -166,51 +187,19 @@ impl Pressed {
 
     /// How near to yield the press on the coarse and on the fine mesh comes.
     pub(crate) fn largest_mises(&self) -> [LargestMises; 2] {
-        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
-        [0, 1].map(|i| meshes[i].body.largest_mises(&meshes[i].body.committed))
+        [0, 1].map(|i| self.meshes[i].body.largest_mises(&self.meshes[i].body.committed))
     }
 
     /// The same, with slides that keep fields as `recording` says.
     pub fn recording(self, recording: Recording) -> Self {
-        Self { recording, finite: Mutex::new(None), ..self }
-    }
-
-    pub(crate) fn what_is_recorded(&self) -> &Recording {
-        &self.recording
-    }
-
-    /// The pressed mesh of a resolution, made now if it is not there.
-    pub(super) fn mesh(
-        &self,
-        resolution: &Resolution,
-        watch: &dyn Watch,
-    ) -> Result<Arc<PressedMesh>, SimulationError> {
-        let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = meshes.iter().find(|mesh| {
-            mesh.size.elements_per_radius == resolution.elements_per_radius
-                && mesh.size.growth_zone == resolution.growth_zone
-                && mesh.size.thermal_layer_refinements == resolution.thermal_layer_refinements
-                && mesh.press_increments == resolution.press_increments
-        });
-        if let Some(mesh) = known {
-            return Ok(mesh.clone());
-        }
-        let mesh = Arc::new(press_mesh(&self.problem, resolution, self.contact_radius, watch)?);
-        meshes.push(mesh.clone());
-        Ok(mesh)
-    }
-
-    /// Time spent on pressed meshes other than `mesh`, s.
-    pub(super) fn seconds_beside(&self, mesh: &Arc<PressedMesh>) -> f64 {
-        let meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
-        meshes.iter().filter(|other| !Arc::ptr_eq(other, mesh)).map(|other| other.seconds).sum()
+        Self { recording, ..self }
     }
 }
 
 /// Presses on a mesh laid out for the contact radius, and again on one laid out for the radius that
-/// was reached, so that the edge lies close to where the mesh expects it. Always twice: results
-/// change smoothly with the scene.
-pub(super) fn press_mesh(
+/// was reached, so that the edge lies close to where the mesh expects it. Always twice, so
+/// that results change smoothly with the scene.
+fn press_mesh(
     problem: &Problem,
     resolution: &Resolution,
     expected_radius: f64,

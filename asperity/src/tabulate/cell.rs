@@ -64,8 +64,8 @@ impl Finished {
         Self {
             cell,
             timings,
-            notes: outcome.account.notes.clone(),
-            warnings: outcome.account.warnings.clone(),
+            notes: outcome.account.notes.iter().map(ToString::to_string).collect(),
+            warnings: outcome.account.warnings.iter().map(ToString::to_string).collect(),
         }
     }
 }

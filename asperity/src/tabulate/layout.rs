@@ -4,7 +4,7 @@ use tables::closed_forms::hertz;
 
 use super::cost::Case;
 use super::journal::{Index, Point};
-use crate::heat::expected::{Heat, HeatEffect, choose_heat};
+use crate::heat::expected::{HeatEffect, choose_heat};
 use crate::scene::Scene;
 
 /// From this number of interferences on, one cell of the middle, of the smallest and of the largest are run first, so
@@ -82,7 +82,7 @@ impl<'a> Layout<'a> {
             let radius = hertz::contact_radius(scene.radius, interference * critical);
             let slip_rate = self.slip_rates[column];
             let effect = HeatEffect::expected(scene, slip_rate, radius);
-            let heated = choose_heat(scene, slip_rate, &effect, &mut Vec::new()) == Heat::Coupled;
+            let heated = choose_heat(scene, slip_rate, &effect).is_coupled();
             Case { interference, column, heated }
         };
         let rows = 0..self.rows();

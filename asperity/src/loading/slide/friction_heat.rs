@@ -12,8 +12,8 @@ struct FrictionHeat<'a> {
     contact: &'a Contact,
     /// Slip speed.
     speed: Vec<f64>,
-    /// Factor by which the interface has hardened, where it softens with its temperature.
-    hardened: Option<&'a [f64]>,
+    /// Factor by which the interface has hardened, at each contact point.
+    hardened: &'a [f64],
 }
 
 impl ContactHeat for FrictionHeat<'_> {
@@ -25,10 +25,9 @@ impl ContactHeat for FrictionHeat<'_> {
         let area = self.contact.areas[point];
         let gap = self.conductance(point);
         let power = problem.heat_partition * area * self.speed[point];
-        let hardened = self.hardened.filter(|_| problem.law.is_material_strength());
-        let (traction, slope) = if let Some(hardened) = hardened {
-            let hardened = hardened[point];
-            let strength = |t: f64| shear_strength(problem, hardened, t) * self.contact.cover[point];
+        let (traction, slope) = if problem.law.is_material_strength() {
+            let strength =
+                |t: f64| shear_strength(problem, self.hardened[point], t) * self.contact.cover[point];
             let h = 0.01;
             (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
         } else {
@@ -71,13 +70,13 @@ impl HeatSources {
         Self { speed: (0..contact.len()).map(|i| contact.point_slip(i) / dt).collect(), plastic }
     }
 
-    /// Temperature after a step with these sources; `hardened` unless the interface does not know its temperature.
+    /// Temperature after a step with these sources, with the factor by which the interface has hardened.
     pub fn heat(
         &self,
         problem: &Problem,
         conduction: &mut Conduction,
         contact: &Contact,
-        hardened: Option<&[f64]>,
+        hardened: &[f64],
         dt: f64,
     ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let mut plastic: Vec<f64> = self.plastic.iter().map(|power| power * dt).collect();

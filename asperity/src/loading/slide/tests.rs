@@ -1,12 +1,13 @@
 //! A step that is cut back leaves nothing behind.
 
+use super::increments::INCEPTION_WIDTH;
 use super::*;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::MeshSize;
 use crate::loading::press;
+use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::problem::Discretisation;
 use crate::scene::file::parse_scene;
-use crate::simulate::accuracy::resolution::NEWTON_TOLERANCE;
 use crate::simulate::{Unwatched, simulate};
 use crate::studies::robustness;
 
@@ -23,7 +24,7 @@ fn ready(problem: &Problem) -> Slide<'_> {
     let mechanics = Mechanics::new(body, contact, factors, displacement, NEWTON_TOLERANCE);
     let increments = Increments { growth: 0.3, coupling_limit: 4 };
     // VR/κ of 1 m/s, steel and 1 mm.
-    Slide::new(problem, mechanics, Some(SlideHeat { conduction, acts_back: true }), 80.0, increments)
+    Slide::new(problem, mechanics, Some(conduction), 80.0, increments)
 }
 
 /// Forty steps are cut back once after it was solved; the same small steps without any cut-back give
@@ -43,12 +44,12 @@ fn a_cut_back_restores_the_history_completely() {
 
     let mut direct = ready(&problem);
     direct.has_begun = true;
-    let mut before = direct.state();
-    let slips: Vec<f64> = forced.history.iter().map(|instant| instant.slip).collect();
+    let mut before = direct.predictor();
+    let slips: Vec<f64> = forced.history.iter().map(|state| state.slip).collect();
     for (k, pair) in slips.windows(2).enumerate() {
-        let committed = direct.state();
+        let committed = direct.predictor();
         let slip_before = if k == 0 { 0.0 } else { slips[k - 1] };
-        let guess = Guess::between((&before, slip_before), (&committed, pair[0]), pair[1]);
+        let guess = Predictor::between((&before, slip_before), (&committed, pair[0]), pair[1]);
         assert!(matches!(direct.step(pair[0], pair[1], guess), Ok(Attempt::Taken)));
         before = committed;
     }
@@ -64,7 +65,7 @@ fn sliding_inception_is_enclosed() {
     let problem = Problem::new(&case.scene().unwrap());
     let mut slide = ready(&problem);
     slide.run(0.1 * problem.expected_contact_radius(), |_, _| true).unwrap();
-    let begun = slide.history.iter().position(|instant| instant.stick_fraction < NO_STICK).unwrap();
+    let begun = slide.history.iter().position(|state| state.stick_fraction < NO_STICK).unwrap();
     let (before, after) = (slide.history[begun - 1], slide.history[begun]);
     assert!(before.stick_fraction >= NO_STICK);
     assert!(after.slip - before.slip <= INCEPTION_WIDTH * after.slip * (1.0 + 1e-9));
@@ -84,7 +85,7 @@ fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
     slide.has_begun = true;
     for to in slips {
         let from = slide.history.last().unwrap().slip;
-        let guess = slide.state();
+        let guess = slide.predictor();
         assert!(matches!(slide.step(from, to, guess), Ok(Attempt::Taken)));
     }
 }
@@ -114,7 +115,7 @@ fn a_reversed_slide_closes_its_loop() {
     for (from, to) in [(0.0, far), (far, -far), (-far, far)] {
         go(&mut slide, branch(from, to));
     }
-    let friction: Vec<f64> = slide.history.iter().map(|instant| instant.friction).collect();
+    let friction: Vec<f64> = slide.history.iter().map(|state| state.friction).collect();
     let full = friction[STEPS as usize];
     let (back, forth) = friction[STEPS as usize + 1..].split_at(STEPS as usize);
     assert!(full > 0.0 && slide.history[STEPS as usize].stick_fraction == 0.0);
@@ -150,7 +151,7 @@ fn a_slide_that_stops_cools_and_restarts() {
     assert!(hot.rise_max > 10.0 && cold.rise_max < 1e-3 * hot.rise_max, "{hot:?} {cold:?}");
     assert_eq!((hot.stick_fraction, cold.stick_fraction), (0.0, 1.0));
     let restart = &slide.history[slide.history.len() - 30..];
-    let strongest = restart.iter().map(|instant| instant.friction / instant.area).fold(0.0, f64::max);
+    let strongest = restart.iter().map(|state| state.friction / state.area).fold(0.0, f64::max);
     assert!(strongest > 1.005 * hot.friction / hot.area, "{strongest} {hot:?}");
     assert!((again.rise_max / hot.rise_max - 1.0).abs() < 0.1, "{hot:?} {again:?}");
     let off = again.heat_in - again.heat_stored - again.heat_out;
@@ -163,7 +164,7 @@ fn a_slide_that_stops_cools_and_restarts() {
 /// A point at the edge that its own friction pushes off the flat, and that comes back without it: no equilibrium is
 /// between the two for any increment, and steps were cut back for ever.
 #[test]
-fn points_that_waver_do_not_cut_steps_back() {
+fn chattering_points_do_not_cut_steps_back() {
     let text = "[material]\npreset = \"steel-304\"\n[asperity]\nradius = 1e-3\n\
                 [loading]\ninterference = 0.2\nslip_rate = 0\n[model]\nkinematics = \"small\"\n\
                 [numerics]\nelements_per_radius = 8\nsectors = 8\naccuracy = 0.5\n";

@@ -1,11 +1,12 @@
 //! What each number may be off by, and why: mesh, sectors, steps, solver, model.
 //!
-//! Every run has companions on a mesh half as fine, which cost little: one as it is, and one each
-//! with another N_θ, with increments twice as large and with a solver less exact. The difference
-//! between the run and the first tells the error of the mesh by the order of convergence, 1.5 beside
-//! the square-root edge of the pressure, 1 for friction of elastic contacts; what depends on where that edge is has a floor besides, as
-//! two meshes may place it wrongly by the same amount. The differences among the companions are those
-//! of the other three sources, less where the run is finer than they are.
+//! Every run has auxiliary runs on a mesh half as fine: one as it is, and one each with another N_θ,
+//! with increments twice as large and with a larger solver tolerance. The mesh error follows from the
+//! difference between the run and the first of them by the order of convergence, 1.5 for the
+//! square-root edge of the pressure, 1 for friction of elastic contacts; quantities that depend on the
+//! place of that edge have a floor besides, as two meshes may place it wrongly by the same amount. The
+//! differences among the auxiliary runs are the errors of the other three sources, less where the run
+//! is finer than they are. All of this is a function of the values of the runs: [`estimate`].
 //!
 //! How the estimates compare with true errors is what [`crate::studies::effectivity`] finds out.
 
@@ -27,7 +28,7 @@ pub enum ErrorSource {
     Steps,
     /// Residual of equilibrium, and of the coupling with heat and contact edge.
     Solver,
-    /// What the model leaves out: heat that does not act back on the contact, finite strain.
+    /// Modelling error: negligible heat, finite strain.
     Model,
 }
 
@@ -87,7 +88,7 @@ impl RelativeParts {
 pub const CONTROLLED: [Quantity; 5] =
     [Quantity::Mu, Quantity::MuStatic, Quantity::Friction, Quantity::Load, Quantity::Area];
 
-/// The companions of a run, all on the coarse mesh.
+/// The auxiliary runs of a main run, all on the coarse mesh.
 pub struct AuxiliaryRuns<'a> {
     pub coarse: &'a Scalars,
     pub other_sectors: &'a Scalars,
@@ -95,26 +96,47 @@ pub struct AuxiliaryRuns<'a> {
     pub looser_solver: &'a Scalars,
 }
 
-impl ErrorBudget {
-    /// Of the run `fine` at one resolution, its companions on the mesh of another.
-    pub fn new(
-        fine: &Scalars,
-        companions: &AuxiliaryRuns<'_>,
-        run: &Resolution,
-        coarser: &Resolution,
-    ) -> Self {
-        let mut budget = Self::beside_mesh(companions, run, coarser);
-        budget.set_mesh(fine, companions.coarse, run, coarser);
-        budget
-    }
+/// A finished run: its resolution and its values.
+#[derive(Clone, Copy)]
+pub struct RunValues<'a> {
+    pub resolution: &'a Resolution,
+    pub values: &'a Scalars,
+}
 
-    /// All but the mesh's part, which a run at the resolution `run` is needed for.
-    pub fn beside_mesh(companions: &AuxiliaryRuns<'_>, run: &Resolution, coarser: &Resolution) -> Self {
-        let AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver } = *companions;
+/// Errors of the last of the main runs `main`, each finer than the one before, from them and the
+/// auxiliary runs of the resolution `start`.
+pub fn estimate(
+    start: &Resolution,
+    auxiliary: &AuxiliaryRuns<'_>,
+    main: &[RunValues<'_>],
+    modelling_error: &ModellingError,
+) -> ErrorBudget {
+    let (first, last) = (main[0], main[main.len() - 1]);
+    let alike = match first.resolution.sectors == start.sectors {
+        true => auxiliary.coarse,
+        false => auxiliary.other_sectors,
+    };
+    let mut budget = ErrorBudget::other_than_mesh(auxiliary, start).refined(start, first.resolution);
+    budget.set_mesh(first, RunValues { resolution: &start.coarse(), values: alike });
+    for pair in main.windows(2) {
+        let [before, now] = [pair[0], pair[1]];
+        if now.resolution.elements_per_radius > before.resolution.elements_per_radius {
+            budget.set_mesh(now, before);
+        }
+        budget = budget.refined(before.resolution, now.resolution);
+    }
+    budget.set_model(modelling_error, last.values);
+    budget
+}
+
+impl ErrorBudget {
+    /// All but the mesh's part, of a run at the resolution `start`.
+    pub fn other_than_mesh(auxiliary: &AuxiliaryRuns<'_>, start: &Resolution) -> Self {
+        let AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver } = *auxiliary;
         let difference = |other: &Scalars, share: &dyn Fn(Quantity) -> f64| {
             Quantity::SCALARS.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
         };
-        let sectors = sectors_share(run.sectors, coarser.other_sectors().sectors);
+        let sectors = sectors_share(start.sectors, start.coarse().other_sectors().sectors);
         Self {
             parts: [
                 [0.0; QUANTITIES],
@@ -129,9 +151,10 @@ impl ErrorBudget {
     }
 
     /// The mesh's part, from a run and one on a coarser mesh with as many sectors.
-    pub fn set_mesh(&mut self, fine: &Scalars, coarse: &Scalars, run: &Resolution, coarser: &Resolution) {
-        let elements = run.elements_per_radius as f64;
-        let refinement = elements / coarser.elements_per_radius as f64;
+    fn set_mesh(&mut self, run: RunValues<'_>, coarser: RunValues<'_>) {
+        let (fine, coarse) = (run.values, coarser.values);
+        let elements = run.resolution.elements_per_radius as f64;
+        let refinement = elements / coarser.resolution.elements_per_radius as f64;
         self.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|quantity| {
             let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
             let share = mesh_share(refinement, mesh_order(quantity, fine.elastic));
@@ -142,7 +165,7 @@ impl ErrorBudget {
 
     /// After a refinement in sectors and increments: second order in θ at least, first in the
     /// increments.
-    pub fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
+    fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
         let sectors = (from.sectors as f64 / to.sectors as f64).powi(2);
         let steps = to.increments.growth / from.increments.growth;
         for (source, factor) in [(ErrorSource::Collocation, sectors), (ErrorSource::Steps, steps)] {
@@ -152,15 +175,16 @@ impl ErrorBudget {
     }
 
     /// The model's part.
-    pub fn set_model(&mut self, modelling_error: &ModellingError, values: &Scalars) {
+    fn set_model(&mut self, modelling_error: &ModellingError, values: &Scalars) {
         self.parts[ErrorSource::Model as usize] =
             Quantity::SCALARS.map(|quantity| modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
     /// Nothing is known: errors as large as the values.
-    pub fn unknown(fine: &Scalars) -> Self {
+    pub fn unknown(values: &Scalars, modelling_error: &ModellingError) -> Self {
         let mut budget = Self::default();
-        budget.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|q| fine.value(q).abs());
+        budget.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|q| values.value(q).abs());
+        budget.set_model(modelling_error, values);
         budget
     }
 
@@ -194,8 +218,8 @@ impl ErrorBudget {
     }
 }
 
-/// Errors of a number of the press, that of its increments apart, from its values on the mesh, on a
-/// coarser one, and on that in increments twice as large; `power` of the contact radius it depends on.
+/// Errors of a number of the press from mesh and increments, from its values on the mesh, on a coarser
+/// one, and on that in increments twice as large; `power` of the contact radius it depends on.
 pub fn of_press(
     [fine, coarse, longer_steps]: [f64; 3],
     run: &Resolution,

@@ -1,13 +1,13 @@
-//! What the model of a run leaves out, and by how much that may change its numbers.
+//! Modelling error: what the model of a run leaves out, and by how much that may change its numbers.
 
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
 
-/// Effects that a run was found to do without.
+/// Effects that a run does without.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ModellingError {
-    /// Heat, where it does not act back on the contact.
+    /// Heat, where its effect is negligible.
     pub heat: Option<HeatEffect>,
     /// Largest plastic strain of a slide at small strain.
     pub strain: f64,
@@ -28,7 +28,9 @@ impl ModellingError {
             Friction | EnergyWeakening => softening + self.strain,
             Area => load + self.strain,
             Load => load,
-            TemperatureMax | TemperatureMean => softening + load + self.strain,
+            // The whole rise is an expected one.
+            TemperatureMax | TemperatureMean if self.heat.is_some() => 1.0,
+            TemperatureMax | TemperatureMean => self.strain,
             _ => 0.0,
         }
     }

@@ -1,12 +1,11 @@
 //! What the asked accuracy means for mesh, sectors and increments.
 
 use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize};
+use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::slide::Increments;
 use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::RelativeParts;
 
-/// Relative residual at which a step counts as solved.
-pub const NEWTON_TOLERANCE: f64 = 2e-7;
 /// Updates of temperature and contact edge in a step.
 const COUPLING_LIMIT: usize = 4;
 /// Increments of the press times the growth of those of the slide. From growths of 0.3 to 0.6 friction changes by 0.03
@@ -65,6 +64,14 @@ impl Resolution {
         MeshSize { contact_radius, elements_per_radius, growth_zone, thermal_layer_refinements }
     }
 
+    /// Whether slides at both resolutions start from one press, which depends on the meridian mesh and its increments.
+    pub fn shares_press(&self, other: &Self) -> bool {
+        self.elements_per_radius == other.elements_per_radius
+            && self.growth_zone == other.growth_zone
+            && self.thermal_layer_refinements == other.thermal_layer_refinements
+            && self.press_increments == other.press_increments
+    }
+
     /// On a mesh half as fine, all else alike; of the coarsest meshes, which have none that are coarser beside
     /// them, on one and a half times as fine a mesh.
     pub fn coarse(&self) -> Self {
@@ -115,7 +122,7 @@ impl Resolution {
 
     /// With more sectors and shorter increments where those alone would make too large a part
     /// (relative) of the error.
-    pub fn refine_beside_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {
+    pub fn refine_other_than_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {
         const SHARE: f64 = 0.4;
         let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
         if parts.sectors > SHARE * numerics.accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
@@ -154,16 +161,6 @@ impl Resolution {
         }
         let finer = Self { growth_zone: self.growth_zone, ..Self::new(elements, sectors, growth) };
         (finer != *self).then_some(finer)
-    }
-
-    pub fn describe(&self) -> String {
-        format!(
-            "{} elements per contact radius, {} angles over the half circle, slip increments of {:.0} % of \
-             the slip",
-            self.elements_per_radius,
-            self.sectors,
-            100.0 * self.increments.growth,
-        )
     }
 }
 

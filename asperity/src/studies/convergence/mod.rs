@@ -95,7 +95,7 @@ impl Convergence {
             scene.numerics.elements_per_radius = Some(finest * share / DIVISOR);
             runs.push(timed(false, || {
                 // No refinement: increments are to be the same on all meshes.
-                slide_refined(&press(&scene, watch)?, scene.loading.slip_rate, 0, None, watch)
+                slide_refined(&press(&scene, watch)?, scene.loading.slip_rate, 0, watch)
             })?);
         }
         let limits =

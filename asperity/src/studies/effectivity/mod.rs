@@ -24,7 +24,7 @@ pub use record::{Journal, Record};
 pub use report::{Judged, QuantityReport, Report};
 
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::{Watch, press_coarsely, sample};
+use crate::simulate::{Watch, sample};
 
 /// n_c of the runs whose estimates are judged; the finest have four times as many.
 pub const WORKING_ELEMENTS: usize = 8;
@@ -139,9 +139,8 @@ pub fn run(
             let definition = scenes::scene(preset, interference, slip_rate, WORKING_ELEMENTS);
             let resolution = role.resolution(&Resolution::choose(&definition.numerics));
             // Each presses for itself, so that no run waits for the mesh of another.
-            let result = press_coarsely(&definition, watch)
-                .and_then(|pressed| sample(&pressed, slip_rate, &resolution, watch))
-                .map_err(|error| error.to_string());
+            let result =
+                sample(&definition, slip_rate, &resolution, watch).map_err(|error| error.to_string());
             if watch.cancelled() {
                 return Ok(None);
             }

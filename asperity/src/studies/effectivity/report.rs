@@ -7,7 +7,8 @@ use tables::quantity::Quantity;
 use super::{Record, Role, WORKING_ELEMENTS, scenes};
 use crate::loading::problem::Problem;
 use crate::scene::Scene;
-use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, CONTROLLED, ErrorBudget, ErrorSource};
+use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, CONTROLLED, ErrorSource, RunValues, estimate};
+use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::quantities::MAIN;
 use crate::simulate::scalars::Scalars;
@@ -131,7 +132,7 @@ impl Report {
                 .filter(|record| record.scene == position)
                 .filter_map(|record| {
                     let sample = record.sample()?;
-                    Some((record.role, Scalars::new(&problem, &scene, &sample.press, &sample.history)))
+                    Some((record.role, Scalars::new(&problem, &sample.press, &sample.history)))
                 })
                 .collect();
             match Role::NEEDED.into_iter().find(|role| !runs.contains_key(role)) {
@@ -214,7 +215,8 @@ fn judge(runs: &HashMap<Role, Scalars>, scene: &Scene) -> Vec<Judged> {
     let working = &runs[&Role::Working];
     let resolution = Resolution::choose(&scene.numerics);
     let start = scene.loading.temperature;
-    let budget = ErrorBudget::new(working, &companions, &resolution, &resolution.coarse());
+    let main = [RunValues { resolution: &resolution, values: working }];
+    let budget = estimate(&resolution, &companions, &main, &ModellingError::default());
     let of = |quantity: Quantity| {
         let value = |role: Role| runs.get(&role).map(|scalars| scalars.value(quantity));
         let here = working.value(quantity);

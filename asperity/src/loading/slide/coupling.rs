@@ -1,0 +1,149 @@
+//! Equilibrium of one increment, coupled with the contact edge, the shear limits and the temperature
+//! until they agree with the state that they depend on.
+
+use std::time::Instant;
+
+use super::edge_search::EdgeSearch;
+use super::friction_heat::HeatSources;
+use super::increments::Predictor;
+use super::shear_limits::{interface_hardening, shear_limits, shear_strength};
+use super::{Slide, SlideFailure};
+use crate::discretisation::body::Body;
+use crate::heat::conduction::{Conduction, HeatBalance, HeatError};
+use crate::interface::contact::{Contact, FlatPosition};
+use crate::loading::problem::Problem;
+use crate::solver::newton::CouplingData;
+use crate::solver::timings::Kernel;
+
+/// Change of the shear limits between iterations, relative to the strength, that counts as none.
+const LIMIT_TOLERANCE: f64 = 3e-5;
+/// Change of the areas of the contact points between iterations, relative, that counts as none.
+const AREA_TOLERANCE: f64 = 1e-4;
+
+/// A solved increment; the state itself is the trial state of the mechanics.
+pub struct Equilibrium {
+    pub flat: FlatPosition,
+    pub sources: HeatSources,
+    /// Temperature rise and heat balance of the increment, if there is heat.
+    pub heated: Option<(Vec<f64>, HeatBalance)>,
+}
+
+/// The coupled quantities within one increment.
+struct Coupling<'a> {
+    problem: &'a Problem,
+    conduction: Option<&'a mut Conduction>,
+    dt: f64,
+    /// Of the increment before, by which the first guess is heated.
+    sources_before: &'a HeatSources,
+    edge: EdgeSearch,
+    limit: Option<Vec<f64>>,
+    /// Updates left until the coupled quantities are held.
+    updates_left: usize,
+    /// Once they no longer change they are held, and Newton's method converges fast.
+    held: bool,
+    sources: HeatSources,
+    heated: Option<(Vec<f64>, HeatBalance)>,
+    failure: Option<HeatError>,
+    heat_time: f64,
+}
+
+impl Coupling<'_> {
+    /// Contact edge, temperature and shear limits for the trial state of a Newton iteration.
+    fn update(&mut self, body: &Body, contact: &mut Contact, iteration: usize) -> Option<CouplingData> {
+        if self.held {
+            return None;
+        }
+        if iteration > 0 {
+            let edges = self.edge.next(contact.edges(), contact.trial_edges());
+            contact.cover_to(&edges);
+        }
+        let stretched = if self.problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
+        // A step that failed may have left any trial state.
+        let state = if iteration == 0 { &body.committed } else { &body.trial };
+        let hardened = interface_hardening(self.problem, body, contact, state);
+        let rise = self.temperature(body, contact, &hardened, iteration);
+        let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
+        self.held = (self.agrees(&limit) && stretched <= AREA_TOLERANCE) || self.updates_left == 0;
+        self.updates_left = self.updates_left.saturating_sub(1);
+        self.limit = Some(limit.clone());
+        Some(CouplingData { limit, rise, settled: self.held })
+    }
+
+    /// Temperature rise at the end of the increment with the heat sources of the trial state.
+    fn temperature(
+        &mut self,
+        body: &Body,
+        contact: &Contact,
+        hardened: &[f64],
+        iteration: usize,
+    ) -> Option<Vec<f64>> {
+        let conduction = self.conduction.as_mut()?;
+        let clock = Instant::now();
+        // The first guess heats as the step before did.
+        self.sources = match iteration {
+            0 => self.sources_before.clone(),
+            _ => HeatSources::of(self.problem, body, contact, self.dt),
+        };
+        let result = self.sources.heat(self.problem, conduction, contact, hardened, self.dt);
+        self.heat_time += clock.elapsed().as_secs_f64();
+        match result {
+            Ok(result) => {
+                let rise = result.0.clone();
+                self.heated = Some(result);
+                Some(rise)
+            }
+            Err(error) => {
+                self.failure = Some(error);
+                None
+            }
+        }
+    }
+
+    /// Whether the shear limits are those of the iteration before.
+    fn agrees(&self, limit: &[f64]) -> bool {
+        let strength = shear_strength(self.problem, 1.0, 0.0);
+        let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= LIMIT_TOLERANCE * strength.max(a.abs());
+        self.limit.as_ref().is_some_and(|last| last.iter().zip(limit).all(close))
+    }
+}
+
+impl Slide<'_> {
+    /// Solves the increment that ends at the slip `to`, from a first guess.
+    pub(super) fn equilibrium(
+        &mut self,
+        to: f64,
+        dt: f64,
+        guess: Predictor,
+    ) -> Result<Equilibrium, SlideFailure> {
+        let Predictor { displacement: start, interference, edges } = guess;
+        let flat = FlatPosition { interference, displacement: to };
+        // The first guess decides which points touch; the shear limits do not matter for that.
+        let contact = &mut self.mechanics.contact;
+        contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
+        contact.cover_to(&edges);
+        let mut coupling = Coupling {
+            problem: self.problem,
+            conduction: self.heat.as_mut(),
+            dt,
+            sources_before: &self.sources,
+            edge: EdgeSearch::default(),
+            limit: None,
+            updates_left: self.increments.coupling_limit,
+            held: false,
+            sources: HeatSources::default(),
+            heated: None,
+            failure: None,
+            heat_time: 0.0,
+        };
+        let solved = self.mechanics.solve(flat, self.hold, start, |body, contact, iteration| {
+            coupling.update(body, contact, iteration)
+        });
+        let Coupling { sources, heated, failure, heat_time, .. } = coupling;
+        self.mechanics.timings.add(Kernel::Heat, heat_time);
+        let flat = solved?;
+        match failure {
+            Some(error) => Err(error.into()),
+            None => Ok(Equilibrium { flat, sources, heated }),
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! State of a slide after an increment: forces, contact, and the totals of work and heat.
+//!
+//! Work of the flat = elastic energy + plastic dissipation + frictional dissipation + contact springs
+//! + work through thermal expansion + elastic energy given up as the moduli soften; heat in = heat
+//! stored + heat out.
+
+use super::Slide;
+use super::coupling::Equilibrium;
+use super::friction_heat::contact_rise;
+use crate::interface::contact::FlatPosition;
+
+/// State after one increment, dimensionless, energies of the half body since the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SlideState {
+    pub slip: f64,
+    /// Over R.
+    pub interference: f64,
+    pub time: f64,
+    pub friction: f64,
+    pub load: f64,
+    pub area: f64,
+    pub stick_fraction: f64,
+    pub rise_max: f64,
+    pub rise_mean: f64,
+    pub plastic_strain_max: f64,
+    pub work: f64,
+    pub elastic: f64,
+    pub plastic: f64,
+    pub friction_work: f64,
+    pub springs: f64,
+    pub thermal_expansion: f64,
+    pub moduli_softening: f64,
+    pub heat_in: f64,
+    pub heat_stored: f64,
+    pub heat_out: f64,
+}
+
+impl SlideState {
+    /// Q/P; 0 without a load.
+    pub fn mu(&self) -> f64 {
+        if self.load > 0.0 { self.friction / self.load } else { 0.0 }
+    }
+}
+
+impl Slide<'_> {
+    /// The trial state with the totals of `previous`.
+    pub(super) fn present_state(&self, slip: f64, previous: SlideState) -> SlideState {
+        let contact = &self.mechanics.contact;
+        SlideState {
+            slip,
+            interference: self.interference,
+            friction: contact.friction(&contact.trial),
+            load: contact.load(&contact.trial),
+            area: contact.area(&contact.trial),
+            stick_fraction: contact.stick_fraction(&contact.trial),
+            plastic_strain_max: self.mechanics.body.trial.largest_plastic_strain(),
+            ..previous
+        }
+    }
+
+    /// Commits the solved increment: adds its work and heat to the totals and keeps the state.
+    pub(super) fn commit(&mut self, from: f64, dt: f64, mut state: SlideState, solved: Equilibrium) {
+        let Equilibrium { flat, sources, heated } = solved;
+        state.interference = flat.interference;
+        state.time += dt;
+        let old = FlatPosition { interference: self.interference, displacement: from };
+        let interface = self.mechanics.contact.step_work(old, flat);
+        state.work += interface.of_flat;
+        state.friction_work += interface.friction;
+        state.springs += interface.springs;
+        let body = &self.mechanics.body;
+        let energies = body.step_energies();
+        state.elastic += body.elastic_energy(&body.trial) - body.elastic_energy(&body.committed);
+        state.plastic += energies.plastic;
+        state.thermal_expansion += energies.thermal_expansion;
+        state.moduli_softening += energies.moduli_softening;
+        if let (Some((rise, balance)), Some(conduction)) = (heated, self.heat.as_mut()) {
+            state.heat_in += balance.contact + balance.body;
+            state.heat_out += balance.base + balance.gap;
+            state.heat_stored = conduction.stored(&rise);
+            (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, &rise);
+            conduction.committed = rise;
+        }
+        self.mechanics.body.commit();
+        self.mechanics.contact.commit();
+        self.sources = sources;
+        self.interference = flat.interference;
+        self.history.push(state);
+    }
+}

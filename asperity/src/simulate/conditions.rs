@@ -1,0 +1,77 @@
+//! What all runs of one slip rate share: heat and the meshes that it needs, decided before the slide.
+
+use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat};
+use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics};
+use crate::simulate::accuracy::modelling_error::ModellingError;
+use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements};
+use crate::simulate::messages::Warning;
+use crate::simulate::pressed::Pressed;
+
+pub(super) struct Conditions {
+    pub heat: HeatChoice,
+    /// Expected effect of heat, whether it is simulated or not.
+    pub effect: HeatEffect,
+    /// VR/κ, 0 without heat.
+    pub speed: f64,
+    /// Of all meshes, see [`thermal_layer_refinements`].
+    thermal_layer_refinements: u32,
+    /// Contact radius over R that meshes are laid out for.
+    contact_radius: f64,
+}
+
+impl Conditions {
+    /// At a slip rate, m/s.
+    pub fn new(pressed: &Pressed, slip_rate: f64) -> Self {
+        let Pressed { scene, problem, contact_radius, .. } = pressed;
+        let contact_radius = *contact_radius;
+        let effect = HeatEffect::expected(scene, slip_rate, contact_radius * problem.units.length);
+        let heat = choose_heat(scene, slip_rate, &effect);
+        let speed = if heat.is_coupled() { slip_rate / problem.units.speed() } else { 0.0 };
+        // The coarsest mesh of the run decides for all of them.
+        let coarse = pressed.resolution.coarse();
+        let fits = |refinements: &u32| {
+            let resolution = Resolution { thermal_layer_refinements: *refinements, ..coarse };
+            resolution.mesh_size(contact_radius).fits()
+        };
+        let wanted = thermal_layer_refinements(speed * contact_radius);
+        let thermal_layer_refinements = (1..=wanted).rev().find(fits).unwrap_or(0);
+        Self { heat, effect, speed, thermal_layer_refinements, contact_radius }
+    }
+
+    /// The resolution with elements at the surface as thin as heat needs them.
+    pub fn at_surface(&self, resolution: &Resolution) -> Resolution {
+        Resolution { thermal_layer_refinements: self.thermal_layer_refinements, ..*resolution }
+    }
+
+    /// Whether the hemisphere has room for the mesh.
+    pub fn fits(&self, resolution: &Resolution) -> bool {
+        self.at_surface(resolution).mesh_size(self.contact_radius).fits()
+    }
+
+    /// Temperature rise to report where heat is negligible, K.
+    pub fn expected_rise(&self) -> f64 {
+        if self.heat == HeatChoice::Off(NoHeat::Negligible) { self.effect.rise } else { 0.0 }
+    }
+
+    /// What the scene did not ask to leave out; `strain` is the largest plastic strain of the run.
+    pub fn modelling_error(&self, pressed: &Pressed, strain: f64) -> ModellingError {
+        let small = pressed.scene.model.kinematics == Kinematics::Auto && !pressed.problem.finite_strain;
+        ModellingError {
+            heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
+            strain: if small { strain } else { 0.0 },
+        }
+    }
+
+    /// A warning where the layer that frictional heat reaches is thinner than the elements at the surface.
+    pub fn unresolved_layer(&self, pressed: &Pressed, resolution: &Resolution) -> Option<Warning> {
+        let surface = 0.5f64.powi(self.thermal_layer_refinements as i32 + 1);
+        let peclet = self.speed * self.contact_radius;
+        let share = resolution.elements_per_radius as f64 / (surface * peclet.sqrt());
+        let frictional = pressed.scene.interface.heat_partition > 0.0;
+        (share < 1.0 && frictional).then(|| {
+            let enough = (resolution.elements_per_radius as f64 / share).ceil();
+            let elements = (enough <= *ELEMENTS_PER_RADIUS.end() as f64).then_some(enough);
+            Warning::ThinThermalLayer { share, elements }
+        })
+    }
+}

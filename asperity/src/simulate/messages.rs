@@ -1,0 +1,238 @@
+//! Notes, warnings and progress messages of a run: typed values, and the one place that puts them into
+//! sentences.
+
+use std::fmt::{self, Display, Formatter, Write};
+
+use tables::quantity::Quantity;
+
+use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
+use crate::loading::problem::Units;
+use crate::loading::slide::SlideState;
+use crate::simulate::accuracy::resolution::Resolution;
+
+/// What was chosen for a run, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Note {
+    Resolution {
+        elements_per_radius: usize,
+        sectors: usize,
+        /// Largest slip increment over the slip.
+        growth: f64,
+    },
+    Heat(HeatChoice, HeatEffect),
+    Strain(StrainChoice),
+    /// The run was repeated on a mesh with more room.
+    Remeshed {
+        /// Contact radius over that after the press.
+        growth: f64,
+        /// The same that the mesh has room for.
+        room: f64,
+    },
+}
+
+/// Small or finite strain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrainChoice {
+    pub finite: bool,
+    /// Plastic strain to expect of press and slide; infinite where the body may shear without limit.
+    pub expected: f64,
+    /// Up to which strain is taken to be small.
+    pub limit: f64,
+}
+
+impl Note {
+    pub fn resolution(resolution: &Resolution) -> Self {
+        let Resolution { elements_per_radius, sectors, increments, .. } = *resolution;
+        Self::Resolution { elements_per_radius, sectors, growth: increments.growth }
+    }
+}
+
+impl Display for Note {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Resolution { elements_per_radius, sectors, growth } => write!(
+                f,
+                "{elements_per_radius} elements per contact radius, {sectors} angles over the half circle, slip \
+                 increments of {:.0} % of the slip",
+                100.0 * growth
+            ),
+            Self::Heat(HeatChoice::Coupled, effect) => write!(f, "heat is included: {effect}"),
+            Self::Heat(HeatChoice::Off(reason), effect) => match reason {
+                NoHeat::SwitchedOff => write!(f, "heat is left out: it is switched off"),
+                NoHeat::AtRest => write!(f, "heat is left out: the slip rate is 0, the isothermal limit"),
+                NoHeat::NoFriction => write!(f, "heat is left out: there is no friction"),
+                NoHeat::Negligible => write!(f, "heat is left out: {effect}, which the errors include"),
+            },
+            Self::Strain(choice) => choice.fmt(f),
+            Self::Remeshed { growth, room } => write!(
+                f,
+                "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine mesh, \
+                 which now has room for {room:.2} times"
+            ),
+        }
+    }
+}
+
+impl Display for StrainChoice {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { finite, expected, limit } = *self;
+        match finite {
+            true if expected.is_infinite() => {
+                write!(f, "finite strain: the interface is stronger than the body, which may shear far")
+            }
+            true => write!(
+                f,
+                "finite strain: a plastic strain of about {expected:.4} is expected, above {limit:.4}"
+            ),
+            false => write!(
+                f,
+                "small strain: a plastic strain of no more than {expected:.4} is expected; kinematics = \"finite\" \
+                 would change mu by about that share, which its error includes"
+            ),
+        }
+    }
+}
+
+impl Display for HeatEffect {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if self.softening >= 1.0 {
+            return write!(f, "at its full strength the contact would melt");
+        }
+        let softening = 100.0 * self.softening;
+        write!(f, "a rise of about {:.2} K takes {softening:.2} % of the strength and changes the load ", self.rise)?;
+        match self.load {
+            load if load < 1.0 => write!(f, "by {:.2} %", 100.0 * load),
+            _ => write!(f, "altogether"),
+        }
+    }
+}
+
+/// What the reader must know before trusting the numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// Relative error of a quantity above the accuracy asked for.
+    ErrorAboveAccuracy { quantity: Quantity, error: f64, accuracy: f64 },
+    /// A run did not finish.
+    ErrorsUnknown,
+    StoppedBeforeRefinement,
+    /// Sliding inception lies beyond the end of the slide.
+    NotSliding,
+    /// Body and interface are equally strong and the body does not harden.
+    EqualStrength,
+    /// The interface is as strong as the hardened body.
+    HardenedInterface,
+    /// Plastic strain beyond small-strain kinematics.
+    LargeStrain { strain: f64, limit: f64 },
+    /// The layer heated by friction, in thicknesses of the elements at the surface, and the elements per
+    /// radius that would resolve it.
+    ThinThermalLayer { share: f64, elements: Option<f64> },
+    /// Of the scene.
+    Scene(String),
+}
+
+impl Display for Warning {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ErrorAboveAccuracy { quantity, error, accuracy } => write!(
+                f,
+                "the estimated error of {} is {:.1} %, above the accuracy of {:.1} %",
+                quantity.descriptor().name,
+                100.0 * error,
+                100.0 * accuracy
+            ),
+            Self::ErrorsUnknown => write!(
+                f,
+                "the main run or an auxiliary run did not finish: errors are unknown and given as the values"
+            ),
+            Self::StoppedBeforeRefinement => write!(f, "stopped before the run was repeated more finely"),
+            Self::NotSliding => write!(
+                f,
+                "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are \
+                 those of its end; a longer slip_distance lets it begin"
+            ),
+            Self::EqualStrength => write!(
+                f,
+                "body and interface are equally strong and the body does not harden: shear may localise in one \
+                 layer of elements, and mu then follows the mesh"
+            ),
+            Self::HardenedInterface => write!(
+                f,
+                "the interface is as strong as the hardened body: the top layer of elements shears before the \
+                 contact slips, and mu then follows the mesh; a strength_factor below 1 lets it slip"
+            ),
+            Self::LargeStrain { strain, limit } => write!(
+                f,
+                "plastic strain reaches {strain:.2}: beyond about {limit} small-strain kinematics is in doubt"
+            ),
+            Self::ThinThermalLayer { share, elements } => {
+                write!(
+                    f,
+                    "frictional heat stays in a layer of {share:.2} of the elements at the surface: mu may be off \
+                     by more than its error; "
+                )?;
+                match elements {
+                    Some(elements) => write!(f, "elements_per_radius = {elements} would resolve it"),
+                    None => write!(f, "no mesh would resolve it"),
+                }
+            }
+            Self::Scene(text) => write!(f, "{text}"),
+        }
+    }
+}
+
+impl serde::Serialize for Note {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl serde::Serialize for Warning {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+/// The last state of a slide in one line.
+pub fn slide_progress(units: &Units, history: &[SlideState]) -> String {
+    let [start, .., now] = history else { return String::new() };
+    // Radii of circles of the contact's area.
+    let radius = |state: &SlideState| (state.area / std::f64::consts::PI).sqrt();
+    let mut text = format!(
+        "step {}, slip {:.3} a0, contact radius {:.3} a0, mu {:.3}, {:.0} % sticks",
+        history.len() - 1,
+        now.slip / radius(start),
+        radius(now) / radius(start),
+        now.friction / now.load,
+        100.0 * now.stick_fraction,
+    );
+    if now.rise_max > 0.0 {
+        // Writing to a String cannot fail.
+        let _ = write!(text, ", up to {:.0} K", units.temperature + now.rise_max);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_state_is_described_relative_to_the_first() {
+        let units = Units { length: 1e-3, stress: 1e9, time: 1.0, temperature: 298.0 };
+        let start = SlideState { area: 4e-4, load: 2.0, stick_fraction: 1.0, ..SlideState::default() };
+        assert_eq!(slide_progress(&units, &[start]), "");
+        let radius = (4e-4 / std::f64::consts::PI).sqrt();
+        let now = SlideState {
+            slip: 0.25 * radius,
+            area: 9e-4,
+            friction: 0.6,
+            stick_fraction: 0.125,
+            rise_max: 100.4,
+            ..start
+        };
+        assert_eq!(
+            slide_progress(&units, &[start, now]),
+            "step 1, slip 0.250 a0, contact radius 1.500 a0, mu 0.300, 12 % sticks, up to 398 K"
+        );
+    }
+}

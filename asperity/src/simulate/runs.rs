@@ -1,0 +1,305 @@
+//! The runs of one slip rate: a slide at one resolution, and the main run with its auxiliary runs.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use rayon::prelude::*;
+
+use super::conditions::Conditions;
+use super::messages::{Note, slide_progress};
+use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
+use super::{SimulationError, Watch};
+use crate::discretisation::body::Body;
+use crate::discretisation::collocation::Collocation;
+use crate::heat::conduction::Conduction;
+use crate::interface::contact::Contact;
+use crate::loading::body_fields::BodyFields;
+use crate::loading::problem::Discretisation;
+use crate::loading::recording::{Fields, Recorder};
+use crate::loading::slide::{Slide, SlideFailure, SlideState};
+use crate::scene::Numerics;
+use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::scalars::Scalars;
+use crate::solver::newton::{Effort, Mechanics};
+use crate::solver::timings::{Kernel, Timings};
+
+/// One slide at one resolution, as far as it came, and the press that it started from.
+pub(super) struct Run {
+    pub resolution: Resolution,
+    pub press: Arc<PressedMesh>,
+    pub history: Vec<SlideState>,
+    pub scalars: Scalars,
+    pub fields: Vec<Fields>,
+    pub body: Option<BodyFields>,
+    /// Of the contact points, over R.
+    pub radii: Vec<f64>,
+    pub angles: Vec<f64>,
+    pub unknowns: usize,
+    pub effort: Effort,
+    pub timings: Timings,
+    pub cutbacks: usize,
+    pub failure: Option<SlideFailure>,
+}
+
+impl Run {
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self.failure, Some(SlideFailure::Cancelled))
+    }
+
+    /// Largest plastic strain.
+    pub fn plastic_strain(&self) -> f64 {
+        self.history.last().map_or(0.0, |state| state.plastic_strain_max)
+    }
+
+    /// Time of the slide without the press, s.
+    pub fn slide_time(&self) -> f64 {
+        self.timings.total() - self.timings.of(Kernel::Press)
+    }
+
+    /// Growth of the contact, relative to its radius after the press, at which it left the mesh.
+    fn outgrown(&self) -> Option<f64> {
+        match self.failure {
+            Some(SlideFailure::OutgrewMesh { growth }) => Some(growth),
+            _ => None,
+        }
+    }
+}
+
+/// The main run and the auxiliary runs of the resolution `start`.
+pub(super) struct Ladder {
+    start: Resolution,
+    /// On the coarse mesh: as it is, with another N_θ, with longer increments, with a looser solver.
+    pub auxiliary: Vec<Run>,
+    /// Each finer than the one before.
+    pub main: Vec<Run>,
+    /// A finer run that did not finish.
+    pub abandoned: Option<Run>,
+    pub notes: Vec<Note>,
+}
+
+impl Ladder {
+    /// The finest main run.
+    pub fn result(&self) -> &Run {
+        self.main.last().expect("there is a main run")
+    }
+
+    /// The next finer resolution, if the accuracy asks for one.
+    pub fn finer(&self, budget: &ErrorBudget, numerics: &Numerics) -> Option<Resolution> {
+        let (_, parts) = budget.worst(&self.result().scalars);
+        self.result().resolution.refine(numerics, &parts)
+    }
+}
+
+fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
+    let [coarse, other_sectors, longer_steps, looser_solver] = runs else { return None };
+    runs.iter().all(|run| run.failure.is_none()).then(|| AuxiliaryRuns {
+        coarse: &coarse.scalars,
+        other_sectors: &other_sectors.scalars,
+        longer_steps: &longer_steps.scalars,
+        looser_solver: &looser_solver.scalars,
+    })
+}
+
+/// Makes the runs of one slip rate.
+pub(super) struct Runner<'a> {
+    pub pressed: &'a Pressed,
+    pub conditions: Conditions,
+    pub watch: &'a dyn Watch,
+    /// Those of `pressed`, and those that this slip rate alone needs.
+    presses: Vec<Arc<PressedMesh>>,
+}
+
+impl<'a> Runner<'a> {
+    pub fn new(pressed: &'a Pressed, slip_rate: f64, watch: &'a dyn Watch) -> Self {
+        let conditions = Conditions::new(pressed, slip_rate);
+        Self { pressed, conditions, watch, presses: pressed.meshes.clone() }
+    }
+
+    /// The auxiliary runs, then the main run in as many sectors and increments as they ask for. Where a
+    /// contact outgrows its mesh, all is repeated on wider ones as long as there is room.
+    pub fn ladder(&mut self, progress: impl Fn(f64, &str) + Sync) -> Result<Ladder, SimulationError> {
+        /// Share of the auxiliary runs in the progress.
+        const AUXILIARY: f64 = 0.35;
+        let mut start = self.pressed.resolution;
+        let mut notes = Vec::new();
+        loop {
+            let coarse = start.coarse();
+            let plan = [coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
+            let mut auxiliary = self.run_all(&plan, |done, standing| {
+                progress(AUXILIARY * done, &format!("coarse mesh: {standing}"));
+            })?;
+            if let Some(wider) = self.wider(&start, &auxiliary, &mut notes) {
+                start = wider;
+                continue;
+            }
+            if auxiliary.iter().any(Run::is_cancelled) {
+                let main = vec![coarse_alone(&mut auxiliary)];
+                return Ok(Ladder { start, auxiliary, main, abandoned: None, notes });
+            }
+            let resolution = self.main_resolution(&start, &auxiliary);
+            let main = self.run(&resolution, |done, standing| {
+                progress(AUXILIARY + (1.0 - AUXILIARY) * done, standing);
+            });
+            let main = match main {
+                Err(SimulationError::Cancelled { .. }) => coarse_alone(&mut auxiliary),
+                main => main?,
+            };
+            if let Some(wider) = self.wider(&start, std::slice::from_ref(&main), &mut notes) {
+                start = wider;
+                continue;
+            }
+            return Ok(Ladder { start, auxiliary, main: vec![main], abandoned: None, notes });
+        }
+    }
+
+    /// Errors of the finest main run; none where a run did not finish.
+    pub fn judge(&self, ladder: &Ladder) -> Option<ErrorBudget> {
+        let finished = ladder.main.iter().all(|run| run.failure.is_none());
+        let auxiliary = auxiliary_values(&ladder.auxiliary).filter(|_| finished)?;
+        let main: Vec<RunValues> =
+            ladder.main.iter().map(|run| RunValues { resolution: &run.resolution, values: &run.scalars }).collect();
+        let modelling_error = self.conditions.modelling_error(self.pressed, ladder.result().plastic_strain());
+        Some(estimate(&ladder.start, &auxiliary, &main, &modelling_error))
+    }
+
+    /// The resolution of the main run: that of the start, with more sectors and shorter increments where
+    /// the auxiliary runs ask for them.
+    fn main_resolution(&self, start: &Resolution, auxiliary: &[Run]) -> Resolution {
+        let Some(values) = auxiliary_values(auxiliary) else { return *start };
+        let (_, parts) = ErrorBudget::other_than_mesh(&values, start).worst(values.coarse);
+        start.refine_other_than_mesh(&self.pressed.scene.numerics, &parts)
+    }
+
+    /// A resolution with more room, where one of the runs has outgrown its mesh and the hemisphere has
+    /// that room.
+    fn wider(&self, resolution: &Resolution, runs: &[Run], notes: &mut Vec<Note>) -> Option<Resolution> {
+        let growth = runs.iter().filter_map(Run::outgrown).fold(0.0, f64::max);
+        let wider = resolution.wider();
+        if growth == 0.0 || !self.conditions.fits(&wider) {
+            return None;
+        }
+        notes.push(Note::Remeshed { growth, room: wider.growth_zone });
+        Some(wider)
+    }
+
+    /// Time spent on presses other than that of the run, s.
+    pub fn other_presses(&self, run: &Run) -> f64 {
+        self.presses.iter().filter(|press| !Arc::ptr_eq(press, &run.press)).map(|press| press.seconds).sum()
+    }
+
+    /// Runs side by side; progress is that of the first.
+    fn run_all(
+        &mut self,
+        plan: &[Resolution],
+        progress: impl Fn(f64, &str) + Sync,
+    ) -> Result<Vec<Run>, SimulationError> {
+        self.add_presses(plan)?;
+        let this = &*self;
+        let runs: Vec<_> = plan
+            .par_iter()
+            .enumerate()
+            .map(|(i, resolution)| {
+                this.slide(resolution, |done, standing| {
+                    if i == 0 {
+                        progress(done, standing);
+                    }
+                })
+            })
+            .collect();
+        runs.into_iter().collect()
+    }
+
+    pub fn run(
+        &mut self,
+        resolution: &Resolution,
+        progress: impl FnMut(f64, &str),
+    ) -> Result<Run, SimulationError> {
+        self.add_presses(std::slice::from_ref(resolution))?;
+        self.slide(resolution, progress)
+    }
+
+    fn add_presses(&mut self, plan: &[Resolution]) -> Result<(), SimulationError> {
+        let plan: Vec<_> = plan.iter().map(|resolution| self.conditions.at_surface(resolution)).collect();
+        let Pressed { problem, contact_radius, .. } = self.pressed;
+        add_presses(&mut self.presses, problem, &plan, *contact_radius, self.watch)
+    }
+
+    /// A slide from its press, which must be there.
+    fn slide(
+        &self,
+        resolution: &Resolution,
+        mut progress: impl FnMut(f64, &str),
+    ) -> Result<Run, SimulationError> {
+        let Pressed { problem, scene, recording, .. } = self.pressed;
+        let at_surface = self.conditions.at_surface(resolution);
+        let press = self.presses.iter().find(|press| press.serves(&at_surface)).expect("pressed before").clone();
+        let clock = Instant::now();
+        let discretisation = Discretisation::new(problem, press.size, Collocation::full(resolution.sectors))
+            .map_err(|e| press_error(e.into()))?;
+        let mut slide = self.start(&press, &discretisation, resolution)?;
+        slide.mechanics.timings.since(Kernel::Setup, clock);
+        // Each mesh slides as far in units of its own contact radius.
+        let radius = press.contact.radius(&press.contact.committed);
+        slide.recorder = Recorder::new(recording, radius, &slide.history[0]);
+        slide.record_fields();
+        let failure = slide
+            .run(scene.loading.slip_distance * radius, |done, history| {
+                progress(done, &slide_progress(&problem.units, history));
+                !self.watch.cancelled()
+            })
+            .err();
+        slide.record_fields();
+        let mut timings = slide.mechanics.timings;
+        timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - timings.total());
+        timings.add(Kernel::Press, press.seconds);
+        let mesh = &discretisation.mesh;
+        let scalars = Scalars::new(problem, &press.increments, &slide.history);
+        Ok(Run {
+            resolution: *resolution,
+            scalars: scalars.with_expected_rise(self.conditions.expected_rise()),
+            effort: slide.mechanics.effort,
+            timings,
+            history: slide.history,
+            fields: slide.recorder.contact,
+            body: BodyFields::new(mesh, &slide.recorder.bodies, &problem.units),
+            radii: slide.mechanics.contact.radii.clone(),
+            angles: mesh.sectors.angles(),
+            unknowns: mesh.field_length(3),
+            cutbacks: slide.cutbacks,
+            failure,
+            press,
+        })
+    }
+
+    /// The pressed state revolved to all angles.
+    fn start(
+        &self,
+        press: &PressedMesh,
+        discretisation: &Discretisation,
+        resolution: &Resolution,
+    ) -> Result<Slide<'a>, SimulationError> {
+        let Pressed { problem, .. } = self.pressed;
+        let mesh = &discretisation.mesh;
+        let body = Body::revolve(&press.body, mesh.clone());
+        let contact = Contact::revolve(&press.contact, mesh, problem.contact_modulus);
+        let displacement = mesh.sectors.spread(&press.displacement);
+        let factors = discretisation.factors.clone();
+        let mechanics = Mechanics::new(body, contact, factors, displacement, resolution.tolerance);
+        let heat = match self.conditions.heat.is_coupled() {
+            false => None,
+            true => {
+                let conduction =
+                    Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
+                Some(conduction.with_properties(problem.thermal_properties.clone()))
+            }
+        };
+        Ok(Slide::new(problem, mechanics, heat, self.conditions.speed, resolution.increments))
+    }
+}
+
+/// Stopped before there was a main run: the coarse one stands in for it.
+fn coarse_alone(auxiliary: &mut Vec<Run>) -> Run {
+    let coarse = auxiliary.swap_remove(0);
+    Run { failure: Some(SlideFailure::Cancelled), ..coarse }
+}
