@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 /// Sources that do not influence results, relative to `src`.
-const NOT_HASHED: [&str; 7] = [
+const NOT_HASHED: [&str; 8] = [
     "cli",
-    "loading/progress.rs",
     "output/contact_maps.rs",
     "output/figures.rs",
     "output/revolved",
+    "output/scale.rs",
     "output/vtu.rs",
+    "simulate/messages.rs",
     "studies",
 ];
 

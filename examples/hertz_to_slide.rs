@@ -10,6 +10,7 @@ use asperity::scene::file::parse_scene;
 use asperity::simulate::{Unwatched, press, slide};
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::numbers::with_error;
+use tables::quantity::Quantity;
 
 /// A coarse mesh: a look at the method, not a result to quote.
 const SCENE: &str = r#"
@@ -33,7 +34,7 @@ fn main() -> anyhow::Result<()> {
     // 2. Press in full stick, then slide; `&Unwatched` reports no progress and is never cancelled.
     let pressed = press(&scene, &Unwatched)?;
     let outcome = slide(&pressed, scene.loading.slip_rate, &Unwatched)?;
-    let summary = &outcome.summary;
+    let scalars = &outcome.scalars;
 
     // 3. The press beside two closed forms at the same interference.
     let material = ElasticPlastic {
@@ -47,8 +48,8 @@ fn main() -> anyhow::Result<()> {
     );
     println!(
         "  this run            P = {}, A = {}",
-        with_error(summary.load_press, "N"),
-        with_error(summary.area_press, "m2")
+        with_error(scalars[Quantity::LoadPress], "N"),
+        with_error(scalars[Quantity::AreaPress], "m2")
     );
     for name in ["hertz", "jackson-green"] {
         let law = closed_form(name, &material)?;
@@ -59,22 +60,22 @@ fn main() -> anyhow::Result<()> {
     // 4. The slide: every tenth of the way.
     println!("slid at {} m/s", scene.loading.slip_rate);
     println!("  slip [um]   Q/P     sticks   T_max [K]");
-    let last = outcome.slide.last().map_or(0.0, |step| step.slip);
+    let last = outcome.slide.states().next_back().map_or(0.0, |step| step[Quantity::Slip]);
     let mut next = 0.0;
-    for step in &outcome.slide {
-        if step.slip >= next {
+    for step in outcome.slide.states() {
+        if step[Quantity::Slip] >= next {
             println!(
                 "  {:>8.3}   {:.4}   {:>4.0} %   {:>7.1}",
-                1e6 * step.slip,
-                step.mu,
-                100.0 * step.stick_fraction,
-                step.temperature_max
+                1e6 * step[Quantity::Slip],
+                step[Quantity::Mu],
+                100.0 * step[Quantity::StickFraction],
+                step[Quantity::TemperatureMax]
             );
-            next = step.slip + 0.1 * last;
+            next = step[Quantity::Slip] + 0.1 * last;
         }
     }
-    println!("static friction coefficient  {}", with_error(summary.mu_static, "1"));
-    println!("sliding friction coefficient {}", with_error(summary.mu, "1"));
+    println!("static friction coefficient  {}", with_error(scalars[Quantity::MuStatic], "1"));
+    println!("sliding friction coefficient {}", with_error(scalars[Quantity::Mu], "1"));
     for warning in &outcome.account.warnings {
         println!("warning: {warning}");
     }

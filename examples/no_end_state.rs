@@ -8,6 +8,7 @@
 //!     cargo run --release -p examples --example no_end_state [FIGURE.svg | coarse]
 
 use std::path::Path;
+use tables::quantity::Quantity;
 
 use asperity::simulate::outcome::Outcome;
 use asperity::{Unwatched, parse_scene, simulate};
@@ -81,8 +82,8 @@ fn main() -> anyhow::Result<()> {
 
 /// Slips over the contact radius, and μ.
 fn history(run: &Outcome) -> (Vec<f64>, Vec<f64>) {
-    let radius = run.summary.contact_radius.value;
-    run.slide.iter().map(|step| (step.slip / radius, step.mu)).unzip()
+    let radius = run.scalars[Quantity::ContactRadius].value;
+    run.slide.states().map(|step| (step[Quantity::Slip] / radius, step[Quantity::Mu])).unzip()
 }
 
 /// μ at a slip, between the steps of the run.

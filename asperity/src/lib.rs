@@ -26,8 +26,10 @@
 //! # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
 //! #             [loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 0.02\n\
 //! #             [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+//! use tables::quantity::Quantity;
+//!
 //! let scene = asperity::parse_scene(text, "scene.toml", &[])?;
-//! let mu = asperity::simulate(&scene, &asperity::Unwatched)?.summary.mu;
+//! let mu = asperity::simulate(&scene, &asperity::Unwatched)?.scalars[Quantity::Mu];
 //! assert!(mu.error > 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -40,6 +42,7 @@
 //! use asperity::simulate::{Unwatched, simulate_recorded};
 //! use asperity::output::{figures, provenance, run_file, vtu};
 //! use asperity::scene::file::parse_scene;
+//! use tables::quantity::Quantity;
 //!
 //! let text = r#"
 //! [material]
@@ -57,7 +60,7 @@
 //! let scene = parse_scene(text, "this example", &[])?;
 //! let recording = Recording { body: true, ..Recording::default() };
 //! let outcome = simulate_recorded(&scene, &recording, &Unwatched)?;
-//! assert!(outcome.summary.mu_static.value > 0.2 && outcome.summary.mu_static.value < 0.35);
+//! assert!(outcome.scalars[Quantity::MuStatic].value > 0.2 && outcome.scalars[Quantity::MuStatic].value < 0.35);
 //!
 //! let folder = std::env::temp_dir().join(format!("asperity-example-{}", std::process::id()));
 //! std::fs::create_dir_all(&folder)?;
@@ -88,3 +91,4 @@ pub use scene::Scene;
 pub use scene::file::{parse_scene, read_scene};
 pub use simulate::outcome::Outcome;
 pub use simulate::{Unwatched, simulate};
+pub use tables::quantity::Quantity;

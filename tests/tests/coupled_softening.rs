@@ -14,6 +14,7 @@
 
 use asperity::scene::{FrictionLaw, Softening, Switch};
 use asperity::simulate::outcome::Outcome;
+use tables::quantity::Quantity;
 use tests::{Hertz, Mesh, assert_close, last, mesh, plain_material, richardson, run, scene};
 
 /// ΔT_m, K.
@@ -36,7 +37,7 @@ fn slide(softening: f64, fourier: f64, mesh: Mesh) -> (Outcome, f64) {
     scene.material.density = 1.0;
     scene.material.specific_heat = k * time / (fourier * a * a);
     let outcome = run(&scene);
-    assert_eq!(last(&outcome).plastic_strain_max, 0.0);
+    assert_eq!(last(&outcome)[Quantity::PlasticStrainMax], 0.0);
     (outcome, strength)
 }
 
@@ -50,7 +51,10 @@ fn steady_sliding() {
         let [coarse, fine] = [6, 12].map(|n| {
             let (outcome, strength) = slide(softening, 1e6, mesh(n, 4));
             let end = last(&outcome);
-            (end.friction / (end.area * strength), (end.temperature_max - 298.0) / RANGE)
+            (
+                end[Quantity::Friction] / (end[Quantity::Area] * strength),
+                (end[Quantity::TemperatureMax] - 298.0) / RANGE,
+            )
         });
         // Measured off by 0.09, 0.55, 1.01 % at n_c = 8 (L = 0.1, 1, 10) and by 0.04, 0.22, 0.42 % at 16.
         assert_close(&format!("Q/Q0 at L = {softening}"), fine.0, friction, 0.012);

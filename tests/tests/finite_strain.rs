@@ -5,8 +5,8 @@
 //! verified beside their code: closed forms of Hencky's law, rotation, an expanding tube.
 
 use asperity::scene::{FrictionLaw, Hardening, Kinematics, Scene};
-use asperity::simulate::outcome::{ErrorSource, Outcome, SlideStep, Warning};
-use tables::quantity::Quantity;
+use asperity::simulate::outcome::{ErrorSource, Outcome, Warning};
+use tables::quantity::{Quantity, State};
 use tests::{assert_close, last, mesh, plain_material, run, scene, steel_4340};
 
 fn run_with(scene: &Scene, kinematics: Kinematics) -> Outcome {
@@ -28,12 +28,12 @@ fn finite_strain_is_small_strain_where_strains_are_small() {
     scene.loading.slip_distance = 0.2;
     let small = run_with(&scene, Kinematics::Small);
     let finite = run_with(&scene, Kinematics::Finite);
-    assert!(last(&finite).plastic_strain_max > 0.0);
-    let (a, b) = (&finite.summary, &small.summary);
-    assert_close("P after the press", a.load_press.value / b.load_press.value, 1.0, 5e-3);
-    assert_close("mu", a.mu.value / b.mu.value, 1.0, 5e-3);
-    assert_close("A", a.area.value / b.area.value, 1.0, 5e-3);
-    assert!(a.mu.value != b.mu.value);
+    assert!(last(&finite)[Quantity::PlasticStrainMax] > 0.0);
+    let (a, b) = (&finite.scalars, &small.scalars);
+    assert_close("P after the press", a[Quantity::LoadPress].value / b[Quantity::LoadPress].value, 1.0, 5e-3);
+    assert_close("mu", a[Quantity::Mu].value / b[Quantity::Mu].value, 1.0, 5e-3);
+    assert_close("A", a[Quantity::Area].value / b[Quantity::Area].value, 1.0, 5e-3);
+    assert!(a[Quantity::Mu].value != b[Quantity::Mu].value);
     // So `auto` stays there, and says so.
     let auto = run_with(&scene, Kinematics::Auto);
     assert_eq!(auto.slide, small.slide);
@@ -41,13 +41,13 @@ fn finite_strain_is_small_strain_where_strains_are_small() {
     assert!(says(&auto, "small strain: a plastic strain of no more than"), "{:?}", auto.account.notes);
 }
 
-fn energy_missing(s: &SlideStep) -> f64 {
-    let spent = s.energy_elastic
-        + s.dissipation_plastic
-        + s.dissipation_friction
-        + s.work_thermal_expansion
-        + s.energy_moduli_softening;
-    (s.work - spent).abs()
+fn energy_missing(s: State<'_>) -> f64 {
+    let spent = s[Quantity::EnergyElastic]
+        + s[Quantity::DissipationPlastic]
+        + s[Quantity::DissipationFriction]
+        + s[Quantity::WorkThermalExpansion]
+        + s[Quantity::EnergyModuliSoftening];
+    (s[Quantity::Work] - spent).abs()
 }
 
 /// The work of the flat is stored or dissipated, but for the curvature of the forces within a step,
@@ -64,10 +64,12 @@ fn ledgers_close_at_finite_strain() {
     scene.numerics.accuracy = 0.002;
     let outcome = run_with(&scene, Kinematics::Finite);
     let end = last(&outcome);
-    assert!(end.plastic_strain_max > 0.03 && end.temperature_max > 330.0, "{end:?}");
-    let energy = outcome.slide[1..].iter().map(energy_missing).fold(0.0, f64::max) / end.work;
-    let heat_off = |s: &SlideStep| (s.heat_in - s.heat_stored - s.heat_out).abs() / s.heat_in;
-    let heat = outcome.slide[1..].iter().map(heat_off).fold(0.0, f64::max);
+    assert!(end[Quantity::PlasticStrainMax] > 0.03 && end[Quantity::TemperatureMax] > 330.0, "{end:?}");
+    let energy = outcome.slide.states().skip(1).map(energy_missing).fold(0.0, f64::max) / end[Quantity::Work];
+    let heat_off = |s: State<'_>| {
+        (s[Quantity::HeatIn] - s[Quantity::HeatStored] - s[Quantity::HeatOut]).abs() / s[Quantity::HeatIn]
+    };
+    let heat = outcome.slide.states().skip(1).map(heat_off).fold(0.0, f64::max);
     println!("energy {energy:.1e}, heat {heat:.1e}");
     assert!(energy <= 1e-7, "energy is off by {energy:.1e}");
     assert!(heat <= 1e-6, "heat is off by {heat:.1e}");
@@ -81,19 +83,23 @@ fn auto_takes_finite_strain_where_strains_are_large() {
     scene.material.hardening = Hardening::Linear { modulus: 1e9 };
     scene.loading.slip_distance = 0.03;
     let small = run_with(&scene, Kinematics::Small);
-    assert!(last(&small).plastic_strain_max > 0.2, "{:?}", last(&small));
+    assert!(last(&small)[Quantity::PlasticStrainMax] > 0.2, "{:?}", last(&small));
     let in_doubt = |outcome: &Outcome| {
         outcome.account.warnings.iter().any(|warning| matches!(warning, Warning::LargeStrain { .. }))
     };
     assert!(in_doubt(&small));
     let auto = run_with(&scene, Kinematics::Auto);
     println!("{:?}", auto.account.notes);
-    assert!(says(&auto, "finite strain: the interface is stronger than the body"), "{:?}", auto.account.notes);
+    assert!(
+        says(&auto, "finite strain: the interface is stronger than the body"),
+        "{:?}",
+        auto.account.notes
+    );
     assert!(!in_doubt(&auto));
     let finite = run_with(&scene, Kinematics::Finite);
     assert_eq!(auto.slide, finite.slide);
     assert!(auto.account.finite_strain);
-    assert!(auto.summary.mu.value != small.summary.mu.value);
+    assert!(auto.scalars[Quantity::Mu].value != small.scalars[Quantity::Mu].value);
 }
 
 /// What small strain leaves out at 20 ω_c is about the largest plastic strain of mu, as the model's part of its error
@@ -105,13 +111,13 @@ fn what_small_strain_leaves_out_is_in_the_error() {
     let finite = run_with(&scene, Kinematics::Finite);
     let auto = |twentieths: f64| {
         let mut scene = scene.clone();
-        scene.numerics.accuracy = twentieths * 20.0 * last(&finite).plastic_strain_max;
+        scene.numerics.accuracy = twentieths * 20.0 * last(&finite)[Quantity::PlasticStrainMax];
         run_with(&scene, Kinematics::Auto)
     };
     let (small, large) = (auto(1.5), auto(0.5));
     assert!(!small.account.finite_strain && large.account.finite_strain);
     let part = |outcome: &Outcome| outcome.budget.part(ErrorSource::Model, Quantity::Mu);
-    let change = (small.summary.mu.value - finite.summary.mu.value).abs();
+    let change = (small.scalars[Quantity::Mu].value - finite.scalars[Quantity::Mu].value).abs();
     println!("mu changes by {change:.5}, estimate {:.5}", part(&small));
     assert!(change < part(&small) && change > 0.5 * part(&small), "{change} {}", part(&small));
     assert_eq!(part(&large), 0.0);

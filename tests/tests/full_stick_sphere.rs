@@ -9,6 +9,7 @@
 //! Parameters: σ_Y/E = 1/5000, ω₀ = 0.3 ω_c, ν = 0, 0.3, 0.45; n_c = 8 and 16, N_θ = 4.
 
 use asperity::scene::FrictionLaw;
+use tables::quantity::Quantity;
 use tests::{Mesh, mesh, plain_material, press, pressed, scene};
 
 /// Of the load ratio: the mesh error common to both presses cancels; halving the elements
@@ -27,7 +28,7 @@ fn ratios(poisson: f64, mesh: Mesh) -> (f64, f64) {
         press(&scene)
     });
     let (slip, stick) = (pressed(&slip), pressed(&stick));
-    (stick.load / slip.load, stick.area / slip.area)
+    (stick[Quantity::Load] / slip[Quantity::Load], stick[Quantity::Area] / slip[Quantity::Area])
 }
 
 #[test]

@@ -11,6 +11,7 @@
 use asperity::scene::{FrictionLaw, Switch};
 use asperity::simulate::outcome::Outcome;
 use std::f64::consts::PI;
+use tables::quantity::Quantity;
 use tests::{Hertz, last, mesh, plain_material, run, scene};
 
 /// Outcome of a slide and what its heat depends on, SI.
@@ -34,7 +35,7 @@ fn slide(biot: f64) -> Cooled {
     // t = 2a/V.
     scene.loading.slip_rate = 2.0 * diffusivity / (1e4 * a);
     let outcome = run(&scene);
-    assert_eq!(last(&outcome).plastic_strain_max, 0.0);
+    assert_eq!(last(&outcome)[Quantity::PlasticStrainMax], 0.0);
     Cooled {
         outcome,
         conductivity: k,
@@ -50,19 +51,22 @@ fn steady_rise_is_that_of_body_and_gap_in_parallel() {
     for biot in [1.0, 10.0] {
         let cooled = slide(biot);
         let end = last(&cooled.outcome);
-        let a = (end.area / PI).sqrt();
-        let power = end.friction * cooled.slip_rate;
+        let a = (end[Quantity::Area] / PI).sqrt();
+        let power = end[Quantity::Friction] * cooled.slip_rate;
         let body = cooled.conductivity * a;
-        let [most, least] =
-            [3.0 * PI * PI / 8.0, 4.0].map(|factor| power / (cooled.conductance * end.area + factor * body));
-        let rise = end.temperature_mean - 298.0;
+        let [most, least] = [3.0 * PI * PI / 8.0, 4.0]
+            .map(|factor| power / (cooled.conductance * end[Quantity::Area] + factor * body));
+        let rise = end[Quantity::TemperatureMean] - 298.0;
         println!("Bi {biot}: rise {rise:.4e} K, between {least:.4e} and {most:.4e}");
         assert!(rise > least * (1.0 - tolerance) && rise < most * (1.0 + tolerance));
         // Of the heat of the last step the gap takes its share; the far body still warms up.
-        let before = &cooled.outcome.slide[cooled.outcome.slide.len() - 2];
-        let share = (end.heat_out - before.heat_out) / (end.heat_in - before.heat_in);
-        let [most, least] = [3.0 * PI * PI / 8.0, 4.0]
-            .map(|factor| cooled.conductance * end.area / (cooled.conductance * end.area + factor * body));
+        let before = cooled.outcome.slide.state(cooled.outcome.slide.len() - 2);
+        let share = (end[Quantity::HeatOut] - before[Quantity::HeatOut])
+            / (end[Quantity::HeatIn] - before[Quantity::HeatIn]);
+        let [most, least] = [3.0 * PI * PI / 8.0, 4.0].map(|factor| {
+            cooled.conductance * end[Quantity::Area]
+                / (cooled.conductance * end[Quantity::Area] + factor * body)
+        });
         println!("share of the gap {share:.4}, between {least:.4} and {most:.4}");
         assert!(share > least * (1.0 - tolerance) && share < most * (1.0 + tolerance));
     }

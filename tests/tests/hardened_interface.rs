@@ -6,6 +6,7 @@
 
 use asperity::scene::{FrictionLaw, Hardening, InterfaceStrength};
 use asperity::simulate::outcome::Outcome;
+use tables::quantity::Quantity;
 use tests::{assert_close, last, mesh, plain_material, pressed, run, scene};
 
 const FACTOR: f64 = 0.8;
@@ -24,8 +25,8 @@ fn slide(hardening: Hardening, strength: InterfaceStrength) -> Outcome {
 /// Mean shear stress over that of the virgin interface at the end of the slide.
 fn relative_stress(outcome: &Outcome) -> f64 {
     let end = last(outcome);
-    assert!(end.stick_fraction < 0.01, "{end:?}");
-    end.friction / end.area / (FACTOR * YIELD / 3f64.sqrt())
+    assert!(end[Quantity::StickFraction] < 0.01, "{end:?}");
+    end[Quantity::Friction] / end[Quantity::Area] / (FACTOR * YIELD / 3f64.sqrt())
 }
 
 /// Without hardening there is nothing to tell the two apart.
@@ -33,7 +34,7 @@ fn relative_stress(outcome: &Outcome) -> f64 {
 fn without_hardening_current_and_initial_strength_are_the_same() {
     let current = slide(Hardening::None, InterfaceStrength::Current);
     let initial = slide(Hardening::None, InterfaceStrength::Initial);
-    assert_eq!(last(&current).friction, last(&initial).friction);
+    assert_eq!(last(&current)[Quantity::Friction], last(&initial)[Quantity::Friction]);
     assert_close("Q/A", relative_stress(&initial), 1.0, 0.005);
 }
 
@@ -44,9 +45,9 @@ fn the_interface_hardens_with_the_body() {
     let current = slide(law, InterfaceStrength::Current);
     assert_close("Q/A at initial strength", relative_stress(&initial), 1.0, 0.005);
     // Pressed alike: the interface does not slip in the press.
-    assert_eq!(pressed(&current).load, pressed(&initial).load);
+    assert_eq!(pressed(&current)[Quantity::Load], pressed(&initial)[Quantity::Load]);
     let stress = relative_stress(&current);
-    let most = 1.0 + MODULUS * last(&current).plastic_strain_max / YIELD;
+    let most = 1.0 + MODULUS * last(&current)[Quantity::PlasticStrainMax] / YIELD;
     println!("Q/A at current strength: {stress:.4} of the virgin interface's, at most {most:.4}");
     assert!(stress > 1.02 && stress < most, "{stress} {most}");
     // Point by point: slipping points are at f_τ(σ_Y + Hε)/√3 for some ε of the surface.

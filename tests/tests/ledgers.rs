@@ -9,7 +9,8 @@
 
 use asperity::scene::FrictionLaw;
 use asperity::scene::file::parse_scene;
-use asperity::simulate::outcome::{Outcome, SlideStep};
+use asperity::simulate::outcome::Outcome;
+use tables::quantity::{Quantity, State};
 use tests::{assert_close, last, mesh, run, scene, steel_4340};
 
 fn slide(gap_conductance: f64) -> Outcome {
@@ -21,7 +22,7 @@ fn slide(gap_conductance: f64) -> Outcome {
     scene.loading.slip_distance = 0.5;
     let outcome = run(&scene);
     let end = last(&outcome);
-    assert!(end.plastic_strain_max > 0.01 && end.temperature_max > 330.0, "{end:?}");
+    assert!(end[Quantity::PlasticStrainMax] > 0.01 && end[Quantity::TemperatureMax] > 330.0, "{end:?}");
     outcome
 }
 
@@ -30,30 +31,33 @@ fn off(balance: f64, terms: &[f64]) -> f64 {
     balance.abs() / terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()))
 }
 
-fn energy_off(step: &SlideStep) -> f64 {
+fn energy_off(step: State<'_>) -> f64 {
     let s = step;
     let spent = [
-        s.energy_elastic,
-        s.dissipation_plastic,
-        s.dissipation_friction,
-        s.work_thermal_expansion,
-        s.energy_moduli_softening,
+        s[Quantity::EnergyElastic],
+        s[Quantity::DissipationPlastic],
+        s[Quantity::DissipationFriction],
+        s[Quantity::WorkThermalExpansion],
+        s[Quantity::EnergyModuliSoftening],
     ];
-    let balance = s.work - spent.iter().sum::<f64>();
-    off(balance, &[s.work, spent[0], spent[1], spent[2], spent[3], spent[4]])
+    let balance = s[Quantity::Work] - spent.iter().sum::<f64>();
+    off(balance, &[s[Quantity::Work], spent[0], spent[1], spent[2], spent[3], spent[4]])
 }
 
-fn heat_off(step: &SlideStep) -> f64 {
+fn heat_off(step: State<'_>) -> f64 {
     let s = step;
-    off(s.heat_in - s.heat_stored - s.heat_out, &[s.heat_in, s.heat_stored, s.heat_out])
+    off(
+        s[Quantity::HeatIn] - s[Quantity::HeatStored] - s[Quantity::HeatOut],
+        &[s[Quantity::HeatIn], s[Quantity::HeatStored], s[Quantity::HeatOut]],
+    )
 }
 
 /// To 1e-6 of the largest term of each step: the tolerance of the solver.
 #[test]
 fn energy_and_heat_are_accounted_for_at_every_step() {
     let outcome = slide(0.0);
-    let steps = &outcome.slide[1..];
-    let worst = |off: fn(&SlideStep) -> f64| steps.iter().map(off).fold(0.0, f64::max);
+    let steps = outcome.slide.states().skip(1);
+    let worst = |off: fn(State<'_>) -> f64| steps.clone().map(off).fold(0.0, f64::max);
     let (energy, heat) = (worst(energy_off), worst(heat_off));
     println!("energy {energy:.1e}, heat {heat:.1e}");
     assert!(heat <= 1e-6, "heat is off by {heat:.1e}");
@@ -74,9 +78,9 @@ fn ledgers_close_with_properties_that_depend_on_temperature() {
     scene.loading.slip_distance = 1.0;
     let outcome = run(&scene);
     let end = last(&outcome);
-    assert!(end.temperature_max > 850.0 && end.energy_moduli_softening > 0.0, "{end:?}");
-    let steps = &outcome.slide[1..];
-    let worst = |off: fn(&SlideStep) -> f64| steps.iter().map(off).fold(0.0, f64::max);
+    assert!(end[Quantity::TemperatureMax] > 850.0 && end[Quantity::EnergyModuliSoftening] > 0.0, "{end:?}");
+    let steps = outcome.slide.states().skip(1);
+    let worst = |off: fn(State<'_>) -> f64| steps.clone().map(off).fold(0.0, f64::max);
     let (energy, heat) = (worst(energy_off), worst(heat_off));
     println!("energy {energy:.1e}, heat {heat:.1e}");
     assert!(heat <= 1e-10, "heat is off by {heat:.1e}");
@@ -87,17 +91,23 @@ fn ledgers_close_with_properties_that_depend_on_temperature() {
 /// with the mean traction of each step, the heat with that at its end: up to 0.25 % on this slide.
 #[test]
 fn heat_comes_from_dissipation() {
-    let end = *last(&slide(0.0));
-    let generated = 0.5 * end.dissipation_friction + 0.9 * end.dissipation_plastic;
-    assert_close("heat in", end.heat_in, generated, 0.005);
+    let outcome = slide(0.0);
+    let end = last(&outcome);
+    let generated = 0.5 * end[Quantity::DissipationFriction] + 0.9 * end[Quantity::DissipationPlastic];
+    assert_close("heat in", end[Quantity::HeatIn], generated, 0.005);
 }
 
 /// A conducting gap takes heat out; it does not make less of it. The tolerance is that above, and
 /// for steps of temperature that the conductance makes larger.
 #[test]
 fn heat_through_the_gap_is_heat_out() {
-    let end = *last(&slide(1e7));
-    let generated = 0.5 * end.dissipation_friction + 0.9 * end.dissipation_plastic;
-    assert!(end.heat_out > 0.1 * generated, "heat out {:e} of {generated:e} J", end.heat_out);
-    assert_close("heat in", end.heat_in, generated, 0.01);
+    let outcome = slide(1e7);
+    let end = last(&outcome);
+    let generated = 0.5 * end[Quantity::DissipationFriction] + 0.9 * end[Quantity::DissipationPlastic];
+    assert!(
+        end[Quantity::HeatOut] > 0.1 * generated,
+        "heat out {:e} of {generated:e} J",
+        end[Quantity::HeatOut]
+    );
+    assert_close("heat in", end[Quantity::HeatIn], generated, 0.01);
 }

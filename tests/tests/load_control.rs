@@ -7,6 +7,7 @@
 //! equal preload. Elastic contact without friction: sinking costs nothing and changes nothing.
 
 use asperity::scene::{Control, FrictionLaw};
+use tables::quantity::Quantity;
 use tests::{assert_close, last, mesh, plain_material, pressed, run, scene, steel_4340};
 
 #[test]
@@ -17,24 +18,28 @@ fn the_load_is_held_and_friction_is_higher() {
     scene.loading.control = Control::Load;
     let held = run(&scene);
 
-    let load = pressed(&held).load;
-    assert_close("preload", load, pressed(&fixed).load, 1e-12);
-    for step in &held.slide {
-        assert!((step.load / load - 1.0).abs() < 1e-5, "{step:?}");
+    let load = pressed(&held)[Quantity::Load];
+    assert_close("preload", load, pressed(&fixed)[Quantity::Load], 1e-12);
+    for step in held.slide.states() {
+        assert!((step[Quantity::Load] / load - 1.0).abs() < 1e-5, "{step:?}");
     }
     // At constant interference a plastic contact loses load while it slides; held, it sinks.
-    assert!(last(&fixed).load < 0.96 * load);
-    assert!(last(&held).interference > 20.3 && last(&fixed).interference == 20.0);
-    let sinks = held.slide.windows(2).all(|pair| pair[1].interference >= pair[0].interference * (1.0 - 1e-6));
+    assert!(last(&fixed)[Quantity::Load] < 0.96 * load);
+    assert!(last(&held)[Quantity::Interference] > 20.3 && last(&fixed)[Quantity::Interference] == 20.0);
+    let sinks =
+        held.slide.column(Quantity::Interference).windows(2).all(|pair| pair[1] >= pair[0] * (1.0 - 1e-6));
     assert!(sinks, "the flat rises");
 
-    let (low, high) = (fixed.summary.friction_static.value, held.summary.friction_static.value);
+    let (low, high) =
+        (fixed.scalars[Quantity::FrictionStatic].value, held.scalars[Quantity::FrictionStatic].value);
     println!("Q_static {low} at constant interference, {high} at constant load");
     assert!(high > 1.02 * low);
 
-    for step in &held.slide[1..] {
-        let spent = step.energy_elastic + step.dissipation_plastic + step.dissipation_friction;
-        assert!((step.work - spent).abs() < 1e-6 * step.work, "{step:?}");
+    for step in held.slide.states().skip(1) {
+        let spent = step[Quantity::EnergyElastic]
+            + step[Quantity::DissipationPlastic]
+            + step[Quantity::DissipationFriction];
+        assert!((step[Quantity::Work] - spent).abs() < 1e-6 * step[Quantity::Work], "{step:?}");
     }
 }
 
@@ -45,7 +50,7 @@ fn nothing_sinks_without_friction() {
     scene.loading.control = Control::Load;
     scene.loading.slip_distance = 0.05;
     let outcome = run(&scene);
-    for step in &outcome.slide {
-        assert!((step.interference / 0.3 - 1.0).abs() < 1e-5, "{}", step.interference);
+    for step in outcome.slide.states() {
+        assert!((step[Quantity::Interference] / 0.3 - 1.0).abs() < 1e-5, "{}", step[Quantity::Interference]);
     }
 }

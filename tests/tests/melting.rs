@@ -7,6 +7,7 @@
 
 use asperity::scene::file::parse_scene;
 use asperity::scene::{FrictionLaw, Material, Softening};
+use tables::quantity::Quantity;
 use tests::{mesh, run, scene, steel_4340};
 
 /// Hottest contact of a fast slide, of which every number must be finite.
@@ -15,21 +16,21 @@ fn hottest(material: Material, slip_rate: f64) -> f64 {
     scene.loading.slip_rate = slip_rate;
     scene.loading.slip_distance = 1.0;
     let outcome = run(&scene);
-    for step in &outcome.slide {
+    for step in outcome.slide.states() {
         let numbers = [
-            step.friction,
-            step.load,
-            step.area,
-            step.temperature_max,
-            step.plastic_strain_max,
-            step.work,
-            step.energy_elastic,
-            step.heat_stored,
+            step[Quantity::Friction],
+            step[Quantity::Load],
+            step[Quantity::Area],
+            step[Quantity::TemperatureMax],
+            step[Quantity::PlasticStrainMax],
+            step[Quantity::Work],
+            step[Quantity::EnergyElastic],
+            step[Quantity::HeatStored],
         ];
         assert!(numbers.iter().all(|x| x.is_finite()), "{step:?}");
-        assert!(step.friction >= 0.0 && step.load > 0.0, "{step:?}");
+        assert!(step[Quantity::Friction] >= 0.0 && step[Quantity::Load] > 0.0, "{step:?}");
     }
-    outcome.slide.iter().fold(0.0, |most, step| step.temperature_max.max(most))
+    outcome.slide.states().fold(0.0, |most, step| step[Quantity::TemperatureMax].max(most))
 }
 
 #[test]

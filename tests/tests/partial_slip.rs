@@ -15,6 +15,7 @@ use asperity::scene::{FrictionLaw, Scene};
 use asperity::simulate::outcome::{InceptionCriterion, Outcome};
 use std::f64::consts::PI;
 use tables::closed_forms::partial_slip::{constant_shear, mindlin, stick_stiffness};
+use tables::quantity::Quantity;
 use tests::{Hertz, assert_close, at_slip, last, mesh, plain_material, pressed, run, scene};
 
 const POISSON: f64 = 0.499;
@@ -39,9 +40,9 @@ fn scene_of(law: FrictionLaw) -> (Scene, Hertz) {
 fn slide(mut scene: Scene, hertz: &Hertz, gross: f64) -> Outcome {
     scene.loading.slip_distance = 1.3 * gross / hertz.contact_radius;
     let outcome = run(&scene);
-    assert_eq!(last(&outcome).plastic_strain_max, 0.0);
+    assert_eq!(last(&outcome)[Quantity::PlasticStrainMax], 0.0);
     // Normal and tangential problem do not couple.
-    assert_close("P at the end", last(&outcome).load, pressed(&outcome).load, 1e-3);
+    assert_close("P at the end", last(&outcome)[Quantity::Load], pressed(&outcome)[Quantity::Load], 1e-3);
     outcome
 }
 
@@ -56,8 +57,8 @@ fn assert_curves(
     let mut failures = Vec::new();
     for x in [0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.2] {
         let slip = x * gross;
-        let q = at_slip(outcome, slip, |step| step.friction) / full;
-        let stick = at_slip(outcome, slip, |step| step.stick_fraction);
+        let q = at_slip(outcome, slip, |step| step[Quantity::Friction]) / full;
+        let stick = at_slip(outcome, slip, |step| step[Quantity::StickFraction]);
         let (q_reference, stick_reference) = (force(x), stick_radius(x).powi(2));
         println!("u {x}: Q {q:.4} ({q_reference:.4}), stick {stick:.3} ({stick_reference:.3})");
         if (q - q_reference).abs() > FORCE || (stick - stick_reference).abs() > STICK {
@@ -76,26 +77,31 @@ fn constant_shear_strength() {
     let full = PI * a * a * strength;
     let outcome = slide(scene, &hertz, gross);
 
-    let first = &outcome.slide[1];
-    assert_close("stiffness", first.friction / first.slip, stick_stiffness(g, a), FORCE);
+    let first = outcome.slide.state(1);
+    assert_close(
+        "stiffness",
+        first[Quantity::Friction] / first[Quantity::Slip],
+        stick_stiffness(g, a),
+        FORCE,
+    );
     let (force, stick) = (constant_shear::force_fraction, constant_shear::stick_radius_fraction);
     assert_curves(&outcome, full, gross, force, stick);
-    assert_eq!(outcome.summary.inception, InceptionCriterion::FullSlip);
-    assert_close("slip at inception", outcome.summary.inception_slip.value, gross, 0.03);
+    assert_eq!(outcome.inception, InceptionCriterion::FullSlip);
+    assert_close("slip at inception", outcome.scalars[Quantity::InceptionSlip].value, gross, 0.03);
     // In gross slip every point carries τ₀, at angles up to a few hundredths to the slide: their
     // mean square.
     let end = last(&outcome);
-    assert_close("Q/A at the end", end.friction / end.area, strength, 1e-3);
+    assert_close("Q/A at the end", end[Quantity::Friction] / end[Quantity::Area], strength, 1e-3);
 
     // Beyond gross slip the stored energy stays, and work and dissipation grow alike.
-    let sliding = end.friction * (end.slip - gross);
+    let sliding = end[Quantity::Friction] * (end[Quantity::Slip] - gross);
     let unit = full * gross;
     let (work, stored, dissipated) = constant_shear::energies_at_gross_slip();
     // Of the unit, all three: the dissipation is off by 0.006, the stored energy by 0.004.
     for (name, value, reference) in [
-        ("work", end.work - sliding, work),
-        ("stored energy", end.energy_elastic, stored),
-        ("dissipation", end.dissipation_friction - sliding, dissipated),
+        ("work", end[Quantity::Work] - sliding, work),
+        ("stored energy", end[Quantity::EnergyElastic], stored),
+        ("dissipation", end[Quantity::DissipationFriction] - sliding, dissipated),
     ] {
         println!("{name}: {}, reference {reference}", value / unit);
         assert!((value / unit - reference).abs() < 0.01, "{name}: {}, not {reference}", value / unit);
@@ -109,13 +115,13 @@ fn coulomb() {
     let gross = mindlin::gross_slip_displacement(FRICTION, hertz.load, g, a);
     let outcome = slide(scene, &hertz, gross);
     // The computed P, some 2 % above Hertz's, sets the scale of Coulomb friction.
-    let load = pressed(&outcome).load;
+    let load = pressed(&outcome)[Quantity::Load];
     let gross = mindlin::gross_slip_displacement(FRICTION, load, g, a);
     let (force, stick) = (mindlin::force_fraction, mindlin::stick_radius_fraction);
     assert_curves(&outcome, FRICTION * load, gross, force, stick);
-    assert_eq!(outcome.summary.inception, InceptionCriterion::FullSlip);
-    assert_close("slip at inception", outcome.summary.inception_slip.value, gross, 0.03);
+    assert_eq!(outcome.inception, InceptionCriterion::FullSlip);
+    assert_close("slip at inception", outcome.scalars[Quantity::InceptionSlip].value, gross, 0.03);
     let end = last(&outcome);
     // The angles of slip again.
-    assert_close("Q/P at the end", end.friction / end.load, FRICTION, 1e-3);
+    assert_close("Q/P at the end", end[Quantity::Friction] / end[Quantity::Load], FRICTION, 1e-3);
 }

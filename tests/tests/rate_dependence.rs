@@ -8,6 +8,7 @@
 
 use asperity::scene::FrictionLaw;
 use asperity::simulate::{Unwatched, press, slide};
+use tables::quantity::Quantity;
 use tests::{mesh, relative, scene, steel_4340};
 
 #[test]
@@ -20,27 +21,30 @@ fn static_friction_ignores_the_slip_rate_and_sliding_friction_falls_with_it() {
     let pressed = press(&scene, &Unwatched).unwrap();
     let runs = [0.1, 1.0, 10.0].map(|rate| slide(&pressed, rate, &Unwatched).unwrap());
     for run in &runs {
-        let s = &run.summary;
+        let s = &run.scalars;
         println!(
             "mu_s {:.5} ± {:.5} ({:?} at {:.3e}) mu {:.5} ± {:.5} T {:.0}, {:.1} s, {} steps",
-            s.mu_static.value,
-            s.mu_static.error,
-            s.inception,
-            s.inception_slip.value,
-            s.mu.value,
-            s.mu.error,
-            s.temperature_max.value,
+            s[Quantity::MuStatic].value,
+            s[Quantity::MuStatic].error,
+            run.inception,
+            s[Quantity::InceptionSlip].value,
+            s[Quantity::Mu].value,
+            s[Quantity::Mu].error,
+            s[Quantity::TemperatureMax].value,
             run.account.wall_time,
             run.account.steps
         );
-        for step in &run.slide {
-            assert!(step.friction / step.area <= strength * (1.0 + 1e-9), "{step:?}");
+        for step in run.slide.states() {
+            assert!(step[Quantity::Friction] / step[Quantity::Area] <= strength * (1.0 + 1e-9), "{step:?}");
         }
     }
-    let [slow, middle, fast] = runs.map(|run| run.summary);
+    let [slow, middle, fast] = runs.map(|run| run.scalars);
     for other in [&middle, &slow] {
-        let off = relative(other.mu_static.value, fast.mu_static.value);
+        let off = relative(other[Quantity::MuStatic].value, fast[Quantity::MuStatic].value);
         assert!(off.abs() < 0.01, "{off}");
     }
-    assert!(slow.mu.value > middle.mu.value && middle.mu.value > fast.mu.value);
+    assert!(
+        slow[Quantity::Mu].value > middle[Quantity::Mu].value
+            && middle[Quantity::Mu].value > fast[Quantity::Mu].value
+    );
 }

@@ -5,6 +5,7 @@
 //! length of its own.
 
 use asperity::scene::FrictionLaw;
+use tables::quantity::Quantity;
 use tests::{mesh, relative, run, scene, steel_4340};
 
 #[test]
@@ -19,21 +20,25 @@ fn friction_does_not_depend_on_the_radius() {
         run(&scene)
     };
     let reference = at(1e-3);
-    let expected = &reference.summary;
-    assert!(expected.temperature_max.value > 350.0, "{expected:?}");
+    let expected = &reference.scalars;
+    assert!(expected[Quantity::TemperatureMax].value > 350.0, "{expected:?}");
     for radius in [10e-9, 10e-3] {
         let outcome = at(radius);
-        let found = &outcome.summary;
+        let found = &outcome.scalars;
         let scale = radius / 1e-3;
         for (name, value, reference) in [
-            ("mu", found.mu.value, expected.mu.value),
-            ("mu_static", found.mu_static.value, expected.mu_static.value),
-            ("mu_peak", found.mu_peak.value, expected.mu_peak.value),
-            ("Q", found.friction.value / scale.powi(2), expected.friction.value),
-            ("P", found.load.value / scale.powi(2), expected.load.value),
-            ("A", found.area.value / scale.powi(2), expected.area.value),
-            ("G", found.energy_release.value / scale, expected.energy_release.value),
-            ("T_max", found.temperature_max.value - 298.0, expected.temperature_max.value - 298.0),
+            ("mu", found[Quantity::Mu].value, expected[Quantity::Mu].value),
+            ("mu_static", found[Quantity::MuStatic].value, expected[Quantity::MuStatic].value),
+            ("mu_peak", found[Quantity::MuPeak].value, expected[Quantity::MuPeak].value),
+            ("Q", found[Quantity::Friction].value / scale.powi(2), expected[Quantity::Friction].value),
+            ("P", found[Quantity::Load].value / scale.powi(2), expected[Quantity::Load].value),
+            ("A", found[Quantity::Area].value / scale.powi(2), expected[Quantity::Area].value),
+            ("G", found[Quantity::EnergyRelease].value / scale, expected[Quantity::EnergyRelease].value),
+            (
+                "T_max",
+                found[Quantity::TemperatureMax].value - 298.0,
+                expected[Quantity::TemperatureMax].value - 298.0,
+            ),
         ] {
             println!("R = {radius:e}: {name} {:e}", relative(value, reference));
             // Rounding differs with the unit; iterations that end at a tolerance may differ by one.

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use asperity::scene::file::parse_scene;
-use asperity::simulate::quantities::estimate;
 use tables::closed_forms::partial_slip::constant_shear;
 use tables::law::AsperityLaw;
 use tables::quantity::Quantity;
@@ -71,7 +70,7 @@ fn below_their_first_row_tables_agree_with_runs() {
         for quantity in
             [LoadPress, AreaPress, Load, Area, Friction, Mu, MuStatic, InceptionSlip, EnergyRelease]
         {
-            let here = estimate(&outcome.summary, quantity);
+            let here = outcome.scalars[quantity];
             let there = table.estimate(quantity, radius, share * first, slip_rate).unwrap();
             let (off, allowed) = ((there.value - here.value).abs(), there.error + here.error);
             println!("{share} {quantity:?}: {here:?} {there:?}, {:.2} of the errors", off / allowed);

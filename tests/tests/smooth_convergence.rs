@@ -8,6 +8,7 @@
 //! the pressure.
 
 use asperity::scene::FrictionLaw;
+use tables::quantity::Quantity;
 use tests::{Mesh, mesh, relative, run, scene, steel_4340};
 
 const NAMES: [&str; 4] = ["A", "P", "Q", "mu_static"];
@@ -15,8 +16,14 @@ const NAMES: [&str; 4] = ["A", "P", "Q", "mu_static"];
 fn at(interference: f64, mesh: Mesh) -> [f64; 4] {
     let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, interference, mesh);
     scene.loading.slip_distance = 0.1;
-    let summary = run(&scene).summary;
-    [summary.area_press, summary.load_press, summary.friction, summary.mu_static].map(|x| x.value)
+    let scalars = run(&scene).scalars;
+    [
+        scalars[Quantity::AreaPress],
+        scalars[Quantity::LoadPress],
+        scalars[Quantity::Friction],
+        scalars[Quantity::MuStatic],
+    ]
+    .map(|x| x.value)
 }
 
 fn assert_change(coarse: Mesh, fine: Mesh, most: f64) {

@@ -4,6 +4,7 @@ use asperity::output::provenance;
 use asperity::output::run_file::{self, About};
 use asperity::studies::robustness::{HardResult, RobustnessCase, Verdict};
 use serde_json::{Value, json};
+use tables::quantity::Quantity;
 
 use super::progress::{Progress, watch_for_interrupt};
 use super::{Display, Failure, VerifyArguments, command_line, print};
@@ -101,8 +102,8 @@ fn line(case: &RobustnessCase, result: &HardResult) -> String {
             account.newton_iterations,
             account.krylov_iterations,
             100.0 * result.error(),
-            outcome.summary.mu.value,
-            outcome.summary.temperature_max.value,
+            outcome.scalars[Quantity::Mu].value,
+            outcome.scalars[Quantity::TemperatureMax].value,
             result.wall_time,
         );
     }
@@ -126,8 +127,8 @@ fn as_json(case: &RobustnessCase, result: &HardResult) -> Value {
             "newton_iterations": account.newton_iterations,
             "krylov_iterations": account.krylov_iterations,
             "relative_error": result.error(),
-            "mu": outcome.summary.mu.value,
-            "temperature_max": outcome.summary.temperature_max.value,
+            "mu": outcome.scalars[Quantity::Mu].value,
+            "temperature_max": outcome.scalars[Quantity::TemperatureMax].value,
             "notes": account.notes,
             "warnings": account.warnings,
         })

@@ -11,7 +11,6 @@ use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
 use asperity::simulate::fracture;
 use asperity::simulate::outcome::{ErrorSource, Kernel, Outcome, Warning};
-use asperity::simulate::quantities::{estimate, inception_in_words};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
 use tables::quantity::Quantity;
@@ -56,7 +55,10 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
                     Err(Failure::Run(format!("{reason}; the slide had not begun, there is nothing to save")))
                 }
                 Some(mut outcome) => {
-                    outcome.account.warnings.extend(scene.reference_temperature_warning().map(Warning::Scene));
+                    outcome
+                        .account
+                        .warnings
+                        .extend(scene.reference_temperature_warning().map(Warning::Scene));
                     report(&scene, &outcome, Some(&reason), arguments, display)?;
                     let output = arguments.output.display();
                     Err(Failure::Run(format!(
@@ -126,14 +128,14 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
     line("heat_partition", numbers::plain(scene.interface.heat_partition));
     for quantity in Quantity::SCALARS {
         let descriptor = quantity.descriptor();
-        let estimate = estimate(&outcome.summary, quantity);
+        let estimate = outcome.scalars[quantity];
         line(descriptor.name, numbers::with_error(estimate, descriptor.units));
     }
     for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
         line(name, numbers::with_error(estimate, unit));
     }
-    line("inception", inception_in_words(outcome.summary.inception).into());
-    line("levelled", if outcome.summary.levelled { "yes" } else { "no" }.into());
+    line("inception", outcome.inception.to_string());
+    line("levelled", if outcome.steady { "yes" } else { "no" }.into());
     line("wall_time", format!("{:.1} s", outcome.account.wall_time));
     text
 }
@@ -160,7 +162,7 @@ fn account(outcome: &Outcome) -> String {
         "", "mesh", "sectors", "steps", "solver", "model"
     );
     for quantity in Quantity::SCALARS {
-        let value = estimate(&outcome.summary, quantity).value.abs();
+        let value = outcome.scalars[quantity].value.abs();
         let _ = write!(text, "  {:20}", quantity.descriptor().name);
         for source in ErrorSource::ALL {
             let part = 100.0 * outcome.budget.part(source, quantity) / value;
@@ -188,7 +190,7 @@ fn as_json(
 ) -> serde_json::Value {
     let entry = |quantity: Quantity| {
         let descriptor = quantity.descriptor();
-        let estimate = estimate(&outcome.summary, quantity);
+        let estimate = outcome.scalars[quantity];
         let value = numbers::as_json(estimate, descriptor.units);
         (descriptor.name.to_owned(), value)
     };
@@ -205,8 +207,8 @@ fn as_json(
         "radius": scene.radius,
         "heat_partition": scene.interface.heat_partition,
         "summary": summary,
-        "inception": inception_in_words(outcome.summary.inception),
-        "levelled": outcome.summary.levelled,
+        "inception": outcome.inception.to_string(),
+        "levelled": outcome.steady,
         "notes": account.notes,
         "warnings": account.warnings,
         "account": {

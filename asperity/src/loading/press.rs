@@ -26,29 +26,21 @@ pub struct Increment {
     pub area: f64,
 }
 
-/// Presses to ω₀ on a given mesh in so many increments (more where Newton's method fails).
+/// Presses to ω₀ on a given mesh in `count` increments (more where Newton's method fails), of equal
+/// length in √ω, which goes with the contact radius.
 pub fn press_on(
     problem: &Problem,
     size: MeshSize,
     count: usize,
 ) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
-    let discretisation = Discretisation::new(problem, size, Collocation::axisymmetric())?;
-    let mesh = discretisation.mesh;
-    let contact = Contact::new(&mesh, problem.contact_modulus);
-    let displacement = vec![0.0; mesh.field_length(3)];
-    let mut body = Body::new(mesh, problem.solid.clone());
-    if problem.finite_strain {
-        body = body.at_finite_strain();
-    }
-    let mut mechanics = Mechanics::new(body, contact, discretisation.factors, displacement, NEWTON_TOLERANCE);
-
-    let limit = if problem.law.has_friction() { f64::INFINITY } else { 0.0 };
-    let count = count as f64;
+    /// Shortest increment, over the usual one.
+    const SHORTEST: f64 = 1e-4;
+    let mut mechanics = unloaded(problem, size)?;
+    let usual = 1.0 / count as f64;
     let mut increments = Vec::new();
     let mut before = (0.0, mechanics.displacement.clone());
     let mut done = 0.0;
-    // Progress in units of the contact radius: interference goes with its square.
-    let mut advance: f64 = 1.0 / count;
+    let mut advance = usual;
     let mut radius: f64 = 0.0;
     while radius < 1.0 {
         let next = (radius + advance).min(1.0);
@@ -56,37 +48,20 @@ pub fn press_on(
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
         let cover = mechanics.contact.cover.clone();
-        let flat = FlatPosition { interference, displacement: 0.0 };
-        let outcome = mechanics.solve(flat, LoadingControl::Interference, start, |_, contact, iteration| {
-            if problem.finite_strain {
-                contact.update_areas(iteration == 0);
-            }
-            Some(CouplingData { limit: vec![limit; contact.len()], rise: None, settled: true })
-        });
-        match outcome {
-            Ok(_) => {
-                mechanics.contact.update_cover();
-                mechanics.body.commit();
-                mechanics.contact.commit();
-                let contact = &mechanics.contact;
-                increments.push(Increment {
-                    interference,
-                    load: contact.load(&contact.committed),
-                    area: contact.area(&contact.committed),
-                });
+        match press_to(problem, &mut mechanics, interference, start) {
+            Ok(increment) => {
+                increments.push(increment);
                 before = (done, committed);
                 done = interference;
                 radius = next;
-                advance = (1.5 * advance).min(1.0 / count);
+                advance = (1.5 * advance).min(usual);
             }
             Err(failure) => {
                 mechanics.restore(committed, cover);
                 advance *= 0.5;
-                if advance < 1e-4 / count {
-                    return Err(PressFailure::Step {
-                        interference: interference / problem.critical_interference,
-                        failure,
-                    });
+                if advance < SHORTEST * usual {
+                    let interference = interference / problem.critical_interference;
+                    return Err(PressFailure::Step { interference, failure });
                 }
             }
         }
@@ -94,7 +69,45 @@ pub fn press_on(
     Ok((mechanics, increments))
 }
 
-/// Straight on from the last two solutions.
+/// The unloaded asperity on a mesh.
+fn unloaded(problem: &Problem, size: MeshSize) -> Result<Mechanics, FactorError> {
+    let Discretisation { mesh, factors } = Discretisation::new(problem, size, Collocation::axisymmetric())?;
+    let contact = Contact::new(&mesh, problem.contact_modulus);
+    let displacement = vec![0.0; mesh.field_length(3)];
+    let mut body = Body::new(mesh, problem.solid.clone());
+    if problem.finite_strain {
+        body = body.at_finite_strain();
+    }
+    Ok(Mechanics::new(body, contact, factors, displacement, NEWTON_TOLERANCE))
+}
+
+/// Solves and commits one increment, from the first guess `start`.
+fn press_to(
+    problem: &Problem,
+    mechanics: &mut Mechanics,
+    interference: f64,
+    start: Vec<f64>,
+) -> Result<Increment, StepFailure> {
+    let limit = if problem.law.has_friction() { f64::INFINITY } else { 0.0 };
+    let flat = FlatPosition { interference, displacement: 0.0 };
+    mechanics.solve(flat, LoadingControl::Interference, start, |_, contact, iteration| {
+        if problem.finite_strain {
+            contact.update_areas(iteration == 0);
+        }
+        Some(CouplingData { limit: vec![limit; contact.len()], rise: None, settled: true })
+    })?;
+    mechanics.contact.update_cover();
+    mechanics.body.commit();
+    mechanics.contact.commit();
+    let contact = &mechanics.contact;
+    Ok(Increment {
+        interference,
+        load: contact.load(&contact.committed),
+        area: contact.area(&contact.committed),
+    })
+}
+
+/// Linear extrapolation of the last two solutions, by at most three increments.
 pub fn extrapolate(before: &[f64], now: &[f64], t_before: f64, t_now: f64, t_next: f64) -> Vec<f64> {
     let factor = if t_now > t_before { ((t_next - t_now) / (t_now - t_before)).min(3.0) } else { 0.0 };
     now.iter().zip(before).map(|(x, y)| x + factor * (x - y)).collect()

@@ -1,8 +1,9 @@
 //! The contact plane in pictures: what sticks and slips, pressure, shear and temperature.
 
 use tables::figures::{Axis, Cell, Cells, Scale};
+use tables::quantity::Quantity;
 
-use crate::output::figures::scaled;
+use crate::output::scale::scaled;
 use crate::simulate::outcome::{ContactGrid, ContactStatus, Outcome, Snapshot};
 
 type Field = (&'static str, &'static str, fn(&Snapshot) -> &Vec<f64>);
@@ -49,7 +50,7 @@ struct Plane<'a> {
 impl<'a> Plane<'a> {
     fn new(outcome: &'a Outcome) -> Self {
         let ContactGrid { r, theta } = &outcome.grid;
-        let unit = outcome.summary.contact_radius.value;
+        let unit = outcome.scalars[Quantity::ContactRadius].value;
         let touched = (0..r.len()).rev().find(|&ring| {
             let places = (0..theta.len()).map(|angle| angle * r.len() + ring);
             let touches =
@@ -76,9 +77,10 @@ impl<'a> Plane<'a> {
         let values: Vec<f64> = values.collect();
         let names = ["slips", "sticks"].map(String::from).to_vec();
         let slip = snapshot.slip / self.unit;
-        let step = self.outcome.slide.iter().find(|step| step.slip == snapshot.slip);
-        let sticks =
-            step.map_or(String::new(), |step| format!(", {:.0} % sticks", 100.0 * step.stick_fraction));
+        let state = self.outcome.slide.states().find(|state| state[Quantity::Slip] == snapshot.slip);
+        let sticks = state.map_or(String::new(), |state| {
+            format!(", {:.0} % sticks", 100.0 * state[Quantity::StickFraction])
+        });
         self.cells(
             format!("s = {slip:.3} a₀{sticks}"),
             self.outcome.grid.theta.len(),
@@ -180,7 +182,7 @@ mod tests {
     /// Contact to the second of four rings, slipping at the first angle, sticking at the second.
     fn outcome() -> Outcome {
         let mut outcome = Fake::outcome(&fake::scene(1.0, 1.0));
-        let unit = outcome.summary.contact_radius.value;
+        let unit = outcome.scalars[Quantity::ContactRadius].value;
         outcome.account.heat = true;
         outcome.grid = ContactGrid {
             theta: vec![0.25 * std::f64::consts::PI, 0.75 * std::f64::consts::PI],

@@ -1,35 +1,38 @@
 //! The figure of a run: what happens along the slide, and the contact plane at chosen instants.
 
 use tables::figures::{Axis, Curve, Drawing, Panel, Sheet};
+use tables::quantity::Quantity;
 
 use crate::output::contact_maps::contact_maps;
+use crate::output::scale::scaled;
 use crate::scene::Scene;
-use crate::simulate::outcome::{Outcome, SlideStep};
+use crate::simulate::outcome::Outcome;
 use tables::numbers::plain;
 
-type History = (&'static str, fn(&SlideStep) -> f64);
+/// A label and the quantity that it is for.
+type Labelled = (&'static str, Quantity);
 
-const FRICTION: [History; 1] = [("", |step| step.mu)];
-const FORCES: [History; 2] = [("Q", |step| step.friction), ("P", |step| step.load)];
-const AREA: [History; 1] = [("", |step| step.area)];
-const TEMPERATURES: [History; 2] =
-    [("highest", |step| step.temperature_max), ("mean", |step| step.temperature_mean)];
-const ENERGIES: [History; 6] = [
-    ("work of the flat", |step| step.work),
-    ("elastic", |step| step.energy_elastic),
-    ("plastic", |step| step.dissipation_plastic),
-    ("frictional", |step| step.dissipation_friction),
-    ("thermal expansion", |step| step.work_thermal_expansion),
-    ("softening of moduli", |step| step.energy_moduli_softening),
+const FRICTION: [Labelled; 1] = [("", Quantity::Mu)];
+const FORCES: [Labelled; 2] = [("Q", Quantity::Friction), ("P", Quantity::Load)];
+const AREA: [Labelled; 1] = [("", Quantity::Area)];
+const TEMPERATURES: [Labelled; 2] =
+    [("highest", Quantity::TemperatureMax), ("mean", Quantity::TemperatureMean)];
+const ENERGIES: [Labelled; 6] = [
+    ("work of the flat", Quantity::Work),
+    ("elastic", Quantity::EnergyElastic),
+    ("plastic", Quantity::DissipationPlastic),
+    ("frictional", Quantity::DissipationFriction),
+    ("thermal expansion", Quantity::WorkThermalExpansion),
+    ("softening of moduli", Quantity::EnergyModuliSoftening),
 ];
-const HEATS: [History; 3] =
-    [("in", |step| step.heat_in), ("stored", |step| step.heat_stored), ("out", |step| step.heat_out)];
-const PLASTIC_STRAIN: [History; 1] = [("", |step| step.plastic_strain_max)];
+const HEATS: [Labelled; 3] =
+    [("in", Quantity::HeatIn), ("stored", Quantity::HeatStored), ("out", Quantity::HeatOut)];
+const PLASTIC_STRAIN: [Labelled; 1] = [("", Quantity::PlasticStrainMax)];
 
 /// Friction, forces, area, temperature, energies and heat of a run against slip; below, a row of maps
 /// for each snapshot of the contact.
 pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Sheet {
-    let panel = |title: &str, label: &str, unit: &str, histories: &[History]| {
+    let panel = |title: &str, label: &str, unit: &str, histories: &[Labelled]| {
         panel(outcome, title, label, unit, histories)
     };
     let mut panels = vec![
@@ -58,19 +61,23 @@ pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Sheet {
     }
 }
 
-fn panel(outcome: &Outcome, title: &str, label: &str, unit: &str, histories: &[History]) -> Panel {
-    let steps = &outcome.slide;
-    let radius = outcome.summary.contact_radius.value;
-    let slips: Vec<f64> = steps.iter().map(|step| step.slip / radius).collect();
+/// Slip in units of a₀ along the slide.
+fn slips(outcome: &Outcome) -> Vec<f64> {
+    let radius = outcome.scalars[Quantity::ContactRadius].value;
+    outcome.slide.column(Quantity::Slip).iter().map(|slip| slip / radius).collect()
+}
+
+fn panel(outcome: &Outcome, title: &str, label: &str, unit: &str, histories: &[Labelled]) -> Panel {
+    let slips = slips(outcome);
+    let values = |quantity: Quantity| outcome.slide.column(quantity).iter();
     let largest = histories
         .iter()
-        .flat_map(|(_, of)| steps.iter().map(of))
+        .flat_map(|(_, quantity)| values(*quantity))
         .filter(|value| value.is_finite())
         .fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let (scale, label) = scaled(largest, label, unit);
-    let curve = |(name, of): &History| {
-        let values = steps.iter().map(|step| of(step) / scale).collect();
-        Curve::new(*name, slips.clone(), values)
+    let curve = |(name, quantity): &Labelled| {
+        Curve::new(*name, slips.clone(), values(*quantity).map(|value| value / scale).collect())
     };
     Panel {
         title: title.to_owned(),
@@ -80,52 +87,22 @@ fn panel(outcome: &Outcome, title: &str, label: &str, unit: &str, histories: &[H
     }
 }
 
-/// From stick to slip, which goes by in a small part of the slide: over the logarithm of the slip.
+/// From stick to slip, in a small part of the slide: over the logarithm of the slip.
 fn onset(outcome: &Outcome) -> Panel {
-    let radius = outcome.summary.contact_radius.value;
-    let slips: Vec<f64> = outcome.slide.iter().map(|step| step.slip / radius).collect();
-    let curve = |name, of: &dyn Fn(&SlideStep) -> f64| {
-        Curve::new(name, slips.clone(), outcome.slide.iter().map(of).collect())
+    let curve = |name, quantity, scale: f64| {
+        let values = outcome.slide.column(quantity).iter().map(|value| value / scale).collect();
+        Curve::new(name, slips(outcome), values)
     };
-    let peak = outcome.summary.mu_peak.value;
+    let peak = outcome.scalars[Quantity::MuPeak].value;
     Panel {
         title: "Onset of sliding".to_owned(),
         x: Axis::logarithmic("slip s/a₀"),
-        y: Axis::linear("share"),
+        y: Axis::linear("fraction"),
         curves: vec![
-            curve("sticks, of A", &|step| step.stick_fraction),
-            curve("µ, of its peak", &|step| if peak > 0.0 { step.mu / peak } else { f64::NAN }),
+            curve("stick area fraction", Quantity::StickFraction, 1.0),
+            curve("µ over its peak", Quantity::Mu, if peak > 0.0 { peak } else { f64::NAN }),
         ],
     }
-}
-
-/// What values up to `largest` are divided by for display, and their label with the unit that is left.
-pub(crate) fn scaled(largest: f64, label: &str, unit: &str) -> (f64, String) {
-    let (exponent, label) = match (unit, thousands(largest)) {
-        ("", _) => (0, label.to_owned()),
-        (unit, 0) => (0, format!("{label} ({unit})")),
-        (unit, exponent) => (exponent, format!("{label} (10{} {unit})", superscript(exponent))),
-    };
-    (10_f64.powi(exponent), label)
-}
-
-/// Multiple of three that leaves a number from 1 to 1000, or 0 if it needs no scaling.
-fn thousands(largest: f64) -> i32 {
-    match largest {
-        0.0 | 0.1..1e4 => 0,
-        largest => 3 * (largest.log10() / 3.0).floor() as i32,
-    }
-}
-
-fn superscript(exponent: i32) -> String {
-    let raised = |digit: char| match digit {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => char::from_u32(0x2070 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
-    };
-    exponent.to_string().chars().map(raised).collect()
 }
 
 #[cfg(test)]
@@ -157,7 +134,7 @@ mod tests {
             "friction coefficient Q/P",
             "force (N)",
             "contact area A (10⁻⁹ m²)",
-            "share",
+            "fraction",
             "largest plastic strain",
             "energy (J)",
         ];
@@ -177,15 +154,9 @@ mod tests {
     fn a_run_without_steps_gives_an_empty_figure() {
         let scene = fake::scene(20.0, 1.0);
         let mut outcome = Fake::outcome(&scene);
-        outcome.slide.clear();
+        outcome.slide.truncate(0);
         let directory = tempfile::tempdir().unwrap();
         let figure = run_figure(&scene, &outcome);
         figure.save(&directory.path().join("run.svg")).unwrap();
-    }
-
-    #[test]
-    fn scales_are_powers_of_a_thousand() {
-        assert_eq!([0.0, 0.3, 9e3, 2e4, 5e-9].map(thousands), [0, 0, 0, 3, -9]);
-        assert_eq!(superscript(-12), "⁻¹²");
     }
 }

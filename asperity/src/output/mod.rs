@@ -1,7 +1,13 @@
-pub(crate) mod contact_maps;
+//! Files and figures of a run: `run.nc`, the figure, the body for ParaView, numbers as text and JSON.
+//!
+//! Reads outcomes and decides nothing; loops over the list of [`tables::quantity`]. May use: simulate
+//! and the rooms below it. Book: "run.nc".
+
+mod contact_maps;
 pub mod figures;
 pub mod numbers;
 pub mod provenance;
 pub mod revolved;
 pub mod run_file;
+mod scale;
 pub mod vtu;

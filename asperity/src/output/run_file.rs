@@ -4,18 +4,14 @@
 
 use std::path::Path;
 
-use tables::law::Estimate;
 use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
-use tables::quantity::Quantity;
+use tables::quantity::{Estimate, History, Quantity, Stored};
 
 use crate::output::provenance::SOURCE;
 use crate::scene::Scene;
 use crate::scene::file::write_scene;
 use crate::simulate::fracture;
-use crate::simulate::outcome::{
-    ContactStatus, ErrorSource, InceptionCriterion, Outcome, PressStep, SlideStep, Snapshot,
-};
-use crate::simulate::quantities::estimate;
+use crate::simulate::outcome::{Account, ContactStatus, ErrorSource, InceptionCriterion, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
 
 /// What a file says about the run besides its numbers.
@@ -25,53 +21,6 @@ pub struct About<'a> {
     /// Why the run ended before its end, if it did.
     pub incomplete: Option<&'a str>,
 }
-
-struct Column<T> {
-    name: &'static str,
-    unit: &'static str,
-    long_name: &'static str,
-    of: fn(&T) -> f64,
-}
-
-const fn column<T>(
-    name: &'static str,
-    unit: &'static str,
-    long_name: &'static str,
-    of: fn(&T) -> f64,
-) -> Column<T> {
-    Column { name, unit, long_name, of }
-}
-
-#[rustfmt::skip]
-const SLIDE: [Column<SlideStep>; 20] = [
-    column("slip", "m", "displacement of the flat", |s| s.slip),
-    column("interference", "1", "interference over that of first yield", |s| s.interference),
-    column("time", "s", "time since the start of the slide", |s| s.time),
-    column("Q", "N", "friction force", |s| s.friction),
-    column("P", "N", "normal force", |s| s.load),
-    column("mu", "1", "friction coefficient Q/P", |s| s.mu),
-    column("area", "m2", "contact area", |s| s.area),
-    column("stick_fraction", "1", "share of the contact area that sticks", |s| s.stick_fraction),
-    column("temperature_max", "K", "hottest point of the contact", |s| s.temperature_max),
-    column("temperature_mean", "K", "mean temperature of the contact", |s| s.temperature_mean),
-    column("plastic_strain_max", "1", "largest equivalent plastic strain", |s| s.plastic_strain_max),
-    column("work", "J", "work of the flat since the start of the slide", |s| s.work),
-    column("energy_elastic", "J", "change of the elastic energy", |s| s.energy_elastic),
-    column("dissipation_plastic", "J", "plastic dissipation", |s| s.dissipation_plastic),
-    column("dissipation_friction", "J", "frictional dissipation", |s| s.dissipation_friction),
-    column("work_thermal_expansion", "J", "work done through thermal expansion", |s| s.work_thermal_expansion),
-    column("energy_moduli_softening", "J", "elastic energy given up as the moduli fall with temperature", |s| s.energy_moduli_softening),
-    column("heat_in", "J", "frictional and plastic heat that entered the body", |s| s.heat_in),
-    column("heat_stored", "J", "heat stored in the body", |s| s.heat_stored),
-    column("heat_out", "J", "heat that left through base and gap", |s| s.heat_out),
-];
-
-#[rustfmt::skip]
-const PRESS: [Column<PressStep>; 3] = [
-    column("interference_press", "1", "interference over that of first yield", |s| s.interference),
-    column("P_press", "N", "normal force during the press", |s| s.load),
-    column("area_press", "m2", "contact area during the press", |s| s.area),
-];
 
 type Field = (&'static str, &'static str, &'static str, fn(&Snapshot) -> &Vec<f64>);
 
@@ -98,8 +47,8 @@ pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -
     file.attribute("completion", completion)?;
     file.attribute("notes", lines(&outcome.account.notes))?;
     file.attribute("warnings", lines(&outcome.account.warnings))?;
-    columns(&mut file, "step_press", &PRESS, &outcome.press, "interference_press")?;
-    columns(&mut file, "step", &SLIDE, &outcome.slide, "slip time")?;
+    columns(&mut file, "step_press", &outcome.press, &[Quantity::InterferencePress])?;
+    columns(&mut file, "step", &outcome.slide, &[Quantity::Slip, Quantity::Time])?;
     estimates(&mut file, scene, outcome)?;
     account(&mut file, outcome)?;
     fields(&mut file, outcome)?;
@@ -112,54 +61,46 @@ fn lines<T: ToString>(sentences: &[T]) -> String {
 }
 
 /// One variable per column over `dimension`.
-fn columns<T>(
+fn columns(
     file: &mut DatasetWriter,
     dimension: &str,
-    columns: &[Column<T>],
-    rows: &[T],
-    coordinates: &str,
+    history: &History,
+    coordinates: &[Quantity],
 ) -> Result<(), DatasetError> {
     // netCDF takes a length of zero for an unlimited dimension.
-    if rows.is_empty() {
+    if history.is_empty() {
         return Ok(());
     }
-    file.dimension(dimension, rows.len())?;
-    for column in columns {
-        let values: Vec<f64> = rows.iter().map(column.of).collect();
-        let mut attributes = described(column.unit, column.long_name);
-        if !coordinates.split(' ').any(|name| name == column.name) {
-            attributes.push(("coordinates", coordinates.into()));
+    file.dimension(dimension, history.len())?;
+    let names: Vec<&str> = coordinates.iter().map(|quantity| quantity.descriptor().name).collect();
+    for (quantity, values) in history.iter() {
+        let descriptor = quantity.descriptor();
+        let mut attributes = described(descriptor.units, descriptor.long_name);
+        if !coordinates.contains(&quantity) {
+            attributes.push(("coordinates", names.join(" ").into()));
         }
-        if Quantity::named(column.name).is_some_and(|quantity| quantity.descriptor().scalar) {
-            let error = format!("{}_error", column.name);
-            attributes.push(("ancillary_variables", error.into()));
+        if descriptor.scalar {
+            attributes.push(("ancillary_variables", format!("{}_error", descriptor.name).into()));
         }
-        file.reals(column.name, &[dimension], &values, &attributes)?;
+        file.reals(descriptor.name, &[dimension], values, &attributes)?;
     }
     Ok(())
 }
 
 /// Scalars with their errors.
 fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Result<(), DatasetError> {
-    for quantity in Quantity::SCALARS {
-        let Estimate { value, error } = estimate(&outcome.summary, quantity);
+    for (quantity, estimate) in outcome.scalars.iter() {
         let descriptor = quantity.descriptor();
         // The bare name belongs to the history, where there is one.
-        let (name, moment) = match is_history(descriptor.name) {
-            true if quantity == Quantity::TemperatureMax => {
-                (format!("{}_end", descriptor.name), ", highest of the slide")
-            }
-            true => (format!("{}_end", descriptor.name), ", last value"),
-            false => (descriptor.name.to_owned(), ""),
+        let (name, long_name) = match descriptor.history {
+            Stored::No => (descriptor.name.to_owned(), descriptor.long_name.to_owned()),
+            _ => (
+                format!("{}_end", descriptor.name),
+                format!("{}, {}", descriptor.long_name, descriptor.moment),
+            ),
         };
         let error_name = format!("{}_error", descriptor.name);
-        let long_name = format!("{}{moment}", descriptor.long_name);
-        let mut attributes = described(descriptor.units, &long_name);
-        attributes.push(("ancillary_variables", error_name.as_str().into()));
-        file.reals(&name, &[], &[value], &attributes)?;
-        let long_name = format!("estimated absolute error of {name}");
-        let attributes = described(descriptor.units, &long_name);
-        file.reals(&error_name, &[], &[error], &attributes)?;
+        scalar(file, (&name, &error_name), descriptor.units, &long_name, estimate)?;
         for source in ErrorSource::ALL {
             let long_name = format!("part of {error_name} from the {}", source.name());
             let attributes = described(descriptor.units, &long_name);
@@ -167,21 +108,28 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
             file.reals(&format!("{error_name}_{}", source.name()), &[], &[part], &attributes)?;
         }
     }
-    for (name, unit, long_name, Estimate { value, error }) in fracture::of_run(scene, outcome) {
-        let mut attributes = described(unit, long_name);
-        attributes.push(("ancillary_variables", format!("{name}_error").into()));
-        file.reals(name, &[], &[value], &attributes)?;
-        let attributes = described(unit, &format!("estimated absolute error of {name}"));
-        file.reals(&format!("{name}_error"), &[], &[error], &attributes)?;
+    for (name, unit, long_name, estimate) in fracture::of_run(scene, outcome) {
+        scalar(file, (name, &format!("{name}_error")), unit, long_name, estimate)?;
     }
     Ok(())
 }
 
-fn is_history(name: &str) -> bool {
-    SLIDE.iter().any(|column| column.name == name) || PRESS.iter().any(|column| column.name == name)
+/// A value and its error.
+fn scalar(
+    file: &mut DatasetWriter,
+    (name, error_name): (&str, &str),
+    unit: &str,
+    long_name: &str,
+    Estimate { value, error }: Estimate,
+) -> Result<(), DatasetError> {
+    let mut attributes = described(unit, long_name);
+    attributes.push(("ancillary_variables", error_name.into()));
+    file.reals(name, &[], &[value], &attributes)?;
+    let attributes = described(unit, &format!("estimated absolute error of {name}"));
+    file.reals(error_name, &[], &[error], &attributes)
 }
 
-/// What was met, chosen and spent.
+/// What was chosen and what it cost.
 fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetError> {
     let account = &outcome.account;
     #[rustfmt::skip]
@@ -199,7 +147,12 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
     for (name, unit, long_name, value) in numbers {
         file.reals(name, &[], &[value], &described(unit, long_name))?;
     }
-    // A file cannot hold the time that writing it takes.
+    time_spent(file, account)?;
+    flags(file, outcome)
+}
+
+/// Time of each part of the run; that of writing the file is not known.
+fn time_spent(file: &mut DatasetWriter, account: &Account) -> Result<(), DatasetError> {
     let kernels: Vec<Kernel> = Kernel::ALL.into_iter().filter(|&k| k != Kernel::Output).collect();
     let names: Vec<&str> = kernels.iter().map(|kernel| kernel.name()).collect();
     let seconds: Vec<f64> = kernels.iter().map(|&kernel| account.timings.of(kernel)).collect();
@@ -207,8 +160,12 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
     file.texts("kernel_name", &["kernel"], &names, &[("long_name", "part of the run".into())])?;
     let mut attributes = described("s", "time spent in each part of the run, summed over threads");
     attributes.push(("coordinates", "kernel_name".into()));
-    file.reals("time_spent", &["kernel"], &seconds, &attributes)?;
-    let criterion = match outcome.summary.inception {
+    file.reals("time_spent", &["kernel"], &seconds, &attributes)
+}
+
+fn flags(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetError> {
+    let account = &outcome.account;
+    let criterion = match outcome.inception {
         InceptionCriterion::FullSlip => 0,
         InceptionCriterion::Stiffness => 1,
         InceptionCriterion::None => 2,
@@ -218,10 +175,10 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
     let flags: [(&str, &str, i8, &[&str]); 4] = [
         ("inception_criterion", "criterion of sliding inception that was met first", criterion,
             &["full_slip", "stiffness", "none"]),
-        ("levelled", "whether the friction coefficient has levelled off at the end of the slide",
-            outcome.summary.levelled.into(), &yes_no),
+        ("levelled", "whether the friction coefficient is steady at the end of the slide",
+            outcome.steady.into(), &yes_no),
         ("heat", "whether heat was simulated", account.heat.into(), &yes_no),
-        ("finite_strain", "whether kinematics was that of finite strain", account.finite_strain.into(), &yes_no),
+        ("finite_strain", "whether finite strain was simulated", account.finite_strain.into(), &yes_no),
     ];
     for (name, long_name, value, meanings) in flags {
         file.flags(name, &[], &[value], meanings, &[("long_name", long_name.into())])?;
@@ -299,7 +256,7 @@ mod tests {
         for name in ["interference_press", "P_press", "area_press"] {
             assert_eq!(dimensions(name), ["step_press"]);
         }
-        for name in "mu_static mu_peak Q_static G G_weakening contact_radius wall_time \
+        for name in "mu_static mu_peak mu_mean mu_mean_error Q_static G G_weakening contact_radius wall_time \
                      mu_static_error G_error mu_error Q_error P_error"
             .split_whitespace()
         {
@@ -318,8 +275,7 @@ mod tests {
         let scene = parse_scene(&text("scene"), "attribute", &[]).unwrap();
         assert_eq!(scene, fake::scene(20.0, 1.0));
         let slip: Vec<f64> = file.variable("slip").unwrap().get_values(..).unwrap();
-        assert_eq!(slip.len(), outcome.slide.len());
-        assert_eq!(slip[3], outcome.slide[3].slip);
+        assert_eq!(slip, outcome.slide.column(Quantity::Slip));
     }
 
     #[test]
@@ -356,7 +312,7 @@ mod tests {
     fn a_run_that_failed_at_once_still_gives_a_file() {
         let directory = tempfile::tempdir().unwrap();
         let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
-        outcome.slide.clear();
+        outcome.slide.truncate(0);
         outcome.snapshots.clear();
         let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
         assert!(file.variable("mu").is_none());

@@ -1,10 +1,12 @@
 //! The body for ParaView: one file of an unstructured grid (`.vtu`) an instant, and `body.pvd`, the
 //! collection of them over slip in units of a₀.
 
-use std::fmt::Write;
-use std::io::BufWriter;
+use std::fmt::Write as _;
+use std::io::{BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
+use tables::netcdf::write_atomically;
+use tables::quantity::Quantity;
 use vtkio::IOBuffer;
 use vtkio::model::{
     Attribute, Attributes, ByteOrder, CellType, Cells, DataArray, DataSet, ElementType,
@@ -47,13 +49,14 @@ pub fn write(directory: &Path, outcome: &Outcome, extent: Extent) -> Result<Path
         let name = format!("body-{number:03}.vtu");
         let path = directory.join(&name);
         write_grid(&path, &body, &body.fields(snapshot)).map_err(|reason| failed(&path, reason))?;
-        let slip = snapshot.slip / outcome.summary.contact_radius.value;
+        let slip = snapshot.slip / outcome.scalars[Quantity::ContactRadius].value;
         // Writing to a String cannot fail.
         let _ = writeln!(collection, "    <DataSet timestep=\"{slip}\" part=\"0\" file=\"{name}\"/>");
     }
     collection.push_str("  </Collection>\n</VTKFile>\n");
     let path = directory.join("body.pvd");
-    std::fs::write(&path, collection).map_err(|error| failed(&path, error.to_string()))?;
+    write_atomically(&path, |file| file.write_all(collection.as_bytes()))
+        .map_err(|error| failed(&path, error.to_string()))?;
     Ok(path)
 }
 
@@ -82,8 +85,8 @@ fn write_grid(path: &Path, body: &RevolvedBody, fields: &PointFields) -> Result<
         data: DataSet::inline(piece),
     };
     let xml = grid.try_into_xml_format(Compressor::ZLib, COMPRESSION).map_err(|error| error.to_string())?;
-    let file = std::fs::File::create(path).map_err(|error| error.to_string())?;
-    xml.write(BufWriter::new(file)).map_err(|error| error.to_string())
+    write_atomically(path, |file| xml.write(BufWriter::new(file)).map_err(std::io::Error::other))
+        .map_err(|error| error.to_string())
 }
 
 fn cells(body: &RevolvedBody) -> Cells {

@@ -4,13 +4,12 @@
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tables::law::Estimate;
+use tables::quantity::{Estimate, History, Quantity, Scalars};
 
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 use crate::simulate::outcome::{
-    Account, ContactGrid, ContactStatus, ErrorBudget, InceptionCriterion, Outcome, PressStep, SlideStep,
-    Note, Snapshot, Summary, Warning,
+    Account, ContactGrid, ContactStatus, ErrorBudget, InceptionCriterion, Note, Outcome, Snapshot, Warning,
 };
 use crate::simulate::{SimulationError, Watch};
 use crate::tabulate::Simulator;
@@ -50,55 +49,53 @@ impl Fake {
         let (radius, load) = (1e-5 * omega.sqrt(), 0.7 * omega.powf(1.5));
         let initial = scene.loading.temperature;
         let area = std::f64::consts::PI * radius * radius;
-        let state = |share: f64| {
+        let state = |share: f64, quantity: Quantity| {
             let mu = 0.3 * (1.0 - (initial - 298.0) / 2000.0) * (1.0 - (-20.0 * share).exp())
                 / (1.0 + 0.2 * rate * share);
-            SlideStep {
-                slip: share * scene.loading.slip_distance * radius,
-                time: share,
-                friction: mu * load,
-                load,
-                mu,
-                area: area * (1.0 + 0.1 * share),
-                stick_fraction: (1.0 - 4.0 * share).max(0.0),
-                temperature_max: initial + 500.0 * share.sqrt() * rate,
-                temperature_mean: initial + 300.0 * share.sqrt() * rate,
-                ..SlideStep::default()
+            match quantity {
+                Quantity::Slip => share * scene.loading.slip_distance * radius,
+                Quantity::Time => share,
+                Quantity::Friction => mu * load,
+                Quantity::Load => load,
+                Quantity::Mu => mu,
+                Quantity::Area => area * (1.0 + 0.1 * share),
+                Quantity::StickFraction => (1.0 - 4.0 * share).max(0.0),
+                Quantity::TemperatureMax => initial + 500.0 * share.sqrt() * rate,
+                Quantity::TemperatureMean => initial + 300.0 * share.sqrt() * rate,
+                _ => 0.0,
             }
         };
-        let slide: Vec<SlideStep> = (1..=40).map(|k| state((k as f64 / 40.0).powi(2))).collect();
-        let (peak, end) = (state(0.2), state(1.0));
+        let mut slide = History::new(&Quantity::RUN_HISTORIES);
+        (1..=40).for_each(|k| slide.push(|quantity| state((k as f64 / 40.0).powi(2), quantity)));
+        let mut press = History::new(&Quantity::PRESS_HISTORIES);
+        for share in [0.25, 0.5, 0.75, 1.0f64] {
+            press.push(|quantity| match quantity {
+                Quantity::InterferencePress => omega * share,
+                Quantity::LoadPress => load * share.powf(1.5),
+                _ => area * share,
+            });
+        }
+        let (peak, end) = (|quantity| state(0.2, quantity), |quantity| state(1.0, quantity));
+        let scalar = |quantity| match quantity {
+            Quantity::MuStatic | Quantity::MuPeak => peak(Quantity::Mu),
+            Quantity::MuMean => end(Quantity::Mu),
+            Quantity::FrictionStatic => peak(Quantity::Friction),
+            Quantity::LoadPress => load,
+            Quantity::AreaPress => area,
+            Quantity::ContactRadius => radius,
+            Quantity::EnergyRelease => 2.0,
+            Quantity::EnergyWeakening => 3.0,
+            Quantity::InceptionSlip => 0.3 * radius,
+            quantity => end(quantity),
+        };
         Outcome {
             critical_interference: 1e-7,
-            press: (1..=4)
-                .map(|k| PressStep {
-                    interference: omega * k as f64 / 4.0,
-                    load: load * (k as f64 / 4.0).powf(1.5),
-                    area: area * k as f64 / 4.0,
-                })
-                .collect(),
+            press,
             slide,
+            scalars: Scalars::from_fn(|quantity| estimate(scalar(quantity))),
+            inception: InceptionCriterion::FullSlip,
+            steady: true,
             budget: ErrorBudget::default(),
-            summary: Summary {
-                mu: estimate(end.mu),
-                mu_static: estimate(peak.mu),
-                mu_peak: estimate(peak.mu),
-                mu_mean: estimate(end.mu),
-                friction: estimate(end.friction),
-                friction_static: estimate(peak.friction),
-                load: estimate(load),
-                load_press: estimate(load),
-                area: estimate(end.area),
-                area_press: estimate(area),
-                contact_radius: estimate(radius),
-                energy_release: estimate(2.0),
-                energy_weakening: estimate(3.0),
-                temperature_max: estimate(end.temperature_max),
-                temperature_mean: estimate(end.temperature_mean),
-                inception_slip: estimate(0.3 * radius),
-                inception: InceptionCriterion::FullSlip,
-                levelled: true,
-            },
             grid: ContactGrid { theta: vec![0.0, 1.0], r: vec![0.0, 1e-5, 2e-5] },
             snapshots: vec![Snapshot {
                 slip: 1e-5,

@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use tables::law::Estimate;
+use tables::quantity::{Estimate, Quantity};
 use tables::table::fracture::FractureEnergy;
 
 use crate::scene::{FractureData, Material, Scene};
@@ -20,7 +20,7 @@ use crate::simulate::outcome::Outcome;
 /// ```
 /// use asperity::simulate::fracture::fracture_energy;
 /// use asperity::scene::file::parse_scene;
-/// use tables::law::Estimate;
+/// use tables::quantity::Estimate;
 ///
 /// let text = "[material]\npreset = \"copper\"\nshear_fracture_energy = 500.0\n\
 ///             [asperity]\nradius = 1e-6\n[loading]\ninterference = 5\nslip_rate = 1\n";
@@ -52,7 +52,8 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
     let Some(law) = fracture_energy(&scene.material) else {
         return Vec::new();
     };
-    let (energy, radius) = (outcome.summary.energy_release, outcome.summary.contact_radius);
+    let (energy, radius) =
+        (outcome.scalars[Quantity::EnergyRelease], outcome.scalars[Quantity::ContactRadius]);
     let name = match law.radius_exponent {
         0 => "shear fracture energy of the material",
         _ => "shear fracture energy estimated from the tensile test at the contact radius",
@@ -80,13 +81,13 @@ mod tests {
         let mut scene = fake::scene(4.0, 1.0);
         let outcome = Fake::outcome(&scene);
         assert!(of_run(&scene, &outcome).is_empty());
-        let radius = outcome.summary.contact_radius;
+        let radius = outcome.scalars[Quantity::ContactRadius];
         assert!((radius.value - 2e-5).abs() < 1e-18);
         let mut energy = |data| {
             scene.material.fracture = Some(data);
             let derived = of_run(&scene, &outcome);
             let (critical, ratio) = (derived[0].3, derived[1].3);
-            let exact = outcome.summary.energy_release.value / critical.value;
+            let exact = outcome.scalars[Quantity::EnergyRelease].value / critical.value;
             assert!((ratio.value / exact - 1.0).abs() < 1e-14);
             (critical.value, ratio.error / ratio.value)
         };

@@ -6,6 +6,7 @@ use std::fmt::{self, Display, Formatter, Write};
 use tables::quantity::Quantity;
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
+use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::Units;
 use crate::loading::slide::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
@@ -99,7 +100,11 @@ impl Display for HeatEffect {
             return write!(f, "at its full strength the contact would melt");
         }
         let softening = 100.0 * self.softening;
-        write!(f, "a rise of about {:.2} K takes {softening:.2} % of the strength and changes the load ", self.rise)?;
+        write!(
+            f,
+            "a rise of about {:.2} K takes {softening:.2} % of the strength and changes the load ",
+            self.rise
+        )?;
         match self.load {
             load if load < 1.0 => write!(f, "by {:.2} %", 100.0 * load),
             _ => write!(f, "altogether"),
@@ -111,7 +116,11 @@ impl Display for HeatEffect {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
     /// Relative error of a quantity above the accuracy asked for.
-    ErrorAboveAccuracy { quantity: Quantity, error: f64, accuracy: f64 },
+    ErrorAboveAccuracy {
+        quantity: Quantity,
+        error: f64,
+        accuracy: f64,
+    },
     /// A run did not finish.
     ErrorsUnknown,
     StoppedBeforeRefinement,
@@ -122,10 +131,16 @@ pub enum Warning {
     /// The interface is as strong as the hardened body.
     HardenedInterface,
     /// Plastic strain beyond small-strain kinematics.
-    LargeStrain { strain: f64, limit: f64 },
+    LargeStrain {
+        strain: f64,
+        limit: f64,
+    },
     /// The layer heated by friction, in thicknesses of the elements at the surface, and the elements per
     /// radius that would resolve it.
-    ThinThermalLayer { share: f64, elements: Option<f64> },
+    ThinThermalLayer {
+        share: f64,
+        elements: Option<f64>,
+    },
     /// Of the scene.
     Scene(String),
 }
@@ -177,6 +192,16 @@ impl Display for Warning {
             }
             Self::Scene(text) => write!(f, "{text}"),
         }
+    }
+}
+
+impl Display for InceptionCriterion {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::FullSlip => "no contact point sticks",
+            Self::Stiffness => "dQ/ds below 1 % of its initial value",
+            Self::None => "not reached",
+        })
     }
 }
 

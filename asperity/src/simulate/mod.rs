@@ -18,11 +18,10 @@ pub mod fracture;
 pub mod messages;
 pub mod outcome;
 mod pressed;
-pub mod quantities;
 mod report;
 mod runs;
-pub(crate) mod scalars;
 mod strain;
+pub(crate) mod values;
 
 use std::time::Instant;
 

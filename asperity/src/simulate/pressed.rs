@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
-use tables::law::Estimate;
+use tables::quantity::Estimate;
 
 use super::messages::StrainChoice;
 use super::strain::choose_strain;
@@ -62,7 +62,8 @@ pub struct Pressed {
 /// // One press serves slides at any slip rate.
 /// let pressed = press(&scene, &Unwatched)?;
 /// let [slow, fast] = [0.1, 10.0].map(|rate| slide(&pressed, rate, &Unwatched));
-/// assert_eq!(slow?.summary.load_press, fast?.summary.load_press);
+/// let load = tables::quantity::Quantity::LoadPress;
+/// assert_eq!(slow?.scalars[load], fast?.scalars[load]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {

@@ -1,7 +1,6 @@
 //! What is reported of a run: its histories, scalars and fields in SI units, account and warnings.
 
-use tables::law::Estimate;
-use tables::quantity::Quantity;
+use tables::quantity::{Estimate, History, Quantity, Scalars};
 
 use super::messages::{Note, Warning};
 use super::runs::{Ladder, Run, Runner};
@@ -13,10 +12,7 @@ use crate::loading::recording::Fields;
 use crate::loading::slide::{SlideFailure, SlideState};
 use crate::scene::{Hardening, InterfaceStrength, Scene};
 use crate::simulate::accuracy::error_budget::ErrorBudget;
-use crate::simulate::outcome::{
-    Account, ContactGrid, ContactStatus, Outcome, PressStep, SlideStep, Snapshot, Summary,
-};
-use crate::simulate::scalars::Scalars;
+use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
 
 /// Plastic strain beyond which small-strain kinematics is in doubt.
@@ -36,7 +32,7 @@ pub(super) fn report(
     let mut run = ladder.main.pop().expect("there is a main run");
     let budget = budget.unwrap_or_else(|| {
         let modelling_error = runner.conditions.modelling_error(runner.pressed, run.plastic_strain());
-        ErrorBudget::unknown(&run.scalars, &modelling_error)
+        ErrorBudget::unknown(&run.values, &modelling_error)
     });
     let outcome = outcome(&runner.pressed.problem, &mut run, budget, account);
     let failure = run.failure.or(stopped.then_some(SlideFailure::Cancelled));
@@ -77,15 +73,10 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
 }
 
 /// What the reader must know.
-fn warnings(
-    runner: &Runner<'_>,
-    run: &Run,
-    budget: Option<&ErrorBudget>,
-    stopped: bool,
-) -> Vec<Warning> {
+fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stopped: bool) -> Vec<Warning> {
     let scene = &runner.pressed.scene;
     let mut warnings = Vec::new();
-    match budget.map(|budget| budget.worst(&run.scalars)) {
+    match budget.map(|budget| budget.worst(&run.values)) {
         None => warnings.push(Warning::ErrorsUnknown),
         Some((quantity, parts)) if parts.total() > scene.numerics.accuracy => {
             let (error, accuracy) = (parts.total(), scene.numerics.accuracy);
@@ -93,7 +84,7 @@ fn warnings(
         }
         Some(_) => {}
     }
-    let inception = run.scalars.inception;
+    let inception = run.values.inception;
     if inception == InceptionCriterion::None && run.history.len() > 1 && scene.interface.law.has_friction() {
         warnings.push(Warning::NotSliding);
     }
@@ -121,46 +112,21 @@ fn warnings_of_strength(scene: &Scene, plastic_strain: f64) -> Vec<Warning> {
     equal_strength.into_iter().chain(hardened.then_some(Warning::HardenedInterface)).collect()
 }
 
-/// Values with their errors.
-fn summary(scalars: &Scalars, budget: &ErrorBudget) -> Summary {
-    let of = |quantity| Estimate { value: scalars.value(quantity), error: budget.total(quantity) };
-    Summary {
-        mu: of(Quantity::Mu),
-        mu_static: of(Quantity::MuStatic),
-        mu_peak: of(Quantity::MuPeak),
-        mu_mean: of(Quantity::MuMean),
-        friction: of(Quantity::Friction),
-        friction_static: of(Quantity::FrictionStatic),
-        load: of(Quantity::Load),
-        load_press: of(Quantity::LoadPress),
-        area: of(Quantity::Area),
-        area_press: of(Quantity::AreaPress),
-        contact_radius: of(Quantity::ContactRadius),
-        energy_release: of(Quantity::EnergyRelease),
-        energy_weakening: of(Quantity::EnergyWeakening),
-        temperature_max: of(Quantity::TemperatureMax),
-        temperature_mean: of(Quantity::TemperatureMean),
-        inception_slip: of(Quantity::InceptionSlip),
-        inception: scalars.inception,
-        levelled: scalars.levelled,
-    }
-}
-
 /// The whole outcome in SI units.
 fn outcome(problem: &Problem, run: &mut Run, budget: ErrorBudget, account: Account) -> Outcome {
     let units = problem.units;
-    let press_step = |i: &Increment| PressStep {
-        interference: i.interference / problem.critical_interference,
-        load: i.load * units.force(),
-        area: i.area * units.area(),
-    };
     let (rings, columns) = (run.radii.len(), run.angles.len());
     Outcome {
         critical_interference: problem.critical_interference * units.length,
-        press: run.press.increments.iter().map(press_step).collect(),
-        slide: run.history.iter().map(|state| slide_step(problem, state)).collect(),
-        summary: summary(&run.scalars, &budget),
+        scalars: Scalars::from_fn(|quantity| Estimate {
+            value: run.values.value(quantity),
+            error: budget.total(quantity),
+        }),
+        inception: run.values.inception,
+        steady: run.values.steady,
         budget,
+        press: press_history(problem, &run.press.increments),
+        slide: slide_history(problem, &run.history),
         grid: ContactGrid {
             theta: run.angles.clone(),
             r: run.radii.iter().map(|r| r * units.length).collect(),
@@ -171,32 +137,51 @@ fn outcome(problem: &Problem, run: &mut Run, budget: ErrorBudget, account: Accou
     }
 }
 
-fn slide_step(problem: &Problem, i: &SlideState) -> SlideStep {
+fn press_history(problem: &Problem, increments: &[Increment]) -> History {
+    let units = problem.units;
+    let mut history = History::new(&Quantity::PRESS_HISTORIES);
+    for increment in increments {
+        history.push(|quantity| match quantity {
+            Quantity::InterferencePress => increment.interference / problem.critical_interference,
+            Quantity::LoadPress => increment.load * units.force(),
+            Quantity::AreaPress => increment.area * units.area(),
+            _ => f64::NAN,
+        });
+    }
+    history
+}
+
+fn slide_history(problem: &Problem, states: &[SlideState]) -> History {
     let units = problem.units;
     // Work and heat are of the half body.
     let energy = |x: f64| 2.0 * x * units.energy();
-    SlideStep {
-        slip: i.slip * units.length,
-        interference: i.interference / problem.critical_interference,
-        time: i.time * units.time,
-        friction: i.friction * units.force(),
-        load: i.load * units.force(),
-        mu: i.mu(),
-        area: i.area * units.area(),
-        stick_fraction: i.stick_fraction,
-        temperature_max: units.temperature + i.rise_max,
-        temperature_mean: units.temperature + i.rise_mean,
-        plastic_strain_max: i.plastic_strain_max,
-        work: energy(i.work),
-        energy_elastic: energy(i.elastic + i.springs),
-        dissipation_plastic: energy(i.plastic),
-        dissipation_friction: energy(i.friction_work),
-        work_thermal_expansion: energy(i.thermal_expansion),
-        energy_moduli_softening: energy(i.moduli_softening),
-        heat_in: energy(i.heat_in),
-        heat_stored: energy(i.heat_stored),
-        heat_out: energy(i.heat_out),
+    let mut history = History::new(&Quantity::RUN_HISTORIES);
+    for i in states {
+        history.push(|quantity| match quantity {
+            Quantity::Slip => i.slip * units.length,
+            Quantity::Interference => i.interference / problem.critical_interference,
+            Quantity::Time => i.time * units.time,
+            Quantity::Friction => i.friction * units.force(),
+            Quantity::Load => i.load * units.force(),
+            Quantity::Mu => i.mu(),
+            Quantity::Area => i.area * units.area(),
+            Quantity::StickFraction => i.stick_fraction,
+            Quantity::TemperatureMax => units.temperature + i.rise_max,
+            Quantity::TemperatureMean => units.temperature + i.rise_mean,
+            Quantity::PlasticStrainMax => i.plastic_strain_max,
+            Quantity::Work => energy(i.work),
+            Quantity::EnergyElastic => energy(i.elastic + i.springs),
+            Quantity::DissipationPlastic => energy(i.plastic),
+            Quantity::DissipationFriction => energy(i.friction_work),
+            Quantity::WorkThermalExpansion => energy(i.thermal_expansion),
+            Quantity::EnergyModuliSoftening => energy(i.moduli_softening),
+            Quantity::HeatIn => energy(i.heat_in),
+            Quantity::HeatStored => energy(i.heat_stored),
+            Quantity::HeatOut => energy(i.heat_out),
+            _ => f64::NAN,
+        });
     }
+    history
 }
 
 /// Fields stored ring by ring, reported angle by angle.

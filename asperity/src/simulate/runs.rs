@@ -20,7 +20,7 @@ use crate::loading::slide::{Slide, SlideFailure, SlideState};
 use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::scalars::Scalars;
+use crate::simulate::values::Values;
 use crate::solver::newton::{Effort, Mechanics};
 use crate::solver::timings::{Kernel, Timings};
 
@@ -29,7 +29,7 @@ pub(super) struct Run {
     pub resolution: Resolution,
     pub press: Arc<PressedMesh>,
     pub history: Vec<SlideState>,
-    pub scalars: Scalars,
+    pub values: Values,
     pub fields: Vec<Fields>,
     pub body: Option<BodyFields>,
     /// Of the contact points, over R.
@@ -86,7 +86,7 @@ impl Ladder {
 
     /// The next finer resolution, if the accuracy asks for one.
     pub fn finer(&self, budget: &ErrorBudget, numerics: &Numerics) -> Option<Resolution> {
-        let (_, parts) = budget.worst(&self.result().scalars);
+        let (_, parts) = budget.worst(&self.result().values);
         self.result().resolution.refine(numerics, &parts)
     }
 }
@@ -94,10 +94,10 @@ impl Ladder {
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
     let [coarse, other_sectors, longer_steps, looser_solver] = runs else { return None };
     runs.iter().all(|run| run.failure.is_none()).then(|| AuxiliaryRuns {
-        coarse: &coarse.scalars,
-        other_sectors: &other_sectors.scalars,
-        longer_steps: &longer_steps.scalars,
-        looser_solver: &looser_solver.scalars,
+        coarse: &coarse.values,
+        other_sectors: &other_sectors.values,
+        longer_steps: &longer_steps.values,
+        looser_solver: &looser_solver.values,
     })
 }
 
@@ -124,9 +124,7 @@ impl<'a> Runner<'a> {
         let mut start = self.pressed.resolution;
         let mut notes = Vec::new();
         loop {
-            let coarse = start.coarse();
-            let plan = [coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()];
-            let mut auxiliary = self.run_all(&plan, |done, standing| {
+            let mut auxiliary = self.run_all(&start.auxiliary(), |done, standing| {
                 progress(AUXILIARY * done, &format!("coarse mesh: {standing}"));
             })?;
             if let Some(wider) = self.wider(&start, &auxiliary, &mut notes) {
@@ -157,8 +155,11 @@ impl<'a> Runner<'a> {
     pub fn judge(&self, ladder: &Ladder) -> Option<ErrorBudget> {
         let finished = ladder.main.iter().all(|run| run.failure.is_none());
         let auxiliary = auxiliary_values(&ladder.auxiliary).filter(|_| finished)?;
-        let main: Vec<RunValues> =
-            ladder.main.iter().map(|run| RunValues { resolution: &run.resolution, values: &run.scalars }).collect();
+        let main: Vec<RunValues> = ladder
+            .main
+            .iter()
+            .map(|run| RunValues { resolution: &run.resolution, values: &run.values })
+            .collect();
         let modelling_error = self.conditions.modelling_error(self.pressed, ladder.result().plastic_strain());
         Some(estimate(&ladder.start, &auxiliary, &main, &modelling_error))
     }
@@ -233,7 +234,8 @@ impl<'a> Runner<'a> {
     ) -> Result<Run, SimulationError> {
         let Pressed { problem, scene, recording, .. } = self.pressed;
         let at_surface = self.conditions.at_surface(resolution);
-        let press = self.presses.iter().find(|press| press.serves(&at_surface)).expect("pressed before").clone();
+        let press =
+            self.presses.iter().find(|press| press.serves(&at_surface)).expect("pressed before").clone();
         let clock = Instant::now();
         let discretisation = Discretisation::new(problem, press.size, Collocation::full(resolution.sectors))
             .map_err(|e| press_error(e.into()))?;
@@ -254,10 +256,10 @@ impl<'a> Runner<'a> {
         timings.add(Kernel::Rest, clock.elapsed().as_secs_f64() - timings.total());
         timings.add(Kernel::Press, press.seconds);
         let mesh = &discretisation.mesh;
-        let scalars = Scalars::new(problem, &press.increments, &slide.history);
+        let values = Values::new(problem, &press.increments, &slide.history);
         Ok(Run {
             resolution: *resolution,
-            scalars: scalars.with_expected_rise(self.conditions.expected_rise()),
+            values: values.with_expected_rise(self.conditions.expected_rise()),
             effort: slide.mechanics.effort,
             timings,
             history: slide.history,

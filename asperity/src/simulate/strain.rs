@@ -13,7 +13,7 @@
 
 use crate::discretisation::body::Body;
 use crate::interface::contact::Contact;
-use crate::interface::friction_law::ContactPoint;
+use crate::interface::friction_law::{ContactPoint, shear_limit};
 use crate::loading::problem::{Problem, SHEAR_RATIO};
 use crate::scene::{Hardening, InterfaceStrength, Scene};
 use crate::simulate::messages::StrainChoice;
@@ -48,12 +48,13 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
 /// Largest shear traction that the interface transmits in the slide, over the shear strength of the
 /// body: its limit, or twice the mean traction 8Gs/((2 − ν)πa) of a contact that sticks all the way.
 fn strength_ratio(scene: &Scene, problem: &Problem, contact: &Contact) -> f64 {
-    let limit = problem.law.limit(&ContactPoint {
+    let at = ContactPoint {
         pressure: contact.committed.pressure.iter().copied().fold(0.0, f64::max),
-        cover: 1.0,
+        contact_fraction: 1.0,
         strength: problem.strength_factor * SHEAR_RATIO,
         unit: problem.units.stress,
-    });
+    };
+    let limit = shear_limit(&problem.law, &at);
     let slip_over_radius = scene.loading.slip_distance;
     let shear = problem.solid.moduli.shear;
     let in_stick =

@@ -4,8 +4,7 @@ use tables::interpolation::steffen::Steffen;
 use tables::quantity::Quantity;
 use tables::table::Cell;
 
-use crate::simulate::outcome::{Outcome, SlideStep};
-use crate::simulate::quantities::estimate;
+use crate::simulate::outcome::Outcome;
 use crate::solver::timings::Timings;
 
 /// Number of intervals between the slips at which histories are kept.
@@ -51,14 +50,13 @@ impl Finished {
     /// What is kept of `outcome`; `temperature` is that at the start, K.
     pub fn new(outcome: &Outcome, slips: &[f64], temperature: f64) -> Self {
         let mut cell = Cell::new();
-        for quantity in Quantity::SCALARS {
-            cell[quantity] = estimate(&outcome.summary, quantity);
+        for (quantity, estimate) in outcome.scalars.iter() {
+            cell[quantity] = estimate;
         }
-        let histories = resample(outcome, slips, temperature);
-        for (quantity, history) in Quantity::TABLE_HISTORIES.into_iter().zip(histories) {
+        for (quantity, history) in resample(outcome, slips, temperature) {
             cell = cell.with_history(quantity, history);
         }
-        cell.levelled = outcome.summary.levelled;
+        cell.levelled = outcome.steady;
         cell.wall_time = outcome.account.wall_time;
         let timings = outcome.account.timings;
         Self {
@@ -70,44 +68,46 @@ impl Finished {
     }
 }
 
-/// Histories of μ, Q, P, A and T_max, in the order of [`Quantity::TABLE_HISTORIES`], at the slips
-/// `slips` (in a₀); NaN beyond the slide.
-fn resample(outcome: &Outcome, slips: &[f64], temperature: f64) -> [Vec<f64>; 5] {
-    let radius = outcome.summary.contact_radius.value;
-    let start = SlideStep {
-        load: outcome.press.last().map_or(f64::NAN, |step| step.load),
-        area: outcome.press.last().map_or(f64::NAN, |step| step.area),
-        temperature_max: temperature,
-        ..SlideStep::default()
-    };
-    let mut steps = vec![start];
-    for &step in &outcome.slide {
-        match step.slip > steps[steps.len() - 1].slip {
-            true => steps.push(step),
-            // A step at no slip replaces the state before it.
-            false => *steps.last_mut().expect("not empty") = step,
+/// Histories of a table at the slips `slips` (in a₀), from the pressed state at the initial
+/// `temperature` on; NaN beyond the slide.
+fn resample(outcome: &Outcome, slips: &[f64], temperature: f64) -> Vec<(Quantity, Vec<f64>)> {
+    let radius = outcome.scalars[Quantity::ContactRadius].value;
+    // The pressed state, then the rows of the slide; a row at the slip of the one before replaces it.
+    let mut abscissae = vec![0.0];
+    let mut rows = vec![None];
+    for (row, &slip) in outcome.slide.column(Quantity::Slip).iter().enumerate() {
+        match slip > abscissae[abscissae.len() - 1] {
+            true => {
+                abscissae.push(slip);
+                rows.push(Some(row));
+            }
+            false => *rows.last_mut().expect("not empty") = Some(row),
         }
     }
-    // The last step may miss the end of the slide by rounding.
-    let end = steps[steps.len() - 1].slip * (1.0 + 1e-9);
-    let abscissae: Vec<f64> = steps.iter().map(|step| step.slip).collect();
-    let [friction, load, area, temperature] = [
-        |step: &SlideStep| step.friction,
-        |step: &SlideStep| step.load,
-        |step: &SlideStep| step.area,
-        |step: &SlideStep| step.temperature_max,
-    ]
-    .map(|of| -> Vec<f64> {
-        let curve = Steffen::new(abscissae.clone(), steps.iter().map(of).collect());
-        let value = |slip: f64| match slip <= end {
-            true => curve.value(slip),
-            false => f64::NAN,
+    // The last row may miss the end of the slide by rounding.
+    let end = abscissae[abscissae.len() - 1] * (1.0 + 1e-9);
+    let pressed = |quantity| outcome.press.last(quantity).unwrap_or(f64::NAN);
+    let resampled = |quantity: Quantity| -> Vec<f64> {
+        let start = match quantity {
+            Quantity::Load => pressed(Quantity::LoadPress),
+            Quantity::Area => pressed(Quantity::AreaPress),
+            quantity => quantity.origin(temperature),
         };
+        let column = outcome.slide.column(quantity);
+        let values = rows.iter().map(|row| row.map_or(start, |row| column[row])).collect();
+        let curve = Steffen::new(abscissae.clone(), values);
+        let value = |slip: f64| if slip <= end { curve.value(slip) } else { f64::NAN };
         slips.iter().map(|slip| value(slip * radius)).collect()
-    });
-    // From the resampled forces, so that the three histories agree at every slip.
-    let mu = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
-    [mu, friction, load, area, temperature]
+    };
+    let history = |quantity| match quantity {
+        // From the resampled forces, so that the three histories agree at every slip.
+        Quantity::Mu => {
+            let (friction, load) = (resampled(Quantity::Friction), resampled(Quantity::Load));
+            friction.iter().zip(&load).map(|(q, p)| q / p).collect()
+        }
+        quantity => resampled(quantity),
+    };
+    Quantity::TABLE_HISTORIES.into_iter().map(|quantity| (quantity, history(quantity))).collect()
 }
 
 #[cfg(test)]
@@ -134,25 +134,24 @@ mod tests {
     fn histories_start_unloaded_and_end_with_the_last_step() {
         let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
         let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
-        let last = outcome.slide.last().unwrap();
+        let last = |quantity| outcome.slide.last(quantity).unwrap();
         let ends = |quantity| {
             let values = cell.history(quantity);
             (values[0], *values.last().unwrap())
         };
-        assert_eq!(ends(Quantity::Friction), (0.0, last.friction));
-        assert_eq!(ends(Quantity::Load), (last.load, last.load));
-        assert_eq!(ends(Quantity::TemperatureMax), (298.0, last.temperature_max));
-        assert_eq!(ends(Quantity::Mu), (0.0, last.friction / last.load));
-        assert_eq!(cell[Quantity::Mu], outcome.summary.mu);
+        assert_eq!(ends(Quantity::Friction), (0.0, last(Quantity::Friction)));
+        assert_eq!(ends(Quantity::Load), (last(Quantity::Load), last(Quantity::Load)));
+        assert_eq!(ends(Quantity::TemperatureMax), (298.0, last(Quantity::TemperatureMax)));
+        assert_eq!(ends(Quantity::Mu), (0.0, last(Quantity::Friction) / last(Quantity::Load)));
+        assert_eq!(cell[Quantity::Mu], outcome.scalars[Quantity::Mu]);
     }
 
     #[test]
     fn linear_histories_are_kept() {
         let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
-        for step in &mut outcome.slide {
-            step.friction = 3.0 * step.slip;
-        }
-        let radius = outcome.summary.contact_radius.value;
+        let friction = outcome.slide.column(Quantity::Slip).iter().map(|slip| 3.0 * slip).collect();
+        *outcome.slide.column_mut(Quantity::Friction) = friction;
+        let radius = outcome.scalars[Quantity::ContactRadius].value;
         let slips = slip_grid(2.0);
         let cell = Finished::new(&outcome, &slips, 298.0).cell;
         for (slip, friction) in slips.iter().zip(cell.history(Quantity::Friction)) {

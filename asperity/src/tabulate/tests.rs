@@ -60,7 +60,7 @@ fn one_press_serves_all_slip_rates_largest_first() {
     assert!(tabulation.finished());
     let cell = tabulation.cells[2][1].as_ref().unwrap().as_ref().unwrap();
     let expected = Fake::outcome(&request().scene(2, 1));
-    assert_eq!(cell.cell[Quantity::Mu], expected.summary.mu);
+    assert_eq!(cell.cell[Quantity::Mu], expected.scalars[Quantity::Mu]);
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn table_has_every_cell_and_says_which_failed() {
     assert_eq!(table.shape(), (3, 3));
     assert_eq!(table.axes().slip, tabulation.slips);
     let expected = Fake::outcome(&request().scene(1, 1));
-    assert_eq!(table.cell(1, 1).unwrap()[Quantity::Load], expected.summary.load);
+    assert_eq!(table.cell(1, 1).unwrap()[Quantity::Load], expected.scalars[Quantity::Load]);
     assert!(matches!(table.status(1, 2), tables::table::Status::Failed(reason)
         if reason.contains("did not converge")));
     let metadata = table.metadata();
@@ -231,7 +231,7 @@ fn points_are_added_for_a_tolerance_whatever_the_number_of_threads() {
         let mut scene = one.request.template.clone();
         scene.loading.interference = 33.0;
         scene.loading.slip_rate = rate;
-        let truth = Fake::outcome(&scene).summary.mu.value;
+        let truth = Fake::outcome(&scene).scalars[Quantity::Mu].value;
         assert!((estimate.value / truth - 1.0).abs() < 0.02, "{rate}");
         // 1 % of its own, and what interpolation adds.
         assert!(estimate.error > 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");

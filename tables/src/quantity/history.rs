@@ -1,5 +1,7 @@
 //! Columns of numbers, keyed by quantity.
 
+use std::ops::Index;
+
 use super::Quantity;
 use super::scalars::same;
 
@@ -77,8 +79,43 @@ impl History {
         self.quantities.iter().copied().zip(self.columns.iter().map(Vec::as_slice))
     }
 
+    /// A row. Panics beyond the last one.
+    pub fn state(&self, row: usize) -> State<'_> {
+        assert!(row < self.len(), "row {row} of {}", self.len());
+        State { history: self, row }
+    }
+
+    /// The rows in their order.
+    pub fn states(&self) -> impl DoubleEndedIterator<Item = State<'_>> + ExactSizeIterator + Clone {
+        (0..self.len()).map(|row| State { history: self, row })
+    }
+
     fn position(&self, quantity: Quantity) -> Option<usize> {
         self.quantities.iter().position(|known| *known == quantity)
+    }
+}
+
+/// One row of a history.
+///
+/// ```
+/// use tables::quantity::{History, Quantity};
+///
+/// let mut history = History::new(&[Quantity::Slip, Quantity::Time]);
+/// history.push(|quantity| if quantity == Quantity::Slip { 1e-6 } else { 2.0 });
+/// assert_eq!(history.states().map(|state| state[Quantity::Time]).sum::<f64>(), 2.0);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct State<'a> {
+    history: &'a History,
+    row: usize,
+}
+
+/// Panics for a quantity that is not one of the columns.
+impl Index<Quantity> for State<'_> {
+    type Output = f64;
+
+    fn index(&self, quantity: Quantity) -> &f64 {
+        &self.history.column(quantity)[self.row]
     }
 }
 

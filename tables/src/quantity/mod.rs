@@ -14,7 +14,7 @@ mod list;
 pub mod numbers;
 mod scalars;
 
-pub use history::History;
+pub use history::{History, State};
 pub use scalars::{Estimate, Scalars};
 
 /// A result of one asperity; see [`Quantity::descriptor`].

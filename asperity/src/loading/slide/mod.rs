@@ -140,7 +140,9 @@ impl<'a> Slide<'a> {
             let cover = self.mechanics.contact.cover.clone();
             let guess = match control.bracket() {
                 None => Predictor::between((&before, slip_before), (&committed, slip), next),
-                Some(beyond) => Predictor::between((&committed, slip), (&beyond.predictor, beyond.slip), next),
+                Some(beyond) => {
+                    Predictor::between((&committed, slip), (&beyond.predictor, beyond.slip), next)
+                }
             };
             match self.step(slip, next, guess) {
                 Ok(Attempt::Taken) => {

@@ -2,14 +2,17 @@
 
 use super::increments::INCEPTION_WIDTH;
 use super::*;
+use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::MeshSize;
-use crate::loading::press;
+use crate::interface::contact::Contact;
 use crate::loading::NEWTON_TOLERANCE;
+use crate::loading::press;
 use crate::loading::problem::Discretisation;
 use crate::scene::file::parse_scene;
 use crate::simulate::{Unwatched, simulate};
 use crate::studies::robustness;
+use tables::quantity::Quantity;
 
 /// A hot slide in plastic contact, coarse, ready to start.
 fn ready(problem: &Problem) -> Slide<'_> {
@@ -173,7 +176,7 @@ fn chattering_points_do_not_cut_steps_back() {
     assert_eq!(outcome.account.cutbacks, 0);
     // What such a point loses is far below what the mesh leaves open.
     let finer = parse_scene(text, "this test", &["numerics.elements_per_radius=12".into()]).unwrap();
-    let finer = simulate(&finer, &Unwatched).unwrap().summary.mu;
-    let mu = outcome.summary.mu;
+    let finer = simulate(&finer, &Unwatched).unwrap().scalars[Quantity::Mu];
+    let mu = outcome.scalars[Quantity::Mu];
     assert!((mu.value - finer.value).abs() < mu.error, "{mu:?} {finer:?}");
 }

@@ -15,7 +15,7 @@ use tables::quantity::Quantity;
 use crate::discretisation::mesh::EDGE_SIZE;
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::scalars::Scalars;
+use crate::simulate::values::Values;
 
 /// Where an error comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,17 +90,17 @@ pub const CONTROLLED: [Quantity; 5] =
 
 /// The auxiliary runs of a main run, all on the coarse mesh.
 pub struct AuxiliaryRuns<'a> {
-    pub coarse: &'a Scalars,
-    pub other_sectors: &'a Scalars,
-    pub longer_steps: &'a Scalars,
-    pub looser_solver: &'a Scalars,
+    pub coarse: &'a Values,
+    pub other_sectors: &'a Values,
+    pub longer_steps: &'a Values,
+    pub looser_solver: &'a Values,
 }
 
 /// A finished run: its resolution and its values.
 #[derive(Clone, Copy)]
 pub struct RunValues<'a> {
     pub resolution: &'a Resolution,
-    pub values: &'a Scalars,
+    pub values: &'a Values,
 }
 
 /// Errors of the last of the main runs `main`, each finer than the one before, from them and the
@@ -133,7 +133,7 @@ impl ErrorBudget {
     /// All but the mesh's part, of a run at the resolution `start`.
     pub fn other_than_mesh(auxiliary: &AuxiliaryRuns<'_>, start: &Resolution) -> Self {
         let AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver } = *auxiliary;
-        let difference = |other: &Scalars, share: &dyn Fn(Quantity) -> f64| {
+        let difference = |other: &Values, share: &dyn Fn(Quantity) -> f64| {
             Quantity::SCALARS.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
         };
         let sectors = sectors_share(start.sectors, start.coarse().other_sectors().sectors);
@@ -175,13 +175,13 @@ impl ErrorBudget {
     }
 
     /// The model's part.
-    fn set_model(&mut self, modelling_error: &ModellingError, values: &Scalars) {
+    fn set_model(&mut self, modelling_error: &ModellingError, values: &Values) {
         self.parts[ErrorSource::Model as usize] =
             Quantity::SCALARS.map(|quantity| modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
     /// Nothing is known: errors as large as the values.
-    pub fn unknown(values: &Scalars, modelling_error: &ModellingError) -> Self {
+    pub fn unknown(values: &Values, modelling_error: &ModellingError) -> Self {
         let mut budget = Self::default();
         budget.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|q| values.value(q).abs());
         budget.set_model(modelling_error, values);
@@ -198,7 +198,7 @@ impl ErrorBudget {
     }
 
     /// The worst of the controlled quantities, and the parts of its error relative to its value.
-    pub fn worst(&self, values: &Scalars) -> (Quantity, RelativeParts) {
+    pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
         let relative = |quantity: Quantity| {
             let value = values.value(quantity).abs();
             let of = |source| if value > 0.0 { self.part(source, quantity) / value } else { 0.0 };

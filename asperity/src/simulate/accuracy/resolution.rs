@@ -83,6 +83,13 @@ impl Resolution {
         Self { growth_zone: self.growth_zone, ..coarse }
     }
 
+    /// Those of the auxiliary runs: on the coarse mesh as it is, with another N_θ, with longer increments, with a
+    /// looser solver.
+    pub fn auxiliary(&self) -> [Self; 4] {
+        let coarse = self.coarse();
+        [coarse, coarse.other_sectors(), coarse.longer_steps(), coarse.looser_solver()]
+    }
+
     /// The same with more room for the contact to grow.
     pub fn wider(&self) -> Self {
         Self { growth_zone: WIDER * self.growth_zone, ..*self }

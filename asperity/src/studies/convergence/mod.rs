@@ -7,7 +7,7 @@ mod words;
 use std::time::Instant;
 
 use tables::law::Estimate;
-use tables::quantity::Quantity;
+use tables::quantity::{Quantity, Scalars};
 
 pub use figure::figure;
 pub use report_file::write;
@@ -15,8 +15,7 @@ pub use words::{in_words, table};
 
 use crate::scene::{Kinematics, Scene};
 use crate::simulate::accuracy::error_budget::CONTROLLED;
-use crate::simulate::outcome::Summary;
-use crate::simulate::quantities::{MAIN, estimate};
+use crate::simulate::outcome::MAIN;
 use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined};
 
 /// Quantities whose convergence is shown.
@@ -38,13 +37,14 @@ pub struct Run {
     pub wall_time: f64,
     /// Of all threads, s.
     pub cpu_time: f64,
-    pub summary: Summary,
+    /// Values with their errors.
+    pub scalars: Scalars,
 }
 
 impl Run {
     /// With its estimated error.
     pub fn value(&self, quantity: Quantity) -> Estimate {
-        estimate(&self.summary, quantity)
+        self.scalars[quantity]
     }
 }
 
@@ -158,7 +158,7 @@ fn timed(
         steps: outcome.account.steps,
         wall_time: clock.elapsed().as_secs_f64(),
         cpu_time: cpu_time() - cpu,
-        summary: outcome.summary,
+        scalars: outcome.scalars,
     })
 }
 

@@ -10,8 +10,8 @@ use crate::scene::Scene;
 use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, CONTROLLED, ErrorSource, RunValues, estimate};
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::quantities::MAIN;
-use crate::simulate::scalars::Scalars;
+use crate::simulate::outcome::MAIN;
+use crate::simulate::values::Values;
 
 /// Quantities that are judged.
 pub const JUDGED: [Quantity; 7] = MAIN;
@@ -127,12 +127,12 @@ impl Report {
         for (position, &(preset, interference, slip_rate)) in scenes::SCENES.iter().enumerate() {
             let scene = scenes::scene(preset, interference, slip_rate, WORKING_ELEMENTS);
             let problem = Problem::new(&scene);
-            let runs: HashMap<Role, Scalars> = records
+            let runs: HashMap<Role, Values> = records
                 .iter()
                 .filter(|record| record.scene == position)
                 .filter_map(|record| {
                     let sample = record.sample()?;
-                    Some((record.role, Scalars::new(&problem, &sample.press, &sample.history)))
+                    Some((record.role, Values::new(&problem, &sample.press, &sample.history)))
                 })
                 .collect();
             match Role::NEEDED.into_iter().find(|role| !runs.contains_key(role)) {
@@ -205,7 +205,7 @@ fn share<'a>(judged: impl Iterator<Item = &'a Judged>) -> f64 {
     f64::from(honest) / f64::from(all.max(1))
 }
 
-fn judge(runs: &HashMap<Role, Scalars>, scene: &Scene) -> Vec<Judged> {
+fn judge(runs: &HashMap<Role, Values>, scene: &Scene) -> Vec<Judged> {
     let companions = AuxiliaryRuns {
         coarse: &runs[&Role::Coarse],
         other_sectors: &runs[&Role::CoarseSectors],

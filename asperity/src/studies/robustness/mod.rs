@@ -13,7 +13,6 @@ use crate::scene::file::{SceneFileError, parse_scene};
 use crate::scene::{FrictionLaw, InterfaceStrength, Scene, Softening};
 use crate::simulate::accuracy::error_budget::CONTROLLED;
 use crate::simulate::outcome::Outcome;
-use crate::simulate::quantities::estimate;
 use crate::simulate::{SimulationError, Watch, simulate};
 
 const BASE: &str = include_str!("base.toml");
@@ -142,10 +141,10 @@ impl HardResult {
     /// friction where there is none.
     pub fn error(&self) -> f64 {
         let Some(outcome) = &self.outcome else { return 0.0 };
-        let none = outcome.summary.mu_peak.value < 1e-9;
+        let none = outcome.scalars[Quantity::MuPeak].value < 1e-9;
         let frictional = [Quantity::Mu, Quantity::MuStatic, Quantity::Friction];
         let relative = |quantity: &Quantity| {
-            let estimate = estimate(&outcome.summary, *quantity);
+            let estimate = outcome.scalars[*quantity];
             if estimate.value == 0.0 { 0.0 } else { (estimate.error / estimate.value).abs() }
         };
         let counted = CONTROLLED.iter().filter(|quantity| !none || !frictional.contains(quantity));
@@ -162,15 +161,18 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
         }
     };
     for quantity in Quantity::SCALARS {
-        let estimate = estimate(&outcome.summary, quantity);
+        let estimate = outcome.scalars[quantity];
         let name = quantity.descriptor().name;
         check(estimate.value.is_finite() && estimate.error.is_finite(), format!("{name} is not finite"));
     }
     let fields =
         outcome.snapshots.iter().flat_map(|s| s.pressure.iter().chain(&s.shear).chain(&s.temperature));
     check(fields.clone().all(|x| x.is_finite()), "a field over the contact is not finite".into());
-    let hottest =
-        outcome.slide.iter().map(|step| step.temperature_max).fold(scene.loading.temperature, f64::max);
+    let hottest = outcome
+        .slide
+        .states()
+        .map(|step| step[Quantity::TemperatureMax])
+        .fold(scene.loading.temperature, f64::max);
     if let Some(melting) = melting(scene) {
         let most = melting + OVERSHOOT * (melting - scene.loading.temperature);
         check(
@@ -178,17 +180,25 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
             format!("the contact is at {hottest:.0} K, above its melting point of {melting:.0} K"),
         );
     }
-    check(outcome.slide.iter().all(|step| step.mu >= -1e-9), "friction pushes".into());
-    if let Some(end) = outcome.slide.last() {
-        let spent = end.energy_elastic
-            + end.dissipation_plastic
-            + end.dissipation_friction
-            + end.work_thermal_expansion
-            + end.energy_moduli_softening;
-        let parts = [end.work, end.energy_elastic, end.dissipation_plastic, end.work_thermal_expansion];
-        let off = relative(end.work - spent, &parts);
+    check(outcome.slide.states().all(|step| step[Quantity::Mu] >= -1e-9), "friction pushes".into());
+    if let Some(end) = outcome.slide.states().next_back() {
+        let spent = end[Quantity::EnergyElastic]
+            + end[Quantity::DissipationPlastic]
+            + end[Quantity::DissipationFriction]
+            + end[Quantity::WorkThermalExpansion]
+            + end[Quantity::EnergyModuliSoftening];
+        let parts = [
+            end[Quantity::Work],
+            end[Quantity::EnergyElastic],
+            end[Quantity::DissipationPlastic],
+            end[Quantity::WorkThermalExpansion],
+        ];
+        let off = relative(end[Quantity::Work] - spent, &parts);
         check(off <= LEDGER, format!("the energies of the slide miss the work of the flat by {off:.1e}"));
-        let off = relative(end.heat_in - end.heat_stored - end.heat_out, &[end.heat_in]);
+        let off = relative(
+            end[Quantity::HeatIn] - end[Quantity::HeatStored] - end[Quantity::HeatOut],
+            &[end[Quantity::HeatIn]],
+        );
         check(off <= LEDGER, format!("the heat in the body misses what went in by {off:.1e}"));
     }
     wrong
@@ -196,7 +206,7 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
 
 /// That the contact does not get as hot as the case is about, if so.
 fn colder(outcome: &Outcome, least: f64) -> Option<String> {
-    let hottest = outcome.slide.iter().map(|step| step.temperature_max).fold(0.0, f64::max);
+    let hottest = outcome.slide.states().map(|step| step[Quantity::TemperatureMax]).fold(0.0, f64::max);
     (hottest <= least).then(|| format!("the contact reaches {hottest:.0} K and was to pass {least:.0} K"))
 }
 
@@ -266,13 +276,13 @@ mod tests {
         let good = *result.outcome.unwrap();
         assert_eq!(contradictions(&result.scene, &good), Vec::<String>::new());
         let mut bad = good.clone();
-        bad.summary.mu.value = f64::NAN;
+        bad.scalars[Quantity::Mu].value = f64::NAN;
         assert!(contradictions(&result.scene, &bad)[0].contains("mu is not finite"));
         let mut bad = good.clone();
-        bad.slide.last_mut().unwrap().temperature_max = 1900.0;
+        *bad.slide.column_mut(Quantity::TemperatureMax).last_mut().unwrap() = 1900.0;
         assert!(contradictions(&result.scene, &bad)[0].contains("melting point"));
         let mut bad = good;
-        bad.slide.last_mut().unwrap().work = 1.0;
+        *bad.slide.column_mut(Quantity::Work).last_mut().unwrap() = 1.0;
         assert!(contradictions(&result.scene, &bad)[0].contains("work of the flat"));
     }
 }

@@ -12,8 +12,9 @@
 use super::setup::{Hertz, last, mesh, plain_material, scene};
 use super::{Extent, Row, Rows};
 use crate::scene::{FrictionLaw, Softening, Switch};
-use crate::simulate::outcome::{Outcome, SlideStep};
+use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
+use tables::quantity::{Quantity, State};
 
 /// ΔT_m, K.
 const RANGE: f64 = 1000.0;
@@ -116,17 +117,19 @@ fn slide(
 }
 
 /// A history at Fo, linear in √t, in which a source starts to heat.
-fn at(heated: &Heated, fourier: f64, value: fn(&SlideStep) -> f64) -> f64 {
-    let steps = &heated.outcome.slide;
+fn at(heated: &Heated, fourier: f64, value: fn(State<'_>) -> f64) -> f64 {
+    let slide = &heated.outcome.slide;
     let time = fourier * heated.time;
-    let after = steps.partition_point(|step| step.time < time).clamp(1, steps.len() - 1);
-    let (a, b) = (&steps[after - 1], &steps[after]);
-    let share = (time.sqrt() - a.time.sqrt()) / (b.time.sqrt() - a.time.sqrt());
+    let times = slide.column(Quantity::Time);
+    let after = times.partition_point(|t| *t < time).clamp(1, times.len() - 1);
+    let (a, b) = (slide.state(after - 1), slide.state(after));
+    let share =
+        (time.sqrt() - a[Quantity::Time].sqrt()) / (b[Quantity::Time].sqrt() - a[Quantity::Time].sqrt());
     value(a) + share * (value(b) - value(a))
 }
 
 /// Name, rises over qa/k by Fo, and the rise in a history.
-type DiscCurve = (&'static str, [(f64, f64); 5], fn(&SlideStep) -> f64);
+type DiscCurve = (&'static str, [(f64, f64); 5], fn(State<'_>) -> f64);
 
 fn disc(elements: usize, watch: &dyn Watch) -> Rows {
     let run = |elements: usize, growth: Growth| slide(1.0, 10.0, false, elements, growth, watch);
@@ -134,8 +137,8 @@ fn disc(elements: usize, watch: &dyn Watch) -> Rows {
     let shorter = run(elements / 2, Growth::Short)?;
     let mut rows = Vec::new();
     let names: [DiscCurve; 2] = [
-        ("mean", DISC_MEAN, |step| step.temperature_mean - START),
-        ("largest", DISC_CENTRE, |step| step.temperature_max - START),
+        ("mean", DISC_MEAN, |step| step[Quantity::TemperatureMean] - START),
+        ("largest", DISC_CENTRE, |step| step[Quantity::TemperatureMax] - START),
     ];
     // Mean and centre are of one field: where the meshes agree in one by chance, the other tells.
     let error_at = |fourier: f64| {
@@ -174,7 +177,10 @@ fn steady((softening, friction, rise): (f64, f64, f64), elements: usize, watch: 
     ];
     let values = |heated: &Heated| {
         let end = last(&heated.outcome);
-        (end.friction / (end.area * heated.strength), (end.temperature_max - START) / RANGE)
+        (
+            end[Quantity::Friction] / (end[Quantity::Area] * heated.strength),
+            (end[Quantity::TemperatureMax] - START) / RANGE,
+        )
     };
     let (coarse, fine) = (values(&coarse), values(&fine));
     let row = |name: &str, fine: f64, coarse: f64, reference: f64| {
@@ -200,7 +206,7 @@ fn first_moments((s, stress, energy): (f64, f64, f64), elements: usize, watch: &
     };
     // L* = u/s; τ̄ peaks where sliding begins, after 1/2000 of the slip.
     let release = |heated: &Heated| {
-        heated.outcome.summary.energy_weakening.value / (heated.strength * heated.distance / s)
+        heated.outcome.scalars[Quantity::EnergyWeakening].value / (heated.strength * heated.distance / s)
     };
     let [centres, releases] = [[centre(&fine), centre(&coarse)], [release(&fine), release(&coarse)]];
     let row = |name: &str, [fine, coarse]: [f64; 2], reference: f64| {

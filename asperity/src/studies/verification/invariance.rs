@@ -3,8 +3,9 @@
 use super::setup::{Hertz, mesh, scene, steel_4340};
 use super::{Extent, Row, Rows};
 use crate::scene::{FrictionLaw, Scene};
-use crate::simulate::outcome::{Outcome, SlideStep};
+use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, press, simulate, slide};
+use tables::quantity::{Quantity, State};
 
 pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
     let mut rows = rate(extent, watch)?;
@@ -31,12 +32,12 @@ fn rate(extent: Extent, watch: &dyn Watch) -> Rows {
     scene.loading.slip_distance = 0.2;
     let pressed = press(&scene, watch)?;
     let [slow, fast] = [0.1, 10.0].map(|rate| slide(&pressed, rate, watch));
-    let (slow, fast) = (slow?.summary, fast?.summary);
+    let (slow, fast) = (slow?.scalars, fast?.scalars);
     let material = &scene.material;
     let strength = material.yield_strength / 3f64.sqrt();
     let k = material.thermal_conductivity;
     let diffusivity = k / (material.density * material.specific_heat);
-    let slip = strength * slow.contact_radius.value / (2.0 * Hertz::of(&scene).tangential_modulus);
+    let slip = strength * slow[Quantity::ContactRadius].value / (2.0 * Hertz::of(&scene).tangential_modulus);
     let rise = 2.0 * scene.interface.heat_partition * strength * 10.0 / k
         * (diffusivity * slip / (std::f64::consts::PI * 10.0)).sqrt();
     let crate::scene::Softening::JohnsonCook { reference, melting, exponent } = material.softening else {
@@ -44,13 +45,13 @@ fn rate(extent: Extent, watch: &dyn Watch) -> Rows {
     };
     let loss = (rise / (melting - reference)).powf(exponent);
     // Discretised alike: errors are common to both, but for the iteration of inception.
-    let error = 0.25 * (slow.mu_static.error + fast.mu_static.error);
-    let value = fast.mu_static.value;
+    let error = 0.25 * (slow[Quantity::MuStatic].error + fast[Quantity::MuStatic].error);
+    let value = fast[Quantity::MuStatic].value;
     let row = Row::new(
         "mu_static of 4340 steel at 10 m/s, against 0.1 m/s",
         value,
         error,
-        slow.mu_static.value,
+        slow[Quantity::MuStatic].value,
         SOURCE,
     );
     Ok(vec![row.allow(loss, WHY)])
@@ -77,11 +78,11 @@ fn scale(watch: &dyn Watch) -> Rows {
             .allow(1e-6, WHY)
     };
     Ok(vec![
-        row("mu", "1", |run| run.summary.mu.value, 0),
-        row("mu_static", "1", |run| run.summary.mu_static.value, 0),
-        row("P", "N", |run| run.summary.load.value, 2),
-        row("G", "J m-2", |run| run.summary.energy_release.value, 1),
-        row("T_max", "K", |run| run.summary.temperature_max.value, 0),
+        row("mu", "1", |run| run.scalars[Quantity::Mu].value, 0),
+        row("mu_static", "1", |run| run.scalars[Quantity::MuStatic].value, 0),
+        row("P", "N", |run| run.scalars[Quantity::Load].value, 2),
+        row("G", "J m-2", |run| run.scalars[Quantity::EnergyRelease].value, 1),
+        row("T_max", "K", |run| run.scalars[Quantity::TemperatureMax].value, 0),
     ])
 }
 
@@ -92,7 +93,7 @@ fn ledgers(watch: &dyn Watch) -> Rows {
     scene.loading.slip_rate = 3.0;
     scene.loading.slip_distance = 0.5;
     let outcome = simulate(&scene, watch)?;
-    let worst = |of: fn(&SlideStep) -> f64| outcome.slide[1..].iter().map(of).fold(0.0, f64::max);
+    let worst = |of: fn(State<'_>) -> f64| outcome.slide.states().skip(1).map(of).fold(0.0, f64::max);
     let row = |name: &str, of| Row::new(name, worst(of), 0.0, 0.0, SOURCE).allow_absolute(1e-6, WHY);
     Ok(vec![
         row("energy missing at any step, over its largest term", energy_off),
@@ -105,16 +106,17 @@ fn off(balance: f64, terms: &[f64]) -> f64 {
     balance.abs() / terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()))
 }
 
-fn energy_off(step: &SlideStep) -> f64 {
+fn energy_off(step: State<'_>) -> f64 {
     let s = step;
-    let mut terms = vec![s.energy_elastic, s.dissipation_plastic, s.dissipation_friction];
-    terms.extend([s.work_thermal_expansion, s.energy_moduli_softening]);
-    let balance = s.work - terms.iter().sum::<f64>();
-    terms.push(s.work);
+    let mut terms =
+        vec![s[Quantity::EnergyElastic], s[Quantity::DissipationPlastic], s[Quantity::DissipationFriction]];
+    terms.extend([s[Quantity::WorkThermalExpansion], s[Quantity::EnergyModuliSoftening]]);
+    let balance = s[Quantity::Work] - terms.iter().sum::<f64>();
+    terms.push(s[Quantity::Work]);
     off(balance, &terms)
 }
 
-fn heat_off(step: &SlideStep) -> f64 {
-    let terms = [step.heat_in, step.heat_stored, step.heat_out];
+fn heat_off(step: State<'_>) -> f64 {
+    let terms = [step[Quantity::HeatIn], step[Quantity::HeatStored], step[Quantity::HeatOut]];
     off(terms[0] - terms[1] - terms[2], &terms)
 }

@@ -6,6 +6,7 @@
 //! and tangential tractions of a rigid flat and a half space do not act on each other.
 
 use std::f64::consts::PI;
+use tables::quantity::Quantity;
 
 use tables::closed_forms::partial_slip::{constant_shear, mindlin, stick_stiffness};
 
@@ -65,14 +66,16 @@ fn curves(
 ) -> Vec<Row> {
     let mut rows = Vec::new();
     for x in [0.25, 0.5, 0.75] {
-        let [fine, coarse] =
-            runs.map(|(outcome, full, gross)| at_slip(outcome, x * gross, |step| step.friction) / full);
+        let [fine, coarse] = runs.map(|(outcome, full, gross)| {
+            at_slip(outcome, x * gross, |step| step[Quantity::Friction]) / full
+        });
         let name = format!("{law}: Q over that of gross slip at u/u_s = {x}");
         // As that of the friction of a run: two meshes may place the edge wrongly by the same amount.
         let error = (fine - coarse).abs() + 2.0 * edge_share(elements as f64) * fine;
         rows.push(Row::new(name, fine, error, force(x), source).allow(DIRECTION, WHY));
-        let [fine, coarse] =
-            runs.map(|(outcome, _, gross)| at_slip(outcome, x * gross, |step| step.stick_fraction).sqrt());
+        let [fine, coarse] = runs.map(|(outcome, _, gross)| {
+            at_slip(outcome, x * gross, |step| step[Quantity::StickFraction]).sqrt()
+        });
         let name = format!("{law}: c/a at u/u_s = {x}");
         let row = Row::new(name, fine, (fine - coarse).abs(), stick_radius(x), source);
         rows.push(row.allow_absolute(0.5 / elements as f64, RING));
@@ -103,26 +106,36 @@ fn shear(elements: usize, watch: &dyn Watch) -> Rows {
         let row = Row::new(format!("constant shear: {name}"), fine, error, reference, SAVKOOR);
         rows.push(row.unit(unit).allow(DIRECTION, WHY));
     };
-    add("stiffness 8G*a", &|run| run.slide[1].friction / run.slide[1].slip, stiffness, "N m-1");
-    let sliding = |run: &Outcome| last(run).friction * (last(run).slip - gross);
+    add(
+        "stiffness 8G*a",
+        &|run| run.slide.state(1)[Quantity::Friction] / run.slide.state(1)[Quantity::Slip],
+        stiffness,
+        "N m-1",
+    );
+    let sliding = |run: &Outcome| last(run)[Quantity::Friction] * (last(run)[Quantity::Slip] - gross);
     let unit = full * gross;
     let (work, stored, dissipated) = constant_shear::energies_at_gross_slip();
-    add("work to gross slip over its unit", &|run| (last(run).work - sliding(run)) / unit, work, "1");
+    add(
+        "work to gross slip over its unit",
+        &|run| (last(run)[Quantity::Work] - sliding(run)) / unit,
+        work,
+        "1",
+    );
     add(
         "dissipation over its unit",
-        &|run| (last(run).dissipation_friction - sliding(run)) / unit,
+        &|run| (last(run)[Quantity::DissipationFriction] - sliding(run)) / unit,
         dissipated,
         "1",
     );
     // What is stored is the small difference of the two: no better known than the work, whose error
     // falls with order 1.5.
-    let works = [&fine, &coarse].map(|run| (last(&run.0).work - sliding(&run.0)) / unit);
-    let energies = [&fine, &coarse].map(|run| last(&run.0).energy_elastic / unit);
+    let works = [&fine, &coarse].map(|run| (last(&run.0)[Quantity::Work] - sliding(&run.0)) / unit);
+    let energies = [&fine, &coarse].map(|run| last(&run.0)[Quantity::EnergyElastic] / unit);
     let error = (energies[0] - energies[1]).abs().max(0.547 * (works[0] - works[1]).abs());
     let name = "constant shear: stored energy over its unit";
     rows.push(Row::new(name, energies[0], error, stored, SAVKOOR).allow(DIRECTION, WHY));
     // Inception counts from where NO_STICK of the area still sticks: c²/a² = 1 − u²/u_s².
-    let slip = fine.0.summary.inception_slip;
+    let slip = fine.0.scalars[Quantity::InceptionSlip];
     let name = "constant shear: displacement where a hundredth sticks";
     let row = Row::new(name, slip.value, slip.error, gross * (1.0 - NO_STICK).sqrt(), SAVKOOR);
     rows.push(row.unit("m").allow(DIRECTION + 0.5 * ring(elements), RING));
@@ -137,7 +150,7 @@ fn coulomb(elements: usize, watch: &dyn Watch) -> Rows {
         let gross = mindlin::gross_slip_displacement(FRICTION, hertz.load, g, a);
         let outcome = slide(scene, &hertz, gross, watch)?;
         // The computed P sets the scale of Coulomb friction.
-        let load = pressed(&outcome).load;
+        let load = pressed(&outcome)[Quantity::Load];
         let gross = mindlin::gross_slip_displacement(FRICTION, load, g, a);
         Ok((outcome, FRICTION * load, gross))
     };
@@ -145,7 +158,7 @@ fn coulomb(elements: usize, watch: &dyn Watch) -> Rows {
     let runs = [(&fine.0, fine.1, fine.2), (&coarse.0, coarse.1, coarse.2)];
     let (force, stick) = (mindlin::force_fraction, mindlin::stick_radius_fraction);
     let mut rows = curves("Coulomb", runs, force, stick, (elements, MINDLIN));
-    let slips = [&fine, &coarse].map(|run| run.0.summary.inception_slip.value / run.2);
+    let slips = [&fine, &coarse].map(|run| run.0.scalars[Quantity::InceptionSlip].value / run.2);
     let error = (slips[0] - slips[1]).abs();
     // c²/a² = 1 − u/u_s.
     let name = "Coulomb: displacement where a hundredth sticks over u_s";

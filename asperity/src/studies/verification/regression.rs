@@ -8,6 +8,7 @@
 use super::{Extent, Row, Rows};
 use crate::simulate::{Watch, simulate};
 use crate::studies::effectivity::scenes;
+use tables::quantity::Quantity;
 
 const SOURCE: &str = "this program, limit of fine meshes, angles and increments";
 const WHY: &str = "what the limit is uncertain by";
@@ -58,21 +59,22 @@ pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
     for fixed in chosen {
         let (preset, interference, slip_rate) = fixed.scene;
         let scene = scenes::scene(preset, interference, slip_rate, extent.elements());
-        let summary = simulate(&scene, watch)?.summary;
+        let scalars = simulate(&scene, watch)?.scalars;
         let start = scene.loading.temperature;
         let name = scenes::name(preset, interference, slip_rate);
         let mut row = |quantity: &str, unit, value: f64, error: f64, (reference, doubt): (f64, f64)| {
             let row = Row::new(format!("{quantity}, {name}"), value, error, reference, SOURCE);
             rows.push(row.unit(unit).allow(doubt, WHY));
         };
-        let (mu, still, energy) = (summary.mu, summary.mu_static, summary.energy_release);
+        let (mu, still, energy) =
+            (scalars[Quantity::Mu], scalars[Quantity::MuStatic], scalars[Quantity::EnergyRelease]);
         row("mu", "1", mu.value, mu.error, fixed.mu);
         row("mu_static", "1", still.value, still.error, fixed.mu_static);
         row("G", "J m-2", energy.value, energy.error, fixed.energy);
         if fixed.rise.0 == 0.0 {
             continue;
         }
-        let hottest = summary.temperature_max;
+        let hottest = scalars[Quantity::TemperatureMax];
         row("T_max - T_0", "K", hottest.value - start, hottest.error, fixed.rise);
     }
     Ok(rows)

@@ -1,13 +1,14 @@
 //! Scenes of the cases, and what is read from their outcomes.
 
 use tables::closed_forms::{hertz, partial_slip};
+use tables::quantity::{Quantity, State};
 
 use crate::scene::file::parse_scene;
 use crate::scene::{
     Control, FrictionLaw, Hardening, Interface, InterfaceStrength, Kinematics, Loading, Material, Model,
     Numerics, Scene, Softening, Switch,
 };
-use crate::simulate::outcome::{Outcome, SlideStep};
+use crate::simulate::outcome::Outcome;
 
 /// Steel-like material without hardening, thermal expansion or softening.
 ///
@@ -81,21 +82,21 @@ pub const fn mesh(elements: usize, sectors: usize) -> Mesh {
 }
 
 /// State before any slip.
-pub fn pressed(outcome: &Outcome) -> &SlideStep {
-    &outcome.slide[0]
+pub fn pressed(outcome: &Outcome) -> State<'_> {
+    outcome.slide.state(0)
 }
 
 /// State at the end of the slide.
-pub fn last(outcome: &Outcome) -> &SlideStep {
-    outcome.slide.last().expect("a slide starts with the press")
+pub fn last(outcome: &Outcome) -> State<'_> {
+    outcome.slide.states().next_back().expect("a slide starts with the press")
 }
 
 /// Slide interpolated linearly in slip.
-pub fn at_slip(outcome: &Outcome, slip: f64, value: impl Fn(&SlideStep) -> f64) -> f64 {
-    let steps = &outcome.slide;
-    let after = steps.partition_point(|step| step.slip < slip).clamp(1, steps.len() - 1);
-    let (a, b) = (&steps[after - 1], &steps[after]);
-    let share = (slip - a.slip) / (b.slip - a.slip);
+pub fn at_slip(outcome: &Outcome, slip: f64, value: impl Fn(State<'_>) -> f64) -> f64 {
+    let slips = outcome.slide.column(Quantity::Slip);
+    let after = slips.partition_point(|s| *s < slip).clamp(1, slips.len() - 1);
+    let (a, b) = (outcome.slide.state(after - 1), outcome.slide.state(after));
+    let share = (slip - a[Quantity::Slip]) / (b[Quantity::Slip] - a[Quantity::Slip]);
     value(a) + share * (value(b) - value(a))
 }
 

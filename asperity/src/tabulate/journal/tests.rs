@@ -10,7 +10,7 @@ fn at(interference: f64, slip_rate: f64) -> Point {
 
 fn finished() -> Finished {
     let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
-    outcome.summary.mu.error = f64::NAN;
+    outcome.scalars[Quantity::Mu].error = f64::NAN;
     outcome.account.wall_time = 0.1 + 0.2;
     Finished::new(&outcome, &slip_grid(2.0), 298.0)
 }

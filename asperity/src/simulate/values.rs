@@ -1,4 +1,4 @@
-//! From the history of a slide to the scalars that are reported, in SI units.
+//! From the histories of press and slide to the scalars of a run, in SI units: one formula each.
 
 use std::f64::consts::PI;
 
@@ -12,9 +12,9 @@ use crate::loading::slide::SlideState;
 /// Relative change of μ over the last quarter of the slide below which it is steady.
 const STEADY_CHANGE: f64 = 0.02;
 
-/// The scalars of one history, SI.
+/// The scalars of one run, SI, without errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scalars {
+pub struct Values {
     values: [f64; QUANTITIES],
     /// Half the difference between the states on both sides of sliding inception.
     brackets: [f64; QUANTITIES],
@@ -23,12 +23,13 @@ pub struct Scalars {
     /// Whether the press was elastic: less deep than first yield without friction.
     pub elastic: bool,
     pub inception: InceptionCriterion,
-    pub levelled: bool,
+    /// Whether μ is steady at the end of the slide.
+    pub steady: bool,
 }
 
 const QUANTITIES: usize = Quantity::SCALARS.len();
 
-impl Scalars {
+impl Values {
     pub fn new(problem: &Problem, press: &[Increment], history: &[SlideState]) -> Self {
         let units = problem.units;
         let last = history.last().expect("a history starts with the press");
@@ -70,7 +71,7 @@ impl Scalars {
             _ => 0.0,
         });
         let elastic = problem.interference < problem.critical_interference;
-        Self { values, brackets, start, elastic, inception: inception.criterion, levelled: is_steady(history) }
+        Self { values, brackets, start, elastic, inception: inception.criterion, steady: is_steady(history) }
     }
 
     /// With the temperature rise (K) to expect of a slide without heat.
