@@ -225,7 +225,7 @@ def no_end_state():
 @block("robustness", 900, by_name=True)
 def robustness():
     """How the robustness suite ends."""
-    suite = asperity("verify", "--hard")
+    suite = asperity("verify", "--robustness")
     count = [[name, suite[name]] for name in ("solved", "refused", "failed")]
     refused = [[f"`{case['case']}`", case["reason"].replace("|", "/")]
                for case in suite["cases"] if case["verdict"] != "solved"]  # fmt: skip
