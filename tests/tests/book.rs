@@ -154,9 +154,9 @@ fn paths_in_the_repository_exist() {
 /// Blocks of measured numbers are those that `docs/numbers.py` writes; each is on a page and has an end.
 #[test]
 fn measured_numbers_have_their_command() {
-    let script = read(&root().join("docs/numbers.py"));
+    let scripts: String = files(&root().join("docs/blocks"), ".py").iter().map(|path| read(path)).collect();
     let known: BTreeSet<&str> =
-        script.split("@block(\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+        scripts.split("@block(\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
     let mut found = BTreeSet::new();
     for path in files(&root().join("docs/src"), ".md") {
         for rest in read(&path).split("<!-- begin: ").skip(1) {

@@ -1,0 +1,3 @@
+"""The blocks of measured numbers in the book, by page; docs/numbers.py writes them."""
+
+from . import measured, model  # noqa: F401

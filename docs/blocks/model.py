@@ -1,0 +1,178 @@
+"""Blocks of the model and of the shipped tables."""
+
+import re
+
+from .common import (
+    METALS,
+    SINGLE,
+    asperity,
+    block,
+    example,
+    machine,
+    plain,
+    shipped,
+    signed,
+    table,
+    table_info,
+    timed,
+    value,
+)
+
+
+@block("kinematics", 5)
+def kinematics():
+    """Small against finite strain, 4340 steel over two contact radii without heat."""
+    rows = []
+    for interference in (20, 50, 100):
+        runs = [
+            asperity(
+                "run",
+                SINGLE,
+                loading__interference=interference,
+                loading__slip_rate=0,
+                model__kinematics=strain,
+                numerics__elements_per_radius=8,
+                numerics__sectors=4,
+            )
+            for strain in ("small", "finite")
+        ]
+        change = [100 * (value(runs[1], name) / value(runs[0], name) - 1) for name in ("mu", "P", "area")]
+        rows.append(
+            [interference, f"{value(runs[0], 'mu'):.4f}", f"{value(runs[1], 'mu'):.4f}"]
+            + [f"{signed(percent)} %" for percent in change]
+        )
+    head = [r"$\omega_0/\omega_c$", r"$\mu$, small", r"$\mu$, finite", r"change of $\mu$", "of $P$", "of $A$"]
+    return table(head, rows)
+
+
+@block("transition", 1)
+def transition():
+    """Static friction of 4340 steel without heat beside the elastic limit."""
+    rows = []
+    for line in example("elastic_to_plastic").splitlines():
+        numbers = re.findall(r"\d+\.\d+", line)
+        if len(numbers) == 6:
+            omega, friction, doubt, limit, load, area = numbers
+            rows.append([plain(float(omega)), f"{friction} ± {doubt}", limit, load, area])
+    head = [
+        r"$\omega_0/\omega_c$",
+        r"$\mu_s$",
+        r"elastic limit $\sqrt{3}/(2 C \sqrt{\omega^\ast})$",
+        "$P/P_0$",
+        "$A/A_0$",
+    ]
+    return table(head, rows)
+
+
+@block("metals", 2)
+def metals():
+    """The shipped tables without heat: static friction, and load and area after the slide."""
+    rows = []
+    for name in METALS:
+        cells = [row[0] for row in shipped(name)]
+        static = [f"{cells[i]['mu_static']:.3f} ± {cells[i]['mu_static_error']:.3f}" for i in (0, 2, 4, 7)]
+        ratio = lambda cell, quantity: f"{cell[quantity] / cell[quantity + '_press']:.3f}"
+        rows.append([name, *static, ratio(cells[4], "P"), ratio(cells[7], "P"), ratio(cells[4], "area")])
+    at = [plain(cells[i]["interference"]) for i in (0, 2, 4, 7)]
+    head = [
+        "table",
+        *[rf"$\mu_s$ at ${omega}\omega_c$" for omega in at],
+        rf"$P/P_0$ at ${at[2]}\omega_c$",
+        rf"at ${at[3]}\omega_c$",
+        rf"$A/A_0$ at ${at[2]}\omega_c$",
+    ]
+    return table(head, rows)
+
+
+@block("rate", 2)
+def rate():
+    """The shipped tables: what the slip rate changes."""
+    rows = []
+    for name in METALS:
+        line = [name]
+        for i in (0, 4, 7):
+            cells = shipped(name)[i]
+            for quantity in ("mu_static", "mu", "P"):
+                line.append(f"{signed(100 * (cells[-1][quantity] / cells[0][quantity] - 1))} %")
+        rows.append(line)
+        omegas = [plain(row[0]["interference"]) for row in shipped(name)]
+    names = (r"\mu_s", r"\mu", "P")
+    head = ["table"] + [rf"${quantity}$ at ${omegas[i]}\omega_c$" for i in (0, 4, 7) for quantity in names]
+    return table(head, rows)
+
+
+@block("no-end-state", 240)
+def no_end_state():
+    """Body and interface of equal strength, from the example of that name."""
+    rows = []
+    for line in example("no_end_state").splitlines()[2:]:
+        name, numbers = line[:24].strip(), line[24:].split()
+        if numbers:
+            rows.append([name.replace("f_τ", r"$f_\tau$"), *[numbers[i] for i in (0, 1, 4, 5, 8, 9)]])
+    head = ["case", "slip 0.02, 6 elements", "12", "slip 0.1, 6", "12", "slip 0.3, 6", "12"]
+    return table(head, rows)
+
+
+@block("robustness", 900, by_name=True)
+def robustness():
+    """How the robustness suite ends."""
+    suite = asperity("verify", "--robustness")
+    count = [[name, suite[name]] for name in ("solved", "refused", "failed")]
+    refused = [
+        [f"`{case['case']}`", case["reason"].replace("|", "/")]
+        for case in suite["cases"]
+        if case["verdict"] != "solved"
+    ]
+    return table(["verdict", "cases"], count) + "\n" + table(["case that is not solved", "reason"], refused)
+
+
+TABLE_QUANTITIES = ["mu_static", "mu", "Q", "P", "area", "G", "temperature_max"]
+
+
+def by_table(cell):
+    """A row for each shipped table, `cell` of each quantity."""
+    rows = []
+    for name in METALS:
+        quantities = table_info(name)["quantities"]
+        rows.append([f"`{name}`", *[cell(quantities[quantity]) for quantity in TABLE_QUANTITIES]])
+    return table(["table", *[f"`{quantity}`" for quantity in TABLE_QUANTITIES]], rows)
+
+
+@block("cell-errors", 1)
+def cell_errors():
+    """Median and largest estimated error of the cells of the shipped tables, %."""
+    return by_table(lambda q: f"{100 * q['relative_error_median']:.1f} / {100 * q['relative_error_largest']:.1f}")
+
+
+@block("interpolation-errors", 1)
+def interpolation_errors():
+    """Largest error of interpolation of the shipped tables, %."""
+    return by_table(lambda q: f"{100 * q['interpolation_error_largest']:.1f}")
+
+
+@block("table-times", 1)
+def table_times():
+    """Wall time of the cells of the shipped tables, as they were computed."""
+    rows = []
+    for name in METALS:
+        seconds = [cell["wall_time"] for row in shipped(name) for cell in row]
+        rows.append((sum(seconds), f"`{name}`", len(seconds), max(seconds)))
+    rows = [
+        [name, f"{total:.0f}", f"{total / cells:.1f}", f"{longest:.0f}"] for total, name, cells, longest in sorted(rows)
+    ]
+    return table(["table", "all cells (s)", "one cell (s)", "longest cell (s)"], rows)
+
+
+@block("cell-times", 40, by_name=True)
+def cell_times():
+    """Processor time and memory of one cell."""
+    rows = []
+    for omega in (0.1, 1, 20, 100):
+        run, seconds, memory = timed("run", SINGLE, threads=1, loading__interference=omega)
+        account = run["account"]
+        strain = "finite" if account["finite_strain"] else "small"
+        rows.append(
+            [omega, account["elements_per_radius"], account["sectors"], strain, f"{seconds:.1f}", f"{memory:.0f}"]
+        )
+    head = [r"$\omega_0/\omega_c$", "$n_c$", r"$N_\theta$", "strain", "processor time (s)", "memory (MB)"]
+    return table(head, rows) + "\n" + machine()
