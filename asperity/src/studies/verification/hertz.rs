@@ -1,77 +1,126 @@
-//! Frictionless elastic sphere, and where it first yields.
+//! Frictionless elastic sphere: load, area, pressure, and first yield.
 //!
-//! H. Hertz, J. reine angew. Math. 92, 156 (1882); K. L. Johnson, *Contact Mechanics* (1985), §3.4
-//! and §4.2. ν = 0.3 and σ_Y/E = 1/5000, so that a ≤ 0.0005 R.
+//! H. Hertz, J. reine angew. Math. 92, 156 (1882); K. L. Johnson, *Contact Mechanics* (1985), §3.4 and §4.2, doi
+//! 10.1017/CBO9781139171731. ν = 0.3, σ_Y/E = 1/5000 and ω₀ = 0.3 ω_c, so that a/R = 0.00025 and the half space leaves
+//! 0.03 % open.
 
-use super::setup::{Hertz, mesh, plain_material, scene};
-use super::{Extent, Row, Rows};
-use crate::scene::FrictionLaw;
-use crate::simulate::{SimulationError, Watch, press};
+use std::f64::consts::PI;
+
+use tables::closed_forms::hertz::pressure;
+use tables::law::Estimate;
+
+use super::setup::{Hertz, mesh, plain_material, run_press, scene};
+use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use crate::scene::{FrictionLaw, Scene};
+use crate::simulate::{PressedContact, SimulationError, Watch, press};
 
 const HERTZ: &str = "Hertz 1882; Johnson 1985, sec. 4.2";
-const HALF_SPACE: &str = "half space against a sphere: of order a/R";
-const YIELDS_EARLY: &str = "half space against a sphere, and points of an element that lie nearer to the \
-                            surface than its middle, but have its axial strain, yield before the middle";
 const YIELD: &str = "maximum of the von Mises stress on the axis, Johnson 1985, eq. 3.45";
+/// What half space and sphere differ by: a/R.
+const HALF_SPACE: f64 = 0.0003;
 
-pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
-    let scene = scene(plain_material(0.3), FrictionLaw::Frictionless, 0.3, mesh(extent.elements(), 4));
-    let hertz = Hertz::of(&scene);
-    let half_space = hertz.contact_radius / scene.radius;
-    let contact = press(&scene, watch)?.contact();
-    let radius = (contact.area.value / std::f64::consts::PI).sqrt();
-    let radius_error = 0.5 * radius * contact.area.error / contact.area.value;
-    let (load, peak) = (contact.load, contact.peak_pressure);
-    let mut rows = vec![
-        Row::new("P at 0.3 omega_c", load.value, load.error, hertz.load, HERTZ).unit("N"),
-        Row::new("a at 0.3 omega_c", radius, radius_error, hertz.contact_radius, HERTZ).unit("m"),
-        Row::new("p0 at 0.3 omega_c", peak.value, peak.error, hertz.peak_pressure, HERTZ).unit("Pa"),
-    ];
-    rows = rows.into_iter().map(|row| row.allow(half_space, HALF_SPACE)).collect();
-    let ratios: &[f64] = match extent {
-        Extent::Quick => &[0.3],
-        Extent::Full => &[0.2, 0.3, 0.4],
+pub const CASES: [Case; 4] = [
+    Case::new("elastic press, 8 elements", Cost::Quick, |watch| elastic(8, 0.025, 0.006, watch)),
+    Case::new("first yield, 8 elements", Cost::Quick, |watch| first_yield(8, 0.3, watch)),
+    Case::new("elastic press, 16 elements", Cost::Medium, fine),
+    Case::new("first yield, 16 elements", Cost::Long, |watch| {
+        let rows = [0.2, 0.3, 0.4].map(|poisson| first_yield(16, poisson, watch));
+        Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
+    }),
+];
+
+fn scene_on(elements: usize) -> Scene {
+    scene(plain_material(0.3), FrictionLaw::Frictionless, 0.3, mesh(elements, 4))
+}
+
+fn contact(elements: usize, watch: &dyn Watch) -> Result<(Hertz, PressedContact), SimulationError> {
+    let scene = scene_on(elements);
+    Ok((Hertz::of(&scene), press(&scene, watch)?.contact()))
+}
+
+fn elastic(elements: usize, forces: f64, lengths: f64, watch: &dyn Watch) -> Rows {
+    let (hertz, contact) = contact(elements, watch)?;
+    let value = (contact.area.value / PI).sqrt();
+    let radius = Estimate { value, error: 0.5 * value * contact.area.error / contact.area.value };
+    let row = |name: &str, computed: Estimate, reference: f64, unit, tolerance| {
+        let reference = Reference::exact(reference, HERTZ).known_to(HALF_SPACE);
+        Row::new(format!("{name} at 0.3 omega_c, {elements} elements"), computed, reference, tolerance)
+            .unit(unit)
     };
-    for &poisson in ratios {
-        let onset = onset(poisson, extent.elements(), watch)?;
-        // Mean stresses of elements are of second order, and their errors smaller than what a mesh
-        // half as fine changes in them.
-        let error = (onset.of_elements - onset.of_coarse_elements).abs() + 0.5 * BISECTED;
-        let early = (onset.of_elements - onset.at_points).max(0.0);
-        let name = format!("first yield over omega_c, nu = {poisson}");
-        let row = Row::new(name, onset.plastic, error, 1.0, YIELD);
-        rows.push(row.allow_absolute(half_space + early, YIELDS_EARLY));
-    }
+    let of_forces = Tolerance::relative(forces, "mesh, 0.5 n_c^-1.5; half space");
+    let of_lengths = Tolerance::relative(lengths, "edge of the contact, 0.047/n_c");
+    Ok(vec![
+        row("P", contact.load, hertz.load, "N", of_forces),
+        row("a", radius, hertz.contact_radius, "m", of_lengths),
+        // Proportional to a, and to the inner pressures, which are of second order.
+        row("p0", contact.peak_pressure, hertz.peak_pressure, "Pa", of_lengths),
+    ])
+}
+
+fn fine(watch: &dyn Watch) -> Rows {
+    let mut rows = elastic(16, 0.009, 0.003, watch)?;
+    let (hertz, coarse) = contact(8, watch)?;
+    let (_, fine) = contact(16, watch)?;
+    let off = [coarse, fine].map(|contact| contact.load.value / hertz.load - 1.0);
+    let limit = off[1] + (off[1] - off[0]) / (2f64.powf(1.5) - 1.0);
+    let reference = Reference::exact(1.0, HERTZ).known_to(HALF_SPACE);
+    rows.push(Row::new(
+        "P over Hertz, limit from 8 and 16 elements",
+        1.0 + limit,
+        reference,
+        Tolerance::relative(0.003, "a third of the correction of 0.8 %"),
+    ));
+    rows.push(Row::new(
+        "order of P in the elements, from 8 and 16",
+        (off[0] / off[1]).log2(),
+        Reference::exact(1.5, "square-root edge of the pressure"),
+        Tolerance::absolute(0.5, "place of the edge between the rings"),
+    ));
+    rows.extend(profile(watch)?);
     Ok(rows)
 }
 
-/// Width of the last interval of the bisection.
-const BISECTED: f64 = 0.6 / 128.0;
-
-/// ω/ω_c at which the sphere yields first.
-///
-/// The von Mises stress is largest on the axis, 0.48 a deep at ν = 0.3, and that is where plastic strain
-/// begins; but with 16 elements per radius at 0.98 ω_c, in the upper points of the elements there, while by
-/// the means of elements it would at 1.000 ω_c. With 4, 8, 24, 32: at 0.90, 0.97, 0.988, 0.993,
-/// and by the means at 1.019, 1.006, 0.999, 1.001.
-struct Onset {
-    /// Where plastic strain begins.
-    plastic: f64,
-    /// By the stress of an elastic press, which goes with √ω.
-    at_points: f64,
-    of_elements: f64,
-    of_coarse_elements: f64,
+/// The pressure at every ring of nodes against that of Hertz.
+fn profile(watch: &dyn Watch) -> Rows {
+    let scene = scene_on(16);
+    let hertz = Hertz::of(&scene);
+    let outcome = run_press(&scene, watch)?;
+    let rings = outcome.grid.r.iter().zip(&outcome.snapshots[0].pressure);
+    let off: Vec<f64> = rings
+        .map(|(&r, &p)| {
+            (p - pressure(hertz.peak_pressure, hertz.contact_radius, r)).abs() / hertz.peak_pressure
+        })
+        .collect();
+    let largest = off[1..].iter().copied().fold(0.0, f64::max);
+    let row = |name: &str, off: f64, tolerance| Row::new(name, off, Reference::exact(0.0, HERTZ), tolerance);
+    let ring = "nodal pressure of second order but for the last ring, whose cell the edge cuts";
+    Ok(vec![
+        row("largest error of p(r) over p0, 16 elements", largest, Tolerance::absolute(0.02, ring)),
+        row(
+            "error of p(0) over p0, 16 elements",
+            off[0],
+            Tolerance::absolute(0.025, "the apex has half a cell"),
+        ),
+    ])
 }
 
-fn onset(poisson: f64, elements: usize, watch: &dyn Watch) -> Result<Onset, SimulationError> {
+/// Interferences of the bisection, and the width of its last interval.
+const BRACKET: [f64; 2] = [0.8, 1.4];
+const BISECTED: f64 = 0.6 / 128.0;
+
+/// The von Mises stress is largest on the axis, 0.48 a deep at ν = 0.3. The integration points of an element all have its
+/// axial strain, so that those nearer to the surface yield first: of first order in the element. The means of elements
+/// are of second order.
+fn first_yield(elements: usize, poisson: f64, watch: &dyn Watch) -> Rows {
     const ELASTIC: f64 = 0.5;
     let pressed = |interference: f64| {
         let mesh = mesh(elements, 4);
         press(&scene(plain_material(poisson), FrictionLaw::Frictionless, interference, mesh), watch)
     };
-    let [coarse, fine] = pressed(ELASTIC)?.largest_mises();
-    let by = |mises: f64| ELASTIC / (mises * mises);
-    let (mut elastic, mut plastic) = (0.8, 1.4);
+    // Of an elastic press, whose stresses go with √ω.
+    let [_, fine] = pressed(ELASTIC)?.largest_mises();
+    let by_means = ELASTIC / fine.of_elements.powi(2);
+    let [mut elastic, mut plastic] = BRACKET;
     while plastic - elastic > 1.01 * BISECTED {
         let middle = 0.5 * (elastic + plastic);
         match pressed(middle)?.contact().plastic_strain_max > 0.0 {
@@ -79,10 +128,19 @@ fn onset(poisson: f64, elements: usize, watch: &dyn Watch) -> Result<Onset, Simu
             false => elastic = middle,
         }
     }
-    Ok(Onset {
-        plastic: 0.5 * (elastic + plastic),
-        at_points: by(fine.at_points),
-        of_elements: by(fine.of_elements),
-        of_coarse_elements: by(coarse.of_elements),
-    })
+    let row = |name: &str, computed: f64, bound: f64, why| {
+        let name = format!("{name} over omega_c, nu = {poisson}, {elements} elements");
+        Row::new(name, computed, Reference::exact(1.0, YIELD), Tolerance::relative(bound, why))
+    };
+    let n = elements as f64;
+    let points = "first order, 0.4/n_c (10 % at 4 elements); half of the last bracket";
+    Ok(vec![
+        row("first plastic strain", 0.5 * (elastic + plastic), 0.4 / n + 0.5 * BISECTED, points),
+        row(
+            "first yield by element means",
+            by_means,
+            0.6 / (n * n) + 0.002,
+            "second order, 0.6/n_c^2; half space",
+        ),
+    ])
 }

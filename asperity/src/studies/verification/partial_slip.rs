@@ -1,20 +1,23 @@
 //! Tangential loading of an elastic sphere: stick, partial slip, gross slip.
 //!
-//! Constant shear strength: A. R. Savkoor, thesis, Delft (1987); A. Chateauminois & C. Fretigny,
-//! Eur. Phys. J. E 27, 221 (2008), doi 10.1140/epje/i2008-10376-5. Coulomb friction:
-//! R. D. Mindlin, J. Appl. Mech. 16, 259 (1949), doi 10.1115/1.4009973. ν = 0.499, where normal
-//! and tangential tractions of a rigid flat and a half space do not act on each other.
+//! Constant shear strength: A. R. Savkoor, thesis, Delft (1987); A. Chateauminois & C. Fretigny, Eur. Phys. J. E 27, 221
+//! (2008), doi 10.1140/epje/i2008-10376-5. Coulomb friction: R. D. Mindlin, J. Appl. Mech. 16, 259 (1949), doi
+//! 10.1115/1.4009973. ν = 0.499, where normal and tangential tractions of a rigid flat and a half space do not couple;
+//! ω₀ = 0.05 ω_c, a = 0.0001 R. The flat moves 1.3 times as far as gross slip takes.
+//!
+//! The references take the traction to be along the displacement of the flat. The slip is off that direction by an angle
+//! of order ν/(4 − 2ν) = 1/6 times the slipping share, of which the friction force loses the cosine: 0.2 %.
 
 use std::f64::consts::PI;
-use tables::quantity::Quantity;
 
 use tables::closed_forms::partial_slip::{constant_shear, mindlin, stick_stiffness};
+use tables::quantity::{Quantity, State};
 
-use super::setup::{Hertz, at_slip, last, mesh, plain_material, pressed, scene};
-use super::{Extent, Row, Rows};
+use super::setup::{Hertz, at_slip, last, mesh, plain_material, pressed, scalar, scene};
+use super::{Case, Computed, Cost, Reference, Row, Rows, Tolerance};
+use crate::discretisation::mesh::EDGE_SIZE;
 use crate::loading::slide::NO_STICK;
 use crate::scene::{FrictionLaw, Scene};
-use crate::simulate::accuracy::error_budget::edge_share;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
 
@@ -22,24 +25,99 @@ const POISSON: f64 = 0.499;
 /// τ₀ = f_τ σ_Y/√3 low enough that the body stays elastic.
 const STRENGTH_FACTOR: f64 = 0.1;
 const FRICTION: f64 = 0.05;
-/// Mesh and sectors are given: only the increments follow the accuracy. They are a fifth of the slip, as the curves are
-/// read between them along straight lines.
+/// Mesh and angles are given: only the increments, a fifth of the slip, follow the accuracy. The curves are read between
+/// them along straight lines.
 const ACCURACY: f64 = 0.009;
+/// Relative, of forces: the direction of slip.
+const DIRECTION: f64 = 0.002;
 
 const SAVKOOR: &str = "Savkoor 1987; Chateauminois & Fretigny 2008, doi 10.1140/epje/i2008-10376-5";
 const MINDLIN: &str = "Mindlin 1949, doi 10.1115/1.4009973";
-/// The references take the traction to be along the displacement of the flat; the slip is off by
-/// an angle of order ν/(4 − 2ν) = 1/6 times what is slipping, of which friction loses the cosine.
-const DIRECTION: f64 = 0.002;
-const WHY: &str = "traction along the slip, not along the flat's displacement";
-/// Of the stick area over the contact area: sticking is known ring by ring.
-const RING: &str = "sticking is a property of nodes: half a ring, and the direction of slip";
 
-pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
-    let elements = extent.elements();
-    let mut rows = shear(elements, watch)?;
-    rows.extend(coulomb(elements, watch)?);
-    Ok(rows)
+pub const CASES: [Case; 4] = [
+    Case::new("constant shear strength, 8 elements", Cost::Quick, |watch| shear(&ON_8, watch)),
+    Case::new("Coulomb friction, 8 elements", Cost::Quick, |watch| coulomb(&ON_8, watch)),
+    Case::new("constant shear strength, 16 elements", Cost::Long, |watch| shear(&ON_16, watch)),
+    Case::new("Coulomb friction, 16 elements", Cost::Long, |watch| coulomb(&ON_16, watch)),
+];
+
+/// Tolerances on a mesh.
+struct On {
+    elements: usize,
+    /// Of Q and the stiffness, relative.
+    force: f64,
+    /// Of energies over τ₀πa²δ_s.
+    energy: f64,
+    /// Of the displacement at which [`NO_STICK`] of the area sticks, relative: the stiffness, and half a ring.
+    inception: f64,
+}
+
+const ON_8: On = On { elements: 8, force: 0.024, energy: 0.015, inception: 0.04 };
+const ON_16: On = On { elements: 16, force: 0.01, energy: 0.006, inception: 0.018 };
+
+impl On {
+    fn row(
+        &self,
+        name: String,
+        computed: impl Into<Computed>,
+        reference: Reference,
+        tolerance: Tolerance,
+    ) -> Row {
+        Row::new(format!("{name}, {} elements", self.elements), computed, reference, tolerance)
+    }
+
+    fn force(&self) -> Tolerance {
+        Tolerance::relative(self.force, "mesh, 0.5 n_c^-1.5; direction of slip, 0.2 %")
+    }
+
+    fn inception(&self) -> Tolerance {
+        Tolerance::relative(self.inception, "mesh, 0.5 n_c^-1.5; half a ring of nodes")
+    }
+
+    /// Of c²/a²: half a ring of nodes at c. Ring spacings h fall from 1.6 a/n_c at the apex to a/(3 n_c) at the edge in
+    /// arithmetic progression, so that h² is linear in r.
+    fn stick(&self, stick_radius: f64) -> Tolerance {
+        const APEX: f64 = 1.6;
+        let spacing = (APEX * APEX - (APEX * APEX - EDGE_SIZE * EDGE_SIZE) * stick_radius).sqrt();
+        let half_ring = stick_radius * spacing / self.elements as f64;
+        Tolerance::absolute(half_ring, "sticking is a property of nodes: half a ring at c")
+    }
+
+    /// Q(u) and stick area over the forces and displacements of gross slip.
+    fn curves(&self, outcome: &Outcome, gross: &GrossSlip) -> Vec<Row> {
+        let rows = [0.25, 0.5, 0.75].map(|x| {
+            let at = |value: fn(State<'_>) -> f64| at_slip(outcome, x * gross.displacement, value);
+            let reference = |value: f64| Reference::exact(value, gross.source);
+            let q = at(|step| step[Quantity::Friction]) / gross.force;
+            let stick = at(|step| step[Quantity::StickFraction]);
+            let (law, stick_radius) = (gross.law, (gross.stick_radius)(x));
+            [
+                self.row(
+                    format!("{law}: Q over that of gross slip at u/u_s = {x}"),
+                    q,
+                    reference((gross.force_fraction)(x)).known_to(DIRECTION),
+                    self.force(),
+                ),
+                self.row(
+                    format!("{law}: c2/a2 at u/u_s = {x}"),
+                    stick,
+                    reference(stick_radius * stick_radius),
+                    self.stick(stick_radius),
+                ),
+            ]
+        });
+        rows.into_iter().flatten().collect()
+    }
+}
+
+/// Gross slip of a reference.
+struct GrossSlip {
+    law: &'static str,
+    force: f64,
+    displacement: f64,
+    force_fraction: fn(f64) -> f64,
+    stick_radius: fn(f64) -> f64,
+    source: &'static str,
 }
 
 fn scene_of(law: FrictionLaw, elements: usize) -> (Scene, Hertz) {
@@ -50,125 +128,98 @@ fn scene_of(law: FrictionLaw, elements: usize) -> (Scene, Hertz) {
     (scene, hertz)
 }
 
-/// The flat moves 1.3 times as far as gross slip takes.
 fn slide(mut scene: Scene, hertz: &Hertz, gross: f64, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
     scene.loading.slip_distance = 1.3 * gross / hertz.contact_radius;
     simulate(&scene, watch)
 }
 
-/// Rows of Q(u) and the stick radius; each outcome with its force and displacement of gross slip.
-fn curves(
-    law: &str,
-    runs: [(&Outcome, f64, f64); 2],
-    force: fn(f64) -> f64,
-    stick_radius: fn(f64) -> f64,
-    (elements, source): (usize, &'static str),
-) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for x in [0.25, 0.5, 0.75] {
-        let [fine, coarse] = runs.map(|(outcome, full, gross)| {
-            at_slip(outcome, x * gross, |step| step[Quantity::Friction]) / full
-        });
-        let name = format!("{law}: Q over that of gross slip at u/u_s = {x}");
-        // As that of the friction of a run: two meshes may place the edge wrongly by the same amount.
-        let error = (fine - coarse).abs() + 2.0 * edge_share(elements as f64) * fine;
-        rows.push(Row::new(name, fine, error, force(x), source).allow(DIRECTION, WHY));
-        let [fine, coarse] = runs.map(|(outcome, _, gross)| {
-            at_slip(outcome, x * gross, |step| step[Quantity::StickFraction]).sqrt()
-        });
-        let name = format!("{law}: c/a at u/u_s = {x}");
-        let row = Row::new(name, fine, (fine - coarse).abs(), stick_radius(x), source);
-        rows.push(row.allow_absolute(0.5 / elements as f64, RING));
-    }
-    rows
+/// The load of an uncoupled contact does not change while it slides.
+fn uncoupled(on: &On, law: &str, outcome: &Outcome) -> Row {
+    let reference = Reference::exact(1.0, "no coupling at nu = 0.5, Johnson 1985, sec. 5.4");
+    let change = last(outcome)[Quantity::Load] / pressed(outcome)[Quantity::Load];
+    let tolerance = Tolerance::relative(0.001, "coupling of order 1 - 2 nu = 0.2 % times Q/P < 0.3");
+    on.row(format!("{law}: P at the end over P of the press"), change, reference, tolerance)
 }
 
-fn shear(elements: usize, watch: &dyn Watch) -> Rows {
-    let run = |elements: usize, accuracy: f64| -> Result<_, SimulationError> {
-        let (mut scene, hertz) = scene_of(FrictionLaw::ShearStrength, elements);
-        scene.numerics.accuracy = accuracy;
-        let strength = STRENGTH_FACTOR * scene.material.yield_strength / 3f64.sqrt();
-        let (g, a) = (hertz.tangential_modulus, hertz.contact_radius);
-        let gross = constant_shear::gross_slip_displacement(strength, g, a);
-        let outcome = slide(scene, &hertz, gross, watch)?;
-        Ok((outcome, PI * a * a * strength, gross, stick_stiffness(g, a)))
+fn shear(on: &On, watch: &dyn Watch) -> Rows {
+    let (scene, hertz) = scene_of(FrictionLaw::ShearStrength, on.elements);
+    let strength = STRENGTH_FACTOR * scene.material.yield_strength / 3f64.sqrt();
+    let (g, a) = (hertz.tangential_modulus, hertz.contact_radius);
+    let gross = GrossSlip {
+        law: "constant shear",
+        force: PI * a * a * strength,
+        displacement: constant_shear::gross_slip_displacement(strength, g, a),
+        force_fraction: constant_shear::force_fraction,
+        stick_radius: constant_shear::stick_radius_fraction,
+        source: SAVKOOR,
     };
-    let (coarse, fine) = (run(elements / 2, ACCURACY)?, run(elements, ACCURACY)?);
-    let shorter = run(elements / 2, 0.0018)?;
-    let (_, full, gross, stiffness) = fine;
-    let (force, stick) = (constant_shear::force_fraction, constant_shear::stick_radius_fraction);
-    let runs = [(&fine.0, full, gross), (&coarse.0, full, gross)];
-    let mut rows = curves("constant shear", runs, force, stick, (elements, SAVKOOR));
-    let mut add = |name: &str, of: &dyn Fn(&Outcome) -> f64, reference: f64, unit| {
-        let (fine, coarse, shorter) = (of(&fine.0), of(&coarse.0), of(&shorter.0));
-        // Of the mesh, and of the increments.
-        let error = (fine - coarse).abs() + (coarse - shorter).abs();
-        let row = Row::new(format!("constant shear: {name}"), fine, error, reference, SAVKOOR);
-        rows.push(row.unit(unit).allow(DIRECTION, WHY));
+    let outcome = slide(scene, &hertz, gross.displacement, watch)?;
+    let mut rows = on.curves(&outcome, &gross);
+    let mut add = |name: &str, computed: Computed, reference: f64, unit, tolerance| {
+        let reference = Reference::exact(reference, SAVKOOR).known_to(DIRECTION);
+        rows.push(on.row(format!("constant shear: {name}"), computed, reference, tolerance).unit(unit));
     };
+    let first = outcome.slide.state(1);
     add(
         "stiffness 8G*a",
-        &|run| run.slide.state(1)[Quantity::Friction] / run.slide.state(1)[Quantity::Slip],
-        stiffness,
+        (first[Quantity::Friction] / first[Quantity::Slip]).into(),
+        stick_stiffness(g, a),
         "N m-1",
+        on.force(),
     );
-    let sliding = |run: &Outcome| last(run)[Quantity::Friction] * (last(run)[Quantity::Slip] - gross);
-    let unit = full * gross;
+    // Beyond gross slip the stored energy stays, and work and dissipation grow alike.
+    let end = last(&outcome);
+    let sliding = end[Quantity::Friction] * (end[Quantity::Slip] - gross.displacement);
+    let unit = gross.force * gross.displacement;
     let (work, stored, dissipated) = constant_shear::energies_at_gross_slip();
-    add(
-        "work to gross slip over its unit",
-        &|run| (last(run)[Quantity::Work] - sliding(run)) / unit,
-        work,
-        "1",
-    );
-    add(
-        "dissipation over its unit",
-        &|run| (last(run)[Quantity::DissipationFriction] - sliding(run)) / unit,
-        dissipated,
-        "1",
-    );
-    // What is stored is the small difference of the two: no better known than the work, whose error
-    // falls with order 1.5.
-    let works = [&fine, &coarse].map(|run| (last(&run.0)[Quantity::Work] - sliding(&run.0)) / unit);
-    let energies = [&fine, &coarse].map(|run| last(&run.0)[Quantity::EnergyElastic] / unit);
-    let error = (energies[0] - energies[1]).abs().max(0.547 * (works[0] - works[1]).abs());
-    let name = "constant shear: stored energy over its unit";
-    rows.push(Row::new(name, energies[0], error, stored, SAVKOOR).allow(DIRECTION, WHY));
+    for (name, computed, reference) in [
+        ("work to gross slip over its unit", end[Quantity::Work] - sliding, work),
+        ("stored energy over its unit", end[Quantity::EnergyElastic], stored),
+        ("dissipation over its unit", end[Quantity::DissipationFriction] - sliding, dissipated),
+    ] {
+        let tolerance = Tolerance::absolute(on.energy, "that of Q times Q u_s");
+        add(name, (computed / unit).into(), reference, "1", tolerance);
+    }
     // Inception counts from where NO_STICK of the area still sticks: c²/a² = 1 − u²/u_s².
-    let slip = fine.0.scalars[Quantity::InceptionSlip];
-    let name = "constant shear: displacement where a hundredth sticks";
-    let row = Row::new(name, slip.value, slip.error, gross * (1.0 - NO_STICK).sqrt(), SAVKOOR);
-    rows.push(row.unit("m").allow(DIRECTION + 0.5 * ring(elements), RING));
+    let inception = gross.displacement * (1.0 - NO_STICK).sqrt();
+    let slip = scalar(&outcome, Quantity::InceptionSlip);
+    add("displacement where a hundredth sticks", slip.into(), inception, "m", on.inception());
+    let stress = end[Quantity::Friction] / end[Quantity::Area] / strength;
+    let tolerance = Tolerance::relative(0.001, "mean square of the angles of slip");
+    add("Q/A over tau_0 in gross slip", stress.into(), 1.0, "1", tolerance);
+    rows.push(uncoupled(on, "constant shear", &outcome));
     Ok(rows)
 }
 
-fn coulomb(elements: usize, watch: &dyn Watch) -> Rows {
+fn coulomb(on: &On, watch: &dyn Watch) -> Rows {
     let law = FrictionLaw::Coulomb { friction: FRICTION, cap: false };
-    let run = |elements: usize| -> Result<_, SimulationError> {
-        let (scene, hertz) = scene_of(law.clone(), elements);
-        let (g, a) = (hertz.tangential_modulus, hertz.contact_radius);
-        let gross = mindlin::gross_slip_displacement(FRICTION, hertz.load, g, a);
-        let outcome = slide(scene, &hertz, gross, watch)?;
-        // The computed P sets the scale of Coulomb friction.
-        let load = pressed(&outcome)[Quantity::Load];
-        let gross = mindlin::gross_slip_displacement(FRICTION, load, g, a);
-        Ok((outcome, FRICTION * load, gross))
+    let (scene, hertz) = scene_of(law, on.elements);
+    let (g, a) = (hertz.tangential_modulus, hertz.contact_radius);
+    let displacement = |load: f64| mindlin::gross_slip_displacement(FRICTION, load, g, a);
+    let outcome = slide(scene, &hertz, displacement(hertz.load), watch)?;
+    // The computed P sets the scale of Coulomb friction.
+    let load = pressed(&outcome)[Quantity::Load];
+    let gross = GrossSlip {
+        law: "Coulomb",
+        force: FRICTION * load,
+        displacement: displacement(load),
+        force_fraction: mindlin::force_fraction,
+        stick_radius: mindlin::stick_radius_fraction,
+        source: MINDLIN,
     };
-    let (coarse, fine) = (run(elements / 2)?, run(elements)?);
-    let runs = [(&fine.0, fine.1, fine.2), (&coarse.0, coarse.1, coarse.2)];
-    let (force, stick) = (mindlin::force_fraction, mindlin::stick_radius_fraction);
-    let mut rows = curves("Coulomb", runs, force, stick, (elements, MINDLIN));
-    let slips = [&fine, &coarse].map(|run| run.0.scalars[Quantity::InceptionSlip].value / run.2);
-    let error = (slips[0] - slips[1]).abs();
+    let mut rows = on.curves(&outcome, &gross);
+    let exact = |value: f64| Reference::exact(value, MINDLIN).known_to(DIRECTION);
+    let slip = scalar(&outcome, Quantity::InceptionSlip);
+    let over = tables::law::Estimate {
+        value: slip.value / gross.displacement,
+        error: slip.error / gross.displacement,
+    };
     // c²/a² = 1 − u/u_s.
-    let name = "Coulomb: displacement where a hundredth sticks over u_s";
-    let row = Row::new(name, slips[0], error, 1.0 - NO_STICK, MINDLIN);
-    rows.push(row.allow(DIRECTION + ring(elements), RING));
+    let name = "Coulomb: displacement where a hundredth sticks over u_s".to_owned();
+    rows.push(on.row(name, over, exact(1.0 - NO_STICK), on.inception()));
+    let mu = last(&outcome)[Quantity::Friction] / last(&outcome)[Quantity::Load] / FRICTION;
+    let tolerance = Tolerance::relative(0.001, "mean square of the angles of slip");
+    rows.push(on.row("Coulomb: Q/P over mu in gross slip".to_owned(), mu, exact(1.0), tolerance));
+    rows.push(uncoupled(on, "Coulomb", &outcome));
     Ok(rows)
-}
-
-/// What half a ring makes of c²/a² where [`NO_STICK`] of the area sticks.
-fn ring(elements: usize) -> f64 {
-    let half = 0.5 / elements as f64;
-    half * (2.0 * NO_STICK.sqrt() + half)
 }

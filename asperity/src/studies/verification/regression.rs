@@ -1,20 +1,22 @@
-//! Values of this program itself in the limit of fine resolution: what changes them is found out.
+//! Values of this program itself in the limit of fine resolution.
 //!
-//! From runs of the scenes of `asperity honesty` with 16, 24, 32 and 48 elements per radius, 8 angles and increments of
-//! 0.075 of the slip (0.15 with 48), extrapolated with order 1.5; at 16 and 24 elements also with 16 angles, and at 16 with
-//! increments of 0.02, the effects of which are added. The doubt is by how much the limits from different meshes,
-//! angles and increments disagree.
+//! From runs of scenes of `asperity effectivity` with 16, 24, 32 and 48 elements per radius, 8 angles and increments of
+//! 0.075 of the slip (0.15 with 48), extrapolated with order 1.5; at 16 and 24 elements also with 16 angles, and at 16
+//! with increments of 0.02, the effects of which are added. The uncertainty of a limit is by how much limits from
+//! different meshes, angles and increments differ.
 
-use super::{Extent, Row, Rows};
-use crate::simulate::{Watch, simulate};
-use crate::studies::effectivity::scenes;
+use tables::law::Estimate;
 use tables::quantity::Quantity;
 
-const SOURCE: &str = "this program, limit of fine meshes, angles and increments";
-const WHY: &str = "what the limit is uncertain by";
+use super::setup::scalar;
+use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use crate::simulate::{Watch, simulate};
+use crate::studies::effectivity::scenes;
 
-/// Preset, ω₀/ω_c, V (m/s); μ, μ_static, G (J/m²), T_max − T₀ (K), each with its relative doubt.
-struct Fixed {
+const SOURCE: &str = "this program, limit of fine meshes, angles and increments";
+
+/// Preset, ω₀/ω_c, V (m/s); μ, μ_static, G (J/m²), T_max − T₀ (K), each with its relative uncertainty.
+struct Limits {
     scene: (&'static str, f64, f64),
     mu: (f64, f64),
     mu_static: (f64, f64),
@@ -22,60 +24,84 @@ struct Fixed {
     rise: (f64, f64),
 }
 
-const FIXED: [Fixed; 3] = [
-    Fixed {
+const LIMITS: [Limits; 3] = [
+    Limits {
         scene: ("steel-4340", 20.0, 1.0),
         mu: (0.2349, 0.0015),
         mu_static: (0.2554, 0.0015),
         energy: (152.8, 0.004),
         rise: (148.58, 0.0003),
     },
-    Fixed {
+    Limits {
         scene: ("titanium-6al4v", 3.0, 0.0),
         mu: (0.3861, 0.0012),
         mu_static: (0.3844, 0.0015),
         energy: (100.7, 0.005),
         rise: (0.0, 0.0),
     },
-    Fixed {
+    Limits {
         scene: ("aluminium-6061", 20.0, 10.0),
         mu: (0.2632, 0.0025),
         mu_static: (0.3087, 0.002),
-        // Single runs are up to 1.5 % apart, as the last points let go here or there: with 8 angles 259.4, 262.7, 264.5,
-        // 262.3, 260.6, 259.3, 258.4, 258.6, 260.8, 262.2 and 262.5 on 16 to 48 elements (mean 261.0, its standard error
-        // 0.6), with 12 or 16 angles 258.3, 258.9, 259.4, 259.6 and 263.2 on 16 to 22 (259.9 and 0.9). The doubt is twice
-        // the standard error of both.
+        // Mean of 16 runs between 16 and 48 elements, which scatter by 1.5 % with the slip at which the last points let go;
+        // the uncertainty is twice the standard error.
         energy: (260.5, 0.004),
         rise: (153.49, 0.0005),
     },
 ];
 
-pub fn rows(extent: Extent, watch: &dyn Watch) -> Rows {
-    let chosen = match extent {
-        Extent::Quick => &FIXED[..1],
-        Extent::Full => &FIXED,
+pub const CASES: [Case; 2] = [
+    Case::new("4340 steel, 8 elements", Cost::Quick, |watch| rows(&LIMITS[0], &ON_8, watch)),
+    Case::new("three metals, 16 elements", Cost::Long, |watch| {
+        let rows = LIMITS.iter().map(|limits| rows(limits, &ON_16, watch)).collect::<Result<Vec<_>, _>>()?;
+        Ok(rows.concat())
+    }),
+];
+
+/// Tolerances on a mesh, relative; that of a limit is added.
+struct On {
+    elements: usize,
+    friction: Tolerance,
+    energy: Tolerance,
+    rise: Tolerance,
+}
+
+const FRICTION: &str = "mesh, 0.5 n_c^-1.5; limit";
+const ENERGY: &str = "three times the mesh error of Q: a difference of two works; limit";
+const RISE: &str = "edge of the contact, 0.047/n_c; limit";
+
+const ON_8: On = On {
+    elements: 8,
+    friction: Tolerance::relative(0.0235, FRICTION),
+    energy: Tolerance::relative(0.07, ENERGY),
+    rise: Tolerance::relative(0.0065, RISE),
+};
+const ON_16: On = On {
+    elements: 16,
+    friction: Tolerance::relative(0.01, FRICTION),
+    energy: Tolerance::relative(0.03, ENERGY),
+    rise: Tolerance::relative(0.0035, RISE),
+};
+
+fn rows(limits: &Limits, on: &On, watch: &dyn Watch) -> Rows {
+    let (preset, interference, slip_rate) = limits.scene;
+    let scene = scenes::scene(preset, interference, slip_rate, on.elements);
+    let outcome = simulate(&scene, watch)?;
+    let name = scenes::name(preset, interference, slip_rate);
+    let row = |quantity: &str, computed: Estimate, (limit, uncertainty): (f64, f64), tolerance| {
+        let name = format!("{quantity}, {name}, {} elements", on.elements);
+        Row::new(name, computed, Reference::exact(limit, SOURCE).known_to(uncertainty), tolerance)
     };
-    let mut rows = Vec::new();
-    for fixed in chosen {
-        let (preset, interference, slip_rate) = fixed.scene;
-        let scene = scenes::scene(preset, interference, slip_rate, extent.elements());
-        let scalars = simulate(&scene, watch)?.scalars;
-        let start = scene.loading.temperature;
-        let name = scenes::name(preset, interference, slip_rate);
-        let mut row = |quantity: &str, unit, value: f64, error: f64, (reference, doubt): (f64, f64)| {
-            let row = Row::new(format!("{quantity}, {name}"), value, error, reference, SOURCE);
-            rows.push(row.unit(unit).allow(doubt, WHY));
-        };
-        let (mu, still, energy) =
-            (scalars[Quantity::Mu], scalars[Quantity::MuStatic], scalars[Quantity::EnergyRelease]);
-        row("mu", "1", mu.value, mu.error, fixed.mu);
-        row("mu_static", "1", still.value, still.error, fixed.mu_static);
-        row("G", "J m-2", energy.value, energy.error, fixed.energy);
-        if fixed.rise.0 == 0.0 {
-            continue;
-        }
-        let hottest = scalars[Quantity::TemperatureMax];
-        row("T_max - T_0", "K", hottest.value - start, hottest.error, fixed.rise);
+    let of = |quantity| scalar(&outcome, quantity);
+    let mut rows = vec![
+        row("mu", of(Quantity::Mu), limits.mu, on.friction),
+        row("mu_static", of(Quantity::MuStatic), limits.mu_static, on.friction),
+        row("G", of(Quantity::EnergyRelease), limits.energy, on.energy).unit("J m-2"),
+    ];
+    if limits.rise.0 > 0.0 {
+        let hottest = of(Quantity::TemperatureMax);
+        let rise = Estimate { value: hottest.value - scene.loading.temperature, error: hottest.error };
+        rows.push(row("T_max - T_0", rise, limits.rise, on.rise).unit("K"));
     }
     Ok(rows)
 }

@@ -1,6 +1,7 @@
 //! Scenes of the cases, and what is read from their outcomes.
 
 use tables::closed_forms::{hertz, partial_slip};
+use tables::law::Estimate;
 use tables::quantity::{Quantity, State};
 
 use crate::scene::file::parse_scene;
@@ -9,6 +10,7 @@ use crate::scene::{
     Numerics, Scene, Softening, Switch,
 };
 use crate::simulate::outcome::Outcome;
+use crate::simulate::{SimulationError, Watch, simulate};
 
 /// Steel-like material without hardening, thermal expansion or softening.
 ///
@@ -30,14 +32,20 @@ pub fn plain_material(poisson_ratio: f64) -> Material {
     }
 }
 
-/// The shipped 4340 steel (Johnson & Cook 1985), with its hardening and softening.
-pub fn steel_4340() -> Material {
-    let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-                [loading]\ninterference = 1\nslip_rate = 1\n";
-    parse_scene(text, "steel-4340", &[]).expect("the preset is a material").material
+/// A shipped material.
+pub fn preset(name: &str) -> Material {
+    let text = format!(
+        "[material]\npreset = \"{name}\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 1\nslip_rate = 1\n"
+    );
+    parse_scene(&text, name, &[]).expect("the preset is a material").material
 }
 
-/// Sphere of 1 mm under the given law, at slip rate 0 and `interference` in ω_c; slides hardly.
+/// The shipped 4340 steel (Johnson & Cook 1985), with its hardening and softening.
+pub fn steel_4340() -> Material {
+    preset("steel-4340")
+}
+
+/// Sphere of 1 mm under the given law, at slip rate 0 and `interference` in ω_c; hardly slides.
 pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh) -> Scene {
     Scene {
         material,
@@ -81,6 +89,18 @@ pub const fn mesh(elements: usize, sectors: usize) -> Mesh {
     Mesh { elements, sectors }
 }
 
+/// The press of a scene, without a slide.
+pub fn run_press(scene: &Scene, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
+    let mut scene = scene.clone();
+    scene.loading.slip_distance = 0.0;
+    simulate(&scene, watch)
+}
+
+/// A scalar of a run with its error.
+pub fn scalar(outcome: &Outcome, quantity: Quantity) -> Estimate {
+    outcome.scalars[quantity]
+}
+
 /// State before any slip.
 pub fn pressed(outcome: &Outcome) -> State<'_> {
     outcome.slide.state(0)
@@ -88,7 +108,12 @@ pub fn pressed(outcome: &Outcome) -> State<'_> {
 
 /// State at the end of the slide.
 pub fn last(outcome: &Outcome) -> State<'_> {
-    outcome.slide.states().next_back().expect("a slide starts with the press")
+    outcome.slide.state(outcome.slide.len() - 1)
+}
+
+/// Largest value over the steps of the slide.
+pub fn largest(outcome: &Outcome, value: impl Fn(State<'_>) -> f64) -> f64 {
+    outcome.slide.states().skip(1).map(value).fold(0.0, f64::max)
 }
 
 /// Slide interpolated linearly in slip.

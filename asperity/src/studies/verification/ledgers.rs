@@ -1,0 +1,126 @@
+//! First law of thermodynamics at every step of a slide: work of the flat = elastic energy + plastic and frictional
+//! dissipation + work on thermal expansion + elastic energy given up by moduli that fall with temperature; heat in = heat
+//! stored + heat out.
+
+use tables::quantity::{Quantity, State};
+
+use super::setup::{largest, last, mesh, preset, scene, steel_4340};
+use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use crate::scene::{FrictionLaw, Kinematics, Scene};
+use crate::simulate::outcome::Outcome;
+use crate::simulate::{Watch, simulate};
+
+const SOURCE: &str = "first law of thermodynamics";
+
+pub const CASES: [Case; 4] = [
+    Case::new("ledgers of a hot plastic slide", Cost::Quick, hot_plastic),
+    Case::new("ledgers with properties that depend on temperature", Cost::Medium, varying_properties),
+    Case::new("ledgers at finite strain", Cost::Medium, finite_strain),
+    Case::new("heat through the gap", Cost::Medium, through_the_gap),
+];
+
+/// 4340 steel at 3 m/s; half of the frictional heat and 0.9 of the plastic work heat the asperity.
+fn steel(interference: f64) -> Scene {
+    let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, interference, mesh(6, 8));
+    scene.interface.heat_partition = 0.5;
+    scene.interface.taylor_quinney = 0.9;
+    scene.loading.slip_rate = 3.0;
+    scene.loading.slip_distance = 0.5;
+    scene
+}
+
+/// |balance| over the largest of `terms`.
+fn missing(balance: f64, terms: &[f64]) -> f64 {
+    balance.abs() / terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()))
+}
+
+fn energy_missing(step: State<'_>) -> f64 {
+    use Quantity::*;
+    let parts =
+        [EnergyElastic, DissipationPlastic, DissipationFriction, WorkThermalExpansion, EnergyModuliSoftening];
+    let parts = parts.map(|quantity| step[quantity]);
+    let balance = step[Work] - parts.iter().sum::<f64>();
+    missing(balance, &[&parts[..], &[step[Work]]].concat())
+}
+
+fn heat_missing(step: State<'_>) -> f64 {
+    let terms = [step[Quantity::HeatIn], step[Quantity::HeatStored], step[Quantity::HeatOut]];
+    missing(terms[0] - terms[1] - terms[2], &terms)
+}
+
+fn row(name: &str, outcome: &Outcome, of: fn(State<'_>) -> f64, bound: f64) -> Row {
+    let tolerance = Tolerance::absolute(bound, "tolerance of the solver");
+    let name = format!("{name}, at any step, over the largest term");
+    Row::new(name, largest(outcome, of), Reference::exact(0.0, SOURCE), tolerance)
+}
+
+/// The energy ledger of a slide.
+pub(super) fn energy(name: &str, outcome: &Outcome, bound: f64) -> Row {
+    row(name, outcome, energy_missing, bound)
+}
+
+fn hot_plastic(watch: &dyn Watch) -> Rows {
+    let outcome = simulate(&steel(20.0), watch)?;
+    Ok(vec![
+        energy("energy missing", &outcome, 1e-6),
+        row("heat missing", &outcome, heat_missing, 1e-6),
+        generated("heat in over the heat generated", &outcome, 0.005),
+    ])
+}
+
+/// Carbon steel of EN 1993-1-2 so fast that the surface loses half of its strength and modulus and a third of its
+/// conductivity.
+fn varying_properties(watch: &dyn Watch) -> Rows {
+    let steel = preset("carbon-steel-en1993");
+    let mut scene = scene(steel, FrictionLaw::ShearStrength, 20.0, mesh(6, 8));
+    scene.interface.strength_factor = 0.9;
+    scene.interface.taylor_quinney = 0.9;
+    scene.loading.slip_rate = 300.0;
+    scene.loading.slip_distance = 1.0;
+    let outcome = simulate(&scene, watch)?;
+    Ok(vec![
+        energy("energy missing, properties over temperature", &outcome, 1e-6),
+        row("heat missing, properties over temperature", &outcome, heat_missing, 1e-10),
+    ])
+}
+
+/// At 50 ω_c in increments of a tenth of the slip.
+fn finite_strain(watch: &dyn Watch) -> Rows {
+    let mut scene = steel(50.0);
+    scene.model.kinematics = Kinematics::Finite;
+    // Increments alone: mesh and angles are given.
+    scene.numerics.accuracy = 0.002;
+    let outcome = simulate(&scene, watch)?;
+    let work = last(&outcome)[Quantity::Work];
+    // Trapezoidal work on a curved path: missing before gross slip, when little work has been done.
+    let off = largest(&outcome, |step| energy_missing(step) * step[Quantity::Work] / work);
+    Ok(vec![
+        Row::new(
+            "energy missing at finite strain, over the work of the slide",
+            off,
+            Reference::exact(0.0, SOURCE),
+            Tolerance::absolute(1e-7, "curvature of the forces within a step, third order"),
+        ),
+        row("heat missing at finite strain", &outcome, heat_missing, 1e-6),
+    ])
+}
+
+/// Heat in over f_h of the frictional and β of the plastic dissipation.
+fn generated(name: &str, outcome: &Outcome, bound: f64) -> Row {
+    const WHY: &str = "dissipation by the mean traction of a step, heat by that at its end";
+    let end = last(outcome);
+    let generated = 0.5 * end[Quantity::DissipationFriction] + 0.9 * end[Quantity::DissipationPlastic];
+    let reference = Reference::exact(1.0, "heat partition and Taylor-Quinney factor of the scene");
+    Row::new(name, end[Quantity::HeatIn] / generated, reference, Tolerance::relative(bound, WHY))
+}
+
+/// A conducting gap takes heat out and generates as much.
+fn through_the_gap(watch: &dyn Watch) -> Rows {
+    let mut scene = steel(20.0);
+    scene.interface.gap_conductance = 1e7;
+    let outcome = simulate(&scene, watch)?;
+    Ok(vec![
+        generated("heat in over the heat generated, h_g = 1e7 W/(m2 K)", &outcome, 0.01),
+        row("heat missing, h_g = 1e7 W/(m2 K)", &outcome, heat_missing, 1e-6),
+    ])
+}
