@@ -1,7 +1,7 @@
 //! `asperity verify`: every reference case, with its result.
 
 use asperity::simulate::SimulationError;
-use asperity::studies::verification::{Extent, GROUPS, Row};
+use asperity::studies::verification::{Cost, GROUPS, Row, Tally};
 use serde_json::json;
 use tables::numbers::{digits, plain};
 
@@ -13,12 +13,12 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
     if arguments.robustness {
         return super::robustness::robustness(arguments, display);
     }
-    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+    let most = if arguments.quick { Cost::Quick } else { Cost::Long };
     watch_for_interrupt();
     let progress = Progress::new(display);
-    let (mut groups, mut failed, mut all) = (Vec::new(), Vec::new(), 0);
+    let (mut groups, mut failed, mut all) = (Vec::new(), Vec::new(), Vec::new());
     for group in GROUPS {
-        let rows = match group.rows(extent, &progress) {
+        let rows = match group.rows(most, &progress) {
             Ok(rows) => rows,
             Err(SimulationError::Cancelled { .. }) => return Err(Failure::run("stopped on request")),
             // The other groups are run all the same.
@@ -27,19 +27,33 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
                 continue;
             }
         };
-        all += rows.len();
         failed.extend(rows.iter().filter(|row| !row.passes()).map(|row| row.quantity.clone()));
         if !display.json && !display.quiet {
             progress.aside(|| print(&table(group.name, &rows)));
         }
         groups.push(json!({ "group": group.name, "rows": rows.iter().map(as_json).collect::<Vec<_>>() }));
+        all.extend(rows);
     }
     progress.clear();
     let passed = failed.is_empty();
+    let tally = Tally::of(&all);
     if display.json {
-        print(&format!("{:#}\n", json!({ "passed": passed, "failed": failed, "groups": groups })));
+        print(&format!(
+            "{:#}\n",
+            json!({
+                "passed": passed,
+                "failed": failed,
+                "rows": tally.rows,
+                "stated_errors": tally.stated,
+                "stated_errors_that_cover": tally.covered,
+                "groups": groups,
+            })
+        ));
     } else if !display.quiet {
-        print(&format!("{} of {all} rows pass\n", all - failed.len().min(all)));
+        print(&format!(
+            "{} of {} rows pass; {} of {} stated errors cover the deviation\n",
+            tally.passed, tally.rows, tally.covered, tally.stated
+        ));
     }
     match passed {
         true => Ok(()),
@@ -47,33 +61,36 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
     }
 }
 
-/// Two lines a row: the numbers, and where the reference is from and differs.
+/// Two lines a row: the numbers and verdicts, and the source and tolerance.
 fn table(group: &str, rows: &[Row]) -> String {
     let mut text = format!("{group}\n");
     for row in rows {
         let verdict = if row.passes() { "pass" } else { "FAIL" };
         let unit = if row.unit == "1" { "" } else { row.unit };
         // Of a reference of zero the difference itself is shown.
-        let (scale, sign) = match row.reference {
+        let (scale, sign) = match row.reference.value {
             0.0 => (1.0, ""),
             reference => (100.0 / reference.abs(), " %"),
         };
+        let stated = row.stated_error.map_or(String::new(), |error| {
+            let covers = if row.covered() == Some(true) { "covers" } else { "DOES NOT COVER" };
+            format!("; stated error {}{sign} {covers} it", digits(scale * error, 2))
+        });
         text += &format!(
-            "  {verdict}  {}: {} {unit}, reference {} {unit}; off by {}{sign}, estimated error {}{sign}\n",
+            "  {verdict}  {}: {} {unit}, reference {} {unit}; off by {}{sign}{stated}\n",
             row.quantity,
             plain(row.computed),
-            plain(row.reference),
-            digits(scale * row.difference(), 2),
-            digits(scale * row.error, 2),
+            plain(row.reference.value),
+            digits(scale * row.deviation(), 2),
         )
         .replace(" ,", ",")
         .replace(" ;", ";");
-        text += &format!("        {}", row.source);
-        if row.allowance.bound > 0.0 {
-            text +=
-                &format!("; {}: {}{sign} allowed", row.allowance.why, digits(scale * row.allowance.bound, 2));
-        }
-        text.push('\n');
+        text += &format!(
+            "        {}; tolerance {}{sign}: {}\n",
+            row.reference.source,
+            digits(scale * row.allowed(), 2),
+            row.tolerance.reason
+        );
     }
     text
 }
@@ -83,12 +100,14 @@ fn as_json(row: &Row) -> serde_json::Value {
         "quantity": row.quantity,
         "unit": row.unit,
         "computed": row.computed,
-        "reference": row.reference,
-        "source": row.source,
-        "difference": row.difference(),
-        "estimated_error": row.error,
-        "allowed_difference": row.allowance.bound,
-        "allowed_because": row.allowance.why,
+        "reference": row.reference.value,
+        "reference_uncertainty": row.reference.uncertainty,
+        "source": row.reference.source,
+        "difference": row.deviation(),
+        "allowed_difference": row.allowed(),
+        "allowed_because": row.tolerance.reason,
         "passes": row.passes(),
+        "estimated_error": row.stated_error,
+        "covered": row.covered(),
     })
 }
