@@ -26,8 +26,8 @@ pub type Index = (usize, usize);
 /// A cell by its coordinates, which stay as they are when a grid gets more points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// Initial temperature, K, where that is an axis of the table.
-    pub temperature: Option<f64>,
+    /// Initial temperature, K.
+    pub temperature: f64,
     /// ω₀/ω_c.
     pub interference: f64,
     /// V, m/s.
@@ -101,8 +101,7 @@ struct Header {
 
 #[derive(Serialize, Deserialize)]
 struct Record {
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    temperature: Option<f64>,
+    temperature: f64,
     interference: f64,
     slip_rate: f64,
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -1,13 +1,13 @@
-//! Results by the coordinates of their cells, which outlive a change of the grid.
+//! Results by the coordinates of their cells, which stay when a grid gets more points.
 
 use std::collections::HashMap;
 
 use super::journal::{CellResult, Point};
 
-/// Initial temperature, interference and slip rate.
-type Key = (Option<u64>, u64, u64);
+/// Bits of initial temperature, interference and slip rate.
+type Key = [u64; 3];
 
-/// What has been run so far.
+/// The results so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Known(HashMap<Key, CellResult>);
 
@@ -21,7 +21,12 @@ impl Known {
     }
 }
 
-/// The numbers bit for bit: they are read as they were written.
+impl FromIterator<(Point, CellResult)> for Known {
+    fn from_iter<I: IntoIterator<Item = (Point, CellResult)>>(results: I) -> Self {
+        Self(results.into_iter().map(|(point, result)| (key(point), result)).collect())
+    }
+}
+
 fn key(point: Point) -> Key {
-    (point.temperature.map(f64::to_bits), point.interference.to_bits(), point.slip_rate.to_bits())
+    [point.temperature, point.interference, point.slip_rate].map(f64::to_bits)
 }

@@ -16,8 +16,6 @@ const ROWS_WORTH_A_PROBE: usize = 4;
 pub struct Layout<'a> {
     /// What the scenes of each initial temperature share.
     pub templates: &'a [Scene],
-    /// Whether the temperatures are an axis, of which points have a coordinate.
-    pub series: bool,
     pub interferences: &'a [f64],
     pub slip_rates: &'a [f64],
 }
@@ -35,15 +33,10 @@ impl<'a> Layout<'a> {
         self.interferences[row % self.interferences.len()]
     }
 
-    /// Initial temperature of a row, K, where that is an axis.
-    pub fn temperature(&self, row: usize) -> Option<f64> {
-        self.series.then(|| self.template(row).loading.temperature)
-    }
-
     /// A cell by its coordinates.
     pub fn point(&self, (i, j): Index) -> Point {
         Point {
-            temperature: self.temperature(i),
+            temperature: self.template(i).loading.temperature,
             interference: self.interference(i),
             slip_rate: self.slip_rates[j],
         }

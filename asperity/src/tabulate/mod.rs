@@ -1,8 +1,14 @@
-//! A grid of runs over interference and slip rate, at one or at several initial temperatures.
+//! Tables: a grid of runs over initial temperature, interference and slip rate.
 //!
-//! One press serves all slip rates of an interference. Every finished cell goes to a journal
-//! at once; an interrupted tabulation continues from there and ends with the same table. A
-//! cell's result does not depend on the other cells, nor on the number of threads.
+//! - `grid`: runs the cells; one press serves all slip rates of an interference. A result does not depend
+//!   on the other cells, nor on the number of threads.
+//! - `journal`: every finished cell is written at once; an interrupted tabulation continues from there and
+//!   ends with the same table.
+//! - `shard`: parts for separate machines. `cost`: run times, for shards and for the time left.
+//! - `cell`, `tabulation`: results as cells of a [`tables::table::Table`]. Points are added to a grid
+//!   by [`tables::refinement`].
+//!
+//! Uses `simulate`, `output` (provenance), `scene`. Book: "Tables".
 
 mod cell;
 mod cost;
@@ -11,22 +17,21 @@ mod journal;
 mod known;
 mod layout;
 mod shard;
-mod table;
+mod tabulation;
 
 use std::path::Path;
 
-use tables::refinement::{Goal, refine};
-use tables::table::{Axes, Slice, TableError};
+use tables::table::{Axes, TableError};
 
 pub use cell::{Finished, slip_grid};
 pub use journal::{CellResult, Index, Journal, JournalError, Point};
 pub use shard::Shard;
+pub use tabulation::Tabulation;
 
 use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{self, Pressed, SimulationError, Watch};
-use crate::solver::timings::Timings;
 use cost::CostModel;
 use grid::Work;
 use known::Known;
@@ -89,81 +94,6 @@ pub enum TabulateError {
         /// What the system said.
         reason: String,
     },
-}
-
-/// Results of a grid of runs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Tabulation {
-    /// What was asked.
-    pub request: Request,
-    /// The part of it that was to be run.
-    pub shard: Option<Shard>,
-    /// ω₀/ω_c, rising: those asked for and those added.
-    pub interferences: Vec<f64>,
-    /// V, m/s, rising: those asked for and those added.
-    pub slip_rates: Vec<f64>,
-    /// Slips s/a₀ of the histories.
-    pub slips: Vec<f64>,
-    /// Over interference (at several initial temperatures those of the first, then those of the next)
-    /// and slip rate; `None` where the cell was not run.
-    pub cells: Vec<Vec<Option<CellResult>>>,
-    /// Cells that were to be run.
-    pub wanted: Vec<Vec<bool>>,
-    /// Cells taken from the journal.
-    pub resumed: usize,
-}
-
-impl Tabulation {
-    /// Whether every cell that was to be run was, with or without success.
-    pub fn finished(&self) -> bool {
-        self.each().all(|((i, j), cell)| cell.is_some() || !self.wanted[i][j])
-    }
-
-    /// Cells that failed, with the reason.
-    pub fn failures(&self) -> impl Iterator<Item = (Index, &str)> {
-        self.each().filter_map(|(index, cell)| match cell {
-            Some(Err(reason)) => Some((index, reason.as_str())),
-            _ => None,
-        })
-    }
-
-    /// Cells with a result.
-    pub fn done(&self) -> impl Iterator<Item = (Index, &Finished)> {
-        self.each().filter_map(|(index, cell)| match cell {
-            Some(Ok(cell)) => Some((index, cell)),
-            _ => None,
-        })
-    }
-
-    /// Where the time of the cells that were run went, all together. A press that served several
-    /// slip rates counts in each.
-    pub fn timings(&self) -> Timings {
-        let mut sum = Timings::default();
-        self.done().for_each(|(_, finished)| sum.include(&finished.timings));
-        sum
-    }
-
-    /// Initial temperature of a row, K, if they are several; and its interference.
-    pub fn row(&self, i: usize) -> (Option<f64>, f64) {
-        let count = self.interferences.len();
-        (self.request.temperatures.get(i / count).copied(), self.interferences[i % count])
-    }
-
-    fn layout<'a>(&'a self, templates: &'a [Scene]) -> Layout<'a> {
-        Layout {
-            templates,
-            series: !self.request.temperatures.is_empty(),
-            interferences: &self.interferences,
-            slip_rates: &self.slip_rates,
-        }
-    }
-
-    fn each(&self) -> impl Iterator<Item = (Index, &Option<CellResult>)> {
-        self.cells
-            .iter()
-            .enumerate()
-            .flat_map(|(i, row)| row.iter().enumerate().map(move |(j, cell)| ((i, j), cell)))
-    }
 }
 
 /// Presses and slides; a trait so that tests can replace the simulation.
@@ -242,81 +172,58 @@ pub(crate) fn tabulate_with<S: Simulator>(
     }
     let (mut journal, found) =
         Journal::open(options.journal, &write_request(request), options.shard, options.resume)?;
-    let mut known = Known::default();
-    found.iter().for_each(|(point, result)| known.insert(*point, result.clone()));
+    let resumed = found.len();
+    let mut known: Known = found.into_iter().collect();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.jobs)
-        // As a thread waits for a slide it may start another on top of it.
+        // While a thread waits for a slide it may start another on its stack.
         .stack_size(32 << 20)
         .build()
         .map_err(|error| TabulateError::Threads { jobs: options.jobs, reason: error.to_string() })?;
     let slips = slip_grid(request.template.loading.slip_distance);
-    let mut last = Tabulation {
-        request: request.clone(),
-        shard: options.shard,
-        interferences: request.interferences.clone(),
-        slip_rates: request.slip_rates.clone(),
-        slips: slips.clone(),
-        cells: Vec::new(),
-        wanted: Vec::new(),
-        resumed: found.len(),
-    };
-    let start = last.first()?;
     let templates = request.templates();
-    let evaluate = |table: Slice| -> Result<Slice, Stop> {
-        let Axes { interference, slip_rate, .. } = table.axes();
-        last.interferences.clone_from(interference);
-        last.slip_rates.clone_from(slip_rate);
-        let layout = last.layout(&templates);
+    let mut axes = Axes {
+        interference: request.interferences.clone(),
+        slip_rate: request.slip_rates.clone(),
+        slip: slips.clone(),
+    };
+    loop {
+        let layout =
+            Layout { templates: &templates, interferences: &axes.interference, slip_rates: &axes.slip_rate };
         let costs = expected_costs(&layout);
         let wanted = options.shard.map_or(vec![true; costs.len()], |shard| shard.members(&costs));
         let work = Work { layout, slips: &slips, wanted: &wanted, jobs: options.jobs };
         grid::run(simulator, &work, (&mut known, &mut journal), &pool, watch)?;
-        let cell = |at: Index| known.get(layout.point(at)).cloned();
-        let row = |i: usize| (0..slip_rate.len()).map(|j| cell((i, j))).collect();
-        last.cells = (0..layout.rows()).map(row).collect();
-        last.wanted = wanted.chunks(slip_rate.len()).map(<[bool]>::to_vec).collect();
-        match last.finished() {
-            true => Ok(last.first()?),
-            false => Err(Stop::Asked),
+        let columns = axes.slip_rate.len();
+        let row = |i: usize| (0..columns).map(|j| known.get(layout.point((i, j))).cloned()).collect();
+        let tabulation = Tabulation {
+            request: request.clone(),
+            shard: options.shard,
+            cells: (0..layout.rows()).map(row).collect(),
+            wanted: wanted.chunks(columns).map(<[bool]>::to_vec).collect(),
+            interferences: axes.interference.clone(),
+            slip_rates: axes.slip_rate.clone(),
+            slips: slips.clone(),
+            resumed,
+        };
+        // Refined tables have one initial temperature.
+        let next = match request.goal {
+            Some(goal) if tabulation.finished() => goal.next_axes(&tabulation.slice(0, &templates[0])?),
+            _ => None,
+        };
+        match next {
+            Some(finer) => axes = finer,
+            None => return Ok((tabulation, journal)),
         }
-    };
-    // Without a tolerance there is one round.
-    let goal = request.goal.unwrap_or(Goal { tolerance: f64::INFINITY, most_cells: 0 });
-    match refine(start, &goal, evaluate) {
-        Ok(_) | Err(Stop::Asked) => Ok((last, journal)),
-        Err(Stop::Journal(error)) => Err(error.into()),
-        Err(Stop::Table(error)) => Err(error.into()),
     }
 }
 
-/// Why rounds of runs ended before their goal.
-enum Stop {
-    Asked,
-    Journal(JournalError),
-    Table(TableError),
-}
-
-impl From<JournalError> for Stop {
-    fn from(error: JournalError) -> Self {
-        Self::Journal(error)
-    }
-}
-
-impl From<TableError> for Stop {
-    fn from(error: TableError) -> Self {
-        Self::Table(error)
-    }
-}
-
-/// Of each cell, row-major, before anything is run: only ratios mean something.
+/// Of each cell, row-major, before anything is run; only ratios are meaningful.
 fn expected_costs(layout: &Layout<'_>) -> Vec<f64> {
     let largest = layout.interferences[layout.interferences.len() - 1];
     let model = CostModel::new(largest, layout.slip_rates.len());
     layout.cases().into_iter().map(|case| model.seconds(case)).collect()
 }
 
-#[cfg(test)]
-mod series_tests;
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! Scenes and table requests as TOML: overrides, presets, checks, reading and writing by serde.
 //!
-//! The types of [`crate::scene`] are the format: names, defaults, required keys. [`keys`] adds unit and
+//! The types of [`crate::scene`] are the format: names, defaults, required keys. `keys.rs` adds unit and
 //! range of each number. Below the keys of the file lie those of the preset, above them the overrides.
 //!
 //! A message about bad input is one line that names the file and the line (or the `--set`), the key, the

@@ -5,7 +5,7 @@ use crate::simulate::fake::{self, Fake};
 use crate::tabulate::cell::slip_grid;
 
 fn at(interference: f64, slip_rate: f64) -> Point {
-    Point { temperature: None, interference, slip_rate }
+    Point { temperature: 298.0, interference, slip_rate }
 }
 
 fn finished() -> Finished {
@@ -31,23 +31,6 @@ fn cells_come_back_bit_for_bit() {
     assert_eq!(cell, &finished());
     assert_eq!(numbers(&cell.cell), numbers(&finished().cell));
     assert_eq!(found[1], (at(100.0, 0.0), Err("did not\nconverge".into())));
-}
-
-#[test]
-fn records_carry_the_temperature_where_that_is_an_axis() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
-    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
-    let hot = Point { temperature: Some(0.1 + 500.2), ..at(1.0, 2.0) };
-    for point in [hot, at(1.0, 2.0)] {
-        journal.record(point, &Ok(finished())).unwrap();
-    }
-    drop(journal);
-    let text = std::fs::read_to_string(&path).unwrap();
-    let carry: Vec<bool> = text.lines().skip(1).map(|line| line.contains("temperature")).collect();
-    assert_eq!(carry, [true, false]);
-    let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
-    assert_eq!([found[0].0, found[1].0], [hot, at(1.0, 2.0)]);
 }
 
 #[test]

@@ -1,23 +1,96 @@
-//! A tabulation as a [`Table`]: axes, results, and what a reader of the file must know.
+//! Results of a tabulation, and the [`Table`] of them with its metadata.
 
 use tables::closed_forms::hertz;
+use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::refinement::{Goal, JUDGED};
 use tables::table::{Axes, Metadata, Slice, Table, TableError};
 
-use super::{Index, Tabulation};
+use super::cell::Finished;
+use super::journal::{CellResult, Index};
+use super::shard::Shard;
 use crate::output::provenance::{FINGERPRINT, SOURCE};
 use crate::scene::Scene;
-use crate::scene::file::write_request;
+use crate::scene::file::{Request, write_request};
 use crate::simulate::fracture::fracture_energy;
-use tables::numbers::plain;
+use crate::solver::timings::Timings;
 
+/// Results of a grid of runs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tabulation {
+    /// What was asked.
+    pub request: Request,
+    /// The part of it that was to be run.
+    pub shard: Option<Shard>,
+    /// ω₀/ω_c, rising: those asked for and those added.
+    pub interferences: Vec<f64>,
+    /// V, m/s, rising: those asked for and those added.
+    pub slip_rates: Vec<f64>,
+    /// Slips s/a₀ of the histories.
+    pub slips: Vec<f64>,
+    /// Over interference (at several initial temperatures those of the first, then those of the next)
+    /// and slip rate; `None` where the cell was not run.
+    pub cells: Vec<Vec<Option<CellResult>>>,
+    /// Cells that were to be run.
+    pub wanted: Vec<Vec<bool>>,
+    /// Cells taken from the journal.
+    pub resumed: usize,
+}
+
+impl Tabulation {
+    /// Whether every cell that was to be run was, with or without success.
+    pub fn finished(&self) -> bool {
+        self.each().all(|((i, j), cell)| cell.is_some() || !self.wanted[i][j])
+    }
+
+    /// Cells that failed, with the reason.
+    pub fn failures(&self) -> impl Iterator<Item = (Index, &str)> {
+        self.each().filter_map(|(index, cell)| match cell {
+            Some(Err(reason)) => Some((index, reason.as_str())),
+            _ => None,
+        })
+    }
+
+    /// Cells with a result.
+    pub fn done(&self) -> impl Iterator<Item = (Index, &Finished)> {
+        self.each().filter_map(|(index, cell)| match cell {
+            Some(Ok(cell)) => Some((index, cell)),
+            _ => None,
+        })
+    }
+
+    /// Time of the cells that were run by part of the computation, summed. A press that served several slip
+    /// rates counts in each.
+    pub fn timings(&self) -> Timings {
+        let mut sum = Timings::default();
+        self.done().for_each(|(_, finished)| sum.include(&finished.timings));
+        sum
+    }
+
+    /// Initial temperature of a row, K, if they are several; and its interference.
+    pub fn row(&self, i: usize) -> (Option<f64>, f64) {
+        let count = self.interferences.len();
+        (self.request.temperatures.get(i / count).copied(), self.interferences[i % count])
+    }
+
+    fn each(&self) -> impl Iterator<Item = (Index, &Option<CellResult>)> {
+        self.cells
+            .iter()
+            .enumerate()
+            .flat_map(|(i, row)| row.iter().enumerate().map(move |(j, cell)| ((i, j), cell)))
+    }
+}
+
+/// The table of the results.
 impl Tabulation {
     /// The table of all cells; `history` as in [`crate::output::provenance::history`]. Where points were
     /// added for a tolerance, errors include that of interpolation.
     pub fn table(&self, history: String) -> Result<Table, TableError> {
         let mut table = match self.goal_reached() {
-            Some(goal) => Table::from(self.first()?.with_interpolation_errors(goal.tolerance)),
+            Some(goal) => {
+                let slice = self.slice(0, &self.request.template)?;
+                Table::from(slice.with_interpolation_errors(goal.tolerance))
+            }
             None => self.filled()?,
         };
         table.set_provenance(&history, &self.shard());
@@ -32,18 +105,13 @@ impl Tabulation {
         Table::new(slices.collect::<Result<Vec<Slice>, TableError>>()?)
     }
 
-    /// The results as they are, those of the lowest temperature if there are several.
-    pub(super) fn first(&self) -> Result<Slice, TableError> {
-        self.slice(0, &self.request.templates()[0])
-    }
-
     /// The tolerance that points were added for, once all are run. Such a table has one initial temperature.
     fn goal_reached(&self) -> Option<Goal> {
         self.request.goal.filter(|_| self.finished())
     }
 
-    /// The table at the n-th initial temperature, of the scenes that share `template`.
-    fn slice(&self, n: usize, template: &Scene) -> Result<Slice, TableError> {
+    /// The results at the n-th initial temperature, of the scenes that share `template`.
+    pub(super) fn slice(&self, n: usize, template: &Scene) -> Result<Slice, TableError> {
         let axes = Axes {
             interference: self.interferences.clone(),
             slip_rate: self.slip_rates.clone(),
@@ -139,7 +207,7 @@ impl Tabulation {
     }
 }
 
-/// What interpolates worse than it should, where no more points were added.
+/// Quantities whose interpolation error exceeds the tolerance where no more points were added.
 fn shortfall(table: &Slice, goal: &Goal) -> Vec<String> {
     let validation = table.cross_validation();
     let text = |quantity: Quantity| {
