@@ -7,13 +7,11 @@
 use tables::closed_forms::hertz;
 
 use crate::material::{SHEAR_RATIO, Solid};
+use crate::scene::fitted_constants::heat_effect::LOAD_OF_EXPANSION;
 use crate::scene::{Scene, Switch};
 
 /// Heat is left out where its expected effect on friction is below this share of the asked accuracy.
 const NEGLIGIBLE_SHARE: f64 = 1e-3;
-/// Change of the load over (1 + ν)α Δθ a/ω: measured 2.1, 2.9 and 3.3 at 0.5, 5 and 40 omega_c (4340 and 1045 steel,
-/// copper).
-const LOAD_OF_EXPANSION: f64 = 3.0;
 
 /// What is done about heat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,14 +1,14 @@
 //! Sliding inception: the first state in which no contact point sticks, or the tangential stiffness
 //! dQ/ds is below 1 % of its first value, whichever comes first.
+//!
+//! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
+//! inception bracket Q is not smooth, as single points begin to slip.
 
 use super::slide::{NO_STICK, SlideState};
+use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
 
 /// Sliding has begun when dQ/ds is below this share of its first value.
 const STIFFNESS_SHARE: f64 = 0.01;
-/// dQ/ds is the secant over this share of the slip at least: in the short increments of the inception bracket Q is
-/// not smooth, as single points begin to slip. By increments one by one G of titanium at 10 omega_c and 1 m/s is 521,
-/// 454 and 509 J/m2 on 8, 16 and 32 elements, over this span 521, 524 and 526.
-const STIFFNESS_SPAN: f64 = 0.2;
 
 /// Which of the two criteria of sliding inception was met first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

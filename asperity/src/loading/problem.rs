@@ -8,15 +8,18 @@ use std::sync::Arc;
 use tables::closed_forms::hertz;
 use tables::closed_forms::jackson_green;
 
+use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::heat::conduction::ThermalProperties;
+use crate::interface::contact::Contact;
 use crate::material::Solid;
 use crate::scene::curve::Curve;
 use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene, TemperatureTable};
 use crate::solver::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
+use crate::solver::newton::Mechanics;
 
 pub use crate::material::SHEAR_RATIO;
 
@@ -144,5 +147,18 @@ impl Discretisation {
         let factors = HarmonicPattern::new(&mesh, FieldKind::Vector)?
             .factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m))?;
         Ok(Self { mesh, factors: Arc::new(factors) })
+    }
+
+    /// The axisymmetric state of a press (body, contact, displacement) at all angles.
+    pub fn revolve(
+        &self,
+        problem: &Problem,
+        (body, contact, displacement): (&Body, &Contact, &[f64]),
+        tolerance: f64,
+    ) -> Mechanics {
+        let body = Body::revolve(body, self.mesh.clone());
+        let contact = Contact::revolve(contact, &self.mesh, problem.contact_modulus);
+        let displacement = self.mesh.sectors.spread(displacement);
+        Mechanics::new(body, contact, self.factors.clone(), displacement, tolerance)
     }
 }

@@ -177,11 +177,11 @@ fn sector(inner: f64, outer: f64, (from, to): (f64, f64)) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simulate::fake::{self, Fake};
+    use crate::simulate::fake;
 
     /// Contact to the second of four rings, slipping at the first angle, sticking at the second.
     fn outcome() -> Outcome {
-        let mut outcome = Fake::outcome(&fake::scene(1.0, 1.0));
+        let mut outcome = fake::outcome(&fake::scene(1.0, 1.0));
         let unit = outcome.scalars[Quantity::ContactRadius].value;
         outcome.account.heat = true;
         outcome.grid = ContactGrid {

@@ -110,7 +110,7 @@ mod tests {
     use tables::figures::Scale;
 
     use super::*;
-    use crate::simulate::fake::{self, Fake};
+    use crate::simulate::fake;
 
     fn labels(sheet: &Sheet) -> Vec<&str> {
         fn label(drawing: &Drawing) -> &str {
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn figure_has_the_panels_and_units() {
         let scene = fake::scene(20.0, 1.0);
-        let mut outcome = Fake::outcome(&scene);
+        let mut outcome = fake::outcome(&scene);
         let cold = [
             "friction coefficient Q/P",
             "force (N)",
@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn a_run_without_steps_gives_an_empty_figure() {
         let scene = fake::scene(20.0, 1.0);
-        let mut outcome = Fake::outcome(&scene);
+        let mut outcome = fake::outcome(&scene);
         outcome.slide.truncate(0);
         let directory = tempfile::tempdir().unwrap();
         let figure = run_figure(&scene, &outcome);

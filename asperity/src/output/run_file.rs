@@ -226,7 +226,7 @@ fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)>
 mod tests {
     use super::*;
     use crate::scene::file::parse_scene;
-    use crate::simulate::fake::{self, Fake};
+    use crate::simulate::fake;
 
     fn write_fake(directory: &Path, outcome: &Outcome) -> std::path::PathBuf {
         let path = directory.join("run.nc");
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn file_has_the_variables_and_attributes_of_the_contract() {
         let directory = tempfile::tempdir().unwrap();
-        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
         let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
         let dimensions = |name: &str| -> Vec<String> {
             let variable = file.variable(name).unwrap_or_else(|| panic!("no {name}"));
@@ -282,7 +282,7 @@ mod tests {
     fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
         let directory = tempfile::tempdir().unwrap();
         let mut scene = fake::scene(20.0, 1.0);
-        let outcome = Fake::outcome(&scene);
+        let outcome = fake::outcome(&scene);
         let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
         assert!(file.variable("G_ratio").is_none());
         scene.material.fracture = Some(crate::scene::FractureData::Energy(500.0));
@@ -298,7 +298,7 @@ mod tests {
 
     #[test]
     fn two_files_of_one_outcome_are_the_same_bytes_and_leave_nothing_else() {
-        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
         let [first, second] = [(); 2].map(|()| {
             let directory = tempfile::tempdir().unwrap();
             let path = write_fake(directory.path(), &outcome);
@@ -311,7 +311,7 @@ mod tests {
     #[test]
     fn a_run_that_failed_at_once_still_gives_a_file() {
         let directory = tempfile::tempdir().unwrap();
-        let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
         outcome.slide.truncate(0);
         outcome.snapshots.clear();
         let file = netcdf::open(write_fake(directory.path(), &outcome)).unwrap();
@@ -321,7 +321,7 @@ mod tests {
 
     #[test]
     fn a_directory_that_does_not_exist_is_an_error() {
-        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
         let about = About { history: String::new(), incomplete: None };
         let path = Path::new("does/not/exist/run.nc");
         let error = write(path, &fake::scene(20.0, 1.0), &outcome, &about).unwrap_err();

@@ -8,6 +8,7 @@
 
 pub(crate) mod curve;
 pub mod file;
+pub(crate) mod fitted_constants;
 mod friction_law;
 mod material;
 pub mod presets;

@@ -72,14 +72,14 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simulate::fake::{self, Fake};
+    use crate::simulate::fake;
 
     /// Worked by hand: K_IIc = 50 MPa√m, E = 205 GPa, ν = 0.29 give 11.17 kJ/m²; σ_u = 1000 MPa,
     /// ε_u = 0.1 and a = 20 µm give π·(1.1e9)²·2e-5/205e9 = 370.9 J/m².
     #[test]
     fn recipes_give_the_numbers_worked_by_hand() {
         let mut scene = fake::scene(4.0, 1.0);
-        let outcome = Fake::outcome(&scene);
+        let outcome = fake::outcome(&scene);
         assert!(of_run(&scene, &outcome).is_empty());
         let radius = outcome.scalars[Quantity::ContactRadius];
         assert!((radius.value - 2e-5).abs() < 1e-18);

@@ -79,7 +79,10 @@ impl Display for StrainChoice {
         let Self { finite, expected, limit } = *self;
         match finite {
             true if expected.is_infinite() => {
-                write!(f, "finite strain: the interface is stronger than the body, which may shear far")
+                write!(
+                    f,
+                    "finite strain: the interface is at least as strong as the body, which may shear far"
+                )
             }
             true => write!(
                 f,

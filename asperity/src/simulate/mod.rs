@@ -204,3 +204,6 @@ fn slide_error(
         },
     }
 }
+
+#[cfg(test)]
+mod tests;

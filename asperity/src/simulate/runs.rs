@@ -9,10 +9,8 @@ use super::conditions::Conditions;
 use super::messages::{Note, slide_progress};
 use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
 use super::{SimulationError, Watch};
-use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
 use crate::heat::conduction::Conduction;
-use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
 use crate::loading::problem::Discretisation;
 use crate::loading::recording::{Fields, Recorder};
@@ -21,7 +19,7 @@ use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::values::Values;
-use crate::solver::newton::{Effort, Mechanics};
+use crate::solver::newton::Effort;
 use crate::solver::timings::{Kernel, Timings};
 
 /// One slide at one resolution, as far as it came, and the press that it started from.
@@ -93,7 +91,7 @@ impl Ladder {
 
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
     let [coarse, other_sectors, longer_steps, looser_solver] = runs else { return None };
-    runs.iter().all(|run| run.failure.is_none()).then(|| AuxiliaryRuns {
+    runs.iter().all(|run| run.failure.is_none()).then_some(AuxiliaryRuns {
         coarse: &coarse.values,
         other_sectors: &other_sectors.values,
         longer_steps: &longer_steps.values,
@@ -124,9 +122,15 @@ impl<'a> Runner<'a> {
         let mut start = self.pressed.resolution;
         let mut notes = Vec::new();
         loop {
-            let mut auxiliary = self.run_all(&start.auxiliary(), |done, standing| {
+            let [coarse, others @ ..] = start.auxiliary();
+            let progress_of_coarse = |done: f64, standing: &str| {
                 progress(AUXILIARY * done, &format!("coarse mesh: {standing}"));
-            })?;
+            };
+            let mut auxiliary = self.run_all(&[coarse], progress_of_coarse)?;
+            // Without the first of them errors are unknown, and the others are not needed.
+            if auxiliary[0].failure.is_none() {
+                auxiliary.extend(self.run_all(&others, progress_of_coarse)?);
+            }
             if let Some(wider) = self.wider(&start, &auxiliary, &mut notes) {
                 start = wider;
                 continue;
@@ -283,11 +287,8 @@ impl<'a> Runner<'a> {
     ) -> Result<Slide<'a>, SimulationError> {
         let Pressed { problem, .. } = self.pressed;
         let mesh = &discretisation.mesh;
-        let body = Body::revolve(&press.body, mesh.clone());
-        let contact = Contact::revolve(&press.contact, mesh, problem.contact_modulus);
-        let displacement = mesh.sectors.spread(&press.displacement);
-        let factors = discretisation.factors.clone();
-        let mechanics = Mechanics::new(body, contact, factors, displacement, resolution.tolerance);
+        let pressed = (&press.body, &press.contact, &press.displacement[..]);
+        let mechanics = discretisation.revolve(problem, pressed, resolution.tolerance);
         let heat = match self.conditions.heat.is_coupled() {
             false => None,
             true => {

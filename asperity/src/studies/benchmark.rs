@@ -13,7 +13,6 @@ use crate::material::lanes::Lanes;
 use crate::scene::Scene;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::solver::harmonic::SingleFactors;
-use crate::solver::newton::Mechanics;
 use crate::solver::preconditioner::Preconditioner;
 use crate::solver::timings::Timings;
 
@@ -78,14 +77,9 @@ impl Kernels {
         let (body, contact, displacement) = pressed.into_parts();
         let discretisation =
             Discretisation::new(&problem, size, Collocation::full(resolution.sectors)).expect("factors");
+        let mechanics =
+            discretisation.revolve(&problem, (&body, &contact, &displacement), resolution.tolerance);
         let mesh = discretisation.mesh;
-        let mechanics = Mechanics::new(
-            Body::revolve(&body, mesh.clone()),
-            Contact::revolve(&contact, &mesh, problem.contact_modulus),
-            discretisation.factors.clone(),
-            mesh.sectors.spread(&displacement),
-            resolution.tolerance,
-        );
         let mut slide = Slide::new(&problem, mechanics, None, 0.0, resolution.increments);
         slide.run(distance * radius, |_, _| true).expect("a slide that works");
         let steps = slide.history.len() - 1;

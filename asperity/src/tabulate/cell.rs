@@ -113,7 +113,7 @@ fn resample(outcome: &Outcome, slips: &[f64], temperature: f64) -> Vec<(Quantity
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simulate::fake::{self, Fake};
+    use crate::simulate::fake;
 
     #[test]
     fn slips_rise_from_zero_to_the_end() {
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn histories_start_unloaded_and_end_with_the_last_step() {
-        let outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
         let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
         let last = |quantity| outcome.slide.last(quantity).unwrap();
         let ends = |quantity| {
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn linear_histories_are_kept() {
-        let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
         let friction = outcome.slide.column(Quantity::Slip).iter().map(|slip| 3.0 * slip).collect();
         *outcome.slide.column_mut(Quantity::Friction) = friction;
         let radius = outcome.scalars[Quantity::ContactRadius].value;
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn nothing_is_invented_beyond_the_end_of_a_slide() {
-        let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
         outcome.slide.truncate(20);
         let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
         let friction = cell.history(Quantity::Friction);

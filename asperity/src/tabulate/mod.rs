@@ -12,6 +12,8 @@
 
 mod cell;
 mod cost;
+#[cfg(test)]
+mod fake;
 mod grid;
 mod journal;
 mod known;

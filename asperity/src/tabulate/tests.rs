@@ -9,7 +9,7 @@ use tables::table::{Metadata, Slice, Status, Table};
 use super::*;
 use crate::scene::file::parse_request;
 use crate::simulate::Unwatched;
-use crate::simulate::fake::Fake;
+use crate::tabulate::fake::Fake;
 
 const COPPER: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
 const GRID: &str = "[table]\ninterference = [1, 10, 100]\nslip_rate = [0.1, 1, 10]\n";

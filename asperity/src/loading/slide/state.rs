@@ -1,8 +1,8 @@
 //! State of a slide after an increment: forces, contact, and the totals of work and heat.
 //!
-//! Work of the flat = elastic energy + plastic dissipation + frictional dissipation + contact springs
-//! + work through thermal expansion + elastic energy given up as the moduli soften; heat in = heat
-//! stored + heat out.
+//! The work of the flat is the sum of elastic energy, plastic and frictional dissipation, energy of the
+//! contact springs, work done through thermal expansion, and elastic energy released as the moduli
+//! soften. Heat in is the sum of heat stored and heat out.
 
 use super::Slide;
 use super::coupling::Equilibrium;

@@ -1,41 +1,44 @@
-//! A step that is cut back leaves nothing behind.
+//! Cut-backs, the bracket of sliding inception, reversals and stops.
 
 use super::increments::INCEPTION_WIDTH;
 use super::*;
-use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::MeshSize;
-use crate::interface::contact::Contact;
 use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::press;
 use crate::loading::problem::Discretisation;
 use crate::scene::file::parse_scene;
-use crate::simulate::{Unwatched, simulate};
-use crate::studies::robustness;
-use tables::quantity::Quantity;
 
 /// A hot slide in plastic contact, coarse, ready to start.
 fn ready(problem: &Problem) -> Slide<'_> {
     let size = MeshSize::new(problem.expected_contact_radius(), 4);
     let (pressed, _) = press::press_on(problem, size, 8).unwrap();
     let (body, contact, displacement) = pressed.into_parts();
-    let Discretisation { mesh, factors } = Discretisation::new(problem, size, Collocation::full(4)).unwrap();
-    let conduction = Conduction::new(&mesh, problem.heat_capacity).unwrap();
-    let displacement = mesh.sectors.spread(&displacement);
-    let body = Body::revolve(&body, mesh.clone());
-    let contact = Contact::revolve(&contact, &mesh, problem.contact_modulus);
-    let mechanics = Mechanics::new(body, contact, factors, displacement, NEWTON_TOLERANCE);
+    let discretisation = Discretisation::new(problem, size, Collocation::full(4)).unwrap();
+    let conduction = Conduction::new(&discretisation.mesh, problem.heat_capacity).unwrap();
+    let mechanics = discretisation.revolve(problem, (&body, &contact, &displacement), NEWTON_TOLERANCE);
     let increments = Increments { growth: 0.3, coupling_limit: 4 };
     // VR/κ of 1 m/s, steel and 1 mm.
     Slide::new(problem, mechanics, Some(conduction), 80.0, increments)
+}
+
+/// A steel that does not harden, as strong as its interface, at 5 ω_c and 1 m/s.
+fn problem_of(changes: &[&str]) -> Problem {
+    let text = "[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 400e6\n\
+                hardening = { law = \"none\" }\ndensity = 7850.0\nspecific_heat = 475.0\n\
+                thermal_conductivity = 45.0\nthermal_expansion = 1.2e-5\n\
+                softening = { law = \"johnson-cook\", reference = 298.0, melting = 1793.0, exponent = 1.0 }\n\
+                [asperity]\nradius = 1e-3\n\
+                [loading]\ninterference = 5.0\nslip_rate = 1.0\nslip_distance = 0.5\n";
+    let set: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
+    Problem::new(&parse_scene(text, "this test", &set).unwrap())
 }
 
 /// Forty steps are cut back once after it was solved; the same small steps without any cut-back give
 /// the same numbers to the last bit.
 #[test]
 fn a_cut_back_restores_the_history_completely() {
-    let case = robustness::all().into_iter().find(|case| case.name == "interference-5").unwrap();
-    let problem = Problem::new(&case.scene().unwrap());
+    let problem = problem_of(&[]);
     let mut forced = ready(&problem);
     forced.rejecting = 80;
     // Its search would start steps elsewhere.
@@ -64,8 +67,7 @@ fn a_cut_back_restores_the_history_completely() {
 /// no attempt that leapt it leaves anything behind: work and energies still balance.
 #[test]
 fn sliding_inception_is_enclosed() {
-    let case = robustness::all().into_iter().find(|case| case.name == "interference-5").unwrap();
-    let problem = Problem::new(&case.scene().unwrap());
+    let problem = problem_of(&[]);
     let mut slide = ready(&problem);
     slide.run(0.1 * problem.expected_contact_radius(), |_, _| true).unwrap();
     let begun = slide.history.iter().position(|state| state.stick_fraction < NO_STICK).unwrap();
@@ -91,12 +93,6 @@ fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
         let guess = slide.predictor();
         assert!(matches!(slide.step(from, to, guess), Ok(Attempt::Taken)));
     }
-}
-
-fn problem_of(changes: &[&str]) -> Problem {
-    let case = robustness::all().into_iter().find(|case| case.name == "interference-5").unwrap();
-    let set = case.set.iter().cloned().chain(changes.iter().map(|change| change.to_string())).collect();
-    Problem::new(&robustness::RobustnessCase { set, ..case }.scene().unwrap())
 }
 
 /// To and fro in elastic contact, at a shear limit that does not change: friction turns round in full, and
@@ -162,21 +158,4 @@ fn a_slide_that_stops_cools_and_restarts() {
     let spent = again.elastic + again.plastic + again.friction_work + again.thermal_expansion;
     let off = again.work - spent - again.moduli_softening - again.springs;
     assert!(off.abs() < 1e-3 * again.work, "{off} of {}", again.work);
-}
-
-/// A point at the edge that its own friction pushes off the flat, and that comes back without it: no equilibrium is
-/// between the two for any increment, and steps were cut back for ever.
-#[test]
-fn chattering_points_do_not_cut_steps_back() {
-    let text = "[material]\npreset = \"steel-304\"\n[asperity]\nradius = 1e-3\n\
-                [loading]\ninterference = 0.2\nslip_rate = 0\n[model]\nkinematics = \"small\"\n\
-                [numerics]\nelements_per_radius = 8\nsectors = 8\naccuracy = 0.5\n";
-    let scene = parse_scene(text, "this test", &[]).unwrap();
-    let outcome = simulate(&scene, &Unwatched).unwrap();
-    assert_eq!(outcome.account.cutbacks, 0);
-    // What such a point loses is far below what the mesh leaves open.
-    let finer = parse_scene(text, "this test", &["numerics.elements_per_radius=12".into()]).unwrap();
-    let finer = simulate(&finer, &Unwatched).unwrap().scalars[Quantity::Mu];
-    let mu = outcome.scalars[Quantity::Mu];
-    assert!((mu.value - finer.value).abs() < mu.error, "{mu:?} {finer:?}");
 }

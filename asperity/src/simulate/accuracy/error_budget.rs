@@ -13,6 +13,7 @@
 use tables::quantity::Quantity;
 
 use crate::discretisation::mesh::EDGE_SIZE;
+use crate::scene::fitted_constants::error_estimates::{EDGE_OF_SPACING, ORDER, ORDER_OF_ELASTIC_FRICTION};
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::values::Values;
@@ -232,18 +233,13 @@ pub fn of_press(
     [mesh + power * edge_share(elements) * fine.abs(), steps]
 }
 
-/// What the edge of the contact after the press, found between two rings of nodes, leaves open of
-/// the radius, relative to it: a share of the ring spacing (measured on elastic and full-stick
-/// presses).
+/// Uncertainty of the contact radius after the press, relative, as the edge lies between two rings of
+/// nodes: a share of the ring spacing.
 pub fn edge_share(elements_per_radius: f64) -> f64 {
-    const OF_SPACING: f64 = 0.06;
-    OF_SPACING * EDGE_SIZE / elements_per_radius
+    EDGE_OF_SPACING * EDGE_SIZE / elements_per_radius
 }
 
-/// Of a quantity, relative: the edge's place is as uncertain after the slide as after the press
-/// (half of that leaves more true errors above 1.5 times the estimate, 2.5 times as much makes the
-/// estimates three times the errors: chosen among these three by the same scenes that
-/// `asperity honesty` judges the estimates by).
+/// Of a quantity, relative: the place of the edge is as uncertain after the slide as after the press.
 fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
     use Quantity::*;
     let edge = edge_share(elements_per_radius);
@@ -263,12 +259,7 @@ fn sectors_share(sectors: usize, others: usize) -> f64 {
     1.0 / ((sectors as f64 / others as f64).powi(2) - 1.0).abs().max(0.5)
 }
 
-/// Of convergence in the elements: that of the square-root edge of the pressure.
-const ORDER: f64 = 1.5;
-/// Of friction where the contact is elastic. There it is as strong as the pressure or stronger, and both fall to nothing
-/// in steps at the edge: static μ at 0.1 omega_c is 1.612, 1.698, 1.727 and 1.767 with 4, 8, 16 and 32 elements.
-const ORDER_OF_ELASTIC_FRICTION: f64 = 1.0;
-
+/// Order of convergence in the elements.
 fn mesh_order(quantity: Quantity, elastic: bool) -> f64 {
     use Quantity::*;
     match quantity {
@@ -281,7 +272,7 @@ fn mesh_order(quantity: Quantity, elastic: bool) -> f64 {
 
 /// Error of the finer of two runs over their difference.
 fn mesh_share(refinement: f64, order: f64) -> f64 {
-    // Meshes that hardly differ tell hardly anything.
+    // The difference of two nearly equal meshes is no estimate.
     1.0 / (refinement.powf(order) - 1.0).abs().max(0.5)
 }
 
@@ -325,7 +316,7 @@ mod tests {
 
     /// 3 + 2 n^-1.5 on every mesh that a scene may ask for: the error is found whichever of the two is the finer.
     #[test]
-    fn every_mesh_has_another_beside_it() {
+    fn every_mesh_has_an_auxiliary_one() {
         let value = |elements: usize| 3.0 + 2.0 * (elements as f64).powf(-1.5);
         for elements in [4, 5, 6, 7, 8, 12, 48] {
             let run = Resolution::choose(&Numerics { elements_per_radius: Some(elements), ..numerics() });

@@ -1,7 +1,7 @@
 //! Journals that were cut off, damaged, of others, or in use.
 
 use super::*;
-use crate::simulate::fake::{self, Fake};
+use crate::simulate::fake;
 use crate::tabulate::cell::slip_grid;
 
 fn at(interference: f64, slip_rate: f64) -> Point {
@@ -9,7 +9,7 @@ fn at(interference: f64, slip_rate: f64) -> Point {
 }
 
 fn finished() -> Finished {
-    let mut outcome = Fake::outcome(&fake::scene(20.0, 1.0));
+    let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
     outcome.scalars[Quantity::Mu].error = f64::NAN;
     outcome.account.wall_time = 0.1 + 0.2;
     Finished::new(&outcome, &slip_grid(2.0), 298.0)
