@@ -7,7 +7,7 @@ use asperity::studies::convergence::{self, Convergence, DIVISOR, SHOWN};
 use serde_json::json;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{ConvergenceArguments, Display, Failure, command_line, outputs, print};
+use super::{ConvergenceArguments, Display, Failure, command_line, outputs};
 
 /// Sweep, save, say where a coarser or finer choice pays.
 pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Result<(), Failure> {
@@ -27,12 +27,7 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
         error => Failure::run(error),
     })?;
     let saved = convergence::write(&arguments.output, &scene, &sweep, &provenance::history(&command_line()));
-    if display.json {
-        print(&format!("{:#}\n", as_json(&sweep)));
-    } else if !display.quiet {
-        print(&convergence::table(&sweep));
-        print(&convergence::in_words(&sweep));
-    }
+    display.print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
         convergence::figure(&sweep).save(plot).map_err(Failure::run)?;

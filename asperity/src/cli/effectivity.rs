@@ -1,7 +1,11 @@
 //! `asperity effectivity`: true errors beside the estimates.
 
+use std::io::Write;
+
 use asperity::simulate::Watch;
 use asperity::studies::effectivity::{Record, Report, markdown, run, scenes};
+
+use tables::netcdf::write_atomically;
 
 use super::progress::{Progress, watch_for_interrupt};
 use super::{Display, EffectivityArguments, Failure, outputs, print};
@@ -32,7 +36,7 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.journal.display())))?;
     let report = Report::new(&records);
     let text = markdown(&report);
-    std::fs::write(&arguments.output, &text)
+    write_atomically(&arguments.output, |file| file.write_all(text.as_bytes()))
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.output.display())))?;
     if !display.quiet {
         print(&text);

@@ -18,6 +18,7 @@ mod verify;
 use std::process::ExitCode;
 
 use clap::Parser;
+use serde_json::Value;
 
 use arguments::{
     Arguments, Command, ConvergenceArguments, Display, EffectivityArguments, MergeArguments, RunArguments,
@@ -70,6 +71,17 @@ fn main() -> ExitCode {
 fn print(text: &str) {
     use std::io::Write;
     let _ = std::io::stdout().write_all(text.as_bytes());
+}
+
+impl Display {
+    /// Write the result of a command to stdout: the JSON if asked for, the text otherwise.
+    fn print(&self, json: impl FnOnce() -> Value, text: impl FnOnce() -> String) {
+        if self.json {
+            print(&format!("{:#}\n", json()));
+        } else if !self.quiet {
+            print(&text());
+        }
+    }
 }
 
 /// The command as given, for the history of the files that it writes.

@@ -7,7 +7,7 @@ use asperity::scene::presets::{self, ConstantValue, Preset};
 use serde_json::{Map, Value, json};
 use tables::numbers;
 
-use super::{Display, Failure, print};
+use super::{Display, Failure};
 
 /// List the presets, or print one with every constant.
 pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
@@ -15,26 +15,21 @@ pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
         None => presets::all().iter().collect(),
         Some(name) => vec![presets::find(name).ok_or_else(|| unknown(name))?],
     };
-    if display.json {
-        let all: Vec<_> = chosen.iter().map(|preset| as_json(preset)).collect();
-        let value = match name {
-            None => json!(all),
-            Some(_) => all[0].clone(),
-        };
-        print(&format!("{value:#}\n"));
-        return Ok(());
-    }
-    let text = match name {
+    let json = || match name {
+        None => chosen.iter().map(|preset| as_json(preset)).collect(),
+        Some(_) => as_json(chosen[0]),
+    };
+    let text = || match name {
         None => chosen.iter().map(|preset| format!("{:21}{}\n", preset.name, preset.title)).collect(),
         Some(_) => constants(chosen[0]),
     };
-    print(&text);
+    display.print(json, text);
     Ok(())
 }
 
 fn unknown(name: &str) -> Failure {
     let names = presets::names().join(", ");
-    Failure::input(format!("materials {name}: no such preset; there are {names}"))
+    Failure::input(format!("materials {name}: unknown preset; known: {names}"))
 }
 
 fn constants(preset: &Preset) -> String {

@@ -1,4 +1,4 @@
-//! `asperity merge`: shards of a table put together.
+//! `asperity merge`: the shards of a table in one.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use asperity::output::provenance;
 use serde_json::json;
 use tables::table::Table;
 
-use super::{Display, Failure, MergeArguments, command_line, outputs, print};
+use super::{Display, Failure, MergeArguments, command_line, outputs};
 
 /// Read the shards, check that they belong together, write the table.
 pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failure> {
@@ -21,7 +21,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         && !arguments.partial
     {
         return Err(Failure::Input(format!(
-            "{} of {cells} cells are in none of the shards, the first at {first}; --partial merges all the same",
+            "{} of {cells} cells are in none of the shards, the first at {first}; --partial merges the others",
             missing.len()
         )));
     }
@@ -37,17 +37,15 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         }
     }
     let done = cells - missing - failed.len();
-    if display.json {
-        let output = arguments.output.display().to_string();
-        let summary = json!({ "output": output, "done": done, "not_run": missing, "failed": failed.len() });
-        print(&format!("{summary:#}\n"));
-    } else if !display.quiet {
-        print(&format!("{done} of {cells} cells done, {missing} not run, {} failed\n", failed.len()));
-    }
+    let (output, failed) = (arguments.output.display().to_string(), failed.len());
+    display.print(
+        || json!({ "output": output, "done": done, "not_run": missing, "failed": failed }),
+        || format!("{done} of {cells} cells done, {missing} not run, {failed} failed\n"),
+    );
     Ok(())
 }
 
-/// All shards in one table, which is no shard any more if nothing is missing.
+/// All shards in one table, which is not a shard if no cell is missing.
 fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
     let mut whole: Option<(Table, &Path)> = None;
     let mut histories = Vec::new();

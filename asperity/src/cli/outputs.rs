@@ -1,4 +1,4 @@
-//! Checks of the files to be written, made before the work rather than after it.
+//! Checks of the files to be written, before the work begins.
 
 use std::fs::File;
 use std::path::Path;

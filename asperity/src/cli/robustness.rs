@@ -47,16 +47,14 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
     let solved = count(|verdict| *verdict == Verdict::Solved);
     let refused = count(|verdict| matches!(verdict, Verdict::Refused(_)));
     let failed = results.len() - solved - refused;
-    if display.json {
+    let json = || {
         let cases: Vec<Value> = results.iter().map(|(case, result)| as_json(case, result)).collect();
-        let all = json!({ "solved": solved, "refused": refused, "failed": failed, "cases": cases });
-        print(&format!("{all:#}\n"));
-    } else if text {
-        print(&format!(
-            "{} cases: {solved} solved, {refused} refused as expected, {failed} failed\n",
-            results.len()
-        ));
-    }
+        json!({ "solved": solved, "refused": refused, "failed": failed, "cases": cases })
+    };
+    let all = results.len();
+    display.print(json, || {
+        format!("{all} cases: {solved} solved, {refused} refused as expected, {failed} failed\n")
+    });
     match (solved + refused) as f64 >= REQUIRED_SHARE * results.len() as f64 {
         true => Ok(()),
         false => Err(Failure::Run(format!("{failed} of {} cases failed", results.len()))),

@@ -16,9 +16,9 @@ use serde_json::json;
 use tables::quantity::Quantity;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{Display, Failure, RunArguments, command_line, outputs, print, timings};
+use super::{Display, Failure, RunArguments, command_line, outputs, timings};
 
-/// Run the scene, save what there is, say how it went.
+/// Run the scene, write the results, also those before a failure, and print a summary.
 pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
     let end = scene.loading.slip_distance;
@@ -37,36 +37,29 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let recording = Recording { slips: arguments.fields_at.clone(), body: arguments.vtu.is_some() };
     let result = simulate_recorded(&scene, &recording, &progress);
     progress.clear();
-    match result {
-        Ok(mut outcome) => {
-            outcome.account.warnings.extend(scene.reference_temperature_warning().map(Warning::Scene));
-            report(&scene, &outcome, None, arguments, display)
-        }
+    let (mut outcome, failure) = match result {
+        Ok(outcome) => (outcome, None),
         Err(error) => {
             let reason = error.to_string();
-            let partial = match error {
+            match error {
                 SimulationError::Unsupported(_) => return Err(Failure::Input(reason)),
-                SimulationError::NotConverged { partial, .. } | SimulationError::Cancelled { partial } => {
-                    partial
-                }
-            };
-            match partial {
-                None => {
-                    Err(Failure::Run(format!("{reason}; the slide had not begun, there is nothing to save")))
-                }
-                Some(mut outcome) => {
-                    outcome
-                        .account
-                        .warnings
-                        .extend(scene.reference_temperature_warning().map(Warning::Scene));
-                    report(&scene, &outcome, Some(&reason), arguments, display)?;
-                    let output = arguments.output.display();
-                    Err(Failure::Run(format!(
-                        "{reason}; the steps before are in {output}; a run cannot be continued, only repeated"
-                    )))
+                SimulationError::NotConverged { partial: Some(outcome), .. }
+                | SimulationError::Cancelled { partial: Some(outcome) } => (*outcome, Some(reason)),
+                _ => {
+                    let nothing = "the slide had not begun, there is nothing to save";
+                    return Err(Failure::Run(format!("{reason}; {nothing}")));
                 }
             }
         }
+    };
+    outcome.account.warnings.extend(scene.reference_temperature_warning().map(Warning::Scene));
+    report(&scene, &outcome, failure.as_deref(), arguments, display)?;
+    match failure {
+        None => Ok(()),
+        Some(reason) => Err(Failure::Run(format!(
+            "{reason}; the steps before are in {}; a run cannot be continued, only repeated",
+            arguments.output.display()
+        ))),
     }
 }
 
@@ -82,7 +75,7 @@ fn report(
     let saved = run_file::write(&arguments.output, scene, outcome, &about);
     let mut spent = outcome.account.timings;
     spent.since(Kernel::Output, clock);
-    // The numbers are worth printing even if the disk is full.
+    // Results are printed even if the disk is full.
     if !display.quiet {
         for warning in &outcome.account.warnings {
             eprintln!("warning: {warning}");
@@ -91,20 +84,17 @@ fn report(
     if display.verbose {
         eprint!("{}", account(outcome));
     }
-    if display.json {
+    if arguments.timings && !display.json {
+        eprint!("{}", timings::as_text(&spent));
+    }
+    let json = || {
         let mut json = as_json(scene, outcome, incomplete, arguments);
         if arguments.timings {
             json["timings"] = timings::as_json(&spent);
         }
-        print(&format!("{json:#}\n"));
-    } else {
-        if arguments.timings {
-            eprint!("{}", timings::as_text(&spent));
-        }
-        if !display.quiet {
-            print(&summary(scene, outcome));
-        }
-    }
+        json
+    };
+    display.print(json, || summary(scene, outcome));
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
         figures::run_figure(scene, outcome).save(plot).map_err(Failure::run)?;
@@ -167,7 +157,7 @@ fn account(outcome: &Outcome) -> String {
         for source in ErrorSource::ALL {
             let part = 100.0 * outcome.budget.part(source, quantity) / value;
             let part = match part {
-                // Of nothing, or of what is no more than rounding.
+                // The value is zero or a rounding error.
                 1000.0.. => ">999".into(),
                 part if part.is_nan() => "-".into(),
                 part => format!("{part:.3}"),

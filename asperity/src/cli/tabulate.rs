@@ -12,9 +12,9 @@ use serde_json::{Value, json};
 use tables::quantity::Quantity;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{Display, Failure, TabulateArguments, command_line, outputs, print, timings};
+use super::{Display, Failure, TabulateArguments, command_line, outputs, timings};
 
-/// Run what is missing of the request, write the table, say how it went.
+/// Run the missing cells of the request, write the table, print a summary.
 pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
     outputs::check_output(&arguments.output, &arguments.request)?;
@@ -109,20 +109,17 @@ fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArgument
             }
         }
     }
-    if display.json {
+    if arguments.timings && !display.json {
+        eprint!("{}", timings::as_text(spent));
+    }
+    let json = || {
         let mut json = as_json(tabulation, arguments);
         if arguments.timings {
             json["timings"] = timings::as_json(spent);
         }
-        print(&format!("{json:#}\n"));
-    } else {
-        if arguments.timings {
-            eprint!("{}", timings::as_text(spent));
-        }
-        if !display.quiet {
-            print(&summary(tabulation));
-        }
-    }
+        json
+    };
+    display.print(json, || summary(tabulation));
 }
 
 /// One line per cell.

@@ -1,4 +1,4 @@
-//! Where the time went, for people and for programs.
+//! Time by part of the computation, as text and as JSON.
 
 use std::fmt::Write;
 

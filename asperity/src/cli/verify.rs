@@ -37,9 +37,8 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
     progress.clear();
     let passed = failed.is_empty();
     let tally = Tally::of(&all);
-    if display.json {
-        print(&format!(
-            "{:#}\n",
+    display.print(
+        || {
             json!({
                 "passed": passed,
                 "failed": failed,
@@ -48,13 +47,14 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
                 "stated_errors_that_cover": tally.covered,
                 "groups": groups,
             })
-        ));
-    } else if !display.quiet {
-        print(&format!(
-            "{} of {} rows pass; {} of {} stated errors cover the deviation\n",
-            tally.passed, tally.rows, tally.covered, tally.stated
-        ));
-    }
+        },
+        || {
+            format!(
+                "{} of {} rows pass; {} of {} stated errors cover the deviation\n",
+                tally.passed, tally.rows, tally.covered, tally.stated
+            )
+        },
+    );
     match passed {
         true => Ok(()),
         false => Err(Failure::run(format!("failed: {}", failed.join("; ")))),

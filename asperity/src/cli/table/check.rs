@@ -1,4 +1,4 @@
-//! `asperity table check`: whether a table is what the program computes.
+//! `asperity table check`: cells of a table computed again.
 
 use asperity::scene::file::{Request, parse_request};
 use asperity::tabulate::{Options, tabulate};

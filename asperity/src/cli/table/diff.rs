@@ -7,17 +7,13 @@ use tables::numbers::plain;
 use tables::table::comparison::Comparison;
 
 use super::{DiffArguments, read};
-use crate::{Display, Failure, print};
+use crate::{Display, Failure};
 
 /// Compare two tables, print how they differ, fail if it is by more than allowed.
 pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure> {
     let [here, there] = [&arguments.here, &arguments.there].map(|table| read(table, &arguments.at));
     let comparison = here?.compare(&*there?);
-    if display.json {
-        print(&format!("{:#}\n", as_json(&comparison)));
-    } else if !display.quiet {
-        print(&text(&comparison));
-    }
+    display.print(|| as_json(&comparison), || text(&comparison));
     let Some(tolerance) = arguments.tolerance else { return Ok(()) };
     let largest = comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest));
     match largest {

@@ -7,21 +7,17 @@ use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::refinement::statistics::{Counts, ErrorStatistics};
 use tables::shipped;
-use tables::table::{Metadata, Slice, Table};
+use tables::table::{Axes, Metadata, Slice, Table};
 
-use crate::{Display, Failure, print};
+use crate::{Display, Failure};
 
 /// Print what a table holds.
 pub fn info(table: &Table, asked: &str, display: &Display) {
-    if display.json {
-        let json = match table.only() {
-            Ok(slice) => as_json(table, slice, asked),
-            Err(_) => by_temperature(table, asked),
-        };
-        print(&format!("{json:#}\n"));
-    } else if !display.quiet {
-        print(&text(table, asked, display.verbose));
-    }
+    let json = || match table.only() {
+        Ok(slice) => as_json(table, slice, asked),
+        Err(_) => by_temperature(table, asked),
+    };
+    display.print(json, || text(table, asked, display.verbose));
 }
 
 /// Print the shipped tables, a line each.
@@ -36,30 +32,25 @@ pub fn list(display: &Display) -> Result<(), Failure> {
         let [mu_static, mu] = [Quantity::MuStatic, Quantity::Mu].map(worst);
         rows.push((name, table.axes().clone(), mu_static, mu));
     }
-    if display.json {
-        let json: Vec<Value> = (rows.iter())
-            .map(|(name, axes, mu_static, mu)| {
-                json!({
-                    "name": name,
-                    "interference": axes.interference,
-                    "slip_rate": axes.slip_rate,
-                    "mu_static_relative_error_largest": mu_static,
-                    "mu_relative_error_largest": mu,
-                })
-            })
-            .collect();
-        print(&format!("{:#}\n", Value::from(json)));
-        return Ok(());
-    }
-    for (name, axes, mu_static, mu) in rows {
-        print(&format!(
+    let as_json = |(name, axes, mu_static, mu): &(&str, Axes, f64, f64)| {
+        json!({
+            "name": name,
+            "interference": axes.interference,
+            "slip_rate": axes.slip_rate,
+            "mu_static_relative_error_largest": mu_static,
+            "mu_relative_error_largest": mu,
+        })
+    };
+    let line = |(name, axes, mu_static, mu): &(&str, Axes, f64, f64)| {
+        format!(
             "{name:16} {}, {}; largest error of mu_static {}, of mu {}\n",
             range(&axes.interference, "omega_c"),
             range(&axes.slip_rate, "m/s"),
-            percent(mu_static),
-            percent(mu),
-        ));
-    }
+            percent(*mu_static),
+            percent(*mu),
+        )
+    };
+    display.print(|| rows.iter().map(as_json).collect(), || rows.iter().map(line).collect());
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! `asperity table`: what is in a table, how two differ, whether it is true, figures, other formats.
+//! `asperity table`: contents, differences, cells computed again, figures, export.
 
 mod check;
 mod diff;
@@ -27,7 +27,7 @@ pub enum TableCommand {
     },
     /// Names of the shipped tables, with their largest errors
     List,
-    /// Some cells computed again: fails where a number differs by more than the errors
+    /// Compute some cells again; exit status 1 where a number differs by more than the errors
     Check(CheckArguments),
     /// Differences between two tables, where they have points in common
     Diff(DiffArguments),
@@ -90,7 +90,7 @@ pub struct CheckArguments {
     /// Cells to compute again
     #[arg(long, value_name = "N", default_value_t = 2)]
     cells: usize,
-    /// Which ones: another seed, other cells
+    /// Seed of the random choice of cells
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
     #[command(flatten)]
@@ -111,7 +111,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Do what the subcommand says.
+/// Run the subcommand.
 pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
     match command {
         TableCommand::Info { table, at } => {

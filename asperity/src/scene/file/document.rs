@@ -89,14 +89,14 @@ fn lay_over_preset(material: &mut Table, source: &Source) -> Result<(), SceneFil
             (None, below) => {
                 material.insert(key, below);
             }
-            (Some(Value::Table(given)), Value::Table(below)) => {
-                // Another law replaces the whole.
-                if given.get("law").is_none_or(|law| below.get("law") == Some(law)) {
-                    for (key, value) in below {
-                        given.entry(key).or_insert(value);
-                    }
+            (Some(Value::Table(given)), Value::Table(below))
+                if given.get("law").is_none_or(|law| below.get("law") == Some(law)) =>
+            {
+                for (key, value) in below {
+                    given.entry(key).or_insert(value);
                 }
             }
+            // A number, or another law, replaces the whole.
             _ => {}
         }
     }
