@@ -19,12 +19,14 @@ fn predicted(file: &SurfaceFile, model: &str) -> Prediction {
     predict(law.as_ref(), &file.surface, &file.query, &Settings::default(), &|_, _| ()).unwrap()
 }
 
-/// Rows of numbers of a table under a heading, each with its first column, the pressure.
+/// Rows of the tables under a heading of which every cell is a number; the first is the pressure.
 fn rows(heading: &str) -> Vec<Vec<f64>> {
     let section = TEXT.split("\n# ").find(|section| section.starts_with(heading)).unwrap();
-    let lines = section.lines().filter(|line| line.starts_with("| ") && line.contains('e'));
-    let numbers = |line: &str| line.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
-    lines.map(numbers).filter(|row: &Vec<f64>| row.len() > 1).collect()
+    let numbers = |line: &str| {
+        let cells = line.strip_prefix("| ")?.strip_suffix(" |")?;
+        cells.split(" | ").map(|cell| cell.parse().ok()).collect()
+    };
+    section.lines().filter_map(numbers).collect()
 }
 
 /// The quantities in the columns after the pressure, to the digits written.
