@@ -11,7 +11,7 @@ use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::heights::Gaussian;
-use roughsurface::surface::query::{Hold, Pressing, Query, Surface};
+use roughsurface::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::law::AsperityLaw;
 use tables::table::Table;
@@ -36,15 +36,15 @@ fn main() -> anyhow::Result<()> {
 
     // 3. The question: nominal pressures and slip rates, the load held while it slides.
     let query = Query {
-        pressing: Pressing::Pressure(vec![1e6, 1e7, 1e8]),
+        loading: NormalLoading::Pressure(vec![1e6, 1e7, 1e8]),
         slip_rates: vec![0.1, 1.0, 10.0],
-        hold: Hold::Load,
+        control: LoadingControl::Load,
     };
     let prediction = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ())?;
 
     // 4. The answer: one row per pressure, one column per slip rate.
     println!("pressure [MPa]   slip rate [m/s]   mu_static   mu       real area   outside the table");
-    for (pressure, row) in query.pressing.values().iter().zip(&prediction.friction) {
+    for (pressure, row) in query.loading.values().iter().zip(&prediction.friction) {
         for (rate, friction) in query.slip_rates.iter().zip(row) {
             println!(
                 "{:>14}   {rate:>15}   {:<9.4}   {:<6.4}   {:>7.3} %   {:.1e}",

@@ -15,7 +15,7 @@ use asperity::scene::file::parse_request;
 use asperity::simulate::Unwatched;
 use asperity::tabulate::{Options, tabulate};
 use roughsurface::friction::{Prediction, Settings, predict};
-use roughsurface::output::friction_file::{self, Origin};
+use roughsurface::output::{Origin, Results, friction_file};
 use roughsurface::surface::file::SurfaceFile;
 use tables::figures::{Axis, Curve, Figure, Panel};
 use tables::interpolation::InterpolatedTable;
@@ -101,12 +101,10 @@ fn surface(path: &Path, table: &InterpolatedTable, heights: &str) -> anyhow::Res
     let text = SURFACE.replace("HEIGHTS", heights);
     let file = SurfaceFile::parse("the surface of this example".as_ref(), text.clone())?;
     let prediction = predict(table, &file.surface, &file.query, &Settings::default(), &|_, _| ())?;
-    friction_file::write(
-        path,
-        &prediction,
-        &Origin { surface: &text, table: "table.nc", command: "worn_surface" },
-    )?;
-    Ok(prediction)
+    let results = Results::from(prediction);
+    let origin = Origin { surface: &text, table: "table.nc", command: "worn_surface" };
+    friction_file::write(path, &results, &origin)?;
+    Ok(results.prediction)
 }
 
 fn figure(fresh: &Prediction, worn: &Prediction) -> Figure {

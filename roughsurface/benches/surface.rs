@@ -1,10 +1,10 @@
-//! What a prediction and finite surfaces cost, from a table of 26 interferences and 12 slip rates:
+//! Time of a prediction and of finite surfaces, from a table of 26 interferences and 12 slip rates:
 //!
 //!     cargo bench -p roughsurface
 //!
 //! Aims on two cores: 50 pressures × 20 slip rates × 200 slips in 1 s, ten million asperities in 5 s.
 
-#[path = "../tests/demonstration/mod.rs"]
+#[path = "../tests/program/demonstration.rs"]
 mod demonstration;
 
 use demonstration::{Weakening, table};
@@ -13,7 +13,7 @@ use divan::counter::ItemsCount;
 use roughsurface::friction::{Settings, predict};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
 use roughsurface::surface::heights::Gaussian;
-use roughsurface::surface::query::{Hold, Pressing, Query, Surface};
+use roughsurface::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use tables::interpolation::InterpolatedTable;
 
 fn main() {
@@ -41,9 +41,9 @@ fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
 fn prediction(bencher: Bencher) {
     let (law, surface, settings) = (law(), surface(), Settings::default());
     let query = Query {
-        pressing: Pressing::Pressure(spaced(1e4, 1e7, 50)),
+        loading: NormalLoading::Pressure(spaced(1e4, 1e7, 50)),
         slip_rates: spaced(0.1, 10.0, 20),
-        hold: Hold::Load,
+        control: LoadingControl::Load,
     };
     let states = 50 * 20 * settings.slip_points;
     bencher
@@ -55,8 +55,11 @@ fn prediction(bencher: Bencher) {
 #[divan::bench(args = [1e6, 3e7], sample_count = 3)]
 fn ten_million_asperities(bencher: Bencher, pressure: f64) {
     let (law, surface, settings) = (law(), surface(), Settings::default());
-    let query =
-        Query { pressing: Pressing::Pressure(vec![pressure]), slip_rates: vec![1.0], hold: Hold::Load };
+    let query = Query {
+        loading: NormalLoading::Pressure(vec![pressure]),
+        slip_rates: vec![1.0],
+        control: LoadingControl::Load,
+    };
     let sampling = Sampling { asperities: 1_000_000, realizations: 10, seed: 1, slip: 1e-6 };
     bencher.counter(ItemsCount::new(10_000_000_usize)).bench(|| {
         sample(&law, &surface, &query, &sampling, &settings, &|_, _| ()).expect("the table covers it")

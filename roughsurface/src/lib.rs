@@ -1,15 +1,25 @@
 //! Friction of a rough surface from the friction of one asperity.
 //!
-//! A rough surface is a crowd of spherical summits of one radius, their heights
-//! spread over a distribution, against a smooth rigid flat (Greenwood &
-//! Williamson 1966). What one summit does, [`tables::law::AsperityLaw`], is
-//! integrated over the heights at each slip; the friction of the surface is read
-//! from that curve, not from the asperities' own peaks, because asperities pressed
-//! more and less reach theirs at different slips.
+//! A rough surface is a population of spherical summits, their heights (and radii) spread over a
+//! distribution, against a smooth rigid flat (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242). The
+//! response of a single asperity, [`tables::law::AsperityLaw`], is integrated over the heights at each slip;
+//! the friction of the surface is read from that curve, not from the asperities' own peaks, because
+//! asperities at different interferences reach theirs at different slips.
+//!
+//! Rooms, each depending only on those below it:
+//!
+//! | room | contents |
+//! |---|---|
+//! | [`output`] | friction.nc, file of samples, summary, JSON, report, figures |
+//! | [`sampling`] | finite surfaces, uncertain parameters |
+//! | [`friction`] | friction–slip curve, static friction, rate dependence, closed forms, regimes |
+//! | [`integral`] | integrals over heights and radii, separation |
+//! | [`topography`] | readers, spectrum, summits of a measured map or profile |
+//! | [`surface`] | heights, radii, surface file |
 //!
 //! ```
 //! use roughsurface::friction::{Settings, predict};
-//! use roughsurface::output::friction_file::{self, Origin};
+//! use roughsurface::output::{Origin, Results, figure::figure, friction_file};
 //! use roughsurface::surface::file::SurfaceFile;
 //! use tables::closed_forms::closed_form;
 //!
@@ -33,10 +43,11 @@
 //! assert!(static_friction.value > 0.2 && static_friction.value < 0.6, "{static_friction:?}");
 //!
 //! // The figure and the file.
-//! assert!(roughsurface::output::figure::figure(&prediction).svg().contains("friction coefficient"));
+//! let results = Results::from(prediction);
+//! assert!(figure(&results).svg().contains("friction coefficient"));
 //! let path = std::env::temp_dir().join(format!("roughsurface-example-{}.nc", std::process::id()));
 //! let origin = Origin { surface: &file.text, table: "model:jackson-green", command: "an example" };
-//! friction_file::write(&path, &prediction, &origin)?;
+//! friction_file::write(&path, &results, &origin)?;
 //! # std::fs::remove_file(&path)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -47,6 +58,7 @@
 pub mod friction;
 pub mod integral;
 pub mod output;
+mod root_finding;
 pub mod sampling;
 pub mod surface;
 pub mod topography;

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use roughsurface::topography::read::{Reading, read};
+use roughsurface::topography::readers::{Reading, read};
 
 /// Of the process that reads, in kB.
 const MEMORY: usize = 1_000_000;

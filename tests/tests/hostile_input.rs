@@ -11,8 +11,8 @@ use std::process::Command;
 
 use asperity::scene::file::{parse_request, parse_scene};
 use roughsurface::surface::file::SurfaceFile;
-use roughsurface::topography::read as topography;
-use roughsurface::topography::read::Reading;
+use roughsurface::topography::readers as topography;
+use roughsurface::topography::readers::Reading;
 use tables::quantity::Quantity;
 use tables::table::{Axes, Cell, Metadata, Slice, Table};
 use tests::programs;

@@ -4,8 +4,8 @@ use super::common::*;
 use anyhow::anyhow;
 use clap::Args;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
-use roughsurface::topography::length;
-use roughsurface::topography::read::{Reading, read};
+use roughsurface::topography::readers::length;
+use roughsurface::topography::readers::{Reading, read};
 use roughsurface::topography::report::{self, WhichSummits};
 use roughsurface::topography::spectrum::Window;
 use std::path::PathBuf;
@@ -43,7 +43,7 @@ pub struct Characterize {
     /// Unit of the lengths in a text file: m, mm, um, nm
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<f64>,
-    /// Distance between the points of a text file that does not say it
+    /// Distance between the points of a text file that does not state it
     #[arg(long, value_name = "LENGTH", value_parser = length::parse)]
     pixel: Option<f64>,
     /// Summits for the surface file
@@ -58,7 +58,7 @@ pub struct Characterize {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
-    /// Print nothing but errors (and the JSON, if asked for)
+    /// Print errors only (and the JSON, if asked for)
     #[arg(short, long)]
     quiet: bool,
 }

@@ -1,15 +1,16 @@
-//! What the commands have in common: options, failures, progress.
+//! Common parts of the commands: options, failures, output.
 
 use anyhow::{Context, anyhow};
 use clap::Args;
 use roughsurface::friction::PredictionError;
-use roughsurface::integral::law_source::{asperity_law, asperity_law_without_gaps};
+use roughsurface::friction::warning::Warning;
+use roughsurface::integral::law_source::LawSource;
 use roughsurface::integral::separation::SeparationError;
 use roughsurface::surface::file::SurfaceFile;
-use std::io::{IsTerminal, Write};
-use std::path::Path;
-use tables::law::{AsperityLaw, LookupError};
-use tables::netcdf::destination;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use tables::law::LookupError;
+use tables::netcdf::{destination, write_atomically};
 
 #[derive(Args)]
 pub struct RunOptions {
@@ -19,18 +20,48 @@ pub struct RunOptions {
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
-    /// Print nothing but errors (and the JSON, if asked for)
+    /// Print errors only (and the JSON, if asked for)
     #[arg(short, long)]
     pub quiet: bool,
     /// Show progress even if stderr is not a terminal
     #[arg(long)]
     pub progress: bool,
-    /// Say what is being done
+    /// Report the steps of the computation
     #[arg(short, long)]
     pub verbose: bool,
 }
 
-/// What went wrong, and whose fault it is.
+/// The surface and the response of its asperities.
+#[derive(Args)]
+pub struct InputOptions {
+    /// Surface file (TOML): summits, heights, pressures, slip rates
+    pub surface: PathBuf,
+    /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
+    /// aluminium-6061, copper, titanium-6al4v), or model:NAME for a closed form
+    #[arg(long, value_name = "TABLE")]
+    pub table: String,
+    /// Continue the table beyond its last interference, with a warning
+    #[arg(long)]
+    pub extrapolate: bool,
+    /// Interpolate around cells of the table that failed or were not run, with a warning
+    #[arg(long)]
+    pub allow_missing: bool,
+}
+
+impl InputOptions {
+    /// The surface file, the law of one asperity, and a warning if missing cells were interpolated.
+    pub fn read(&self) -> Result<(SurfaceFile, LawSource, Option<Warning>), Failure> {
+        let file = SurfaceFile::read(&self.surface).map_err(input)?;
+        let material = file.material.as_ref();
+        let source = LawSource::open(&self.table, material, file.temperature, self.allow_missing);
+        let source = source.map_err(input)?;
+        let cells = source.interpolated_cells.clone();
+        let warning = (!cells.is_empty()).then_some(Warning::CellsInterpolated { cells });
+        Ok((file, source, warning))
+    }
+}
+
+/// Why a command ends, by exit status.
 pub enum Failure {
     /// Bad input: exit status 2.
     Input(anyhow::Error),
@@ -42,7 +73,7 @@ pub fn input(error: impl Into<anyhow::Error>) -> Failure {
     Failure::Input(error.into())
 }
 
-/// What the table cannot answer is bad input; the rest is a failure of the run.
+/// A query that the table does not cover is bad input; a separation that is not found is a failure of the run.
 pub fn failure(error: PredictionError) -> Failure {
     let hint = match &error {
         PredictionError::OutsideTable { .. } => Some("--extrapolate continues the table"),
@@ -61,24 +92,11 @@ pub fn failure(error: PredictionError) -> Failure {
     }
 }
 
-/// The law of one asperity, and a warning if gaps of a table were bridged.
-pub fn law(
-    table: &str,
-    file: &SurfaceFile,
-    allow_missing: bool,
-) -> Result<(Box<dyn AsperityLaw>, Option<String>), Failure> {
-    let material = file.material.as_ref();
-    match allow_missing {
-        true => asperity_law_without_gaps(table, material, file.temperature).map_err(input),
-        false => Ok((asperity_law(table, material, file.temperature).map_err(input)?, None)),
-    }
-}
-
 /// Warnings to stderr, the summary to stdout.
 pub fn summarise(
     quiet: bool,
     as_json: bool,
-    warnings: &[String],
+    warnings: &[impl std::fmt::Display],
     text: impl Fn() -> String,
     json: impl Fn() -> serde_json::Value,
 ) {
@@ -94,16 +112,10 @@ pub fn summarise(
     }
 }
 
-/// Writes a file under a temporary name first, so that it appears whole or not at all.
+/// Writes a file that appears whole or not at all.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let path = destination(path);
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let temporary = path.with_file_name(format!(".{name}.{}.partial", std::process::id()));
-    let written = std::fs::write(&temporary, bytes).and_then(|()| std::fs::rename(&temporary, &path));
-    written.map_err(|error| {
-        let _ = std::fs::remove_file(&temporary);
-        Failure::Run(anyhow!("cannot write {}: {error}", path.display()))
-    })
+    write_atomically(path, |file| file.write_all(bytes))
+        .map_err(|error| Failure::Run(anyhow!("cannot write {}: {error}", path.display())))
 }
 
 pub fn check_folder(path: &Path) -> Result<(), Failure> {
@@ -138,43 +150,12 @@ pub fn command_line() -> String {
     // Not `args`, which panics where a name is not UTF-8.
     let words = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
     let mut words: Vec<String> = words.collect();
-    // Where the binary lies says nothing about the result.
+    // The folder of the binary does not influence the result.
     words[0] = "roughsurface".into();
     words.join(" ")
 }
 
-/// Writes to stdout; a reader that has seen enough (`| head`) is no error.
+/// Writes to stdout; a closed pipe (`| head`) is no error.
 fn print(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());
-}
-
-/// One line on stderr that counts.
-pub struct Progress {
-    shown: bool,
-    terminal: bool,
-    what: &'static str,
-}
-
-impl Progress {
-    pub fn new(options: &RunOptions, what: &'static str) -> Self {
-        let terminal = std::io::stderr().is_terminal();
-        Self { shown: options.progress || (terminal && !options.quiet), terminal, what }
-    }
-
-    pub fn show(&self, done: usize, total: usize) {
-        if !self.shown {
-            return;
-        }
-        if self.terminal {
-            eprint!("\r{done} of {total} {}", self.what);
-        } else if done * 10 / total != (done - 1) * 10 / total {
-            eprintln!("{done} of {total} {}", self.what);
-        }
-    }
-
-    pub fn clear(&self) {
-        if self.shown && self.terminal {
-            eprint!("\r\x1b[K");
-        }
-    }
 }

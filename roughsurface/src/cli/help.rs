@@ -1,8 +1,8 @@
-//! What the help says beside the options: examples, and the surface file.
+//! Help texts beside the options: examples, and the surface file.
 
 use roughsurface::surface::heights::{DISTRIBUTIONS, Entry};
 
-/// What the program is for, by example.
+/// Examples of the whole way from a topography to friction.
 pub const EXAMPLES: &str = "\
 From a topography to the friction of its surface:
 
@@ -16,7 +16,7 @@ From a topography to the friction of its surface:
   How much specimens of 1000 summits scatter
     roughsurface sample surface.toml --table table.nc --asperities 1000 -o scatter.nc";
 
-/// What every command that reads a surface file says about it.
+/// Description of the surface file, for every command that reads one.
 pub fn after_help() -> String {
     let described = |entry: &Entry| format!("{} ({})", entry.name, entry.keys.join(", "));
     let entries: Vec<String> = DISTRIBUTIONS.iter().map(described).collect();

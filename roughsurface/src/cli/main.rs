@@ -4,6 +4,7 @@ mod characterize;
 mod common;
 mod help;
 mod predict;
+mod progress;
 mod sample;
 
 use clap::{Parser, Subcommand};

@@ -1,20 +1,22 @@
 //! `roughsurface predict`.
 
 use super::common::*;
+use super::progress::Progress;
 use anyhow::anyhow;
 use clap::Args;
-use roughsurface::friction::comparison::compare;
+use roughsurface::friction::comparison::{caveat, compare};
+use roughsurface::friction::regime::plasticity_index;
 use roughsurface::friction::{Settings, predict};
-use roughsurface::integral::law_source::{background, caveat};
+use roughsurface::integral::law_source::LawSource;
 use roughsurface::output::figure::figure;
-use roughsurface::output::friction_file::{self, Origin};
-use roughsurface::output::report;
-use roughsurface::output::summary;
+use roughsurface::output::{Origin, Results, friction_file, report, summary, summary_json};
 use roughsurface::sampling::uncertainty::propagate;
 use roughsurface::surface::file::SurfaceFile;
+use roughsurface::surface::query::Surface;
 use std::path::PathBuf;
 use tables::closed_forms::NAMES;
 use tables::figures::Figure;
+use tables::law::AsperityLaw;
 
 pub const HELP: &str = "\
 Examples:
@@ -38,20 +40,16 @@ a bearing steel contact, a granite fault with flash heating:
     roughsurface predict examples/scenes/granite-fault.toml --table granite-table.nc \\
         -o granite.nc --report granite.html
 
-What is left out: asperities do not feel each other, no adhesion, no wear, no third body
-(debris, gouge, oxide, lubricant); the counter-face is smooth and rigid.
+Not modelled: interaction of asperities, adhesion, wear, third bodies (debris, gouge, oxide,
+lubricant); the counter-face is smooth and rigid.
 
 A pressure so high that the table's range carries less than 99.9 % of the load is refused
 unless --extrapolate holds friction and mean pressure at the table's last interference.";
 
 #[derive(Args)]
 pub struct Predict {
-    /// Surface file (TOML): summits, heights, pressures, slip rates
-    surface: PathBuf,
-    /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
-    /// aluminium-6061, copper, titanium-6al4v), or model:NAME for a closed form
-    #[arg(long, value_name = "TABLE")]
-    table: String,
+    #[command(flatten)]
+    input: InputOptions,
     /// Result (netCDF)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -64,12 +62,6 @@ pub struct Predict {
     /// Report with figures, parameters, errors and warnings, one file for any browser
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Continue the table beyond its last interference, and say so
-    #[arg(long)]
-    extrapolate: bool,
-    /// Interpolate around cells of the table that failed or were not run, and say so
-    #[arg(long)]
-    allow_missing: bool,
     /// Relative error of integrals and pressures, 1e-6 unless given
     #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
@@ -97,81 +89,88 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 /// Reads, predicts, writes.
 pub fn run(options: &Predict) -> Result<(), Failure> {
-    let file = SurfaceFile::read(&options.surface).map_err(input)?;
-    let (law, gaps) = law(&options.table, &file, options.allow_missing)?;
-    let background = background(&options.table, file.material.as_ref(), file.temperature);
+    let (file, source, missing) = options.input.read()?;
     let models = models(&options.compare)?;
-    // Known before the work, not after it.
+    // Before the computation, not after it.
     for path in std::iter::once(&options.output).chain(&options.plot).chain(&options.report) {
         check_folder(path)?;
     }
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(input)?;
     }
-    let radius = file.surface.asperity_radius.mean();
     if options.run.verbose {
-        let critical = law.critical_interference(radius);
-        let std = file.surface.heights.standard_deviation();
-        eprintln!(
-            "law {}: omega_c = {critical:.4e} m at R = {radius:e} m, plasticity index {:.3}, up to {} omega_c",
-            law.name(),
-            (std / critical).sqrt(),
-            law.interference_limit()
-        );
+        describe(source.law.as_ref(), &file.surface);
     }
-    let settings = Settings {
-        extrapolate: options.extrapolate,
-        melting_temperature: background.melting_temperature,
+    let started = std::time::Instant::now();
+    let progress = Progress::new(&options.run, "slips");
+    let computed =
+        thread_pool(&options.run)?.install(|| compute(options, &file, &source, &models, &progress));
+    progress.clear();
+    let mut results = computed?;
+    let caveats = models.iter().map(String::as_str).chain(options.input.table.strip_prefix("model:"));
+    let caveats = caveats.filter_map(|model| caveat(model, &source.material));
+    results.prediction.warnings.extend(missing.into_iter().chain(caveats));
+    if options.run.verbose {
+        let slip = &results.prediction.slip;
+        let (count, first, last) = (slip.len(), slip[1], slip[slip.len() - 1]);
+        let seconds = started.elapsed().as_secs_f64();
+        eprintln!("{count} slips from {first:.3e} to {last:.3e} m in {seconds:.2} s");
+    }
+    write(options, &results, &file.text)
+}
+
+fn describe(law: &dyn AsperityLaw, surface: &Surface) {
+    let radius = surface.asperity_radius.mean();
+    eprintln!(
+        "law {}: omega_c = {:.4e} m at R = {radius:e} m, plasticity index {:.3}, up to {} omega_c",
+        law.name(),
+        law.critical_interference(radius),
+        plasticity_index(law, surface),
+        law.interference_limit()
+    );
+}
+
+fn compute(
+    options: &Predict,
+    file: &SurfaceFile,
+    source: &LawSource,
+    models: &[String],
+    progress: &Progress,
+) -> Result<Results, Failure> {
+    let mut settings = Settings {
+        extrapolate: options.input.extrapolate,
+        melting_temperature: source.melting_temperature,
         ..Settings::default()
     };
-    let settings = Settings { tolerance: options.tolerance.unwrap_or(settings.tolerance), ..settings };
-    let pool = thread_pool(&options.run)?;
-    let progress = Progress::new(&options.run, "slips");
-    let started = std::time::Instant::now();
-    let mut prediction = pool
-        .install(|| {
-            predict(law.as_ref(), &file.surface, &file.query, &settings, &|done, total| {
-                progress.show(done, total)
-            })
-        })
-        .map_err(failure)?;
-    prediction.warnings.extend(gaps);
+    settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
+    let show = |done, total| progress.show(done, total);
+    let (surface, query) = (&file.surface, &file.query);
+    let prediction = predict(source.law.as_ref(), surface, query, &settings, &show).map_err(failure)?;
+    let mut results = Results::from(prediction);
     if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
-        let shown = |done, total| progress.show(done, total);
-        let propagated = pool.install(|| propagate(&file, &options.table, &prediction, &settings, &shown));
-        prediction.propagated = Some(propagated.map_err(input)?);
+        let propagated = propagate(file, &options.input.table, &results.prediction, &settings, &show);
+        results.propagated = Some(propagated.map_err(input)?);
     }
-    if let Some(material) = &background.material {
-        let compared = pool.install(|| compare(&models, material, &file.surface, &file.query, &settings));
-        prediction.comparisons = compared.map_err(failure)?;
-        let caveats = models.iter().map(String::as_str).chain(options.table.strip_prefix("model:"));
-        prediction.warnings.extend(caveats.filter_map(|model| caveat(model, material)));
-    }
-    progress.clear();
-    if options.run.verbose {
-        eprintln!(
-            "{} slips from {:.3e} to {:.3e} m in {:.2} s",
-            prediction.slip.len(),
-            prediction.slip[1],
-            prediction.slip[prediction.slip.len() - 1],
-            started.elapsed().as_secs_f64()
-        );
-    }
-    let origin = Origin { surface: &file.text, table: &options.table, command: &command_line() };
-    friction_file::write(&options.output, &prediction, &origin)
-        .map_err(|error| Failure::Run(error.into()))?;
+    results.comparisons = compare(models, &source.material, surface, query, &settings).map_err(failure)?;
+    Ok(results)
+}
+
+fn write(options: &Predict, results: &Results, surface: &str) -> Result<(), Failure> {
+    let failed = |error: anyhow::Error| Failure::Run(error);
+    let origin = Origin { surface, table: &options.input.table, command: &command_line() };
+    friction_file::write(&options.output, results, &origin).map_err(|error| failed(error.into()))?;
     if let Some(plot) = &options.plot {
-        figure(&prediction).save(plot).map_err(|error| Failure::Run(error.into()))?;
+        figure(results).save(plot).map_err(|error| failed(error.into()))?;
     }
     if let Some(report) = &options.report {
-        write_whole(report, report::html(&prediction, &origin).as_bytes())?;
+        write_whole(report, report::html(results, &origin).as_bytes())?;
     }
     summarise(
         options.run.quiet,
         options.run.json,
-        &prediction.warnings,
-        || summary::text(&prediction),
-        || summary::json(&prediction),
+        &results.prediction.warnings,
+        || summary::text(results),
+        || summary_json::json(results),
     );
     Ok(())
 }

@@ -1,12 +1,11 @@
 //! `roughsurface sample`.
 
 use super::common::*;
+use super::progress::Progress;
 use clap::Args;
 use roughsurface::friction::{Settings, end_of_slide};
-use roughsurface::output::friction_file::Origin;
-use roughsurface::output::sample_file;
+use roughsurface::output::{Origin, sample_file};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
-use roughsurface::surface::file::SurfaceFile;
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
@@ -16,12 +15,8 @@ Example:
 
 #[derive(Args)]
 pub struct Sample {
-    /// Surface file (TOML): summits, heights, pressures, slip rates
-    surface: PathBuf,
-    /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
-    /// aluminium-6061, copper, titanium-6al4v), or model:NAME for a closed form
-    #[arg(long, value_name = "TABLE")]
-    table: String,
+    #[command(flatten)]
+    input: InputOptions,
     /// Asperities of one surface, in contact or not
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
     asperities: u32,
@@ -37,12 +32,6 @@ pub struct Sample {
     /// Result (netCDF)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Continue the table beyond its last interference, and say so
-    #[arg(long)]
-    extrapolate: bool,
-    /// Interpolate around cells of the table that failed or were not run, and say so
-    #[arg(long)]
-    allow_missing: bool,
     #[command(flatten)]
     run: RunOptions,
 }
@@ -56,32 +45,30 @@ fn slip_length(text: &str) -> Result<f64, String> {
 
 /// Draws, slides, writes.
 pub fn run(options: &Sample) -> Result<(), Failure> {
-    let file = SurfaceFile::read(&options.surface).map_err(input)?;
-    let (law, gaps) = law(&options.table, &file, options.allow_missing)?;
+    let (file, source, missing) = options.input.read()?;
+    let law = source.law.as_ref();
     check_folder(&options.output)?;
-    let settings = Settings { extrapolate: options.extrapolate, ..Settings::default() };
+    let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "surfaces");
-    let mut samples = pool
-        .install(|| {
-            let slip = match options.slip {
-                Some(slip) => slip,
-                None => end_of_slide(law.as_ref(), &file.surface, &file.query, &settings)?,
-            };
-            let sampling = Sampling {
-                asperities: options.asperities as usize,
-                realizations: options.realizations as usize,
-                seed: options.seed,
-                slip,
-            };
-            sample(law.as_ref(), &file.surface, &file.query, &sampling, &settings, &|done, total| {
-                progress.show(done, total)
-            })
-        })
-        .map_err(failure)?;
+    let sampled = pool.install(|| {
+        let slip = match options.slip {
+            Some(slip) => slip,
+            None => end_of_slide(law, &file.surface, &file.query, &settings)?,
+        };
+        let sampling = Sampling {
+            asperities: options.asperities as usize,
+            realizations: options.realizations as usize,
+            seed: options.seed,
+            slip,
+        };
+        let show = |done, total| progress.show(done, total);
+        sample(law, &file.surface, &file.query, &sampling, &settings, &show)
+    });
     progress.clear();
-    samples.warnings.extend(gaps);
-    let origin = Origin { surface: &file.text, table: &options.table, command: &command_line() };
+    let mut samples = sampled.map_err(failure)?;
+    samples.warnings.extend(missing);
+    let origin = Origin { surface: &file.text, table: &options.input.table, command: &command_line() };
     sample_file::write(&options.output, &samples, &origin).map_err(|error| Failure::Run(error.into()))?;
     summarise(
         options.run.quiet,

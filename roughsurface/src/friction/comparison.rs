@@ -1,21 +1,24 @@
-//! The same surface with asperities after the models of the literature, to see what heat,
-//! plasticity and slip bring.
+//! The same surface with asperities after the models of the literature: the effect of heat, plasticity and
+//! slip.
 
-use crate::friction::{Friction, PredictionError, Settings, predict};
+use crate::friction::predict::predict;
+use crate::friction::result::Friction;
+use crate::friction::settings::{PredictionError, Settings};
+use crate::friction::warning::Warning;
 use crate::surface::query::{Query, Surface};
 use tables::closed_forms::{ElasticPlastic, closed_form};
 
-/// What a model says at each pressure or separation; none depends on the slip rate.
+/// Friction of a model at each pressure or separation; none depends on the slip rate.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// One of [`tables::closed_forms::NAMES`].
     pub model: String,
-    /// What it stands for, in words.
+    /// In words.
     pub description: &'static str,
     pub friction: Vec<Friction>,
 }
 
-/// What a closed form is, in words.
+/// A closed form in words.
 pub fn description(model: &str) -> &'static str {
     match model {
         "hertz" => "elastic (Greenwood & Williamson), constant shear strength",
@@ -29,25 +32,14 @@ pub fn description(model: &str) -> &'static str {
     }
 }
 
-/// Predicts with each of the `models` for spheres of `material`; unknown names are passed over.
-///
-/// ```
-/// use roughsurface::friction::comparison::compare;
-/// use roughsurface::friction::Settings;
-/// use roughsurface::surface::file::SurfaceFile;
-///
-/// let text = "surface = { asperity_density = 1e10, asperity_radius = 1e-4, \
-///             heights = { distribution = \"gaussian\", std = 5e-7 } }\n\
-///             query = { pressure = [1e6], slip_rate = [1.0] }\n\
-///             material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 400e6 }";
-/// let file = SurfaceFile::parse("an example".as_ref(), text.into())?;
-/// let models = ["hertz", "brizmer"].map(String::from);
-/// let material = file.material.as_ref().unwrap();
-/// let [elastic, full_stick] =
-///     &compare(&models, material, &file.surface, &file.query, &Settings::default())?[..] else { panic!() };
-/// assert!(full_stick.friction[0].mu_static.value > elastic.friction[0].mu_static.value);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+/// The condition under which a closed form was published, where `material` does not meet it.
+pub fn caveat(model: &str, material: &ElasticPlastic) -> Option<Warning> {
+    let poisson_ratio = material.poisson_ratio;
+    let off = model == "chang-etsion-bogy" && (poisson_ratio - 0.3).abs() > 0.02;
+    off.then_some(Warning::PoissonRatioOfChangEtsionBogy { poisson_ratio })
+}
+
+/// Predicts with each of the `models` for spheres of `material`; unknown names are skipped.
 pub fn compare(
     models: &[String],
     material: &ElasticPlastic,
@@ -55,7 +47,7 @@ pub fn compare(
     query: &Query,
     settings: &Settings,
 ) -> Result<Vec<Comparison>, PredictionError> {
-    // One slip rate says it all, and closed forms know any.
+    // Closed forms do not depend on the slip rate.
     let query = Query { slip_rates: vec![1.0], ..query.clone() };
     let mut compared = Vec::new();
     for model in models {
@@ -72,14 +64,14 @@ pub fn compare(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integral::test_laws::STEEL;
     use crate::surface::heights::Exponential;
-    use crate::surface::query::{Hold, Pressing};
+    use crate::surface::query::{LoadingControl, NormalLoading};
     use tables::closed_forms::NAMES;
 
     #[test]
     fn every_model_has_words_and_agrees_with_amontons() {
-        let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
-        let critical = closed_form("hertz", &steel).unwrap().critical_interference(1e-4);
+        let critical = closed_form("hertz", &STEEL).unwrap().critical_interference(1e-4);
         // ψ = 1 with exponential heights: friction does not depend on the pressure, and with
         // Kogut & Etsion's load and area it is 0.42963.
         let surface = Surface {
@@ -88,12 +80,12 @@ mod tests {
             heights: Box::new(Exponential::new(critical)),
         };
         let query = Query {
-            pressing: Pressing::Pressure(vec![1e4, 1e5]),
+            loading: NormalLoading::Pressure(vec![1e4, 1e5]),
             slip_rates: vec![0.1, 5.0],
-            hold: Hold::Load,
+            control: LoadingControl::Load,
         };
         let models: Vec<String> = NAMES.iter().map(|name| name.to_string()).collect();
-        let compared = compare(&models, &steel, &surface, &query, &Settings::default()).unwrap();
+        let compared = compare(&models, &STEEL, &surface, &query, &Settings::default()).unwrap();
         assert_eq!(compared.len(), NAMES.len());
         for comparison in &compared {
             assert!(!comparison.description.is_empty(), "{}", comparison.model);

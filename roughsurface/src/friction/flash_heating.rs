@@ -5,6 +5,7 @@
 //! μ_0 below the weakening velocity V_w, (μ_0 − μ_w) V_w/V + μ_w above it
 //! (Rice 2006, doi 10.1029/2005JB004006; Beeler et al. 2008, doi 10.1029/2007JB004988).
 
+use nalgebra::DMatrix;
 use tables::law::Estimate;
 
 /// Fitted parameters.
@@ -43,7 +44,7 @@ pub enum NoFit {
 /// Sharpness of the corner at V_w.
 const SHARPNESS: f64 = 8.0;
 
-/// Share of μ_0 − μ_w that is left at `slip_rate`.
+/// Share of μ_0 − μ_w that remains at `slip_rate`.
 fn remaining(slip_rate: f64, v_w: f64) -> f64 {
     (1.0 + (slip_rate / v_w).powf(SHARPNESS)).powf(-1.0 / SHARPNESS)
 }
@@ -74,9 +75,9 @@ fn linear_fit(slip_rates: &[f64], mu: &[Estimate], v_w: f64) -> (f64, f64, f64) 
 /// Fits friction coefficients `mu` at `slip_rates` (m/s).
 ///
 /// The problem is linear but for V_w, which is searched between the slowest rate
-/// and the last but one: with less than two points beyond it, V_w and μ_w say the
-/// same thing. Errors add the scatter about the fit to the errors of `mu`, the
-/// latter with the signs that hurt most.
+/// and the last but one: with fewer than two points beyond it, V_w and μ_w are
+/// not independent. Errors add the scatter about the fit to the errors of `mu`, the
+/// latter with the signs of the largest effect.
 ///
 /// ```
 /// use roughsurface::friction::flash_heating::fit;
@@ -91,7 +92,7 @@ fn linear_fit(slip_rates: &[f64], mu: &[Estimate], v_w: f64) -> (f64, f64, f64) 
 /// # Ok::<(), roughsurface::friction::flash_heating::NoFit>(())
 /// ```
 pub fn fit(slip_rates: &[f64], mu: &[Estimate]) -> Result<FlashHeating, NoFit> {
-    // The isothermal limit V = 0 says what μ_0 is without flash heating, not with it.
+    // The isothermal limit V = 0 is outside the law of flash heating.
     let pairs = slip_rates.iter().copied().zip(mu.iter().copied());
     let mut points: Vec<(f64, Estimate)> = pairs.filter(|(rate, _)| *rate > 0.0).collect();
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -103,7 +104,7 @@ pub fn fit(slip_rates: &[f64], mu: &[Estimate]) -> Result<FlashHeating, NoFit> {
     let values = || mu.iter().map(|m| m.value);
     let (lowest, highest) =
         (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-    // Below the tolerance of the integrals a difference means nothing.
+    // Below the tolerance of the integrals.
     if highest - lowest <= 1e-6 * highest.abs() {
         return Err(NoFit::NoRateDependence);
     }
@@ -157,43 +158,28 @@ fn parameter_errors(rates: &[f64], mu: &[Estimate], drop: f64, v_w: f64, squares
             [share, 1.0 - share, drop * remaining_slope(rate, v_w) * v_w]
         })
         .collect();
-    let mut normal = [[0.0; 3]; 3];
-    for row in &rows {
-        for i in 0..3 {
-            for j in 0..3 {
-                normal[i][j] += row[i] * row[j];
-            }
-        }
+    let jacobian = DMatrix::from_fn(rows.len(), 3, |row, column| rows[row][column]);
+    let normal = jacobian.tr_mul(&jacobian);
+    let scale: f64 = normal.diagonal().iter().product();
+    if normal.determinant() <= 1e-13 * scale {
+        return None;
     }
-    let inverse = inverse(&normal)?;
+    let inverse = normal.try_inverse()?;
     let freedom = rates.len() as f64 - 3.0;
     let variance = if freedom > 0.0 { squares / freedom } else { 0.0 };
     let scales = [1.0, 1.0, v_w];
     Some(std::array::from_fn(|i| {
-        let scatter = (variance * inverse[i][i].max(0.0)).sqrt();
+        let scatter = (variance * inverse[(i, i)].max(0.0)).sqrt();
         let inherited: f64 = rows
             .iter()
             .zip(mu)
             .map(|(row, m)| {
-                let gain: f64 = (0..3).map(|j| inverse[i][j] * row[j]).sum();
+                let gain: f64 = (0..3).map(|j| inverse[(i, j)] * row[j]).sum();
                 gain.abs() * m.error
             })
             .sum();
         scales[i] * (scatter + inherited)
     }))
-}
-
-/// Inverse of a symmetric 3×3 matrix by cofactors; none if it is singular.
-fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
-    let cofactor = |i: usize, j: usize| {
-        let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-        let (c, d) = ((j + 1) % 3, (j + 2) % 3);
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let determinant: f64 = (0..3).map(|j| m[0][j] * cofactor(0, j)).sum();
-    let scale = m[0][0] * m[1][1] * m[2][2];
-    (determinant > 1e-13 * scale)
-        .then(|| std::array::from_fn(|i| std::array::from_fn(|j| cofactor(j, i) / determinant)))
 }
 
 #[cfg(test)]

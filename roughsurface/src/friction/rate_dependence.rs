@@ -9,17 +9,6 @@ use tables::law::Estimate;
 /// The error is half the difference between the slopes to both sides, at the ends the curvature
 /// seen beside them, and the difference of the errors of μ over the interval: errors of
 /// neighbouring rates come from the same asperities and have the same sign.
-///
-/// ```
-/// use roughsurface::friction::rate_dependence::rate_sensitivity;
-/// use tables::law::Estimate;
-///
-/// let rates = [0.1, 1.0, 10.0];
-/// let mu = rates.map(|rate: f64| Estimate { value: 0.3 - 0.01 * rate.ln(), error: 0.0 });
-/// for slope in rate_sensitivity(&rates, &mu) {
-///     assert!((slope.value + 0.01).abs() < 1e-12);
-/// }
-/// ```
 pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate]) -> Vec<Estimate> {
     let unknown = Estimate { value: f64::NAN, error: f64::NAN };
     let first = slip_rates.iter().take_while(|rate| **rate <= 0.0).count();

@@ -1,9 +1,11 @@
-//! Elastic, plastic or melting: what the contacts of a surface do.
+//! Regimes of the contacts: elastic, plastic or melting.
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::surface_integral::Asperities;
+use crate::root_finding::{Accuracy, root_between};
 use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
+use std::convert::Infallible;
 use tables::law::AsperityLaw;
 
 /// ψ = √(σ_s/ω_c), σ_s the standard deviation of the summit heights and ω_c the interference of
@@ -14,12 +16,7 @@ pub fn plasticity_index(law: &dyn AsperityLaw, surface: &Surface) -> f64 {
     (surface.heights.standard_deviation() / critical).sqrt()
 }
 
-/// The regime that a plasticity index stands for, after Greenwood & Williamson (1966).
-///
-/// ```
-/// assert!(roughsurface::friction::regime::regime(0.4).starts_with("elastic contact"));
-/// assert!(roughsurface::friction::regime::regime(20.0).starts_with("fully plastic"));
-/// ```
+/// The regime of a plasticity index, after Greenwood & Williamson (1966).
 pub fn regime(plasticity_index: f64) -> &'static str {
     match plasticity_index {
         ..0.6 => "elastic contact at any ordinary load",
@@ -36,7 +33,7 @@ pub struct RegimeShares {
     pub elastic: f64,
     /// Pressed more, or as much, and not melting.
     pub plastic: f64,
-    /// Hottest point at the melting temperature; 0 where that is not known.
+    /// Hottest point at the melting temperature; 0 where that is unknown.
     pub melting: f64,
 }
 
@@ -57,67 +54,42 @@ impl RegimeShares {
         if touching <= 0.0 {
             return Self::default();
         }
-        // Melting without yield is melting.
+        // A contact that melts before it yields counts as melting.
         let plastic = (yielded - molten).max(0.0);
         let elastic = (touching - yielded.max(molten)).max(0.0);
         Self { elastic: elastic / touching, plastic: plastic / touching, melting: molten / touching }
     }
 }
 
-/// Digits in ln ω do not matter beyond those of a temperature of a table.
-const HALVINGS: usize = 40;
+/// Interference, ω/ω_c, below which a contact that melts counts as melting from the start.
+const SMALLEST: f64 = 1e-6;
 
 /// ω/ω_c at which the hottest point of the contact reaches the `melting` temperature (K); larger
 /// contacts are hotter. None where the law does not get there.
 fn melting_interference(asperity: &AsperityAtSlip, melting: f64) -> Option<f64> {
-    let hot = |interference: f64| {
-        asperity.response(interference).is_ok_and(|state| state.temperature_max.value >= melting)
+    let excess = |interference: f64| match asperity.response(interference) {
+        Ok(state) => state.temperature_max.value - melting,
+        // Without an answer it does not count as melting.
+        Err(_) => -melting,
     };
-    let (mut low, mut high) = (1e-6, asperity.limit());
-    if !high.is_finite() || !hot(high) {
+    let limit = asperity.limit();
+    if !limit.is_finite() || excess(limit) < 0.0 {
         return None;
     }
-    for _ in 0..HALVINGS {
-        let middle = (low * high).sqrt();
-        if hot(middle) {
-            high = middle;
-        } else {
-            low = middle;
-        }
+    if excess(SMALLEST) >= 0.0 {
+        return Some(SMALLEST);
     }
-    Some(high)
+    let accuracy = Accuracy { value: 0.0, width: 1e-12 };
+    let excess = |ln_omega: f64| Ok::<f64, Infallible>(excess(ln_omega.exp()));
+    let Ok(onset) = root_between(SMALLEST.ln(), limit.ln(), accuracy, excess);
+    onset.map(f64::exp)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integral::test_laws::PowerLaw;
     use crate::surface::heights::Exponential;
-    use tables::law::{Estimate, LookupError, Response};
-
-    /// T = 300 K + 100 K ω/ω_c with ω_c = 1 µm, up to 50 ω_c.
-    struct Heating;
-
-    impl AsperityLaw for Heating {
-        fn name(&self) -> String {
-            "heating".into()
-        }
-        fn critical_interference(&self, _radius: f64) -> f64 {
-            1e-6
-        }
-        fn interference_limit(&self) -> f64 {
-            50.0
-        }
-        fn breaks(&self) -> Vec<f64> {
-            Vec::new()
-        }
-        fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
-            (0.0, 10.0)
-        }
-        fn response(&self, _: f64, interference: f64, _: f64, _: f64) -> Result<Response, LookupError> {
-            let temperature_max = Estimate { value: 300.0 + 100.0 * interference, error: 0.0 };
-            Ok(Response { temperature_max, ..Response::default() })
-        }
-    }
 
     #[test]
     fn shares_of_exponential_heights() {
@@ -127,7 +99,10 @@ mod tests {
             asperity_radius: 1e-4.into(),
             heights: Box::new(Exponential::new(2e-6)),
         };
-        let asperities = Asperities::new(&Heating, &surface, 1.0).unwrap();
+        // T = 300 K + 100 K ω/ω_c with ω_c = 1 µm, up to 50 ω_c.
+        let temperature = |interference: f64| 300.0 + 100.0 * interference;
+        let law = PowerLaw { critical: 1e-6, limit: 50.0, temperature, ..PowerLaw::hertz() };
+        let asperities = Asperities::new(&law, &surface, 1.0).unwrap();
         let shares = |melting| RegimeShares::of(&asperities, surface.heights.as_ref(), 3e-6, melting);
         let beyond = |interference: f64| (-interference / 2.0f64).exp();
         let cold = shares(None);

@@ -1,7 +1,7 @@
-//! What a friction–slip curve says: static friction, sliding friction, energy.
+//! The friction–slip curve: static friction, sliding friction, weakening energy.
 
 use crate::integral::contact_state::ContactState;
-use crate::integral::separation::Carried;
+use crate::integral::separation::EquilibriumState;
 use tables::law::Estimate;
 
 /// Share of the initial slope below which a curve is taken to slide, as for a
@@ -30,11 +30,11 @@ pub struct SlipState {
 }
 
 impl SlipState {
-    /// State of a surface that carries the held pressure `asked` (Pa) exactly: what
-    /// is wrong with the law's load then moves the flat, and everything with it.
-    pub fn at_pressure(carried: &Carried, asked: f64) -> Self {
-        let state = &carried.state;
-        let (shift, sensitivity) = (carried.separation_error(asked), &carried.sensitivity);
+    /// State of a surface under the held pressure `asked` (Pa): the error of the law's load becomes one of the
+    /// separation, and through the sensitivities of all other quantities.
+    pub fn at_pressure(equilibrium: &EquilibriumState, asked: f64) -> Self {
+        let state = &equilibrium.state;
+        let (shift, sensitivity) = (equilibrium.separation_error(asked), &equilibrium.sensitivity);
         let mut mu = state.friction_coefficient();
         mu.error += shift * (sensitivity.friction_coefficient * mu.value).abs();
         let mut area_fraction = state.area_fraction.estimate();
@@ -43,7 +43,7 @@ impl SlipState {
             mu,
             shear: Estimate { value: mu.value * asked, error: mu.error * asked },
             pressure: Estimate { value: asked, error: (state.pressure.value - asked).abs() },
-            separation: Estimate { value: carried.separation, error: shift },
+            separation: Estimate { value: equilibrium.separation, error: shift },
             area_fraction,
             contact_density: Estimate {
                 value: state.contact_density,
@@ -85,8 +85,8 @@ pub struct Inception {
 /// [`INCEPTION_SLOPE`] of its initial value: the first maximum, or the knee of a
 /// curve that keeps creeping upwards.
 ///
-/// Errors include what every second point of the curve would have given. Up to there friction rises with the slip, so
-/// that the slip is uncertain in proportion, too.
+/// Errors include the difference from every second point of the curve. Up to there friction rises with the
+/// slip, so that the slip is uncertain in proportion, too.
 pub fn inception(slip: &[f64], mu: &[Estimate]) -> Inception {
     let mut found = inception_on(slip, mu);
     let coarse_slip: Vec<f64> = slip.iter().copied().step_by(2).collect();
@@ -130,26 +130,15 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     found(place, Estimate { value: mu[knee].value + rise, error: mu[knee].error }, true)
 }
 
-/// A drop by this share of the peak is within the tolerance of the integrals, and none.
+/// Drop relative to the peak that is within the tolerance of the integrals.
 const NO_DROP: f64 = 1e-5;
 
 /// Energy released by weakening, ∫ (τ − τ_end) ds from the peak of the friction
 /// stress τ (Pa) to the end of the slip (m), J per m² of nominal area.
 ///
-/// Errors of τ at different slips come from the same asperities, so only what
-/// changes along the curve counts fully, besides the same relative error of the
-/// whole; the error of the slip grid is that of every second point.
-///
-/// ```
-/// use roughsurface::friction::slip_curve::{weakening_distance, weakening_energy};
-/// use tables::law::Estimate;
-///
-/// // From 10 to 5 MPa over 20 µm: half of 5 MPa · 20 µm.
-/// let slip: Vec<f64> = (0..=20).map(|n| f64::from(n) * 1e-6).collect();
-/// let shear: Vec<Estimate> = slip.iter().map(|s| Estimate { value: 10e6 - 5e6 * s / 20e-6, error: 0.0 }).collect();
-/// assert!((weakening_energy(&slip, &shear).value - 50.0).abs() < 1e-9);
-/// assert!((weakening_distance(&slip, &shear).value - 20e-6).abs() < 1e-15);
-/// ```
+/// Errors of τ at different slips come from the same asperities: only their change along the curve counts
+/// fully, besides the same relative error of the whole. The error of the slip grid is the difference from
+/// every second point.
 pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
     let Some(end) = shear.last() else {
         return Estimate::default();
@@ -211,11 +200,8 @@ fn released(slip: &[f64], shear: &[Estimate], height: impl Fn(&Estimate) -> f64)
         .sum()
 }
 
-/// Slips for the curve, m: zero, then geometric from a ten-thousandth of the
-/// smallest contact radius to four of the largest.
-///
-/// Asperities stop sticking after some thousandths of their contact radius; after
-/// two, tables end.
+/// Slips for the curve, m: zero, then geometric from 1e-4 of the smallest contact radius to four times the
+/// largest. Asperities stop sticking after some thousandths of their contact radius; tables end after two.
 pub fn slip_grid(smallest_radius: f64, largest_radius: f64, points: usize) -> Vec<f64> {
     let (from, to) = (1e-4 * smallest_radius, 4.0 * largest_radius);
     let steps = points.max(4) - 2;

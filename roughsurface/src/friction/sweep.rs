@@ -1,18 +1,20 @@
 //! The states that a prediction is made of: the surface pressed, and after each slip.
 
 use crate::friction::regime::RegimeShares;
-use crate::friction::slip_curve::{SlipState, inception, weakening_distance, weakening_energy};
-use crate::friction::{Friction, PredictionError, Settings};
+use crate::friction::result::Friction;
+use crate::friction::settings::{PredictionError, Settings};
+use crate::friction::slip_curve::{SlipState, inception, slip_grid, weakening_distance, weakening_energy};
+use crate::friction::warning::{Place, Warning};
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
-use crate::integral::predictor::{Start, Trail};
-use crate::integral::separation::{Carried, separation_for};
+use crate::integral::predictor::{Predictor, PredictorHistory};
+use crate::integral::separation::{EquilibriumState, separation_for};
 use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
-use crate::surface::query::{Hold, Pressing, Query, Surface};
+use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use rayon::prelude::*;
 use tables::law::{AsperityLaw, Estimate, LookupError};
 
 /// Real area fraction above which asperities no longer deform independently.
-const CROWDED: f64 = 0.3;
+const INTERACTION: f64 = 0.3;
 
 /// One query of one surface.
 pub(crate) struct Sweep<'a> {
@@ -38,41 +40,45 @@ impl<'a> Sweep<'a> {
     }
 
     fn integral(&self, asperities: &Asperities<'a>) -> SurfaceIntegral<'a> {
-        SurfaceIntegral::new(
-            asperities,
-            self.surface.heights.as_ref(),
-            self.surface.asperity_density,
-            self.settings.tolerance,
-        )
+        let heights = self.surface.heights.as_ref();
+        SurfaceIntegral::new(asperities, heights, self.surface.asperity_density, self.settings.tolerance)
     }
 
-    /// The surface under every pressure or separation, before the slide, per slip rate.
-    pub(crate) fn press_all(&self) -> Result<Vec<Vec<Carried>>, PredictionError> {
-        let pressed =
-            (0..self.query.slip_rates.len()).into_par_iter().map(|rate| self.press(rate)).collect::<Vec<_>>();
+    /// For every slip rate the surface under every pressure or separation, before the slide.
+    pub(crate) fn press_all(&self) -> Result<Vec<Vec<EquilibriumState>>, PredictionError> {
+        let rates = (0..self.query.slip_rates.len()).into_par_iter();
+        let pressed: Vec<_> = rates.map(|rate| self.press(rate)).collect();
         pressed.into_iter().collect()
     }
 
-    /// The surface under every pressure or separation, before the slide.
-    pub(crate) fn press(&self, rate: usize) -> Result<Vec<Carried>, PredictionError> {
+    fn press(&self, rate: usize) -> Result<Vec<EquilibriumState>, PredictionError> {
         let heights = self.surface.heights.as_ref();
-        let mut integral = self.integral(&self.asperities[rate].asked_for_energy());
-        let mut start = Start::at(heights.mode(), heights);
+        let mut integral = self.integral(&self.asperities[rate].with_energy());
+        let mut predictor = Predictor::at(heights.mode(), heights);
         let mut pressed = Vec::new();
-        for (row, &value) in self.query.pressing.values().iter().enumerate() {
-            let carried = match self.query.pressing {
-                Pressing::Pressure(_) => {
-                    separation_for(&mut integral, heights, value, start, self.settings.tolerance)?
+        for (row, &value) in self.query.loading.values().iter().enumerate() {
+            let equilibrium = match self.query.loading {
+                NormalLoading::Pressure(_) => {
+                    separation_for(&mut integral, heights, value, predictor, self.settings.tolerance)?
                 }
-                Pressing::Separation(_) => Carried::at(&mut integral, heights, value)?,
+                NormalLoading::Separation(_) => EquilibriumState::at(&mut integral, heights, value)?,
             };
-            if carried.state.pressure.value <= 0.0 {
-                return Err(PredictionError::NoContact { pressing: self.query.pressing.describe(row) });
+            if equilibrium.state.pressure.value <= 0.0 {
+                return Err(PredictionError::NoContact { loading: self.query.loading.describe(row) });
             }
-            start = carried.start();
-            pressed.push(carried);
+            predictor = equilibrium.predictor();
+            pressed.push(equilibrium);
         }
         Ok(pressed)
+    }
+
+    /// Slips (m) of the curve, by the contact radii of the loaded asperities.
+    pub(crate) fn slip_grid(&self, pressed: &[Vec<EquilibriumState>]) -> Vec<f64> {
+        let radii = pressed.iter().flatten().map(|equilibrium| equilibrium.state.loaded_radius);
+        let (smallest, largest) = radii.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), radius| {
+            (low.min(radius), high.max(radius))
+        });
+        slip_grid(smallest, largest, self.settings.slip_points)
     }
 
     /// The surface after each of the neighbouring `slips` (m), for every pressure or separation.
@@ -80,52 +86,50 @@ impl<'a> Sweep<'a> {
         &self,
         rate: usize,
         slips: &[f64],
-        pressed: &[Carried],
+        pressed: &[EquilibriumState],
     ) -> Result<Vec<Vec<SlipState>>, PredictionError> {
-        let mut trails: Vec<Trail> = pressed.iter().map(|before| Trail::from(before.start())).collect();
-        slips
-            .iter()
-            .map(|&slip| {
-                let mut integral = self.integral(&self.asperities[rate].after(slip));
-                pressed
-                    .iter()
-                    .zip(&mut trails)
-                    .enumerate()
-                    .map(|(row, (before, trail))| self.slid((row, rate), &mut integral, before, trail))
-                    .collect()
-            })
-            .collect()
+        let mut histories: Vec<PredictorHistory> =
+            pressed.iter().map(|before| PredictorHistory::from(before.predictor())).collect();
+        let mut states = Vec::new();
+        for &slip in slips {
+            let mut integral = self.integral(&self.asperities[rate].after(slip));
+            let rows = pressed.iter().zip(&mut histories).enumerate();
+            let rows =
+                rows.map(|(row, (before, history))| self.slid((row, rate), &mut integral, before, history));
+            states.push(rows.collect::<Result<_, _>>()?);
+        }
+        Ok(states)
     }
 
-    /// One pressure or separation after the slip of `integral`, with which `trail` goes on.
+    /// One pressure or separation after the slip of `integral`; `history` predicts its separation.
     fn slid(
         &self,
         (row, rate): (usize, usize),
         integral: &mut SurfaceIntegral,
-        before: &Carried,
-        trail: &mut Trail,
+        before: &EquilibriumState,
+        history: &mut PredictorHistory,
     ) -> Result<SlipState, PredictionError> {
         let heights = self.surface.heights.as_ref();
-        let state = match self.query.hold {
-            Hold::Separation => {
+        let state = match self.query.control {
+            LoadingControl::Separation => {
                 let mut state = integral.at(before.separation)?;
                 integral.complete_errors(before.separation, &mut state)?;
                 SlipState::at_separation(before.separation, &state)
             }
-            Hold::Load => {
-                let pressure = match &self.query.pressing {
-                    Pressing::Pressure(pressures) => pressures[row],
-                    Pressing::Separation(_) => before.state.pressure.value,
+            LoadingControl::Load => {
+                let pressure = match &self.query.loading {
+                    NormalLoading::Pressure(pressures) => pressures[row],
+                    NormalLoading::Separation(_) => before.state.pressure.value,
                 };
-                let carried =
-                    separation_for(integral, heights, pressure, trail.next(), self.settings.tolerance)?;
-                trail.add(carried.start(), carried.own_sensitivity);
-                SlipState::at_pressure(&carried, pressure)
+                let tolerance = self.settings.tolerance;
+                let equilibrium = separation_for(integral, heights, pressure, history.next(), tolerance)?;
+                history.add(equilibrium.predictor(), equilibrium.own_sensitivity);
+                SlipState::at_pressure(&equilibrium, pressure)
             }
         };
         if state.outside > NEGLIGIBLE_SHARE && !self.settings.extrapolate {
             return Err(PredictionError::OutsideTable {
-                pressing: self.query.pressing.describe(row),
+                loading: self.query.loading.describe(row),
                 slip_rate: self.query.slip_rates[rate],
                 limit: self.law.interference_limit(),
                 reach: state.reach,
@@ -135,61 +139,53 @@ impl<'a> Sweep<'a> {
         Ok(state)
     }
 
+    /// Static friction, energies and warnings of one cell.
     pub(crate) fn evaluate(
         &self,
         (row, rate): (usize, usize),
-        pressed: &Carried,
+        pressed: &EquilibriumState,
         slip: &[f64],
         curve: &[SlipState],
-        warnings: &mut Vec<String>,
+        warnings: &mut Vec<Warning>,
     ) -> Friction {
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
         let shear: Vec<Estimate> = curve.iter().map(|state| state.shear).collect();
-        let start = inception(slip, &mu_history);
-        let friction = Friction {
+        let (start, sliding) = (inception(slip, &mu_history), curve[curve.len() - 1]);
+        let outside_table = curve.iter().map(|state| state.outside).fold(0.0, f64::max);
+        let at = || Place::of(self.query, row, rate);
+        if outside_table > NEGLIGIBLE_SHARE {
+            warnings.push(Warning::Extrapolated { at: at(), share: outside_table });
+        }
+        if !start.reached {
+            warnings.push(Warning::StillRising { at: at() });
+        }
+        if sliding.area_fraction.value > INTERACTION {
+            warnings.push(Warning::AsperitiesInteract { at: at(), share: sliding.area_fraction.value });
+        }
+        Friction {
             mu_static: start.mu,
             inception_slip: start.slip,
             weakening_energy: weakening_energy(slip, &shear),
             weakening_distance: weakening_distance(slip, &shear),
-            shares: self.shares(rate, slip[slip.len() - 1], curve[curve.len() - 1].separation.value),
+            shares: RegimeShares::of(
+                &self.asperities[rate].after(slip[slip.len() - 1]),
+                self.surface.heights.as_ref(),
+                sliding.separation.value,
+                self.settings.melting_temperature,
+            ),
+            // Follows from all slip rates together.
             rate_sensitivity: Estimate { value: f64::NAN, error: f64::NAN },
             energy_release: self.energy_release(row, pressed),
             pressed: curve[0],
-            sliding: curve[curve.len() - 1],
+            sliding,
             mu_history,
-            outside_table: curve.iter().map(|state| state.outside).fold(0.0, f64::max),
-        };
-        let place = format!("{}, {} m/s", self.query.pressing.describe(row), self.query.slip_rates[rate]);
-        if friction.outside_table > NEGLIGIBLE_SHARE {
-            warnings.push(format!(
-                "{place}: {:.2} % of the load lies beyond the table and is extrapolated",
-                100.0 * friction.outside_table
-            ));
+            outside_table,
         }
-        if !start.reached {
-            warnings.push(format!(
-                "{place}: friction still rises at the end of the slide; mu_static is the last value"
-            ));
-        }
-        let covered = friction.sliding.area_fraction.value;
-        if covered > CROWDED {
-            warnings.push(format!(
-                "{place}: {:.0} % of the nominal area is in contact; neighbouring asperities, here independent, would interact",
-                100.0 * covered
-            ));
-        }
-        friction
     }
 
-    fn shares(&self, rate: usize, slip: f64, separation: f64) -> RegimeShares {
-        let heights = self.surface.heights.as_ref();
-        let asperities = self.asperities[rate].after(slip);
-        RegimeShares::of(&asperities, heights, separation, self.settings.melting_temperature)
-    }
-
-    fn energy_release(&self, row: usize, pressed: &Carried) -> Option<Estimate> {
+    fn energy_release(&self, row: usize, pressed: &EquilibriumState) -> Option<Estimate> {
         let mut energy = pressed.state.energy?.estimate();
-        if let Pressing::Pressure(pressures) = &self.query.pressing {
+        if let NormalLoading::Pressure(pressures) = &self.query.loading {
             let slope = (pressed.sensitivity.energy * energy.value).abs();
             energy.error += pressed.separation_error(pressures[row]) * slope;
         }

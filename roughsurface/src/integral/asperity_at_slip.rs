@@ -3,12 +3,12 @@
 use std::sync::Arc;
 use tables::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 
-/// How fast the doubt about extrapolated values grows with ln(ω/ω_limit).
+/// Relative uncertainty of extrapolated values per ln(ω/ω_limit).
 ///
-/// Above its last knot a law is continued in proportion to ω, as a fully plastic
-/// sphere is; elastic–plastic loads grow at most as ω^1.263 (Kogut & Etsion 2002),
-/// and this is the difference of the exponents.
-const EXPONENT_DOUBT: f64 = 0.263;
+/// Above its last knot a law is continued in proportion to ω, as for a fully plastic sphere; elastic–plastic
+/// loads grow at most as ω^1.263 (Kogut & Etsion 2002, doi 10.1115/1.1490373), and this is the difference of
+/// the exponents.
+const EXPONENT_UNCERTAINTY: f64 = 0.263;
 
 /// An asperity law with everything but the interference fixed.
 #[derive(Clone)]
@@ -19,7 +19,7 @@ pub struct AsperityAtSlip<'a> {
     slip_rate: f64,
     slip: f64,
     limit: f64,
-    with_energy: bool,
+    has_energy: bool,
 }
 
 impl<'a> AsperityAtSlip<'a> {
@@ -37,7 +37,7 @@ impl<'a> AsperityAtSlip<'a> {
             slip_rate,
             slip,
             limit: law.interference_limit(),
-            with_energy: false,
+            has_energy: false,
         })
     }
 
@@ -46,16 +46,16 @@ impl<'a> AsperityAtSlip<'a> {
         Self { slip, ..self.clone() }
     }
 
-    /// The same asperities, asked for their energy release too if the law knows it.
-    pub fn asked_for_energy(&self) -> Self {
+    /// The same asperities with their energy release, if the law states it.
+    pub fn with_energy(&self) -> Self {
         let probe = self.limit.min(1.0);
         let answer = self.law.energy_release(self.radius, probe, self.slip_rate);
-        Self { with_energy: matches!(answer, Ok(Some(_))), ..self.clone() }
+        Self { has_energy: matches!(answer, Ok(Some(_))), ..self.clone() }
     }
 
     /// Whether [`energy_release`](Self::energy_release) has an answer.
-    pub fn knows_energy(&self) -> bool {
-        self.with_energy
+    pub fn has_energy(&self) -> bool {
+        self.has_energy
     }
 
     /// Critical interference ω_c of the spheres, m.
@@ -63,7 +63,7 @@ impl<'a> AsperityAtSlip<'a> {
         self.law.critical_interference(self.radius)
     }
 
-    /// Largest ω/ω_c the law knows.
+    /// Largest ω/ω_c of the law.
     pub fn limit(&self) -> f64 {
         self.limit
     }
@@ -98,14 +98,14 @@ impl<'a> AsperityAtSlip<'a> {
     }
 
     /// Energy released from full stick to full slip at `interference` (ω/ω_c), J; zero
-    /// unless [asked for](Self::asked_for_energy).
+    /// [without energy](Self::with_energy).
     pub fn energy_release(&self, interference: f64) -> Result<Estimate, LookupError> {
-        if !self.with_energy {
+        if !self.has_energy {
             return Ok(Estimate::default());
         }
         let inside = interference.min(self.limit);
         let answer = self.law.energy_release(self.radius, inside, self.slip_rate)?;
-        // Known at one interference and not at another: not known.
+        // Stated at one interference and not at another: unknown.
         let last = answer.unwrap_or(Estimate { value: f64::NAN, error: f64::NAN });
         if interference <= self.limit {
             return Ok(last);
@@ -115,7 +115,7 @@ impl<'a> AsperityAtSlip<'a> {
 
     fn continued(&self, last: Estimate, interference: f64) -> Estimate {
         let growth = interference / self.limit;
-        let doubt = EXPONENT_DOUBT * growth.ln();
-        Estimate { value: last.value * growth, error: (last.error + last.value.abs() * doubt) * growth }
+        let uncertainty = EXPONENT_UNCERTAINTY * growth.ln();
+        Estimate { value: last.value * growth, error: (last.error + last.value.abs() * uncertainty) * growth }
     }
 }

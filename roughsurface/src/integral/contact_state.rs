@@ -1,4 +1,4 @@
-//! What a rough surface does at one separation and slip.
+//! The state of a rough surface at one separation and slip.
 
 use tables::law::Estimate;
 
@@ -35,7 +35,7 @@ pub struct ContactState {
     /// Real over nominal contact area, 1.
     pub area_fraction: Integral,
     /// Energy released from full stick to full slip per nominal area, J/m², where the
-    /// law knows it and was asked.
+    /// law states it and it was asked for.
     pub energy: Option<Integral>,
     /// Contacts per nominal area, 1/m².
     pub contact_density: f64,

@@ -1,6 +1,6 @@
 //! Gauss–Kronrod rules on (−1, 1): few points first, many where they do not do.
 
-/// A rule of Kronrod with a rule of Gauss inside that says how far off it may be.
+/// A Kronrod rule with a Gauss rule inside, which gives its error.
 #[derive(Debug)]
 pub struct Rule {
     /// Abscissae from −1 to 0, of the other half the negative ones, and their weights.

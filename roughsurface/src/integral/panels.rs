@@ -1,8 +1,8 @@
 //! Gauss–Kronrod panels in the root of the interference, sampled once and kept.
 //!
 //! With ω = u² the 3/2 power of the start of contact becomes a polynomial, and
-//! because the panels stand in interference, not in height, the same samples of
-//! the asperity law serve every separation: a root solve costs exponentials of
+//! because the panels divide the interference, not the height, the same samples of
+//! the asperity law serve every separation: the search for a separation costs exponentials of
 //! heights only.
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
@@ -10,7 +10,7 @@ use crate::integral::kronrod::{FEW, MANY, Rule};
 use crate::surface::heights::Heights;
 use tables::law::LookupError;
 
-/// Densities are computed in whole vectors: what is left over would go one by one.
+/// Densities are computed in whole vectors.
 const LANES: usize = 8;
 const MOST_POINTS: usize = MANY.count().next_multiple_of(LANES);
 
@@ -27,7 +27,7 @@ pub const FRICTION_ERROR: usize = 5;
 pub const AREA_ERROR: usize = 6;
 /// Load of asperities beyond the limit of the law.
 pub const LOAD_OUTSIDE: usize = 7;
-/// Energy released from full stick to full slip, last because often nobody asks.
+/// Energy released from full stick to full slip, last because it is often not asked for.
 pub const ENERGY: usize = 8;
 pub const ENERGY_ERROR: usize = 9;
 
@@ -40,7 +40,7 @@ pub type Errors = [f64; 4];
 /// Place of the energy among the errors.
 pub const OF_ENERGY: usize = 3;
 
-/// A panel that ends at less than so many times where it starts is narrow: few points do.
+/// Ratio of its ends below which a panel is narrow and few points suffice.
 const NARROW: f64 = 1.5;
 
 /// Quantities of one asperity at `interference` (ω/ω_c), in the order of [`Sums`].
@@ -74,7 +74,7 @@ pub struct Panel {
     first_point: usize,
     first_sums: usize,
     finer: Option<[usize; 2]>,
-    /// Whether its error was once too large: then it is passed over.
+    /// Whether its error was too large at an earlier separation: it is then skipped.
     pub too_coarse: bool,
 }
 
@@ -94,7 +94,7 @@ impl PanelTree {
         &self.panels[index]
     }
 
-    /// Forgets every panel.
+    /// Removes every panel.
     pub fn clear(&mut self) {
         self.panels.clear();
         self.interference.clear();
@@ -131,7 +131,7 @@ impl PanelTree {
         Ok(self.panels.len() - 1)
     }
 
-    /// What takes the place of a panel that is too coarse: the same with more points and, of one
+    /// Replaces a panel that is too coarse: the same with more points and, of one
     /// that has them, its halves. Sampled at the first call.
     pub fn finer(&mut self, asperity: &AsperityAtSlip, index: usize) -> Result<Finer, LookupError> {
         let Panel { from, to, rule, finer, .. } = self.panels[index];
@@ -152,12 +152,12 @@ impl PanelTree {
     }
 
     /// Marks a panel as too coarse.
-    pub fn pass_over(&mut self, index: usize) {
+    pub fn mark_too_coarse(&mut self, index: usize) {
         self.panels[index].too_coarse = true;
     }
 
     /// Integral over a panel with summits of density `heights` above a flat at `separation`,
-    /// and its error: what the rule of Gauss within would differ, a generous one.
+    /// and its error, an upper bound: the difference from the Gauss rule within.
     /// Energies stay zero unless asked for `with_energy`.
     pub fn integral(
         &self,

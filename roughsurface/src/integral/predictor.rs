@@ -1,4 +1,4 @@
-//! Separations found one after the other, each a start for the next.
+//! Predictors of the separation: where the search for the next equilibrium state starts.
 
 use crate::integral::contact_state::{ContactState, Integral};
 use crate::surface::heights::Heights;
@@ -18,7 +18,7 @@ impl Sensitivity {
     pub(crate) fn between(state: &ContactState, farther: &ContactState, step: f64) -> Self {
         let relative = |quantity: fn(&ContactState) -> f64| {
             let (here, there) = (quantity(state), quantity(farther));
-            // What is nothing at both stays nothing.
+            // Zero at both, its logarithm does not exist; it does not change.
             if here == there { 0.0 } else { (there - here) / (here * step) }
         };
         Self {
@@ -51,35 +51,38 @@ impl Sensitivity {
     }
 }
 
-/// Where a search for a separation starts.
+/// Where the search for a separation starts.
 #[derive(Clone, Copy, Debug)]
-pub struct Start {
+pub struct Predictor {
     /// m.
     pub separation: f64,
     /// d ln(pressure)/d(separation) there, 1/m: negative.
     pub slope: f64,
-    /// Sensitivity of a state so near that another one need not be computed.
+    /// Sensitivity of a neighbouring state, near enough to be used in place of a new one.
     pub(crate) sensitivity: Option<Sensitivity>,
 }
 
-impl Start {
-    /// At `separation` (m) of summits that nothing is known of yet: in the tails of most
-    /// distributions the pressure falls by about e within a standard deviation.
+impl Predictor {
+    /// At `separation` (m), without a neighbouring state: in the tails of most distributions the pressure
+    /// falls by about e within a standard deviation.
     pub fn at(separation: f64, heights: &dyn Heights) -> Self {
         Self { separation, slope: -1.0 / heights.standard_deviation(), sensitivity: None }
     }
 }
 
-/// Slips in a row that may share one sensitivity.
-const SHARED: usize = 4;
+/// Consecutive slips that may share one sensitivity.
+const SHARED_STEPS: usize = 4;
 
-/// By so much of itself a shared sensitivity may be wrong.
-pub(crate) const SHARED_DOUBT: f64 = 0.05;
+/// Relative uncertainty of a shared sensitivity.
+pub(crate) const SHARED_UNCERTAINTY: f64 = 0.05;
 
-/// Separations found one after the other as the slip moves on in even steps.
+/// Order of the polynomial through the last separations that predicts the next.
+const ORDER: usize = 3;
+
+/// The last separations of a slide in even steps of ln s, and the prediction of the next.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Trail {
-    last: Start,
+pub(crate) struct PredictorHistory {
+    last: Predictor,
     /// Backward differences of the separations, m: first, second, third.
     differences: [f64; ORDER],
     steps: usize,
@@ -87,33 +90,30 @@ pub(crate) struct Trail {
     age: usize,
 }
 
-/// Order of the polynomial through the last separations that foretells the next.
-const ORDER: usize = 3;
-
-impl From<Start> for Trail {
-    fn from(start: Start) -> Self {
-        Self { last: start, differences: [0.0; ORDER], steps: 0, age: 0 }
+impl From<Predictor> for PredictorHistory {
+    fn from(predictor: Predictor) -> Self {
+        Self { last: predictor, differences: [0.0; ORDER], steps: 0, age: 0 }
     }
 }
 
-impl Trail {
-    /// Where the next separation is to be expected.
-    pub(crate) fn next(&self) -> Start {
-        let sensitivity = self.last.sensitivity.filter(|_| self.steps > 0 && self.age < SHARED);
+impl PredictorHistory {
+    /// Prediction of the next separation.
+    pub(crate) fn next(&self) -> Predictor {
+        let sensitivity = self.last.sensitivity.filter(|_| self.steps > 0 && self.age < SHARED_STEPS);
         let separation = self.last.separation + self.differences.iter().sum::<f64>();
-        Start { separation, sensitivity, ..self.last }
+        Predictor { separation, sensitivity, ..self.last }
     }
 
-    /// Adds what was found, and whether its sensitivity is one of its own.
-    pub(crate) fn add(&mut self, found: Start, own: bool) {
+    /// Adds the state found, and whether its sensitivity was computed there.
+    pub(crate) fn add(&mut self, found: Predictor, own_sensitivity: bool) {
         let mut difference = found.separation - self.last.separation;
         for (order, known) in self.differences.iter_mut().enumerate() {
-            // The start comes from elsewhere: it takes no part in differences.
+            // The first predictor belongs to another slip and takes no part in differences.
             let next = difference - *known;
             *known = if order < self.steps { difference } else { 0.0 };
             difference = next;
         }
-        self.age = if own { 0 } else { self.age + 1 };
+        self.age = if own_sensitivity { 0 } else { self.age + 1 };
         self.last = found;
         self.steps += 1;
     }
@@ -124,23 +124,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_trail_goes_on_as_it_came_and_shares_a_sensitivity_for_a_while() {
+    fn cubics_are_predicted_exactly_and_a_sensitivity_is_shared_for_four_steps() {
         let known = Sensitivity { pressure: -1.0, ..Sensitivity::default() };
-        let at = |separation| Start { separation, slope: -1.0, sensitivity: Some(known) };
-        let mut trail = Trail::from(at(5.0));
-        assert_eq!(trail.next().separation, 5.0);
-        assert!(trail.next().sensitivity.is_none(), "that of another slip, far away");
-        // A cubic is foretold from four points.
+        let at = |separation| Predictor { separation, slope: -1.0, sensitivity: Some(known) };
+        let mut history = PredictorHistory::from(at(5.0));
+        assert_eq!(history.next().separation, 5.0);
+        assert!(history.next().sensitivity.is_none(), "that of another slip");
         let cubic = |n: f64| 1.0 - 2.0 * n + 0.5 * n * n - 0.125 * n * n * n;
         for n in 0..4 {
-            trail.add(at(cubic(f64::from(n))), true);
+            history.add(at(cubic(f64::from(n))), true);
         }
-        for n in 4..4 + SHARED as i32 {
-            assert!((trail.next().separation - cubic(f64::from(n))).abs() < 1e-13);
-            assert_eq!(trail.next().sensitivity, Some(known));
-            trail.add(at(cubic(f64::from(n))), false);
+        for n in 4..4 + SHARED_STEPS as i32 {
+            assert!((history.next().separation - cubic(f64::from(n))).abs() < 1e-13);
+            assert_eq!(history.next().sensitivity, Some(known));
+            history.add(at(cubic(f64::from(n))), false);
         }
-        assert!(trail.next().sensitivity.is_none());
+        assert!(history.next().sensitivity.is_none());
     }
 
     #[test]

@@ -9,11 +9,11 @@ use crate::surface::radii::RadiusClass;
 use std::sync::Arc;
 use tables::law::{AsperityLaw, LookupError};
 
-/// What carries a pressure at a separation.
+/// An integral over the asperities, for any separation.
 pub trait ContactIntegral {
     /// The state at `separation` (m).
     fn at(&mut self, separation: f64) -> Result<ContactState, LookupError>;
-    /// Adds to a state at `separation` (m) the errors that a search can do without.
+    /// Adds to a state at `separation` (m) the errors that a search for the separation does not need.
     fn complete_errors(&mut self, _separation: f64, _state: &mut ContactState) -> Result<(), LookupError> {
         Ok(())
     }
@@ -54,9 +54,9 @@ impl<'a> Asperities<'a> {
         self.changed(|asperity| asperity.after(slip))
     }
 
-    /// The same asperities, asked for their energy release too if the law knows it.
-    pub fn asked_for_energy(&self) -> Self {
-        self.changed(AsperityAtSlip::asked_for_energy)
+    /// The same asperities with their energy release, if the law states it.
+    pub fn with_energy(&self) -> Self {
+        self.changed(AsperityAtSlip::with_energy)
     }
 
     /// Share of the summits and asperity of each radius, by ascending radius.
@@ -87,9 +87,7 @@ impl<'a> SurfaceIntegral<'a> {
         };
         Self { classes: integrals(&asperities.classes), coarse: asperities.coarse.as_ref().map(integrals) }
     }
-}
 
-impl<'a> SurfaceIntegral<'a> {
     /// Asperities of each radius with heights of their own, and the share of the summits.
     pub fn of_parts(classes: Vec<(f64, HeightIntegral<'a>)>) -> Self {
         Self { classes, coarse: None }
@@ -133,65 +131,60 @@ fn sum(classes: &mut [(f64, HeightIntegral)], separation: f64) -> Result<Contact
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integral::test_laws::STEEL;
     use crate::surface::heights::Exponential;
     use crate::surface::radii::Radii;
-    use tables::closed_forms::{ElasticPlastic, closed_form};
+    use tables::closed_forms::closed_form;
 
-    #[test]
-    fn elastic_greenwood_williamson_with_radii_that_differ() {
-        // P = √π η E* σ^{3/2} E[√R] e^{−h} and A = π η σ E[R] e^{−h} for exponential heights.
-        let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
-        let law = closed_form("hertz", &steel).unwrap();
-        let radii = Radii::counted(&[20e-6, 100e-6, 300e-6], &[2.0, 5.0, 1.0]).unwrap();
-        let surface = Surface {
-            asperity_density: 1e10,
-            asperity_radius: radii,
-            heights: Box::new(Exponential::new(1e-6)),
-        };
+    /// State and its errors at `separation` (m) after a slip of 1 mm, for exponential heights of 1 µm.
+    fn state(model: &str, asperity_radius: Radii, separation: f64) -> ContactState {
+        let law = closed_form(model, &STEEL).unwrap();
+        let heights = Box::new(Exponential::new(1e-6));
+        let surface = Surface { asperity_density: 1e10, asperity_radius, heights };
         let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-3);
         let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-12);
+        let mut state = integral.at(separation).unwrap();
+        integral.complete_errors(separation, &mut state).unwrap();
+        state
+    }
+
+    #[test]
+    fn elastic_greenwood_williamson_with_distributed_radii() {
+        // P = √π η E* σ^{3/2} E[√R] e^{−h} and A = π η σ E[R] e^{−h} for exponential heights.
+        let radii = Radii::counted(&[20e-6, 100e-6, 300e-6], &[2.0, 5.0, 1.0]).unwrap();
         let mean = |power: f64| {
             (2.0 * 20e-6f64.powf(power) + 5.0 * 100e-6f64.powf(power) + 300e-6f64.powf(power)) / 8.0
         };
         let pi = std::f64::consts::PI;
         for h in [0.0, 2.0f64] {
-            let state = integral.at(h * 1e-6).unwrap();
-            let pressure = pi.sqrt() * 1e10 * steel.contact_modulus() * 1e-9 * mean(0.5) * (-h).exp();
+            let state = state("hertz", radii.clone(), h * 1e-6);
             let area = pi * 1e10 * 1e-6 * mean(1.0) * (-h).exp();
-            assert!((state.pressure.value / pressure - 1.0).abs() < 1e-11, "{h}");
-            assert!((state.area_fraction.value / area - 1.0).abs() < 1e-11, "{h}");
-            let shear = steel.shear_strength() * area;
-            assert!((state.shear.value / shear - 1.0).abs() < 1e-11, "{h}");
-            assert!((state.contact_density / (1e10 * (-h).exp()) - 1.0).abs() < 1e-12, "{h}");
+            for (value, exact) in [
+                (
+                    state.pressure.value,
+                    pi.sqrt() * 1e10 * STEEL.contact_modulus() * 1e-9 * mean(0.5) * (-h).exp(),
+                ),
+                (state.area_fraction.value, area),
+                (state.shear.value, STEEL.shear_strength() * area),
+                (state.contact_density, 1e10 * (-h).exp()),
+            ] {
+                assert!((value / exact - 1.0).abs() < 1e-11, "{h}: {value:e} {exact:e}");
+            }
         }
     }
 
     #[test]
-    fn classes_of_a_continuous_distribution_carry_their_error() {
-        let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
-        let law = closed_form("kogut-etsion", &steel).unwrap();
-        let at = |radii: Radii| {
-            let surface = Surface {
-                asperity_density: 1e10,
-                asperity_radius: radii,
-                heights: Box::new(Exponential::new(1e-6)),
-            };
-            let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-3);
-            let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-12);
-            let mut state = integral.at(1e-6).unwrap();
-            integral.complete_errors(1e-6, &mut state).unwrap();
-            state
-        };
-        let state = at(Radii::log_normal(1e-4, 4e-5));
+    fn the_error_of_the_radius_classes_covers_their_deviation() {
+        let at = |radii: Radii| state("kogut-etsion", radii, 1e-6).pressure;
+        let classes = at(Radii::log_normal(1e-4, 4e-5));
         // A thousand classes by the midpoint rule in ln R, cut alike: the distribution itself.
         let spread = (1.0f64 + 0.16).ln().sqrt();
         let t: Vec<f64> = (0..1000).map(|i| 3.0 * (2.0 * (f64::from(i) + 0.5) / 1000.0 - 1.0)).collect();
         let share: Vec<f64> = t.iter().map(|t| (-0.5 * t * t).exp()).collect();
         let radius: Vec<f64> = t.iter().map(|t| (spread * t).exp()).collect();
         let many = Radii::counted(&radius, &share).unwrap();
-        let exact = at(many.scaled(1e-4 / many.mean()));
-        let off = (state.pressure.value - exact.pressure.value).abs();
-        assert!(off < 1e-5 * exact.pressure.value, "{:e}", off / exact.pressure.value);
-        assert!(off <= state.pressure.quadrature_error + 1e-6 * exact.pressure.value);
+        let exact = at(many.scaled(1e-4 / many.mean())).value;
+        let off = (classes.value - exact).abs();
+        assert!(off < 1e-5 * exact && off <= classes.quadrature_error + 1e-6 * exact, "{:e}", off / exact);
     }
 }

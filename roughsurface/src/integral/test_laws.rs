@@ -1,6 +1,10 @@
 //! Laws of one asperity with exact integrals, for tests.
 
+use tables::closed_forms::ElasticPlastic;
 use tables::law::{AsperityLaw, Estimate, LookupError, Response};
+
+pub const STEEL: ElasticPlastic =
+    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
 
 /// P, Q and A as powers of ω/ω_c, rate dependence and slip hardening by choice.
 #[derive(Clone, Debug)]
@@ -13,6 +17,8 @@ pub struct PowerLaw {
     pub critical: f64,
     pub limit: f64,
     pub relative_error: f64,
+    /// Highest temperature of the contact (K) at ω/ω_c.
+    pub temperature: fn(f64) -> f64,
     /// Friction as a factor of slip rate (m/s), slip (m) and contact radius (m).
     pub history: fn(f64, f64, f64) -> f64,
 }
@@ -27,6 +33,7 @@ impl PowerLaw {
             critical: 1e-7,
             limit: f64::INFINITY,
             relative_error: 0.0,
+            temperature: |_| 0.0,
             history: |_, _, _| 1.0,
         }
     }
@@ -66,6 +73,7 @@ impl AsperityLaw for PowerLaw {
         let contact_radius = (area.value / std::f64::consts::PI).sqrt();
         let history = (self.history)(slip_rate, slip, contact_radius);
         let friction = estimate((self.friction.0 * history, self.friction.1));
-        Ok(Response { load: estimate(self.load), friction, area, temperature_max: Estimate::default() })
+        let temperature_max = Estimate { value: (self.temperature)(interference), error: 0.0 };
+        Ok(Response { load: estimate(self.load), friction, area, temperature_max })
     }
 }

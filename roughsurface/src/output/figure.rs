@@ -1,88 +1,76 @@
-//! Predictions at a glance.
+//! Figures of a prediction.
 
+use crate::friction::Prediction;
 use crate::friction::flash_heating::FlashHeating;
-use crate::friction::{Friction, Prediction};
-use crate::surface::query::Pressing;
+use crate::friction::quantities::Quantity;
+use crate::output::results::Results;
+use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
+use tables::law::Estimate;
 use tables::numbers::digits;
-use tables::quantity::Estimate;
 
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
 
 const FRICTION_LABEL: &str = "friction coefficient";
 
-/// Friction against slip rate, pressure and slip, real contact area, separation, and what the
-/// contacts do; with models of the literature if there are any.
-pub fn figure(prediction: &Prediction) -> Figure {
+/// Friction against slip rate, pressure and slip, real contact area, separation, and the regimes of the
+/// contacts; with models of the literature if there are any.
+pub fn figure(results: &Results) -> Figure {
+    let prediction = &results.prediction;
+    let mu = |title: &str, name: &'static str| {
+        over_loading(prediction, title, Axis::linear(FRICTION_LABEL), &[("", name)], 1.0)
+    };
     let mut panels = vec![
         over_slip_rate(prediction),
-        over_pressing(
-            prediction,
-            "Sliding friction",
-            FRICTION_LABEL,
-            &[("", |friction| friction.sliding.mu)],
-        ),
-        over_pressing(prediction, "Static friction", FRICTION_LABEL, &[("", |friction| friction.mu_static)]),
+        mu("Sliding friction", "mu"),
+        mu("Static friction", "mu_static"),
         along_the_slide(prediction),
-        Panel {
-            y: Axis::logarithmic("real area fraction"),
-            ..over_pressing(
-                prediction,
-                "Real contact area",
-                "",
-                &[("", |friction| friction.sliding.area_fraction)],
-            )
-        },
-        over_pressing(
+        over_loading(
+            prediction,
+            "Real contact area",
+            Axis::logarithmic("real area fraction"),
+            &[("", "real_area_fraction")],
+            1.0,
+        ),
+        over_loading(
             prediction,
             "Separation",
-            "separation while sliding (µm)",
-            &[("", |friction| scaled(friction.sliding.separation, 1e6))],
+            Axis::linear("separation while sliding (µm)"),
+            &[("", "separation_sliding")],
+            1e6,
         ),
-        regimes(prediction),
+        over_loading(
+            prediction,
+            "Share of the contacts",
+            Axis::linear("share of contacts"),
+            &[
+                ("elastic, ", "elastic_fraction"),
+                ("plastic, ", "plastic_fraction"),
+                ("melting, ", "melting_fraction"),
+            ],
+            1.0,
+        ),
     ];
-    if !prediction.comparisons.is_empty() {
-        panels.push(compared(prediction));
+    if !results.comparisons.is_empty() {
+        panels.push(compared(results));
     }
     Figure { title: title(&prediction.law), panels }
 }
 
-fn scaled(estimate: Estimate, factor: f64) -> Estimate {
-    Estimate { value: factor * estimate.value, error: factor * estimate.error }
-}
-
-/// Shares of the contacts at the slowest and the fastest slip rate.
-fn regimes(prediction: &Prediction) -> Panel {
-    over_pressing(
-        prediction,
-        "Share of the contacts",
-        "share of contacts",
-        &[
-            ("elastic, ", |friction| exact(friction.shares.elastic)),
-            ("plastic, ", |friction| exact(friction.shares.plastic)),
-            ("melting, ", |friction| exact(friction.shares.melting)),
-        ],
-    )
-}
-
-fn exact(value: f64) -> Estimate {
-    Estimate { value, error: 0.0 }
-}
-
 /// Sliding friction of the slowest rate beside that of the models.
-fn compared(prediction: &Prediction) -> Panel {
-    let values = prediction.query.pressing.values();
-    let x = pressing_axis(prediction);
-    let own = prediction.friction.iter().map(|cells| cells[0].sliding.mu);
-    let (y, error) = values_and_errors(own);
+fn compared(results: &Results) -> Panel {
+    let prediction = &results.prediction;
+    let values = prediction.query.loading.values();
+    let (y, error) = values_and_errors(prediction.friction.iter().map(|cells| cells[0].sliding.mu));
     let label = format!("this, {} m/s", prediction.query.slip_rates[0]);
     let mut curves = vec![Curve::new(label, values.to_vec(), y).with_error(error)];
-    for comparison in &prediction.comparisons {
+    for comparison in &results.comparisons {
         let y = comparison.friction.iter().map(|cell| cell.sliding.mu.value).collect();
         curves.push(Curve::new(comparison.model.as_str(), values.to_vec(), y));
     }
-    Panel { title: "Models of the literature".into(), x, y: Axis::linear(FRICTION_LABEL), curves }
+    let (x, y) = (loading_axis(prediction), Axis::linear(FRICTION_LABEL));
+    Panel { title: "Models of the literature".into(), x, y, curves }
 }
 
 /// Names the law where it is short: that of a table is a sentence, and too long for the sheet.
@@ -106,9 +94,9 @@ fn values_and_errors(estimates: impl Iterator<Item = Estimate>) -> (Vec<f64>, Ve
 }
 
 fn row_label(prediction: &Prediction, row: usize) -> String {
-    match &prediction.query.pressing {
-        Pressing::Pressure(values) => format!("{} Pa", digits(values[row], 4)),
-        Pressing::Separation(values) => format!("{} m", digits(values[row], 4)),
+    match &prediction.query.loading {
+        NormalLoading::Pressure(values) => format!("{} Pa", digits(values[row], 4)),
+        NormalLoading::Separation(values) => format!("{} m", digits(values[row], 4)),
     }
 }
 
@@ -151,29 +139,35 @@ fn fitted(slip_rates: &[f64], fit: &FlashHeating) -> Curve {
     Curve::new("", x, y)
 }
 
-fn pressing_axis(prediction: &Prediction) -> Axis {
-    match prediction.query.pressing {
-        Pressing::Pressure(_) => Axis::logarithmic("nominal pressure (Pa)"),
-        Pressing::Separation(_) => Axis::linear("separation before the slide (m)"),
+fn loading_axis(prediction: &Prediction) -> Axis {
+    match prediction.query.loading {
+        NormalLoading::Pressure(_) => Axis::logarithmic("nominal pressure (Pa)"),
+        NormalLoading::Separation(_) => Axis::linear("separation before the slide (m)"),
     }
 }
 
-/// Prefix of the label and value of a family of curves.
-type Shown = (&'static str, fn(&Friction) -> Estimate);
-
-fn over_pressing(prediction: &Prediction, title: &str, label: &str, shown: &[Shown]) -> Panel {
-    let values = prediction.query.pressing.values();
-    let x = pressing_axis(prediction);
+/// Quantities over pressure or separation, a curve for each slip rate: prefix of the label and name of each,
+/// times `factor`.
+fn over_loading(
+    prediction: &Prediction,
+    title: &str,
+    y: Axis,
+    shown: &[(&str, &'static str)],
+    factor: f64,
+) -> Panel {
+    let values = prediction.query.loading.values();
     let mut curves = Vec::new();
-    for (prefix, value) in shown {
+    for (prefix, name) in shown {
+        let quantity = Quantity::named(name);
         for rate in chosen(prediction.query.slip_rates.len(), MOST_CURVES / shown.len()) {
-            let column = prediction.friction.iter().map(|cells| value(&cells[rate]));
-            let (y, error) = values_and_errors(column);
+            let column = prediction.friction.iter().map(|cells| quantity.estimate(&cells[rate]));
+            let scaled = column.map(|e| Estimate { value: factor * e.value, error: factor * e.error });
+            let (values_of, error) = values_and_errors(scaled);
             let label = format!("{prefix}{} m/s", prediction.query.slip_rates[rate]);
-            curves.push(Curve::new(label, values.to_vec(), y).with_error(error));
+            curves.push(Curve::new(label, values.to_vec(), values_of).with_error(error));
         }
     }
-    Panel { title: title.into(), x, y: Axis::linear(label), curves }
+    Panel { title: title.into(), x: loading_axis(prediction), y, curves }
 }
 
 fn along_the_slide(prediction: &Prediction) -> Panel {

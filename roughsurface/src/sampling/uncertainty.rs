@@ -1,96 +1,54 @@
-//! What uncertain parameters mean for the results.
+//! Uncertain parameters propagated to the results.
 //!
-//! Each parameter is moved by its standard deviation up and down, the prediction repeated, and
-//! half the difference taken; parameters are independent, so the squares add up. That is exact for
-//! results linear in the parameters over ± one standard deviation. Constants of the material that a
-//! table was computed for are moved by giving another table, for which one was: half as exact, but
-//! half the price.
+//! Each parameter is varied by its standard deviation up and down, the prediction repeated, and half the
+//! difference taken; parameters are independent, so the squares add up. Results linear in the parameters
+//! over ± one standard deviation are exact. Constants of the material that a table was computed for are
+//! varied by another table, on one side only: first order instead of second.
 
-use crate::friction::{Friction, Prediction, PredictionError, Settings, predict};
-use crate::integral::law_source::{LawSourceError, asperity_law};
+use crate::friction::quantities::{QUANTITIES, Quantity};
+use crate::friction::{Prediction, PredictionError, Settings, predict};
+use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
-use tables::law::Estimate;
 
-/// What a surface file can call uncertain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Parameter {
-    AsperityDensity,
-    AsperityRadius,
-    HeightsStd,
-    YoungsModulus,
-    PoissonRatio,
-    YieldStrength,
-}
-
-impl Parameter {
-    /// All, with their keys in the section `uncertainty`.
-    pub const ALL: [(Self, &'static str); 6] = [
-        (Self::AsperityDensity, "asperity_density"),
-        (Self::AsperityRadius, "asperity_radius"),
-        (Self::HeightsStd, "heights_std"),
-        (Self::YoungsModulus, "youngs_modulus"),
-        (Self::PoissonRatio, "poisson_ratio"),
-        (Self::YieldStrength, "yield_strength"),
-    ];
-
-    /// Its key in the section `uncertainty`.
-    pub fn key(self) -> &'static str {
-        Self::ALL[self as usize].1
-    }
-
-    /// Whether it belongs to the material, which a table brings with it.
-    pub fn is_of_material(self) -> bool {
-        matches!(self, Self::YoungsModulus | Self::PoissonRatio | Self::YieldStrength)
-    }
-}
-
-/// A parameter with its standard deviation, in the unit of the parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Uncertain {
-    pub parameter: Parameter,
-    pub std: f64,
-}
-
-/// A result that uncertainties are propagated to.
-pub struct Output {
-    pub name: &'static str,
-    pub units: &'static str,
-    value: fn(&Friction) -> Estimate,
-}
-
-const UNKNOWN: Estimate = Estimate { value: f64::NAN, error: f64::NAN };
-
-/// Every such result. To add one: a line here.
-pub const OUTPUTS: [Output; 7] = [
-    Output { name: "mu", units: "1", value: |f| f.sliding.mu },
-    Output { name: "mu_static", units: "1", value: |f| f.mu_static },
-    Output { name: "Q", units: "Pa", value: |f| f.sliding.shear },
-    Output { name: "G", units: "J m-2", value: |f| f.energy_release.unwrap_or(UNKNOWN) },
-    Output { name: "G_weakening", units: "J m-2", value: |f| f.weakening_energy },
-    Output { name: "real_area_fraction", units: "1", value: |f| f.sliding.area_fraction },
-    Output { name: "separation", units: "m", value: |f| f.pressed.separation },
-];
-
-/// What was moved, by its key, and its standard deviation where the surface file says it.
+/// A parameter that was varied, and its standard deviation where the surface file states it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moved {
+pub struct VariedParameter {
     pub key: String,
     pub std: Option<f64>,
+}
+
+/// Results that uncertainties are propagated to, in the order of [`Propagated::contributions`].
+pub fn outputs() -> impl Iterator<Item = &'static Quantity> {
+    QUANTITIES.iter().filter(|quantity| quantity.propagated)
 }
 
 /// Uncertainties of the results over the cells of a prediction, row by row.
 #[derive(Clone, Debug, Default)]
 pub struct Propagated {
-    pub parameters: Vec<Moved>,
+    pub parameters: Vec<VariedParameter>,
     /// Per cell, output and parameter: the change of the output when the parameter grows by its
     /// standard deviation.
-    pub contributions: Vec<[Vec<f64>; OUTPUTS.len()]>,
+    pub contributions: Vec<Vec<Vec<f64>>>,
 }
 
 impl Propagated {
     /// Standard deviation of an output in a cell.
     pub fn std(&self, cell: usize, output: usize) -> f64 {
         self.contributions[cell][output].iter().map(|change| change * change).sum::<f64>().sqrt()
+    }
+
+    /// Adds a parameter: `share` of the difference between two predictions is its contribution.
+    fn add(&mut self, varied: VariedParameter, up: &Prediction, down: &Prediction, share: f64) {
+        self.parameters.push(varied);
+        let cells = up.friction.iter().flatten().zip(down.friction.iter().flatten());
+        for (cell, (up, down)) in cells.enumerate() {
+            if self.contributions.len() <= cell {
+                self.contributions.push(vec![Vec::new(); outputs().count()]);
+            }
+            for (output, changes) in outputs().zip(&mut self.contributions[cell]) {
+                changes.push(share * (output.estimate(up).value - output.estimate(down).value));
+            }
+        }
     }
 }
 
@@ -115,41 +73,6 @@ pub enum UncertaintyError {
 
 /// Repeats the prediction `base` for the law called `table` with every uncertain parameter of
 /// `file` moved up and down, and with its other tables.
-///
-/// ```
-/// use roughsurface::friction::{Settings, predict};
-/// use roughsurface::integral::law_source::asperity_law;
-/// use roughsurface::surface::file::SurfaceFile;
-/// use roughsurface::sampling::uncertainty::{OUTPUTS, propagate};
-///
-/// let text = r#"
-/// [surface]
-/// asperity_density = 1e10      # 1/m2
-/// asperity_radius = 100e-6     # m
-/// heights = { distribution = "exponential", std = 0.5e-6 }
-/// [query]
-/// pressure = [1e6]             # nominal, Pa
-/// slip_rate = [1.0]            # m/s
-/// [material]
-/// youngs_modulus = 205e9
-/// poisson_ratio = 0.29
-/// yield_strength = 792e6
-/// [uncertainty]
-/// asperity_density = 1e9       # standard deviations
-/// yield_strength = 40e6
-/// "#;
-/// let file = SurfaceFile::parse("this example".as_ref(), text.to_owned())?;
-/// let (table, settings) = ("model:jackson-green", Settings::default());
-/// let law = asperity_law(table, file.material.as_ref(), None)?;
-/// let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ())?;
-/// let found = propagate(&file, table, &base, &settings, &|_, _| ())?;
-/// let mu = OUTPUTS.iter().position(|output| output.name == "mu").unwrap();
-/// // Of exponential heights friction does not depend on how many summits there are.
-/// let [density, strength] = found.contributions[0][mu][..] else { unreachable!() };
-/// assert!(density.abs() < 0.02 * strength.abs());
-/// assert!((found.std(0, mu) / strength.abs() - 1.0).abs() < 1e-3);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub fn propagate(
     file: &SurfaceFile,
     table: &str,
@@ -166,7 +89,7 @@ pub fn propagate(
         return Err(UncertaintyError::NoTable);
     }
     let again = |file: &SurfaceFile, table: &str, key: &str, direction| {
-        let law = asperity_law(table, file.material.as_ref(), file.temperature)?;
+        let law = LawSource::open(table, file.material.as_ref(), file.temperature, false)?.law;
         predict(law.as_ref(), &file.surface, &file.query, settings, progress)
             .map_err(|error| UncertaintyError::Prediction { key: key.into(), direction, error })
     };
@@ -175,42 +98,19 @@ pub fn propagate(
         let key = uncertain.parameter.key();
         let up = again(&file.varied(uncertain.parameter, uncertain.std)?, table, key, "raised")?;
         let down = again(&file.varied(uncertain.parameter, -uncertain.std)?, table, key, "lowered")?;
-        propagated.add(Moved { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);
+        propagated.add(VariedParameter { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);
     }
     for (key, other) in &file.uncertain_tables {
         let up = again(file, &other.to_string_lossy(), key, "raised")?;
-        propagated.add(Moved { key: key.clone(), std: None }, &up, base, 1.0);
+        propagated.add(VariedParameter { key: key.clone(), std: None }, &up, base, 1.0);
     }
     Ok(propagated)
-}
-
-impl Propagated {
-    /// Adds a parameter: `share` of the difference between two predictions is its contribution.
-    fn add(&mut self, moved: Moved, up: &Prediction, down: &Prediction, share: f64) {
-        self.parameters.push(moved);
-        let pairs = up.friction.iter().flatten().zip(down.friction.iter().flatten());
-        for (cell, (up, down)) in pairs.enumerate() {
-            if self.contributions.len() <= cell {
-                self.contributions.push(Default::default());
-            }
-            for (output, changes) in OUTPUTS.iter().zip(&mut self.contributions[cell]) {
-                changes.push(share * ((output.value)(up).value - (output.value)(down).value));
-            }
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::path::Path;
-
-    #[test]
-    fn keys_stand_at_their_parameter() {
-        for (index, (parameter, key)) in Parameter::ALL.into_iter().enumerate() {
-            assert_eq!((parameter as usize, parameter.key()), (index, key));
-        }
-    }
 
     #[test]
     fn elastic_asperities_with_exponential_heights_in_closed_form() {
@@ -237,7 +137,7 @@ yield_strength = 4e6
 ";
         let file = SurfaceFile::parse(Path::new("surface.toml"), text.into()).unwrap();
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
-        let law = asperity_law("model:hertz", file.material.as_ref(), None).unwrap();
+        let law = LawSource::open("model:hertz", file.material.as_ref(), None, false).unwrap().law;
         let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
         let mu = base.friction[0][0].sliding.mu.value;
         let found = propagate(&file, "model:hertz", &base, &settings, &|_, _| ()).unwrap();
@@ -248,7 +148,8 @@ yield_strength = 4e6
         }
         let std = relative.iter().map(|share| share * share).sum::<f64>().sqrt();
         assert!((found.std(0, 0) / mu - std).abs() < 1e-5);
-        let separation = found.contributions[0][6][0];
+        let place = outputs().position(|output| output.name == "separation").unwrap();
+        let separation = found.contributions[0][place][0];
         assert!((separation / 1e-9 - 0.01).abs() < 1e-5, "{separation:e}");
     }
 
@@ -274,7 +175,7 @@ uncertainty = { KEY }
         let material = text.replace("KEY", "youngs_modulus = 1e9")
             + "material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 1e9 }\n";
         let file = SurfaceFile::parse(Path::new("s.toml"), material).unwrap();
-        let law = asperity_law("model:hertz", file.material.as_ref(), None).unwrap();
+        let law = LawSource::open("model:hertz", file.material.as_ref(), None, false).unwrap().law;
         let settings = Settings::default();
         let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
         let error = propagate(&file, "table.nc", &base, &settings, &|_, _| ()).unwrap_err();

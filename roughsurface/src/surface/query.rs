@@ -1,4 +1,4 @@
-//! A rough surface and what is asked of it.
+//! A rough surface and the query: loading, slip rates, loading control.
 
 use crate::surface::heights::Heights;
 use crate::surface::radii::Radii;
@@ -15,16 +15,24 @@ pub struct Surface {
     pub heights: Box<dyn Heights>,
 }
 
-/// What the surface is pressed with.
+/// Normal loading of the surface.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Pressing {
+pub enum NormalLoading {
     /// Nominal pressures, Pa.
     Pressure(Vec<f64>),
     /// Separations before the slide, m.
     Separation(Vec<f64>),
 }
 
-impl Pressing {
+impl NormalLoading {
+    /// Heading of a column of the values.
+    pub fn heading(&self) -> &'static str {
+        match self {
+            Self::Pressure(_) => "pressure [Pa]",
+            Self::Separation(_) => "separation before sliding [m]",
+        }
+    }
+
     /// The values, Pa or m.
     pub fn values(&self) -> &[f64] {
         match self {
@@ -41,24 +49,30 @@ impl Pressing {
     }
 }
 
-/// What is held during the slide.
+/// What is held during the slide: the nominal load, or the separation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Hold {
+pub enum LoadingControl {
     Load,
     Separation,
 }
 
-/// What is asked of a surface.
+/// Loading, slip rates and loading control of a prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Query {
-    pub pressing: Pressing,
+    pub loading: NormalLoading,
     /// Slip rates, m/s.
     pub slip_rates: Vec<f64>,
-    pub hold: Hold,
+    pub control: LoadingControl,
 }
 
 impl Query {
+    /// Pressure (Pa) or separation (m) and slip rate (m/s) of every cell, row by row.
+    pub fn cells(&self) -> impl Iterator<Item = (f64, f64)> {
+        let of_row = |&load: &f64| self.slip_rates.iter().map(move |&rate| (load, rate));
+        self.loading.values().iter().flat_map(of_row)
+    }
+
     /// Refuses slip rates outside the range of the law for any of the `radii`.
     pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radii: &Radii) -> Result<(), LookupError> {
         for class in radii.classes() {

@@ -18,11 +18,11 @@ pub struct RadiusClass {
     pub share: f64,
 }
 
-/// Radii of the summits: one for all, or classes that stand for a distribution.
+/// Radii of the summits: one for all, or classes that represent a distribution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Radii {
     classes: Vec<RadiusClass>,
-    /// Fewer classes for the same distribution, to see what the number matters.
+    /// Fewer classes for the same distribution, for the error.
     coarse: Option<Vec<RadiusClass>>,
 }
 
@@ -47,12 +47,7 @@ impl From<f64> for Radii {
 
 impl Radii {
     /// Log-normal radii of that mean and standard deviation (m), cut at three standard deviations
-    /// of ln R; the mean is that of what is left.
-    ///
-    /// ```
-    /// let radii = roughsurface::surface::radii::Radii::log_normal(100e-6, 30e-6);
-    /// assert!((radii.mean() / 100e-6 - 1.0).abs() < 1e-9);
-    /// ```
+    /// of ln R; the mean is that of the cut distribution.
     pub fn log_normal(mean: f64, std: f64) -> Self {
         let spread = (1.0 + (std / mean).powi(2)).ln().sqrt();
         let classes = |count: usize| {

@@ -16,7 +16,7 @@ pub struct Options {
     pub window: Window,
 }
 
-/// What was found.
+/// Result of a characterisation.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Characterization {
     /// Points across and along rows; (1, n) for a profile.
@@ -37,11 +37,11 @@ pub struct Characterization {
     pub rms_slope: f64,
     pub rms_curvature: f64,
     pub moments: Moments,
-    /// Summits that the moments stand for.
+    /// Summits of the Gaussian surface with these moments.
     pub summits: Nayak,
     /// Summits found one by one, on a profile its peaks.
     pub found: Summits,
-    /// R with twice the cut-off over R: what the choice matters.
+    /// R with twice the cut-off over R: the influence of the cut-off.
     pub radius_at_twice_the_cutoff: f64,
     /// (wavenumber in rad/m, mean power of a wave in m²).
     #[serde(skip)]
@@ -52,37 +52,16 @@ pub struct Characterization {
 /// Mean square slopes that differ by more than this factor make a surface with a lay.
 const ISOTROPIC: f64 = 1.5;
 
-/// Fewer summits than these say little about a distribution.
+/// Smallest number of summits whose statistics are not warned about.
 const FEW_SUMMITS: usize = 100;
 
 /// Skewness and excess kurtosis of summit heights that a Gaussian distribution does not describe.
 const SKEWED: f64 = 0.5;
 const HEAVY_TAILED: f64 = 1.0;
 
-/// Moments and summits of `topography`, or what is wrong with the cut-off.
-///
-/// ```
-/// use roughsurface::topography::Topography;
-/// use roughsurface::topography::characterize::{Options, characterize};
-///
-/// // Waves 10 µm long and 0.1 µm high along both directions: crests of curvature k²·0.1 µm.
-/// let k = 2.0 * std::f64::consts::PI / 10e-6;
-/// let height = |n: usize| 0.1e-6 * ((n % 64) as f64 * 0.5e-6 * k).cos() + 0.1e-6 * ((n / 64) as f64 * 0.5e-6 * k).cos();
-/// let topography = Topography {
-///     rows: 64,
-///     row_step: 0.5e-6,
-///     columns: 64,
-///     column_step: 0.5e-6,
-///     heights: (0..64 * 64).map(height).collect(),
-///     periodic: false,
-///     remarks: Vec::new(),
-/// };
-/// let found = characterize(topography, &Options { cutoff: Some(2e-6), ..Options::default() })?;
-/// assert!((found.rms_height / 0.1e-6 - 1.0).abs() < 0.1, "{:e}", found.rms_height);
-/// # Ok::<(), String>(())
-/// ```
+/// Moments and summits of `topography`, or the error in the cut-off.
 pub fn characterize(mut topography: Topography, options: &Options) -> Result<Characterization, String> {
-    options.detrend.take_off(&mut topography);
+    options.detrend.subtract(&mut topography);
     let count = topography.heights.len() as f64;
     let rms_height = (topography.heights.iter().map(|z| z * z).sum::<f64>() / count).sqrt();
     let spectrum = Spectrum::of(&topography, options.window);
@@ -169,7 +148,7 @@ fn warnings(found: &Characterization, profile: bool) -> Vec<String> {
         warnings.push("a profile shows one direction only; summits are those of an isotropic surface".into());
     }
     if found.found.count < FEW_SUMMITS {
-        warnings.push(format!("{} summits were found; their statistics mean little", found.found.count));
+        warnings.push(format!("{} summits were found, too few for statistics", found.found.count));
     } else if found.found.skewness.abs() > SKEWED || (found.found.kurtosis - 3.0).abs() > HEAVY_TAILED {
         warnings.push(format!(
             "summit heights have skewness {:.2} and kurtosis {:.2}, a Gaussian distribution 0 and 3; --summits \

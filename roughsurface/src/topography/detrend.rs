@@ -1,8 +1,9 @@
-//! Takes the form off a topography by least squares.
+//! Subtracts the form of a topography by least squares.
 
 use super::Topography;
+use nalgebra::{DMatrix, DVector};
 
-/// What is taken off before anything is measured.
+/// Trend that is subtracted before anything is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Detrend {
     /// The mean height.
@@ -25,8 +26,8 @@ impl Detrend {
         }
     }
 
-    /// Takes the trend off.
-    pub(super) fn take_off(self, topography: &mut Topography) {
+    /// Subtracts the trend.
+    pub(super) fn subtract(self, topography: &mut Topography) {
         let (rows, columns) = (topography.rows, topography.columns);
         let powers = self.powers(topography.is_profile());
         // Coordinates from −1 to 1 keep the normal equations well scaled.
@@ -39,36 +40,17 @@ impl Detrend {
             powers.iter().map(move |&(of_y, of_x)| y.powi(of_y) * x.powi(of_x))
         };
         let count = powers.len();
-        let mut normal = vec![vec![0.0; count + 1]; count];
+        let (mut normal, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
         for (place, height) in topography.heights.iter().enumerate() {
-            let row: Vec<f64> = terms(place).collect();
-            for i in 0..count {
-                for j in 0..count {
-                    normal[i][j] += row[i] * row[j];
-                }
-                normal[i][count] += row[i] * height;
-            }
+            let row = DVector::from_iterator(count, terms(place));
+            normal.ger(1.0, &row, &row, 1.0);
+            right.axpy(*height, &row, 1.0);
         }
-        let coefficients = solved(normal);
+        let coefficients = normal.cholesky().expect("powers on a grid are independent").solve(&right);
         for (place, height) in topography.heights.iter_mut().enumerate() {
             *height -= terms(place).zip(&coefficients).map(|(term, factor)| term * factor).sum::<f64>();
         }
     }
-}
-
-/// Gauss elimination of a small positive definite system, right-hand side in the last column.
-fn solved(mut system: Vec<Vec<f64>>) -> Vec<f64> {
-    let count = system.len();
-    for pivot in 0..count {
-        let row = system[pivot].clone();
-        for (_, other) in system.iter_mut().enumerate().filter(|(index, _)| *index != pivot) {
-            let factor = other[pivot] / row[pivot];
-            for (value, above) in other.iter_mut().zip(&row) {
-                *value -= factor * above;
-            }
-        }
-    }
-    (0..count).map(|i| system[i][count] / system[i][i]).collect()
 }
 
 #[cfg(test)]
@@ -81,20 +63,12 @@ mod tests {
         let form = |r: f64, c: f64| 3.0 + 0.2 * c - 0.7 * r + 0.03 * r * c + 0.05 * c * c - 0.01 * r * r;
         let heights: Vec<f64> =
             (0..rows * columns).map(|p| form((p / columns) as f64, (p % columns) as f64)).collect();
-        let map = |heights| Topography {
-            rows,
-            columns,
-            row_step: 1.0,
-            column_step: 1.0,
-            heights,
-            periodic: false,
-            remarks: Vec::new(),
-        };
+        let map = |heights| Topography::map((rows, 1.0), (columns, 1.0), heights);
         let mut curved = map(heights);
-        Detrend::Quadratic.take_off(&mut curved);
+        Detrend::Quadratic.subtract(&mut curved);
         assert!(curved.heights.iter().all(|z| z.abs() < 1e-12));
         let mut rough = map((0..rows * columns).map(|p| f64::from(p % 2 == 0)).collect());
-        Detrend::Plane.take_off(&mut rough);
+        Detrend::Plane.subtract(&mut rough);
         let variance = rough.heights.iter().map(|z| z * z).sum::<f64>() / 108.0;
         assert!((variance - 0.25).abs() < 0.01, "{variance}");
     }

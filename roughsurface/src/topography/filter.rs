@@ -4,15 +4,7 @@
 use std::f64::consts::PI;
 
 /// Amplitude that is left of a wave of wavenumber `q` (rad/m): 2^{−(λ_c/λ)²}, one half at the
-/// `cutoff` λ_c (m), nothing of what is much shorter.
-///
-/// ```
-/// use roughsurface::topography::filter::transmission;
-///
-/// let left = |wavelength: f64| transmission(2.0 * std::f64::consts::PI / wavelength, 1e-6);
-/// assert!((left(1e-6) - 0.5).abs() < 1e-12);
-/// assert!(left(10e-6) > 0.99 && left(0.25e-6) < 1e-4);
-/// ```
+/// `cutoff` λ_c (m), zero for much shorter waves.
 pub fn transmission(q: f64, cutoff: f64) -> f64 {
     let ratio = cutoff * q / (2.0 * PI);
     (-std::f64::consts::LN_2 * ratio * ratio).exp()

@@ -1,50 +1,29 @@
 //! From measured topography to the summits of a rough surface.
 //!
-//! Height maps and profiles are [read](read::read), a trend is taken off, and short wavelengths
-//! that the instrument did not resolve are filtered out ([`filter`]). The [`spectrum`] of what is left
-//! gives the moments m0, m2, m4 and from them the [`nayak`] summits; a direct search for
-//! [`summits`] stands beside them. [`characterize`](characterize::characterize) does all of it.
+//! Height maps and profiles are [read](readers::read), a trend is subtracted, and short wavelengths that the
+//! instrument did not resolve are filtered out ([`filter`], ISO 16610). The [`spectrum`] of the remainder
+//! gives the moments m0, m2, m4 and from them the summits of a Gaussian surface ([`nayak`]); a direct search
+//! for [`summits`] is made beside it. [`characterize`](characterize::characterize) does all of it.
+//! Depends on `surface` for the wording of messages only.
 
 pub mod characterize;
 mod detrend;
 mod fft;
 pub mod filter;
-mod gsf;
-pub mod length;
 pub mod nayak;
-mod netcdf;
-pub mod read;
+pub mod readers;
 pub mod report;
 pub mod spectrum;
 pub mod summits;
-mod text;
-mod x3p;
 
 #[cfg(test)]
 mod synthetic;
 
 use std::path::{Path, PathBuf};
 
-use crate::surface::file::short;
+use crate::surface::messages::short;
 
 /// Heights on a regular grid: a map, or a profile if there is one row only.
-///
-/// ```
-/// use roughsurface::topography::Topography;
-///
-/// let map = Topography {
-///     rows: 2,
-///     row_step: 2e-6,
-///     columns: 3,
-///     column_step: 1e-6,
-///     heights: vec![0.0, 1e-7, 0.0, 1e-7, f64::NAN, 1e-7],
-///     periodic: false,
-///     remarks: Vec::new(),
-/// };
-/// assert!(!map.is_profile());
-/// assert_eq!((map.pixel(), map.size().0), (2e-6, 4e-6));
-/// assert_eq!(map.undefined(), 1.0 / 6.0);
-/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topography {
     /// Rows, and distance between them, m.
@@ -57,11 +36,29 @@ pub struct Topography {
     pub heights: Vec<f64>,
     /// Whether the map continues at its other side.
     pub periodic: bool,
-    /// What was assumed or changed in reading.
+    /// Assumptions and changes in reading.
     pub remarks: Vec<String>,
 }
 
 impl Topography {
+    /// Number of rows and of points in a row, each with their distance (m), and heights row by row (m).
+    pub fn map(rows: (usize, f64), columns: (usize, f64), heights: Vec<f64>) -> Self {
+        Self {
+            rows: rows.0,
+            row_step: rows.1,
+            columns: columns.0,
+            column_step: columns.1,
+            heights,
+            periodic: false,
+            remarks: Vec::new(),
+        }
+    }
+
+    /// Heights (m) at points `step` (m) apart.
+    pub fn profile(step: f64, heights: Vec<f64>) -> Self {
+        Self::map((1, step), (heights.len(), step), heights)
+    }
+
     pub fn is_profile(&self) -> bool {
         self.rows == 1
     }
@@ -82,7 +79,7 @@ impl Topography {
     }
 }
 
-/// What is wrong with a topography, in one line.
+/// An error in a topography, in one line.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {}", .file.display(), short(.what))]
 pub struct TopographyError {

@@ -8,7 +8,7 @@ use tables::figures::{Axis, Curve, Figure, Panel};
 /// Which summits a surface file is written with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum WhichSummits {
-    /// Those that the moments stand for, heights Gaussian.
+    /// Those of the moments, with Gaussian heights.
     #[default]
     Moments,
     /// Those found one by one, their heights in a file beside.
@@ -70,32 +70,6 @@ pub fn json(found: &Characterization) -> Value {
 
 /// A surface file with the summits, ready for `roughsurface predict`; `heights` is the name of the
 /// file of the heights of the summits found, where those are asked for.
-///
-/// ```
-/// use roughsurface::surface::file::SurfaceFile;
-/// use roughsurface::topography::Topography;
-/// use roughsurface::topography::characterize::{Options, characterize};
-/// use roughsurface::topography::report::{heights_file, surface_file, text};
-///
-/// let wave = |n: usize| (n as f64 * 0.5e-6 * 2.0 * std::f64::consts::PI / 10e-6).cos();
-/// let topography = Topography {
-///     rows: 80,
-///     row_step: 0.5e-6,
-///     columns: 80,
-///     column_step: 0.5e-6,
-///     heights: (0..80 * 80).map(|n| 1e-7 * (wave(n / 80) + wave(n % 80))).collect(),
-///     periodic: true,
-///     remarks: Vec::new(),
-/// };
-/// let found = characterize(topography, &Options { cutoff: Some(2e-6), ..Options::default() })?;
-/// assert!(text(&found).contains("bandwidth alpha"));
-/// assert_eq!(heights_file(&found).lines().count(), 1 + found.found.count);
-/// // What is written can be read.
-/// let written = surface_file(&found, "an egg box", None);
-/// let surface = SurfaceFile::parse("surface.toml".as_ref(), written)?.surface;
-/// # let _ = surface;
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str>) -> String {
     let (density, radius, distribution, mean) = match heights {
         Some(file) => (
@@ -112,7 +86,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
         ),
     };
     let plane = if heights.is_some() { "mean plane of the surface" } else { "mean plane of the summits" };
-    // What ends a line would end the comment.
+    // A control character could end the comment.
     let source: String = source.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     format!(
         "# Summits of {source}, written by roughsurface {}\n\

@@ -42,31 +42,6 @@ impl Window {
 }
 
 /// The spectrum of a topography without trend.
-///
-/// ```
-/// use roughsurface::topography::Topography;
-/// use roughsurface::topography::spectrum::{Spectrum, Window};
-///
-/// // One wave along the rows: 0.1 µm high, 10 µm long, on a map that continues at its other side.
-/// let k = 2.0 * std::f64::consts::PI / 10e-6;
-/// let topography = Topography {
-///     rows: 16,
-///     row_step: 0.5e-6,
-///     columns: 80,
-///     column_step: 0.5e-6,
-///     heights: (0..16 * 80).map(|n| 1e-7 * (f64::from(n % 80) * 0.5e-6 * k).cos()).collect(),
-///     periodic: true,
-///     remarks: Vec::new(),
-/// };
-/// let spectrum = Spectrum::of(&topography, Window::None);
-/// // Hardly touched by a cut-off a hundred times shorter.
-/// let moments = spectrum.moments(0.1e-6);
-/// assert!((moments.m0 / 0.5e-14 - 1.0).abs() < 1e-3);
-/// let (across, along) = moments.m2_directions;
-/// assert!(across < 1e-12 && (along / (0.5e-14 * k * k) - 1.0).abs() < 1e-3);
-/// // Four points of 0.5 µm make a wave, at the least.
-/// assert!(spectrum.reliability_limit().0 >= 2e-6);
-/// ```
 pub struct Spectrum {
     waves: Waves,
     profile: bool,
@@ -90,11 +65,11 @@ impl Spectrum {
         }
     }
 
-    /// Moments of what the filter of that `cutoff` (m) lets pass.
+    /// Moments after the filter of that `cutoff` (m).
     ///
     /// Of a map m2 = ⟨|∇z|²⟩/2 and m4 = 3⟨(∇²z)²⟩/8, the means over all directions. m0 is that of
-    /// the heights themselves less what the filter takes away: a window weakens the longest waves,
-    /// which carry most of it.
+    /// the heights themselves less the power that the filter removes: a window weakens the longest waves,
+    /// which contribute most of it.
     pub fn moments(&self, cutoff: f64) -> Moments {
         let (mut removed, mut across, mut along, mut m4) = (0.0, 0.0, 0.0, 0.0);
         for (y, x, power) in self.waves.powers() {
@@ -170,7 +145,7 @@ const BINS_PER_OCTAVE: f64 = 4.0;
 const FLAT_MAP: f64 = -1.0;
 const FLAT_PROFILE: f64 = -0.5;
 
-/// A spectrum counts where it stands this much above the noise.
+/// Ratio to the noise above which a spectrum is trusted.
 const ABOVE_NOISE: f64 = 4.0;
 
 /// Slope of the straight line through ln(power) against ln(q).

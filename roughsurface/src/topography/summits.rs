@@ -1,4 +1,4 @@
-//! Summits found one by one, beside those that the moments stand for.
+//! Summits found one by one, beside those of the moments.
 
 use super::Topography;
 use super::fft::Waves;
@@ -29,28 +29,7 @@ pub struct Summits {
 /// Finds the points above their eight neighbours (of a profile, two) in a topography without trend
 /// after the filter of that `cutoff` (m). Heights are those of the paraboloid through the
 /// neighbourhood, curvatures are exact derivatives of the filtered heights. Without periodicity the
-/// filter does not know what lies beyond the edges, and summits nearer than a cut-off do not count.
-///
-/// ```
-/// use roughsurface::topography::Topography;
-/// use roughsurface::topography::summits::find;
-///
-/// // An egg box: waves of 0.1 µm, 10 µm long, along both directions, four by four of them.
-/// let wave = |n: usize| (n as f64 * 0.5e-6 * 2.0 * std::f64::consts::PI / 10e-6).cos();
-/// let topography = Topography {
-///     rows: 80,
-///     row_step: 0.5e-6,
-///     columns: 80,
-///     column_step: 0.5e-6,
-///     heights: (0..80 * 80).map(|n| 1e-7 * (wave(n / 80) + wave(n % 80))).collect(),
-///     periodic: true,
-///     remarks: Vec::new(),
-/// };
-/// let summits = find(&topography, 1e-6);
-/// assert_eq!(summits.count, 16);
-/// assert!((summits.density / (1.0 / 100e-12) - 1.0).abs() < 1e-9);
-/// assert!(summits.std < 1e-9 && summits.mean < 2e-7);
-/// ```
+/// filter has no data beyond the edges, and summits nearer to them than a cut-off are not counted.
 pub fn find(topography: &Topography, cutoff: f64) -> Summits {
     let (rows, columns) = (topography.rows, topography.columns);
     let waves = Waves::of(topography, |_, _| 1.0);
@@ -155,7 +134,7 @@ mod tests {
 
     #[test]
     fn summits_of_a_gaussian_surface_are_those_of_its_moments() {
-        // Nayak's theory, nothing of which is in the search.
+        // Nayak's theory, independent of the search.
         for (surface, seed) in [
             (SelfAffine { points: 1024, ..SelfAffine::default() }, 1),
             (SelfAffine { points: 1024, hurst: 0.5, ..SelfAffine::default() }, 2),

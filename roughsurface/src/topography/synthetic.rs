@@ -11,15 +11,7 @@ use std::f64::consts::PI;
 const PIXEL: f64 = 0.1e-6;
 
 fn square(points: usize, heights: Vec<f64>) -> Topography {
-    Topography {
-        rows: points,
-        row_step: PIXEL,
-        columns: points,
-        column_step: PIXEL,
-        heights,
-        periodic: true,
-        remarks: Vec::new(),
-    }
+    Topography { periodic: true, ..Topography::map((points, PIXEL), (points, PIXEL), heights) }
 }
 
 /// a cos(q·r) with whole numbers of waves across and along, |q| and a.

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use roughsurface::topography::read::{Reading, read};
+use roughsurface::topography::readers::{Reading, read};
 
 fuzz_target!(|bytes: &[u8]| {
     let path = std::path::PathBuf::from(format!("/dev/shm/asperity-fuzz-topography-{}", std::process::id()));

@@ -1,6 +1,5 @@
-//! Integrals of what one asperity does over the heights of all:
-//! η ∫ f(z − d) φ(z) dz for load, friction, area and number at once
-//! (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242).
+//! The response of single asperities integrated over their heights: η ∫ f(z − d) φ(z) dz for load, friction,
+//! area and number at once (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242).
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::contact_state::{ContactState, Integral};
@@ -17,16 +16,15 @@ pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
 /// Halvings after which a panel is left as it is, its error counted.
 const MOST_ROUNDS: usize = 60;
 
-/// Across a panel the logarithm of the density may change by this much before the
-/// panel is halved unseen: its points still see the exponential, and the error
-/// control does the rest.
+/// Largest change of ln φ across a panel; its points resolve the exponential up to there, and beyond it the
+/// panel is halved without an error estimate.
 const DENSITY_RANGE: f64 = 25.0;
 
 /// Relative accuracy, in √ω, of how far a table would have to reach.
 const REACH_ACCURACY: f64 = 0.005;
 
-/// The start of contact of a law without kinks and the growth of the panels
-/// beyond the last kink: each is twice as long in √ω as the one before.
+/// First panel of a law without kinks, in √(ω/ω_c). Beyond the last kink each panel is twice as long as the
+/// one before.
 const FIRST_PANEL: f64 = 1.0;
 
 /// Summits of a surface at one slip rate and slip, for any separation.
@@ -40,18 +38,30 @@ pub struct HeightIntegral<'a> {
     passing: PanelTree,
     /// Panels that together cover ω from zero upwards.
     roots: Vec<Root>,
-    /// Panels of the separation at hand, and others kept for their memory.
+    /// Panels of the present separation; the others are kept to avoid allocations.
     leaves: Vec<Leaf>,
     finer: Vec<Leaf>,
     pending: Vec<(bool, usize)>,
 }
 
-/// A panel between kinks of the law, sampled only where there are summits: a
-/// table may have gaps where nobody looks.
+/// A panel between kinks of the law, sampled only where there are summits: a table may have missing cells
+/// elsewhere.
 struct Root {
     from: f64,
     to: f64,
     panel: Option<usize>,
+}
+
+/// How a panel fits the density.
+enum Fit {
+    /// Without weight.
+    Negligible,
+    /// Fine enough.
+    Fine,
+    /// To be replaced by finer panels.
+    Coarse,
+    /// To be cut at an edge of the density, u = √(ω/ω_c).
+    CutAt(f64),
 }
 
 #[derive(Clone, Copy)]
@@ -129,7 +139,7 @@ impl<'a> HeightIntegral<'a> {
             finer.clear();
             for leaf in leaves.iter() {
                 let panel = self.tree(leaf.kept).panel(leaf.panel);
-                // Below the spacing of numbers there is nothing to halve.
+                // The spacing of numbers ends the halving.
                 if !poor(&leaf.error) || panel.to - panel.from < 1e-14 * panel.to {
                     finer.push(*leaf);
                     continue;
@@ -137,9 +147,9 @@ impl<'a> HeightIntegral<'a> {
                 for panel in self.finer(leaf.kept, leaf.panel)?.panels() {
                     finer.push(self.leaf(leaf.kept, panel, separation));
                 }
-                // What is too coarse here mostly is at the next separation as well.
+                // A panel that is too coarse here mostly is at the next separation as well.
                 if leaf.kept {
-                    self.kept.pass_over(leaf.panel);
+                    self.kept.mark_too_coarse(leaf.panel);
                 }
             }
             self.finer = std::mem::replace(leaves, finer);
@@ -147,10 +157,9 @@ impl<'a> HeightIntegral<'a> {
         Ok(())
     }
 
-    /// Covers all interferences that matter with panels in which the density is
-    /// smooth and does not hide its weight between the points.
+    /// Covers all interferences of weight with panels in which the density is smooth and resolved by the
+    /// points.
     fn cover(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
-        let critical = self.asperity.critical_interference();
         let (lowest, highest) = self.heights.support();
         let peak = self.heights.ln_peak(separation.max(lowest), highest);
         // Loads grow as a power of ω; 16 leaves a factor of 10⁷ for that growth.
@@ -158,6 +167,38 @@ impl<'a> HeightIntegral<'a> {
 
         let mut pending = std::mem::take(&mut self.pending);
         pending.clear();
+        self.roots_of_weight(separation, negligible, &mut pending)?;
+        // Panels leave the stack by ascending interference.
+        pending.reverse();
+        while let Some((kept, index)) = pending.pop() {
+            match self.fit(kept, index, separation, negligible) {
+                Fit::Negligible => {}
+                Fit::Fine => leaves.push(self.leaf(kept, index, separation)),
+                Fit::Coarse => {
+                    let finer = self.finer(kept, index)?;
+                    pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
+                }
+                Fit::CutAt(edge) => {
+                    let Panel { from, to, .. } = *self.tree(kept).panel(index);
+                    let first = self.passing.add(&self.asperity, from, edge)?;
+                    let second = self.passing.add(&self.asperity, edge, to)?;
+                    pending.extend([(false, second), (false, first)]);
+                }
+            }
+        }
+        self.pending = pending;
+        Ok(())
+    }
+
+    /// Adds the panels between kinks of the law in which the density is not negligible.
+    fn roots_of_weight(
+        &mut self,
+        separation: f64,
+        negligible: f64,
+        pending: &mut Vec<(bool, usize)>,
+    ) -> Result<(), LookupError> {
+        let critical = self.asperity.critical_interference();
+        let (lowest, highest) = self.heights.support();
         for position in 0.. {
             if position == self.roots.len() {
                 let from = self.roots[position - 1].to;
@@ -179,61 +220,45 @@ impl<'a> HeightIntegral<'a> {
             root.panel = Some(panel);
             pending.push((true, panel));
         }
-        // The last shall be first: panels leave the stack by ascending interference.
-        pending.reverse();
-        while let Some((kept, index)) = pending.pop() {
-            let Panel { from, to, too_coarse, .. } = *self.tree(kept).panel(index);
-            let bottom = (separation + critical * from * from).max(lowest);
-            let top = (separation + critical * to * to).min(highest);
-            if bottom >= top {
-                continue;
-            }
-            let largest = self.heights.ln_peak(bottom, top);
-            if largest < negligible {
-                continue;
-            }
-            if too_coarse {
-                let finer = self.finer(kept, index)?;
-                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
-                continue;
-            }
-            // Between its steps a density may vanish or jump: they come before its range.
-            let root = |height: f64| ((height - separation) / critical).max(0.0).sqrt();
-            let inside = |edge: &f64| *edge > from + 1e-12 * to && *edge < to - 1e-12 * to;
-            // One at an end of the panel would hide others within.
-            let margin = 4e-12 * (top - separation);
-            let step = self.heights.step_between(bottom + margin, top - margin);
-            if let Some(edge) = step.map(root).filter(inside) {
-                let first = self.passing.add(&self.asperity, from, edge)?;
-                let second = self.passing.add(&self.asperity, edge, to)?;
-                pending.push((false, second));
-                pending.push((false, first));
-                continue;
-            }
-            // Densities that vanish at their edge are left to the error control.
-            let seen = |height: f64| match self.heights.ln_density(height) {
-                f64::NEG_INFINITY => self.heights.ln_density(0.5 * (bottom + top)),
-                density => density,
-            };
-            let farthest = seen(bottom).min(seen(top));
-            let range = largest - farthest.max(negligible);
-            if range > DENSITY_RANGE && to - from > 1e-12 * to {
-                let finer = self.finer(kept, index)?;
-                pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
-                continue;
-            }
-            match [lowest, highest].map(root).into_iter().find(inside) {
-                Some(edge) => {
-                    let first = self.passing.add(&self.asperity, from, edge)?;
-                    let second = self.passing.add(&self.asperity, edge, to)?;
-                    pending.push((false, second));
-                    pending.push((false, first));
-                }
-                None => leaves.push(self.leaf(kept, index, separation)),
-            }
-        }
-        self.pending = pending;
         Ok(())
+    }
+
+    /// How a panel fits the density at `separation` (m).
+    fn fit(&self, kept: bool, index: usize, separation: f64, negligible: f64) -> Fit {
+        let critical = self.asperity.critical_interference();
+        let (lowest, highest) = self.heights.support();
+        let Panel { from, to, too_coarse, .. } = *self.tree(kept).panel(index);
+        let bottom = (separation + critical * from * from).max(lowest);
+        let top = (separation + critical * to * to).min(highest);
+        if bottom >= top {
+            return Fit::Negligible;
+        }
+        let largest = self.heights.ln_peak(bottom, top);
+        if largest < negligible {
+            return Fit::Negligible;
+        }
+        if too_coarse {
+            return Fit::Coarse;
+        }
+        // Between its steps a density may vanish or jump: they come before its range.
+        let root = |height: f64| ((height - separation) / critical).max(0.0).sqrt();
+        let inside = |edge: &f64| *edge > from + 1e-12 * to && *edge < to - 1e-12 * to;
+        // A step at an end of the panel would hide others within.
+        let margin = 4e-12 * (top - separation);
+        let step = self.heights.step_between(bottom + margin, top - margin);
+        if let Some(edge) = step.map(root).filter(inside) {
+            return Fit::CutAt(edge);
+        }
+        // Densities that vanish at their edge are left to the error control.
+        let seen = |height: f64| match self.heights.ln_density(height) {
+            f64::NEG_INFINITY => self.heights.ln_density(0.5 * (bottom + top)),
+            density => density,
+        };
+        let range = largest - seen(bottom).min(seen(top)).max(negligible);
+        if range > DENSITY_RANGE && to - from > 1e-12 * to {
+            return Fit::Coarse;
+        }
+        [lowest, highest].map(root).into_iter().find(inside).map_or(Fit::Fine, Fit::CutAt)
     }
 
     fn tree(&self, kept: bool) -> &PanelTree {
@@ -247,7 +272,7 @@ impl<'a> HeightIntegral<'a> {
 
     fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
         let (value, error) =
-            self.tree(kept).integral(panel, self.heights, separation, self.asperity.knows_energy());
+            self.tree(kept).integral(panel, self.heights, separation, self.asperity.has_energy());
         Leaf { kept, panel, value, error }
     }
 
@@ -273,7 +298,7 @@ impl<'a> HeightIntegral<'a> {
             pressure: integral(LOAD, LOAD_ERROR, LOAD),
             shear: integral(FRICTION, FRICTION_ERROR, FRICTION),
             area_fraction: integral(AREA, AREA_ERROR, AREA),
-            energy: self.asperity.knows_energy().then(|| integral(ENERGY, ENERGY_ERROR, OF_ENERGY)),
+            energy: self.asperity.has_energy().then(|| integral(ENERGY, ENERGY_ERROR, OF_ENERGY)),
             contact_density: density * tail,
             loaded_radius: share(LOAD_RADIUS),
             outside: share(LOAD_OUTSIDE),
@@ -296,7 +321,7 @@ impl<'a> HeightIntegral<'a> {
         let Some(mut leaf) = self.leaves.iter().rev().find(crossed).copied() else {
             return Ok(self.asperity.limit());
         };
-        // Into the half that the share lies in, until its ends agree.
+        // Halve towards the interference that bounds the share, until the ends agree.
         for _ in 0..MOST_ROUNDS {
             let panel = self.tree(leaf.kept).panel(leaf.panel);
             let (from, to) = (panel.from, panel.to);
@@ -344,7 +369,7 @@ impl<'a> HeightIntegral<'a> {
     }
 }
 
-/// Whether load, friction or area err by more than a `share` of what the tolerance allows.
+/// Whether the error of load, friction or area exceeds a `share` of the tolerance.
 fn excessive(error: &Errors, share: f64, tolerance: f64, total: &Sums) -> bool {
     [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > tolerance * total[k].abs() * share)
 }

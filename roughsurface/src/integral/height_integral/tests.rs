@@ -2,9 +2,9 @@
 //! heights, Kogut–Etsion asperities.
 
 use super::*;
-use crate::integral::test_laws::PowerLaw;
+use crate::integral::test_laws::{PowerLaw, STEEL};
 use crate::surface::heights::{Exponential, Gaussian, LogNormal, TruncatedGaussian, Uniform, Weibull};
-use tables::closed_forms::{ElasticPlastic, closed_form};
+use tables::closed_forms::closed_form;
 
 const STD: f64 = 1e-6;
 
@@ -24,95 +24,23 @@ fn assert_close(value: f64, reference: f64, relative: f64, what: &str) {
     );
 }
 
-/// Columns F0 (as density of contacts), F1/2, F1, F3/2, F2, F5/2.
-const GAUSSIAN: [(f64, [f64; 6]); 8] = [
-    (
-        -1.0,
-        [
-            0.841344746068543,
-            0.900602931270316,
-            1.08331547058769,
-            1.40459747047395,
-            1.92466021665623,
-            2.75550186737943,
-        ],
-    ),
-    (0.0, [0.5, 0.411089479331229, 0.398942280401433, 0.43001999366226, 0.5, 0.616634218996844]),
-    (
-        0.5,
-        [
-            0.308537538725987,
-            0.225335581697312,
-            0.197796557401306,
-            0.195203603743791,
-            0.209639260025334,
-            0.240401570674072,
-        ],
-    ),
-    (
-        1.0,
-        [
-            0.158655253931457,
-            0.104153675307858,
-            0.0833154705876863,
-            0.0756681773909751,
-            0.0753397833437708,
-            0.0805623355708115,
-        ],
-    ),
-    (
-        2.0,
-        [
-            0.0227501319481792,
-            0.0124800402964391,
-            0.00849070261682964,
-            0.00664817762358709,
-            0.00576872671451993,
-            0.00542370519748441,
-        ],
-    ),
-    (
-        2.5,
-        [
-            0.00620966532577614,
-            0.00315902303265217,
-            0.0020041371791282,
-            0.00146993823953799,
-            0.00119932237795564,
-            0.00106368895013328,
-        ],
-    ),
-    (
-        3.0,
-        [
-            0.00134989803163009,
-            0.000641850439348551,
-            0.000382154317047724,
-            0.000263967554269467,
-            0.000203435080486924,
-            0.000170872996214424,
-        ],
-    ),
-    (
-        4.0,
-        [
-            3.16712418331199e-5,
-            1.34066699244964e-5,
-            7.14525843240567e-6,
-            4.43915595853925e-6,
-            3.09020810349725e-6,
-            2.35338105258761e-6,
-        ],
-    ),
-];
+/// h and F_0, F_{1/2}, F_1, F_{3/2}, F_2, F_{5/2} of standard Gaussian heights.
+fn gaussian() -> Vec<(f64, [f64; 6])> {
+    let lines = include_str!("gaussian_moments.csv").lines().filter(|line| !line.starts_with('#'));
+    let row = |line: &str| {
+        let numbers: Vec<f64> = line.split(',').map(|number| number.parse().unwrap()).collect();
+        (numbers[0], numbers[1..].try_into().unwrap())
+    };
+    lines.map(row).collect()
+}
 
 #[test]
 fn gaussian_moments_to_twelve_digits() {
     let heights = Gaussian::new(STD);
-    for (h, row) in GAUSSIAN {
+    for (h, row) in gaussian() {
         assert_close(heights.tail(h * STD), row[0], 2e-14, "F0");
         for (reference, exponent) in row[1..].iter().zip([0.5, 1.0, 1.5, 2.0, 2.5]) {
-            // The unit of interference must not matter: heights wide and narrow against it.
+            // The result does not depend on the unit of interference: heights wide and narrow against it.
             for critical in [1e-12, 1e-7, 3e-3] {
                 let value = moment(&heights, exponent, h, critical);
                 assert_close(value, *reference, 1e-12, &format!("F{exponent}({h})"));
@@ -135,7 +63,7 @@ fn exponential_moments_are_gamma_functions() {
 
 #[test]
 fn moments_of_skewed_and_truncated_heights_in_closed_form() {
-    // Below the lowest summit the flat sees all of them: F_n is a moment of the distribution.
+    // With the flat below the lowest summit, F_n is a moment of the distribution.
     for exponent in [0.5, 1.0, 1.5, 2.0, 2.5] {
         let shape = 1.7;
         let gamma = |x: f64| libm::tgamma(1.0 + x / shape);
@@ -163,12 +91,11 @@ fn moments_of_skewed_and_truncated_heights_in_closed_form() {
 }
 
 #[test]
-fn gross_slip_and_the_end_of_a_slide_are_no_obstacle_to_ten_digits() {
+fn ten_digits_at_gross_slip_and_at_the_end_of_a_slide() {
     // Integrals at the asked tolerance against ones a thousand times sharper.
-    let material = steel();
     let heights = Gaussian::new(0.05e-6);
     for name in ["jackson-green", "brizmer", "kogut-etsion"] {
-        let law = closed_form(name, &material).unwrap();
+        let law = closed_form(name, &STEEL).unwrap();
         for slip in [1e-10, 1e-9, 1e-8] {
             let asperity = AsperityAtSlip::new(law.as_ref(), 1e-4, 1.0, slip).unwrap();
             let at = |tolerance: f64| {
@@ -185,16 +112,15 @@ fn gross_slip_and_the_end_of_a_slide_are_no_obstacle_to_ten_digits() {
 #[test]
 fn every_distribution_obeys_the_recursion() {
     // F_n' = −n F_{n−1} holds for any density.
-    let distributions: [Box<dyn Heights>; 6] = [
-        Box::new(Gaussian::new(STD)),
-        Box::new(Exponential::new(STD)),
-        Box::new(Uniform::new(STD)),
-        Box::new(TruncatedGaussian::new(STD, -1.5 * STD, 2.5 * STD).unwrap()),
-        Box::new(Weibull::new(STD, 1.7)),
-        Box::new(LogNormal::new(STD, 0.8)),
+    let distributions: [&dyn Heights; 6] = [
+        &Gaussian::new(STD),
+        &Exponential::new(STD),
+        &Uniform::new(STD),
+        &TruncatedGaussian::new(STD, -1.5 * STD, 2.5 * STD).unwrap(),
+        &Weibull::new(STD, 1.7),
+        &LogNormal::new(STD, 0.8),
     ];
-    for heights in &distributions {
-        let heights = heights.as_ref();
+    for heights in distributions {
         for exponent in [1.5, 2.0, 2.5] {
             for h in [-2.3, -0.4, 0.3, 1.1] {
                 let step = 1e-3;
@@ -221,23 +147,17 @@ fn uniform_heights_integrate_powers_exactly() {
     assert_eq!(moment(&heights, 1.5, 2.0, 1e-7), 0.0);
 }
 
-fn steel() -> ElasticPlastic {
-    ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 }
-}
-
 #[test]
 fn elastic_greenwood_williamson() {
     // P = (4/3) η E* √R σ^{3/2} F_{3/2}, A = π η R σ F_1, n = η F_0.
-    let material = steel();
-    let law = closed_form("hertz", &material).unwrap();
+    let law = closed_form("hertz", &STEEL).unwrap();
     let (radius, density) = (1e-4, 1e10);
     let heights = Gaussian::new(STD);
     let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 1.0).unwrap();
     let mut integral = HeightIntegral::new(asperity.clone(), &heights, density, 1e-12);
-    for (h, row) in GAUSSIAN {
+    for (h, row) in gaussian() {
         let state = integral.at(h * STD).unwrap();
-        let pressure =
-            4.0 / 3.0 * density * material.contact_modulus() * radius.sqrt() * STD.powf(1.5) * row[3];
+        let pressure = 4.0 / 3.0 * density * STEEL.contact_modulus() * radius.sqrt() * STD.powf(1.5) * row[3];
         let area = std::f64::consts::PI * density * radius * STD * row[2];
         assert_close(state.pressure.value, pressure, 1e-11, "pressure");
         assert_close(state.area_fraction.value, area, 1e-11, "area");
@@ -263,8 +183,7 @@ fn incomplete_gamma(a: f64, x: f64) -> f64 {
 
 #[test]
 fn kogut_etsion_asperities_with_exponential_heights() {
-    let material = steel();
-    let law = closed_form("constant-shear", &material).unwrap();
+    let law = closed_form("constant-shear", &STEEL).unwrap();
     let radius = 1e-4;
     let critical = law.critical_interference(radius);
     let unit = law.response(radius, 1.0 - 1e-9, 1.0, 1.0).unwrap();
@@ -321,7 +240,7 @@ fn load_beyond_the_limit_is_counted_and_continued() {
     let left = x.sqrt() * (1.0 + reach) * (-reach).exp() / (beyond + incomplete_gamma(2.5, x));
     let over_reach = |relative: f64| (-relative * reach).exp();
     assert!(left <= NEGLIGIBLE_SHARE && left > over_reach(0.02) * NEGLIGIBLE_SHARE, "{left:e}");
-    // Extrapolated asperities are doubted, the others are not.
+    // Only extrapolated asperities are uncertain.
     assert!(state.pressure.law_error > 0.0);
     assert!(state.pressure.law_error < 0.3 * state.outside * state.pressure.value);
 }

@@ -1,10 +1,11 @@
 //! Finite surfaces against the integral over the distribution of their heights.
 
 use super::*;
-use crate::integral::test_laws::PowerLaw;
+use crate::integral::surface_integral::ContactIntegral;
+use crate::integral::test_laws::{PowerLaw, STEEL};
 use crate::surface::heights::{Exponential, Gaussian};
 use crate::surface::radii::Radii;
-use tables::closed_forms::{ElasticPlastic, closed_form};
+use tables::closed_forms::closed_form;
 
 fn samples(asperities: usize, threads: usize) -> Samples {
     let law = PowerLaw::hertz();
@@ -13,8 +14,11 @@ fn samples(asperities: usize, threads: usize) -> Samples {
         asperity_radius: 1e-4.into(),
         heights: Box::new(Exponential::new(1e-6)),
     };
-    let query =
-        Query { pressing: Pressing::Pressure(vec![1e6, 1e8]), slip_rates: vec![1.0], hold: Hold::Load };
+    let query = Query {
+        loading: NormalLoading::Pressure(vec![1e6, 1e8]),
+        slip_rates: vec![1.0],
+        control: LoadingControl::Load,
+    };
     let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: 1.0 };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let settings = Settings::default();
@@ -26,10 +30,10 @@ fn large_surfaces_approach_the_integral_and_small_ones_scatter() {
     // A quarter of the summits touch. Exponential heights: μ = Q₀ (σ/ω_c) / (P₀ Γ(5/2) (σ/ω_c)^{3/2}) at any load.
     let exact = 1e-4 / (1e-3 * libm::tgamma(2.5) * 10f64.sqrt());
     let (small, large) = (samples(50, 2), samples(2000, 2));
-    let mu = large.scatter(1, 0, |draw| draw.mu);
+    let mu = large.scatter(1, 0, |one| one.state.mu.value);
     // A ratio of sums is biased by the order of 1/n, 0.1 % here, on top of the scatter.
     assert!((mu.mean - exact).abs() < 2.0 * mu.mean_error + 2e-3 * exact, "{mu:?} {exact}");
-    let scattered = small.scatter(1, 0, |draw| draw.mu);
+    let scattered = small.scatter(1, 0, |one| one.state.mu.value);
     // Scatter falls as 1/√n: by 6.3 from 50 to 2000, give or take its own uncertainty.
     let ratio = scattered.standard_deviation / mu.standard_deviation;
     assert!(ratio > 4.0 && ratio < 10.0, "{ratio}");
@@ -37,14 +41,13 @@ fn large_surfaces_approach_the_integral_and_small_ones_scatter() {
 }
 
 /// Name, value of the integral, and value of a drawn surface.
-type Expected = (&'static str, f64, fn(&Draw) -> f64);
+type Expected = (&'static str, f64, fn(&SampledState) -> f64);
 
 #[test]
 fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
     // At a held separation pressure, friction stress, area and number are means over the
     // asperities: their averages over surfaces of any size are those of the integral.
-    let steel = ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
-    let law = closed_form("jackson-green", &steel).unwrap();
+    let law = closed_form("jackson-green", &STEEL).unwrap();
     for radii in [Radii::from(1e-4), Radii::counted(&[3e-5, 1e-4, 2e-4], &[1.0, 2.0, 1.0]).unwrap()] {
         let surface = Surface {
             asperity_density: 1e10,
@@ -52,22 +55,22 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
             heights: Box::new(Gaussian::new(0.3e-6)),
         };
         let query = Query {
-            pressing: Pressing::Separation(vec![0.0, 0.5e-6]),
+            loading: NormalLoading::Separation(vec![0.0, 0.5e-6]),
             slip_rates: vec![1.0],
-            hold: Hold::Separation,
+            control: LoadingControl::Separation,
         };
         let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: 1e-8 };
         let settings = Settings::default();
         let samples = sample(law.as_ref(), &surface, &query, &sampling, &settings, &|_, _| ()).unwrap();
         let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-8);
         let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-9);
-        for (row, &separation) in query.pressing.values().iter().enumerate() {
+        for (row, &separation) in query.loading.values().iter().enumerate() {
             let state = integral.at(separation).unwrap();
             let expected: [Expected; 4] = [
-                ("pressure", state.pressure.value, |draw| draw.pressure),
-                ("friction stress", state.shear.value, |draw| draw.shear),
-                ("area", state.area_fraction.value, |draw| draw.area_fraction),
-                ("contacts", state.contact_density / 1e10 * 500.0, |draw| draw.contacts),
+                ("pressure", state.pressure.value, |one| one.state.pressure.value),
+                ("friction stress", state.shear.value, |one| one.state.shear.value),
+                ("area", state.area_fraction.value, |one| one.state.area_fraction.value),
+                ("contacts", state.contact_density / 1e10 * 500.0, |one| one.contacts),
             ];
             for (name, exact, of) in expected {
                 let scatter = samples.scatter(row, 0, of);
@@ -83,14 +86,8 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
 
 #[test]
 fn threads_do_not_change_a_bit() {
-    assert_eq!(samples(40, 1).draws, samples(40, 3).draws);
-}
-
-#[test]
-fn scatter_of_known_values() {
-    let scatter = Scatter::of((0..=100).map(f64::from).chain([f64::NAN]));
-    assert_eq!((scatter.mean, scatter.lower, scatter.upper), (50.0, 2.5, 97.5));
-    // n = 101 consecutive numbers: variance n(n+1)/12.
-    assert!((scatter.standard_deviation - (101.0f64 * 102.0 / 12.0).sqrt()).abs() < 1e-12);
-    assert!(Scatter::of(std::iter::empty()).mean.is_nan());
+    let mu = |threads| -> Vec<f64> {
+        samples(40, threads).states.iter().flatten().flatten().map(|one| one.state.mu.value).collect()
+    };
+    assert_eq!(mu(1), mu(3));
 }

@@ -1,8 +1,8 @@
-//! The keys of the surface file and what single keys must be.
+//! The keys of the surface file and the rules for single keys.
 
-use super::{Parameter, Uncertain};
+use super::parameter::{Parameter, Uncertain};
 use crate::surface::heights::HeightsKeys;
-use crate::surface::query::Hold;
+use crate::surface::query::LoadingControl;
 use crate::surface::radii::{LARGEST_VARIATION, Radii};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -65,16 +65,16 @@ pub(super) struct QueryKeys {
     pub(super) separation: Option<Vec<f64>>,
     pub(super) slip_rate: Vec<f64>,
     #[serde(default = "held_load")]
-    pub(super) hold: Hold,
+    pub(super) hold: LoadingControl,
     pub(super) temperature: Option<f64>,
 }
 
-fn held_load() -> Hold {
-    Hold::Load
+fn held_load() -> LoadingControl {
+    LoadingControl::Load
 }
 
 impl FileKeys {
-    /// What a parameter is, if the file says so: of a distribution of radii, its mean.
+    /// Value of a parameter, if the file has it: of a distribution of radii, the mean.
     fn value(&mut self, parameter: Parameter) -> Option<&mut f64> {
         match parameter {
             Parameter::AsperityDensity => Some(&mut self.surface.asperity_density),
@@ -125,7 +125,7 @@ impl FileKeys {
                 };
                 return Err(format!("{key}: {missing}"));
             };
-            // Moved by more, a parameter comes near zero, where nothing is linear any more.
+            // With a larger change a parameter comes near zero, where results are not linear.
             if !(std > 0.0 && std <= value / 3.0) {
                 let rule = format!("must be positive and at most a third of {value:e}, the value itself");
                 return Err(allowed(&key, format!("{std:e}"), &rule));

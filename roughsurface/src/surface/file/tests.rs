@@ -1,6 +1,7 @@
 use super::*;
-use crate::surface::query::Hold;
+use crate::surface::query::{LoadingControl, NormalLoading};
 use crate::surface::radii::Radii;
+use std::path::Path;
 
 const GOOD: &str = r#"
 [surface]
@@ -29,13 +30,13 @@ fn message(from: &str, to: &str) -> String {
 #[test]
 fn a_good_file_is_understood() {
     let file = parse(GOOD).unwrap();
-    assert_eq!(file.query.pressing, Pressing::Pressure(vec![1e5, 1e7]));
-    assert_eq!(file.query.hold, Hold::Separation);
+    assert_eq!(file.query.loading, NormalLoading::Pressure(vec![1e5, 1e7]));
+    assert_eq!(file.query.control, LoadingControl::Separation);
     assert_eq!(file.surface.asperity_radius, Radii::from(1e-4));
     assert_eq!(file.material.unwrap().poisson_ratio, 0.3);
     assert_eq!(file.text, GOOD);
     let short = parse(&GOOD.replace("hold = \"separation\"", "")).unwrap();
-    assert_eq!(short.query.hold, Hold::Load);
+    assert_eq!(short.query.control, LoadingControl::Load);
     let hot = parse(&GOOD.replace("hold = \"separation\"", "temperature = 450")).unwrap();
     assert_eq!((hot.temperature, file.temperature), (Some(450.0), None));
 }

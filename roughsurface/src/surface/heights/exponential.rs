@@ -1,4 +1,4 @@
-use super::{Heights, Random};
+use super::distribution::{Heights, Random};
 use rand_distr::{Distribution, Exp1};
 
 /// Exponential heights above the lowest summit, φ(z) = exp(−z/σ)/σ for z ≥ 0.

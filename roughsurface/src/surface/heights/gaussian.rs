@@ -1,4 +1,4 @@
-use super::{Heights, Random};
+use super::distribution::{Heights, Random};
 use rand_distr::{Distribution, StandardNormal};
 use std::f64::consts::{PI, SQRT_2};
 

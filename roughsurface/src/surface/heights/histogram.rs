@@ -1,9 +1,9 @@
+use super::distribution::{Heights, HeightsError, Random};
 use super::text_file::TextFile;
-use super::{Heights, HeightsError, Random};
 use rand::RngExt;
 use std::path::Path;
 
-/// What a line of a file is, and the whole.
+/// Rules for a line of a file, and for the whole.
 const LINE: &str = "not the lower edge of a bin (m) and its count, or after the last bin its upper edge";
 const FILE: &str = "must hold ascending edges in metres with counts that are not negative, and a last line with \
                     the upper edge alone";
@@ -21,7 +21,7 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Bins between ascending `edges` (m) and what was counted in each, in any unit; none unless
+    /// Bins between ascending `edges` (m) and the count of each, in any unit; none unless
     /// there is one edge more than counts, and something was counted.
     pub fn new(edges: Vec<f64>, counts: &[f64]) -> Option<Self> {
         let ascending = edges.windows(2).all(|pair| pair[0] < pair[1]);
@@ -51,7 +51,7 @@ impl Histogram {
         Some(Self { edges: edges.to_vec(), ln_density, above, std: variance.sqrt() })
     }
 
-    /// Reads a file of two columns, the lower edge of a bin in metres and what was counted in it,
+    /// Reads a file of two columns, the lower edge of a bin in metres and its count,
     /// and a last line with the upper edge alone; white space or a comma between columns, `#`
     /// starts a comment.
     pub fn read(file: &Path) -> Result<Self, HeightsError> {
@@ -61,7 +61,7 @@ impl Histogram {
             let numbers: Result<Vec<f64>, _> = words.map(str::parse).collect();
             match numbers.as_deref() {
                 Ok([]) => {}
-                // The upper edge closes the histogram: nothing may follow it.
+                // The upper edge ends the histogram.
                 Ok([edge, rest @ ..]) if rest.len() <= 1 && edges.len() == counts.len() => {
                     edges.push(*edge);
                     counts.extend(rest);

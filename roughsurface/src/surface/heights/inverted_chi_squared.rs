@@ -1,4 +1,4 @@
-use super::{Heights, Random};
+use super::distribution::{Heights, Random};
 use rand_distr::Distribution;
 
 /// Heights that an inverted χ² distribution describes: z = σ(ν − x)/√(2ν), x of the χ² distribution

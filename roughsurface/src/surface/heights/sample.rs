@@ -1,5 +1,5 @@
+use super::distribution::{Heights, HeightsError, Random};
 use super::text_file::TextFile;
-use super::{Heights, HeightsError, Random};
 use rand::RngExt;
 use std::path::Path;
 

@@ -3,6 +3,7 @@
 use super::*;
 use gauss_quad::GaussLegendre;
 use rand::SeedableRng;
+use std::path::Path;
 
 fn all() -> Vec<(&'static str, Box<dyn Heights>)> {
     vec![

@@ -1,6 +1,6 @@
-//! Text files of numbers, and what is wrong with them.
+//! Text files of numbers, and errors in them.
 
-use super::HeightsError;
+use super::distribution::HeightsError;
 use std::path::Path;
 
 /// A text file that the key `file` names.
@@ -16,7 +16,7 @@ impl<'a> TextFile<'a> {
         Ok(Self { path, text })
     }
 
-    /// Lines with what is in them: words with white space or commas between; `#` starts a comment.
+    /// Index, text and words of every line, separated by white space or commas; `#` starts a comment.
     pub fn lines(&self) -> impl Iterator<Item = (usize, &str, impl Iterator<Item = &str>)> {
         self.text.lines().enumerate().map(|(index, line)| {
             let content = line.split('#').next().unwrap_or_default();
@@ -28,7 +28,7 @@ impl<'a> TextFile<'a> {
         error(self.path, allowed.into())
     }
 
-    /// Something in the line with this index is `what`.
+    /// An error about a `word` of the line with this index.
     pub fn error_in(&self, index: usize, word: &str, what: &str) -> HeightsError {
         self.error(format!("line {}: \"{word}\" is {what}", index + 1))
     }

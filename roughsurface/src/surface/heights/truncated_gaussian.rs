@@ -1,4 +1,7 @@
-use super::{Gaussian, Heights, Random};
+use super::distribution::{Heights, Random};
+use super::gaussian::Gaussian;
+use crate::root_finding::{Accuracy, root_between};
+use std::convert::Infallible;
 
 /// A Gaussian surface whose summits below `lower` and above `upper` are missing,
 /// as after polishing or running-in.
@@ -13,7 +16,7 @@ pub struct TruncatedGaussian {
 
 impl TruncatedGaussian {
     /// Parent of standard deviation `std`, bounds counted from its mean plane (m);
-    /// none if next to nothing of the parent is left.
+    /// none if less than 1e-12 of the parent is left.
     pub fn new(std: f64, lower: f64, upper: f64) -> Option<Self> {
         let parent = Gaussian::new(std);
         let share = parent.tail(lower) - parent.tail(upper);
@@ -55,8 +58,7 @@ impl Heights for TruncatedGaussian {
         (std * (1.0 + spread).max(0.0).sqrt()).min(even).max(1e-3 * even)
     }
     fn draw(&self, random: &mut Random) -> f64 {
-        // Rejection keeps to the library's normal deviates; windows far in the
-        // parent's tail fall back on inverting the tail.
+        // Rejection, unless the window is so far in the tail that the tail is inverted instead.
         if self.share > 1e-3 {
             loop {
                 let height = self.parent.draw(random);
@@ -66,15 +68,9 @@ impl Heights for TruncatedGaussian {
             }
         }
         let wanted = rand::RngExt::random::<f64>(random);
-        let (mut low, mut high) = (self.lower, self.upper);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if self.tail(middle) > wanted {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        0.5 * (low + high)
+        let accuracy = Accuracy { value: 0.0, width: 1e-15 * (self.upper - self.lower) };
+        let excess = |height: f64| Ok::<f64, Infallible>(self.tail(height) - wanted);
+        let Ok(height) = root_between(self.lower, self.upper, accuracy, excess);
+        height.unwrap_or(self.lower)
     }
 }

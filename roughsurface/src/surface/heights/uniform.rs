@@ -1,4 +1,4 @@
-use super::{Heights, Random};
+use super::distribution::{Heights, Random};
 use rand::RngExt;
 
 /// Heights spread evenly over ±√3 σ about their mean plane.

@@ -1,4 +1,4 @@
-use super::{Heights, Random};
+use super::distribution::{Heights, Random};
 use rand_distr::Distribution;
 
 /// Weibull heights above the lowest summit, φ(z) = (k/λ)(z/λ)^(k−1) exp(−(z/λ)^k).

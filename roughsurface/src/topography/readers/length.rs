@@ -17,21 +17,12 @@ pub fn unit(symbol: &str) -> Option<f64> {
 }
 
 /// A positive length such as `2e-6`, in metres, or `2um`; in metres.
-///
-/// ```
-/// use roughsurface::topography::length::{parse, unit};
-///
-/// assert_eq!(unit("nm"), Some(1e-9));
-/// assert!((parse("1.6um")? - 1.6e-6).abs() < 1e-18);
-/// assert!(parse("2 furlongs").is_err());
-/// # Ok::<(), String>(())
-/// ```
 pub fn parse(text: &str) -> Result<f64, String> {
     let text = text.trim();
     let metres = match text.parse::<f64>() {
         Ok(metres) => Some(metres),
         Err(_) => {
-            // The unit is what stands after the last digit.
+            // The unit follows the last digit.
             let end = text.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(0, |place| place + 1);
             let (number, symbol) = text.split_at(end);
             number.parse::<f64>().ok().zip(unit(symbol)).map(|(number, unit)| number * unit)

@@ -1,5 +1,4 @@
-//! An asperity law that weakens with slip rate, and a table of it: what tests and benchmarks read
-//! in place of simulations.
+//! An asperity law that weakens with slip rate, and a table of it, in place of simulations.
 
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::law::{AsperityLaw, Estimate, LookupError, Response};
@@ -11,11 +10,15 @@ pub const STEEL: ElasticPlastic =
 
 /// Jackson–Green asperities that weaken with slip rate once they have slid by a
 /// tenth of their contact radius.
-pub struct Weakening(Box<dyn AsperityLaw>);
+pub struct Weakening {
+    pub law: Box<dyn AsperityLaw>,
+    /// Factor of friction, 1.
+    pub strength: f64,
+}
 
 impl Weakening {
     pub fn new() -> Self {
-        Self(closed_form("jackson-green", &STEEL).unwrap())
+        Self { law: closed_form("jackson-green", &STEEL).unwrap(), strength: 1.0 }
     }
 }
 
@@ -24,13 +27,13 @@ impl AsperityLaw for Weakening {
         "weakening".into()
     }
     fn critical_interference(&self, radius: f64) -> f64 {
-        self.0.critical_interference(radius)
+        self.law.critical_interference(radius)
     }
     fn interference_limit(&self) -> f64 {
         f64::INFINITY
     }
     fn breaks(&self) -> Vec<f64> {
-        self.0.breaks()
+        self.law.breaks()
     }
     fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
         (0.0, f64::INFINITY)
@@ -42,39 +45,12 @@ impl AsperityLaw for Weakening {
         slip_rate: f64,
         slip: f64,
     ) -> Result<Response, LookupError> {
-        let mut response = self.0.response(radius, interference, slip_rate, slip)?;
+        let mut response = self.law.response(radius, interference, slip_rate, slip)?;
         let contact_radius = (response.area.value / std::f64::consts::PI).sqrt();
         let slid = 1.0 - (-slip / (0.1 * contact_radius).max(f64::MIN_POSITIVE)).exp();
-        // V R is what a table scales with.
+        // A table scales with V R.
         let hot = slip_rate * radius / 1e-4;
-        response.friction.value *= 1.0 - 0.7 * slid * hot / (1.0 + hot);
-        Ok(response)
-    }
-}
-
-/// The same with a tenth more friction everywhere.
-#[allow(dead_code, reason = "the benchmarks do without")]
-pub struct Stronger(pub Weakening);
-
-impl AsperityLaw for Stronger {
-    fn name(&self) -> String {
-        "stronger".into()
-    }
-    fn critical_interference(&self, radius: f64) -> f64 {
-        self.0.critical_interference(radius)
-    }
-    fn interference_limit(&self) -> f64 {
-        f64::INFINITY
-    }
-    fn breaks(&self) -> Vec<f64> {
-        self.0.breaks()
-    }
-    fn slip_rate_range(&self, radius: f64) -> (f64, f64) {
-        self.0.slip_rate_range(radius)
-    }
-    fn response(&self, radius: f64, omega: f64, rate: f64, slip: f64) -> Result<Response, LookupError> {
-        let mut response = self.0.response(radius, omega, rate, slip)?;
-        response.friction.value *= 1.1;
+        response.friction.value *= self.strength * (1.0 - 0.7 * slid * hot / (1.0 + hot));
         Ok(response)
     }
 }

@@ -1,7 +1,8 @@
 //! Gwyddion Simple Field: a text header, zeros up to a multiple of four bytes, and
 //! single-precision numbers row by row (Gwyddion user guide, Gwyddion Simple Field).
 
-use super::{Topography, length};
+use super::length;
+use crate::topography::Topography;
 
 pub(super) const MAGIC: &[u8] = b"Gwyddion Simple Field 1.0\n";
 
@@ -39,13 +40,6 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
         return Err(format!("holds {} of {columns} x {rows} heights", data.len() / 4));
     }
     let number = |bytes: &[u8]| f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
-    Ok(Topography {
-        rows,
-        row_step: height / rows as f64,
-        columns,
-        column_step: width / columns as f64,
-        heights: data.chunks_exact(4).take(count).map(|bytes| vertical * number(bytes)).collect(),
-        periodic: false,
-        remarks: Vec::new(),
-    })
+    let heights = data.chunks_exact(4).take(count).map(|bytes| vertical * number(bytes)).collect();
+    Ok(Topography::map((rows, height / rows as f64), (columns, width / columns as f64), heights))
 }

@@ -1,18 +1,19 @@
-//! Reads a topography of any known format, told apart by content.
+//! Reads a topography of any known format, recognised by content.
 
-use super::{Topography, TopographyError, gsf, netcdf, text, x3p};
+mod gsf;
+pub mod length;
+mod netcdf;
+mod profile;
+mod reading;
+mod text;
+mod x3p;
+
+pub use reading::Reading;
+
+use crate::topography::{Topography, TopographyError};
 use std::path::Path;
 
-/// What a file may leave unsaid.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reading {
-    /// Metres per unit of a text file; 1 unless given.
-    pub unit: Option<f64>,
-    /// Distance between the points of a matrix or a single column of heights, m.
-    pub pixel: Option<f64>,
-}
-
-/// Fewest points in each direction from which curvatures can be had.
+/// Fewest points in each direction from which curvatures can be computed.
 const FEWEST_POINTS: usize = 8;
 
 /// Largest share of undefined points that are filled in rather than refused.
@@ -20,20 +21,6 @@ const MOST_UNDEFINED: f64 = 0.1;
 
 /// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, or text:
 /// a matrix of heights, columns x y z, x z, or z.
-///
-/// ```
-/// use roughsurface::topography::read::{Reading, read};
-///
-/// let path = std::env::temp_dir().join(format!("topography-example-{}.txt", std::process::id()));
-/// // A profile: x and z in micrometres.
-/// let line = |n: u32| format!("{} {:.6}\n", 0.5 * f64::from(n), (0.1 * f64::from(n)).sin());
-/// std::fs::write(&path, (0..100).map(line).collect::<String>())?;
-/// let profile = read(&path, &Reading { unit: Some(1e-6), ..Reading::default() })?;
-/// assert!(profile.is_profile() && profile.columns == 100);
-/// assert!((profile.pixel() - 0.5e-6).abs() < 1e-12 && profile.heights[10] > 0.8e-6);
-/// # std::fs::remove_file(&path)?;
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyError> {
     let error = |what: String| TopographyError::new(file, what);
     let bytes = std::fs::read(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;

@@ -2,12 +2,12 @@
 
 use roughsurface::friction::regime::regime;
 use roughsurface::friction::{Friction, Prediction, Settings, predict};
-use roughsurface::integral::law_source::asperity_law;
+use roughsurface::integral::law_source::LawSource;
 use roughsurface::sampling::uncertainty::propagate;
 use roughsurface::surface::file::SurfaceFile;
 use std::path::Path;
 
-const TEXT: &str = include_str!("../src/worked_examples.md");
+const TEXT: &str = include_str!("../../src/worked_examples.md");
 
 fn scene(name: &str) -> SurfaceFile {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes");
@@ -15,7 +15,7 @@ fn scene(name: &str) -> SurfaceFile {
 }
 
 fn predicted(file: &SurfaceFile, model: &str) -> Prediction {
-    let law = asperity_law(model, file.material.as_ref(), None).unwrap();
+    let law = LawSource::open(model, file.material.as_ref(), None, false).unwrap().law;
     predict(law.as_ref(), &file.surface, &file.query, &Settings::default(), &|_, _| ()).unwrap()
 }
 
@@ -32,7 +32,7 @@ fn rows(heading: &str) -> Vec<Vec<f64>> {
 /// The quantities in the columns after the pressure, to the digits written.
 fn assert_rows(heading: &str, prediction: &Prediction, columns: &[fn(&Friction) -> f64]) {
     let rows = rows(heading);
-    let pressures = prediction.query.pressing.values();
+    let pressures = prediction.query.loading.values();
     assert_eq!(rows.len(), pressures.len(), "{heading}");
     for ((row, pressure), cells) in rows.iter().zip(pressures).zip(&prediction.friction) {
         assert_eq!(row[0], *pressure);

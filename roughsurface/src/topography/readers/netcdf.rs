@@ -1,7 +1,9 @@
 //! NetCDF as SurfaceTopography writes it: `heights` over (`x`, `y`) or `x`, the extent in the
 //! attribute `length` of the coordinates, the unit in `unit`.
 
-use super::{Topography, length};
+use super::length;
+use super::profile::profile;
+use crate::topography::Topography;
 use std::path::Path;
 use tables::netcdf::DatasetReader;
 
@@ -10,15 +12,6 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
     let shape = reader.shape("heights").map_err(|_| {
         "has no variable \"heights\"; NetCDF files must be as SurfaceTopography writes them".to_string()
     })?;
-    let mut heights = reader.reals("heights", &shape).map_err(|error| error.to_string())?;
-    if reader.shape("mask").is_ok_and(|mask| mask == shape) {
-        let mask = reader.flags("mask", &shape).map_err(|error| error.to_string())?;
-        for (height, masked) in heights.iter_mut().zip(mask) {
-            if masked != 0 {
-                *height = f64::NAN;
-            }
-        }
-    }
     let mut remarks = Vec::new();
     let unit = match reader.variable_text("heights", "unit").or_else(|| reader.variable_text("x", "unit")) {
         Some(symbol) => length::unit(&symbol).ok_or_else(|| {
@@ -29,7 +22,7 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
             1.0
         }
     };
-    heights.iter_mut().for_each(|height| *height *= unit);
+    let heights = heights(&reader, &shape, unit)?;
     let step = |name: &str, points: usize| -> Result<f64, String> {
         let extent = reader.variable_real(name, "length");
         let extent =
@@ -37,35 +30,34 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
         Ok(unit * extent / points as f64)
     };
     let periodic = reader.variable_real("x", "periodic").is_some_and(|flag| flag != 0.0);
+    let even = reader.shape("x").is_ok_and(|x| x == shape) && reader.variable_real("x", "length").is_some();
     match shape[..] {
-        [rows, columns] => Ok(Topography {
-            rows,
-            row_step: step("x", rows)?,
-            columns,
-            column_step: step("y", columns)?,
-            heights,
-            periodic,
-            remarks,
-        }),
-        [points]
-            if reader.shape("x").is_ok_and(|x| x == [points])
-                && reader.variable_real("x", "length").is_some() =>
-        {
-            Ok(Topography {
-                rows: 1,
-                row_step: step("x", points)?,
-                columns: points,
-                column_step: step("x", points)?,
-                heights,
-                periodic,
-                remarks,
-            })
+        [rows, columns] => {
+            let map = Topography::map((rows, step("x", rows)?), (columns, step("y", columns)?), heights);
+            Ok(Topography { periodic, remarks, ..map })
+        }
+        [points] if even => {
+            Ok(Topography { periodic, remarks, ..Topography::profile(step("x", points)?, heights) })
         }
         [points] => {
-            let mut x = reader.reals("x", &[points]).map_err(|error| error.to_string())?;
-            x.iter_mut().for_each(|x| *x *= unit);
-            super::text::profile(&x, &heights, remarks)
+            let x = reader.reals("x", &[points]).map_err(|error| error.to_string())?;
+            profile(&x.iter().map(|x| unit * x).collect::<Vec<f64>>(), &heights, remarks)
         }
         _ => Err(format!("heights has {} dimensions; a map has two, a profile one", shape.len())),
     }
+}
+
+/// Heights in metres, NaN where they are masked.
+fn heights(reader: &DatasetReader, shape: &[usize], unit: f64) -> Result<Vec<f64>, String> {
+    let heights = reader.reals("heights", shape).map_err(|error| error.to_string())?;
+    let mut heights: Vec<f64> = heights.iter().map(|height| unit * height).collect();
+    if reader.shape("mask").is_ok_and(|mask| mask == shape) {
+        let mask = reader.flags("mask", shape).map_err(|error| error.to_string())?;
+        for (height, masked) in heights.iter_mut().zip(mask) {
+            if masked != 0 {
+                *height = f64::NAN;
+            }
+        }
+    }
+    Ok(heights)
 }

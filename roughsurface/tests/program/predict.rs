@@ -1,10 +1,8 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
-mod demonstration;
-
-use demonstration::{STEEL, Stronger, Weakening, table};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use crate::demonstration::{STEEL, Weakening, table};
+use crate::folder::{Folder, program, stderr};
+use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
@@ -26,50 +24,18 @@ poisson_ratio = 0.3
 yield_strength = 400e6
 "#;
 
-/// A folder for one test, removed at its end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        std::fs::write(folder.join("surface.toml"), SURFACE).unwrap();
-        Self(folder)
-    }
-
-    fn run(&self, arguments: &str) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_roughsurface"))
-            .args(arguments.split_whitespace())
-            .current_dir(&self.0)
-            // Programs started by tests that run at the same time inherit the lock of a
-            // table that this one is writing.
-            .env("HDF5_USE_FILE_LOCKING", "FALSE")
-            .output()
-            .unwrap()
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.join(name)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
+fn folder(name: &str) -> Folder {
+    let folder = Folder::new(name);
+    folder.write("surface.toml", SURFACE);
+    folder
 }
 
 #[test]
 fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
-    let folder = Folder::new("table");
+    let folder = folder("table");
     let law = Weakening::new();
     table(&law, 200.0).write(&folder.path("table.nc")).unwrap();
-    let output = folder.run("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
     let summary = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(summary.lines().count(), 2 + 1 + 15 + 1 + 2 + 3, "{summary}");
     assert!(std::fs::metadata(folder.path("f.svg")).unwrap().len() > 10_000);
@@ -98,24 +64,20 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
 
 #[test]
 fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
-    let folder = Folder::new("temperatures");
+    let folder = folder("temperatures");
     let cold = table(&Weakening::new(), 200.0);
-    let mut hot = table(&Stronger(Weakening::new()), 200.0);
+    let mut hot = table(&Weakening { strength: 1.1, ..Weakening::new() }, 200.0);
     hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
     hot.write(&folder.path("hot.nc")).unwrap();
     Table::new(vec![cold, hot]).unwrap().write(&folder.path("both.nc")).unwrap();
-    let refused = folder.run("predict surface.toml --table both.nc -o friction.nc");
-    let message = stderr(&refused);
-    assert_eq!((refused.status.code(), message.lines().count()), (Some(2), 1), "{message}");
-    assert!(message.contains("from 298 to 500 K") && message.contains("query.temperature"), "{message}");
+    folder.refused("predict surface.toml --table both.nc -o friction.nc", "from 298 to 500 K");
 
     let at = |temperature: f64| {
         let text = SURFACE.replace("[query]", &format!("[query]\ntemperature = {temperature:?}"));
-        std::fs::write(folder.path("at.toml"), text).unwrap();
+        folder.write("at.toml", text);
     };
     let friction = |arguments: &str| {
-        let output = folder.run(&format!("{arguments} -o friction.nc"));
-        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        folder.run_well(&format!("{arguments} -o friction.nc"));
         DatasetReader::open(&folder.path("friction.nc")).unwrap().reals("mu", &[3, 5]).unwrap()
     };
     let expected = friction("predict surface.toml --table hot.nc");
@@ -131,24 +93,21 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
     for (mu, (cold, hot)) in between.iter().zip(cold.iter().zip(&expected)) {
         assert!(*mu > cold.min(*hot) && *mu < cold.max(*hot), "{mu} {cold} {hot}");
     }
-    let refused = folder.run("predict at.toml --table hot.nc -o friction.nc");
-    assert!(stderr(&refused).contains("is for an initial temperature of 500 K only, not 298 K"));
+    let other = "is for an initial temperature of 500 K only, not 298 K";
+    folder.refused("predict at.toml --table hot.nc -o friction.nc", other);
 }
 
 #[test]
 fn load_beyond_the_table_is_refused_or_extrapolated() {
-    let folder = Folder::new("beyond");
+    let folder = folder("beyond");
     let law = Weakening::new();
     table(&law, 20.0).write(&folder.path("table.nc")).unwrap();
-    let output = folder.run("predict surface.toml --table table.nc -o friction.nc");
-    assert_eq!(output.status.code(), Some(2));
-    let message = stderr(&output);
-    assert!(message.contains("beyond 20.0000 omega_c") && message.contains("--extrapolate"));
-    assert_eq!(message.lines().count(), 1, "{message}");
+    let strict = "predict surface.toml --table table.nc -o friction.nc";
+    folder.refused(strict, "beyond 20.0000 omega_c");
+    folder.refused(strict, "--extrapolate");
     assert!(!folder.path("friction.nc").exists());
 
-    let output = folder.run("predict surface.toml --table table.nc -o friction.nc --extrapolate");
-    assert_eq!(output.status.code(), Some(0));
+    let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc --extrapolate");
     assert!(stderr(&output).contains("extrapolated"));
     let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
     let outside = file.reals("outside_table_fraction", &[3, 5]).unwrap();
@@ -158,7 +117,7 @@ fn load_beyond_the_table_is_refused_or_extrapolated() {
 #[test]
 fn elastic_asperities_of_constant_strength_with_exponential_heights() {
     // μ = 0.4039/ψ at ν = 0.3 and any load, for ψ small enough to stay elastic.
-    let folder = Folder::new("elastic");
+    let folder = folder("elastic");
     let critical = hertz::critical_interference(STEEL.contact_modulus(), 0.3, 400e6, 1e-4);
     let std = format!("{:e}", 0.04 * critical);
     let text = SURFACE
@@ -166,9 +125,8 @@ fn elastic_asperities_of_constant_strength_with_exponential_heights() {
         .replace("0.05e-6", &std)
         .replace("[1e5, 1e6, 1e7]", "[1e1, 1e2]")
         .replace("[0.1, 0.3, 1.0, 3.0, 10.0]", "[1.0]");
-    std::fs::write(folder.path("surface.toml"), text).unwrap();
-    let output = folder.run("predict surface.toml --table model:constant-shear -o f.nc --json");
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    folder.write("surface.toml", text);
+    let output = folder.run_well("predict surface.toml --table model:constant-shear -o f.nc --json");
     let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     for cell in summary["friction"].as_array().unwrap() {
         let mu = cell["mu"]["value"].as_f64().unwrap();
@@ -179,14 +137,13 @@ fn elastic_asperities_of_constant_strength_with_exponential_heights() {
 
 #[test]
 fn threads_change_nothing_and_random_surfaces_repeat() {
-    let folder = Folder::new("threads");
+    let folder = folder("threads");
     for (command, name) in [
         ("predict surface.toml --table model:brizmer", "friction.nc"),
         ("sample surface.toml --table model:brizmer --asperities 200 --realizations 20 --seed 3", "mc.nc"),
     ] {
         let values = |threads: usize| {
-            let output = folder.run(&format!("{command} -o {name} -q --threads {threads}"));
-            assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+            let output = folder.run_well(&format!("{command} -o {name} -q --threads {threads}"));
             assert!(output.stdout.is_empty() && output.stderr.is_empty());
             let file = DatasetReader::open(&folder.path(name)).unwrap();
             let shape: &[usize] = if name == "mc.nc" { &[3, 5, 20] } else { &[3, 5] };
@@ -198,8 +155,8 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
 
 #[test]
 fn bad_input_ends_with_status_two_and_one_line() {
-    let folder = Folder::new("input");
-    std::fs::write(folder.path("typo.toml"), SURFACE.replace("pressure", "presure")).unwrap();
+    let folder = folder("input");
+    folder.write("typo.toml", SURFACE.replace("pressure", "presure"));
     for (arguments, message) in [
         ("predict typo.toml --table model:hertz -o f.nc", "did you mean pressure?"),
         ("predict none.toml --table model:hertz -o f.nc", "none.toml: cannot be read"),
@@ -210,10 +167,7 @@ fn bad_input_ends_with_status_two_and_one_line() {
         ("predict surface.toml --table model:hertz -o f.nc --compare herz", "--compare herz: must be among"),
         ("predict surface.toml --table model:hertz -o f.nc --report no/f.html", "its folder does not exist"),
     ] {
-        let output = folder.run(arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
-        let text = stderr(&output);
-        assert!(text.contains(message) && text.lines().count() == 1, "{text}");
+        folder.refused(arguments, message);
     }
     let usage = folder.run("predict surface.toml");
     assert_eq!(usage.status.code(), Some(2));
@@ -222,18 +176,17 @@ fn bad_input_ends_with_status_two_and_one_line() {
 
 #[test]
 fn everything_asked_for_is_in_the_files() {
-    let folder = Folder::new("everything");
+    let folder = folder("everything");
     table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
     let text = format!("{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n");
-    std::fs::write(folder.path("surface.toml"), text).unwrap();
-    let output = folder.run(
+    folder.write("surface.toml", text);
+    let output = folder.run_well(
         "predict surface.toml --table table.nc -o f.nc --compare kogut-etsion,jackson-green --report f.html --json",
     );
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
     let read = |name: &str, shape: &[usize]| file.reals(name, shape).unwrap();
-    // The table is made of Jackson–Green spheres, whose static friction it keeps.
+    // The table is of Jackson–Green spheres with their static friction.
     let models = read("mu_static_model", &[2, 3]);
     let here = read("mu_static", &[3, 5]);
     for row in 0..3 {
@@ -256,7 +209,7 @@ fn everything_asked_for_is_in_the_files() {
     let psi = file.attribute_real("plasticity_index").unwrap();
     let critical = hertz::critical_interference(STEEL.contact_modulus(), 0.3, 400e6, 1e-4);
     assert!((psi - (0.05e-6 / critical).sqrt()).abs() < 1e-6 * psi);
-    let page = std::fs::read_to_string(folder.path("f.html")).unwrap();
+    let page = folder.read("f.html");
     for wanted in ["Models of the literature", "Standard deviations from uncertain parameters", "heights_std"]
     {
         assert!(page.contains(wanted), "{wanted}");
@@ -265,15 +218,14 @@ fn everything_asked_for_is_in_the_files() {
 
 #[test]
 fn another_table_stands_for_a_constant_of_the_material() {
-    let folder = Folder::new("tables");
+    let folder = folder("tables");
     table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
     // A tenth more of every shear stress: friction and its energies grow by as much.
-    let stronger = table(&Stronger(Weakening::new()), 200.0);
+    let stronger = table(&Weakening { strength: 1.1, ..Weakening::new() }, 200.0);
     stronger.write(&folder.path("stronger.nc")).unwrap();
     let text = format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n");
-    std::fs::write(folder.path("surface.toml"), text).unwrap();
-    let output = folder.run("predict surface.toml --table table.nc -o f.nc --report f.html");
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    folder.write("surface.toml", text);
+    folder.run_well("predict surface.toml --table table.nc -o f.nc --report f.html");
     let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
     for name in ["mu", "Q", "G_weakening"] {
@@ -281,21 +233,20 @@ fn another_table_stands_for_a_constant_of_the_material() {
             assert!((std / value - 0.1).abs() < 1e-3, "{name}: {std} {value}");
         }
     }
-    let page = std::fs::read_to_string(folder.path("f.html")).unwrap();
+    let page = folder.read("f.html");
     assert!(page.contains("<li>strength another table</li>"));
-    let refused = folder.run("predict surface.toml --table model:hertz -o f.nc");
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(stderr(&refused).contains("uncertainty.tables: has no meaning for a closed form"));
+    let closed_form = "predict surface.toml --table model:hertz -o f.nc";
+    folder.refused(closed_form, "uncertainty.tables: has no meaning for a closed form");
 }
 
-/// Names that are no text, and outputs that are links: the figure and the file lie where the link leads to.
+/// Names that are not UTF-8, and outputs that are links: the files appear at the targets of the links.
 #[cfg(target_os = "linux")]
 #[test]
 fn names_may_be_anything_and_links_are_followed() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
-    let folder = Folder::new("names");
+    let folder = folder("names");
     let odd = folder.path("").join(OsStr::from_bytes(b"a folder \xff"));
     std::fs::create_dir_all(&odd).unwrap();
     let [surface, output] =
@@ -304,14 +255,14 @@ fn names_may_be_anything_and_links_are_followed() {
     std::os::unix::fs::symlink("elsewhere.nc", &output).unwrap();
     std::os::unix::fs::symlink("elsewhere.html", odd.join("report.html")).unwrap();
     let run = |output: &Path| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_roughsurface"));
+        let mut command = program(&folder.path(""));
         command
             .arg("predict")
             .arg(&surface)
             .args(["--table", "model:hertz", "--extrapolate", "-o"])
             .arg(output);
         command.arg("--report").arg(odd.join("report.html"));
-        command.env("HDF5_USE_FILE_LOCKING", "FALSE").output().unwrap()
+        command.output().unwrap()
     };
     let result = run(&output);
     assert_eq!(result.status.code(), Some(0), "{}", String::from_utf8_lossy(&result.stderr));

@@ -1,13 +1,13 @@
 //! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
 //! from there to a prediction.
 
+use crate::folder::Folder;
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::Topography;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
-use roughsurface::topography::read::{Reading, read};
+use roughsurface::topography::readers::{Reading, read};
 use roughsurface::topography::spectrum::Window;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
@@ -80,101 +80,55 @@ fn every_format_holds_the_same_map() {
     assert!(topography("periodic.nc").periodic);
 }
 
-fn run(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_roughsurface"))
-        .args(arguments)
-        .current_dir(folder)
-        .env("HDF5_USE_FILE_LOCKING", "FALSE")
-        .output()
-        .unwrap()
-}
-
-fn folder(name: &str) -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
 #[test]
 fn a_topography_becomes_a_surface_file_that_predicts() {
-    let folder = folder("characterize");
-    let map = data("map.x3p");
-    let map = map.to_str().unwrap();
+    let folder = Folder::new("characterize");
+    let map = data("map.x3p").display().to_string();
     for summits in ["moments", "found"] {
-        let output = run(
-            &folder,
-            &[
-                "characterize",
-                map,
-                "--cutoff",
-                "1.6um",
-                "--summits",
-                summits,
-                "-o",
-                "s.toml",
-                "--json",
-                "--plot",
-                "s.svg",
-            ],
-        );
-        let message = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(0), "{message}");
+        let options = format!("--cutoff 1.6um --summits {summits} -o s.toml --json --plot s.svg");
+        let output = folder.run_well(&format!("characterize {map} {options}"));
         let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         let key = if summits == "moments" { "summits" } else { "found" };
         let expected = |name: &str| result[key][name].as_f64().unwrap();
-        let surface = SurfaceFile::read(&folder.join("s.toml")).unwrap().surface;
+        let surface = SurfaceFile::read(&folder.path("s.toml")).unwrap().surface;
         assert!((surface.asperity_density / expected("density") - 1.0).abs() < 1e-6);
         assert!((surface.asperity_radius.mean() / expected("radius") - 1.0).abs() < 1e-6);
         assert!((surface.heights.standard_deviation() / expected("std") - 1.0).abs() < 1e-5);
-        let figure = std::fs::read_to_string(folder.join("s.svg")).unwrap();
+        let figure = folder.read("s.svg");
         assert!(figure.contains("wavelength (m)") && figure.contains("from moments"));
     }
-    let mut text = std::fs::read_to_string(folder.join("s.toml")).unwrap();
+    let mut text = folder.read("s.toml");
     text.push_str("[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\n");
-    std::fs::write(folder.join("s.toml"), text).unwrap();
-    let output = run(&folder, &["predict", "s.toml", "--table", "model:jackson-green", "-o", "f.nc", "-q"]);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    std::fs::remove_dir_all(&folder).unwrap();
+    folder.write("s.toml", text);
+    folder.run_well("predict s.toml --table model:jackson-green -o f.nc -q");
 }
 
 #[test]
 fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
-    let folder = folder("bad-topography");
-    let whole = std::fs::read(data("map.x3p")).unwrap();
-    std::fs::write(folder.join("cut.x3p"), &whole[..whole.len() / 2]).unwrap();
-    let whole = std::fs::read(data("map.gsf")).unwrap();
-    std::fs::write(folder.join("cut.gsf"), &whole[..whole.len() / 2]).unwrap();
-    let whole = std::fs::read(data("map.nc")).unwrap();
-    std::fs::write(folder.join("cut.nc"), &whole[..200]).unwrap();
-    std::fs::write(folder.join("text.txt"), "1 2 3 4\n5 6 seven 8\n").unwrap();
-    std::fs::write(folder.join("flat.txt"), "1 1 1 1 1 1 1 1\n".repeat(8)).unwrap();
-    std::fs::write(folder.join("small.txt"), "1 2 3 4\n5 6 7 8\n").unwrap();
-    let map = data("map.nc").to_str().unwrap().to_string();
-    let profile = data("profile.nc").to_str().unwrap().to_string();
-    for (arguments, expected) in [
-        (vec!["none.x3p"], "none.x3p: cannot be read"),
-        (vec!["cut.x3p"], "cut.x3p: is no X3P file"),
-        (vec!["cut.gsf"], "cut.gsf: holds"),
-        (vec!["cut.nc"], "cut.nc: "),
-        (vec!["text.txt"], "text.txt: line 2: \"seven\" is not a number"),
-        (vec!["flat.txt", "--pixel", "1um"], "flat.txt: all heights are"),
-        (vec!["small.txt", "--pixel", "1um"], "small.txt: holds 2 x 4 points; at least 8"),
-        (vec!["small.txt"], "--pixel LENGTH does"),
-        (vec![&map, "--unit", "um"], "states its own lengths"),
-        (vec![&map, "--cutoff", "0.1um"], "cutoff = 1e-7 m: must lie between"),
-        (vec![&profile, "--cutoff", "1um", "--summits", "found"], "needs a map"),
-        (vec![&map, "-o", "no/s.toml"], "its folder does not exist"),
-    ] {
-        let mut all = vec!["characterize"];
-        all.extend(&arguments);
-        if !arguments.contains(&"-o") {
-            all.extend(["-o", "s.toml"]);
-        }
-        let output = run(&folder, &all);
-        let text = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {text}");
-        assert!(text.contains(expected) && text.lines().count() == 1, "{arguments:?}: {text}");
-        assert!(!folder.join("s.toml").exists(), "{arguments:?}");
+    let folder = Folder::new("bad-topography");
+    for (file, parts) in [("map.x3p", 2), ("map.gsf", 2), ("map.nc", 100)] {
+        let whole = std::fs::read(data(file)).unwrap();
+        folder.write(&file.replace("map", "cut"), &whole[..whole.len() / parts]);
     }
-    std::fs::remove_dir_all(&folder).unwrap();
+    folder.write("text.txt", "1 2 3 4\n5 6 seven 8\n");
+    folder.write("flat.txt", "1 1 1 1 1 1 1 1\n".repeat(8));
+    folder.write("small.txt", "1 2 3 4\n5 6 7 8\n");
+    let (map, profile) = (data("map.nc").display().to_string(), data("profile.nc").display().to_string());
+    for (arguments, expected) in [
+        ("none.x3p", "none.x3p: cannot be read"),
+        ("cut.x3p", "cut.x3p: is no X3P file"),
+        ("cut.gsf", "cut.gsf: holds"),
+        ("cut.nc", "cut.nc: "),
+        ("text.txt", "text.txt: line 2: \"seven\" is not a number"),
+        ("flat.txt --pixel 1um", "flat.txt: all heights are"),
+        ("small.txt --pixel 1um", "small.txt: holds 2 x 4 points; at least 8"),
+        ("small.txt", "--pixel LENGTH does"),
+        (&format!("{map} --unit um"), "states its own lengths"),
+        (&format!("{map} --cutoff 0.1um"), "cutoff = 1e-7 m: must lie between"),
+        (&format!("{profile} --cutoff 1um --summits found"), "needs a map"),
+    ] {
+        folder.refused(&format!("characterize {arguments} -o s.toml"), expected);
+        assert!(!folder.path("s.toml").exists(), "{arguments}");
+    }
+    folder.refused(&format!("characterize {map} -o no/s.toml"), "its folder does not exist");
 }

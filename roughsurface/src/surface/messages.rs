@@ -1,7 +1,7 @@
-//! Messages of the parser in terms of the file.
+//! Messages in terms of the keys of a file.
 
-/// Says what serde means, with the known key nearest to an unknown one.
-pub(super) fn explain(path: &str, message: &str) -> String {
+/// The message of serde in terms of the file, with the known key nearest to an unknown one.
+pub(crate) fn explain(path: &str, message: &str) -> String {
     let message = one_line(message);
     let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     let parent = |key: &str| {
@@ -39,12 +39,12 @@ pub(crate) fn short(message: &str) -> String {
     }
 }
 
-pub(super) fn one_line(message: &str) -> String {
+pub(crate) fn one_line(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The known word nearest to a misspelt one, if near enough to suggest.
-pub fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     known
         .iter()
         .map(|candidate| {

@@ -4,41 +4,13 @@
 //! semicolons. The header that Gwyddion writes before a matrix (`# Width: 5.0 µm`) is understood, and
 //! titles of columns with their unit (`x [um], y [um], z [um]`).
 
-use super::read::Reading;
-use super::{Topography, length};
-
-/// Steps of a grid may differ by this much of one from an even grid.
-const EVEN: f64 = 0.02;
+use super::length;
+use super::profile::{EVEN, profile};
+use super::reading::Reading;
+use crate::topography::Topography;
 
 pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String> {
-    let mut header = Header::default();
-    let mut lines: Vec<Vec<f64>> = Vec::new();
-    for (index, line) in text.lines().enumerate() {
-        let comment = line.find(['#', '%']).unwrap_or(line.len());
-        let (content, comment) = line.split_at(comment);
-        header.take(comment.trim_start_matches(['#', '%', ' ']));
-        let words = || content.split([' ', '\t', ',', ';', '\r']).filter(|word| !word.is_empty());
-        // Titles of the columns, before the first number.
-        if lines.is_empty() && words().next().is_some() && words().all(|word| number(word).is_none()) {
-            header.take_titles(content);
-            continue;
-        }
-        let or_where =
-            |word| number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number", index + 1));
-        let numbers: Vec<f64> = words().map(or_where).collect::<Result<_, _>>()?;
-        if let Some(first) = lines.first().filter(|first| !numbers.is_empty() && first.len() != numbers.len())
-        {
-            return Err(format!(
-                "line {}: {} numbers, {} in the lines before",
-                index + 1,
-                numbers.len(),
-                first.len()
-            ));
-        }
-        if !numbers.is_empty() {
-            lines.push(numbers);
-        }
-    }
+    let (header, lines) = numbers(text)?;
     let mut remarks = Vec::new();
     let unit = reading.unit.or(header.unit).unwrap_or_else(|| {
         remarks.push(
@@ -55,19 +27,7 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
     };
     match columns {
         0 => Err("holds no numbers".into()),
-        1 => {
-            let step = pixel()?;
-            let heights = column(0);
-            Ok(Topography {
-                rows: 1,
-                row_step: step,
-                columns: heights.len(),
-                column_step: step,
-                heights,
-                periodic: false,
-                remarks,
-            })
-        }
+        1 => Ok(Topography { remarks, ..Topography::profile(pixel()?, column(0)) }),
         2 => profile(&column(0), &column(1), remarks),
         3 => grid(&column(0), &column(1), &column(2), remarks),
         _ => {
@@ -77,12 +37,41 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
                 _ => (pixel()?, pixel()?),
             };
             let heights = lines.iter().flatten().map(|height| unit * height).collect();
-            Ok(Topography { rows, row_step, columns, column_step, heights, periodic: false, remarks })
+            let map = Topography::map((rows, row_step), (columns, column_step), heights);
+            Ok(Topography { remarks, ..map })
         }
     }
 }
 
-/// A number, or what tools write where there is none.
+/// Header and lines of as many numbers each.
+fn numbers(text: &str) -> Result<(Header, Vec<Vec<f64>>), String> {
+    let mut header = Header::default();
+    let mut lines: Vec<Vec<f64>> = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let comment = line.find(['#', '%']).unwrap_or(line.len());
+        let (content, comment) = line.split_at(comment);
+        header.take(comment.trim_start_matches(['#', '%', ' ']));
+        let words = || content.split([' ', '\t', ',', ';', '\r']).filter(|word| !word.is_empty());
+        // Titles of the columns, before the first number.
+        if lines.is_empty() && words().next().is_some() && words().all(|word| number(word).is_none()) {
+            header.take_titles(content);
+            continue;
+        }
+        let or_where =
+            |word| number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number", index + 1));
+        let numbers: Vec<f64> = words().map(or_where).collect::<Result<_, _>>()?;
+        let (count, before) = (numbers.len(), lines.first().map_or(numbers.len(), Vec::len));
+        if count > 0 && count != before {
+            return Err(format!("line {}: {count} numbers, {before} in the lines before", index + 1));
+        }
+        if count > 0 {
+            lines.push(numbers);
+        }
+    }
+    Ok((header, lines))
+}
+
+/// A number, or one of the words of other programs for a missing value.
 fn number(word: &str) -> Option<f64> {
     match word.parse::<f64>() {
         Ok(number) => Some(number),
@@ -90,7 +79,7 @@ fn number(word: &str) -> Option<f64> {
     }
 }
 
-/// What the header of a matrix says, in metres.
+/// Lengths in the header of a matrix, m.
 #[derive(Default)]
 struct Header {
     width: Option<f64>,
@@ -125,48 +114,6 @@ impl Header {
     }
 }
 
-/// A profile through the points (x, z), m, resampled if they are not evenly spaced.
-pub(super) fn profile(x: &[f64], z: &[f64], mut remarks: Vec<String>) -> Result<Topography, String> {
-    let last = x.len().saturating_sub(1);
-    if last == 0 {
-        return Err("holds one point".into());
-    }
-    if let Some(place) = (0..last).find(|&i| x[i + 1].partial_cmp(&x[i]) != Some(std::cmp::Ordering::Greater))
-    {
-        return Err(format!(
-            "positions must grow along the profile; point {} does not lie after the one before",
-            place + 2
-        ));
-    }
-    let step = (x[last] - x[0]) / last as f64;
-    let even = (0..=last).all(|i| (x[i] - x[0] - step * i as f64).abs() <= EVEN * step);
-    let heights = if even {
-        z.to_vec()
-    } else {
-        remarks.push("the profile is not evenly spaced and was resampled by straight lines".into());
-        let mut segment = 0;
-        (0..=last)
-            .map(|i| {
-                let at = x[0] + step * i as f64;
-                while segment + 2 <= last && x[segment + 1] < at {
-                    segment += 1;
-                }
-                let share = ((at - x[segment]) / (x[segment + 1] - x[segment])).clamp(0.0, 1.0);
-                z[segment] + share * (z[segment + 1] - z[segment])
-            })
-            .collect()
-    };
-    Ok(Topography {
-        rows: 1,
-        row_step: step,
-        columns: x.len(),
-        column_step: step,
-        heights,
-        periodic: false,
-        remarks,
-    })
-}
-
 /// A map of points (x, y, z), m, in any order, which must be those of a regular grid; points that
 /// are left out are undefined.
 fn grid(x: &[f64], y: &[f64], z: &[f64], remarks: Vec<String>) -> Result<Topography, String> {
@@ -177,7 +124,7 @@ fn grid(x: &[f64], y: &[f64], z: &[f64], remarks: Vec<String>) -> Result<Topogra
         let place = |value: f64, from: f64, step: f64| ((value - from) / step).round() as usize;
         heights[place(*y, y_from, y_step) * columns + place(*x, x_from, x_step)] = *z;
     }
-    Ok(Topography { rows, row_step: y_step, columns, column_step: x_step, heights, periodic: false, remarks })
+    Ok(Topography { remarks, ..Topography::map((rows, y_step), (columns, x_step), heights) })
 }
 
 /// Start, step and number of the even positions that `values` take.

@@ -1,6 +1,6 @@
 //! X3P, ISO 25178-72: a ZIP archive with `main.xml` and a file of binary numbers.
 
-use super::Topography;
+use crate::topography::Topography;
 use std::io::{Cursor, Read};
 
 type Archive<'a> = zip::ZipArchive<Cursor<&'a [u8]>>;
@@ -13,58 +13,38 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     let xml = member(&mut archive, "main.xml")?;
     let xml = String::from_utf8(xml).map_err(|_| "main.xml is no UTF-8")?;
     let document = roxmltree::Document::parse(&xml).map_err(|error| format!("main.xml: {error}"))?;
-    let text = |path: &[&str]| -> Option<&str> {
-        let mut node = document.root_element();
-        for name in path {
-            node = node.children().find(|child| child.tag_name().name() == *name)?;
-        }
-        node.text().map(str::trim)
-    };
-    let needed = |path: &[&str]| text(path).ok_or_else(|| format!("main.xml: {} is missing", path.join("/")));
-    let number = |path: &[&str], default: f64| match text(path) {
-        None | Some("") => Ok(default),
-        Some(text) => text
-            .parse::<f64>()
-            .map_err(|_| format!("main.xml: {} = {text}: must be a number", path.join("/"))),
-    };
-    let points = |name: &str| -> Result<usize, String> {
-        let text = needed(&["Record3", "MatrixDimension", name])?;
-        let rule = || format!("main.xml: {name} = {text}: must be a positive number of points");
-        text.parse().ok().filter(|points| *points > 0).ok_or_else(rule)
-    };
+    let main = Main(document.root_element());
     for (axis, wanted) in [("CX", "I"), ("CY", "I"), ("CZ", "A")] {
-        let kind = needed(&["Record1", "Axes", axis, "AxisType"])?;
+        let kind = main.needed(&["Record1", "Axes", axis, "AxisType"])?;
         if kind != wanted {
             return Err(format!(
                 "main.xml: AxisType of {axis} = {kind}: only {wanted} is known, a regular grid"
             ));
         }
     }
-    let (columns, rows, layers) = (points("SizeX")?, points("SizeY")?, points("SizeZ")?);
+    let (columns, rows, layers) = (main.points("SizeX")?, main.points("SizeY")?, main.points("SizeZ")?);
     if layers != 1 {
         return Err(format!("main.xml: SizeZ = {layers}: only one layer is known"));
     }
-    let step = |axis: &str| number(&["Record1", "Axes", axis, "Increment"], f64::NAN);
-    let (column_step, row_step) = (step("CX")?, step("CY")?);
-    let scale = number(&["Record1", "Axes", "CZ", "Increment"], 1.0)?;
-    let offset = number(&["Record1", "Axes", "CZ", "Offset"], 0.0)?;
-
-    let kind = needed(&["Record1", "Axes", "CZ", "DataType"])?;
+    let count = rows.checked_mul(columns).ok_or("main.xml: SizeX x SizeY is too large")?;
+    let kind = main.needed(&["Record1", "Axes", "CZ", "DataType"])?;
     let size = match kind {
         "I" => 2,
         "L" | "F" => 4,
         "D" => 8,
         _ => return Err(format!("main.xml: DataType of CZ = {kind}: must be one of I, L, F, D")),
     };
-    let count = rows.checked_mul(columns).ok_or("main.xml: SizeX x SizeY is too large")?;
-    let data = member(&mut archive, needed(&["Record3", "DataLink", "PointDataLink"])?)?;
+    let data = member(&mut archive, main.needed(&["Record3", "DataLink", "PointDataLink"])?)?;
     if data.len() / size < count {
         return Err(format!("holds {} of {columns} x {rows} heights", data.len() / size));
     }
     // Integers count increments; the increment of floating-point heights is one by the standard.
+    let scale = main.number(&["Record1", "Axes", "CZ", "Increment"], 1.0)?;
+    let offset = main.number(&["Record1", "Axes", "CZ", "Offset"], 0.0)?;
     let mut heights: Vec<f64> =
         (data.chunks_exact(size).take(count)).map(|bytes| offset + scale * binary(kind, bytes)).collect();
-    if let Some(link) = text(&["Record3", "DataLink", "ValidPointsLink"]).filter(|link| !link.is_empty()) {
+    let link = main.text(&["Record3", "DataLink", "ValidPointsLink"]);
+    if let Some(link) = link.filter(|link| !link.is_empty()) {
         let valid = member(&mut archive, link)?;
         for (point, height) in heights.iter_mut().enumerate() {
             if valid.get(point / 8).is_some_and(|byte| byte >> (point % 8) & 1 == 0) {
@@ -72,7 +52,40 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
             }
         }
     }
-    Ok(Topography { rows, row_step, columns, column_step, heights, periodic: false, remarks: Vec::new() })
+    let step = |axis: &str| main.number(&["Record1", "Axes", axis, "Increment"], f64::NAN);
+    Ok(Topography::map((rows, step("CY")?), (columns, step("CX")?), heights))
+}
+
+/// The root of `main.xml`.
+struct Main<'a>(roxmltree::Node<'a, 'a>);
+
+impl<'a> Main<'a> {
+    fn text(&self, path: &[&str]) -> Option<&'a str> {
+        let mut node = self.0;
+        for name in path {
+            node = node.children().find(|child| child.tag_name().name() == *name)?;
+        }
+        node.text().map(str::trim)
+    }
+
+    fn needed(&self, path: &[&str]) -> Result<&'a str, String> {
+        self.text(path).ok_or_else(|| format!("main.xml: {} is missing", path.join("/")))
+    }
+
+    fn number(&self, path: &[&str], default: f64) -> Result<f64, String> {
+        match self.text(path) {
+            None | Some("") => Ok(default),
+            Some(text) => text
+                .parse::<f64>()
+                .map_err(|_| format!("main.xml: {} = {text}: must be a number", path.join("/"))),
+        }
+    }
+
+    fn points(&self, name: &str) -> Result<usize, String> {
+        let text = self.needed(&["Record3", "MatrixDimension", name])?;
+        let rule = || format!("main.xml: {name} = {text}: must be a positive number of points");
+        text.parse().ok().filter(|points| *points > 0).ok_or_else(rule)
+    }
 }
 
 fn binary(kind: &str, bytes: &[u8]) -> f64 {

@@ -1,0 +1,49 @@
+//! Progress on stderr.
+
+use super::common::RunOptions;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A bar on a terminal, a line per tenth in a log, or nothing.
+pub enum Progress {
+    Hidden,
+    Bar(ProgressBar),
+    /// Name of the counted things, and the tenths shown.
+    Lines(&'static str, AtomicUsize),
+}
+
+impl Progress {
+    /// A count of `what`; by default only on a terminal.
+    pub fn new(options: &RunOptions, what: &'static str) -> Self {
+        let terminal = std::io::stderr().is_terminal();
+        if terminal && (options.progress || !options.quiet) {
+            let style = ProgressStyle::with_template("{bar:30} {pos} of {len} {msg}, {eta} left");
+            let style = style.expect("a valid template");
+            return Self::Bar(ProgressBar::new(0).with_style(style).with_message(what));
+        }
+        if options.progress { Self::Lines(what, AtomicUsize::new(0)) } else { Self::Hidden }
+    }
+
+    pub fn show(&self, done: usize, total: usize) {
+        match self {
+            Self::Hidden => {}
+            Self::Bar(bar) => {
+                bar.set_length(total as u64);
+                bar.set_position(done as u64);
+            }
+            Self::Lines(what, shown) => {
+                let tenths = 10 * done / total;
+                if shown.fetch_max(tenths, Ordering::Relaxed) < tenths {
+                    eprintln!("{done} of {total} {what}");
+                }
+            }
+        }
+    }
+
+    pub fn clear(&self) {
+        if let Self::Bar(bar) = self {
+            bar.finish_and_clear();
+        }
+    }
+}

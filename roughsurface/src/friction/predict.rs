@@ -1,0 +1,97 @@
+//! The prediction, from the press to the friction of every cell.
+
+use crate::friction::flash_heating;
+use crate::friction::rate_dependence::rate_sensitivity;
+use crate::friction::regime::plasticity_index;
+use crate::friction::result::{Friction, Prediction};
+use crate::friction::settings::{PredictionError, Settings};
+use crate::friction::slip_curve::SlipState;
+use crate::friction::sweep::Sweep;
+use crate::integral::separation::EquilibriumState;
+use crate::surface::query::{Query, Surface};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tables::law::{AsperityLaw, Estimate};
+
+/// Neighbouring slips that one thread computes in order, each starting from the one before.
+const SLIPS_PER_TASK: usize = 20;
+
+/// Predicts the friction of `surface` from the `law` of its asperities.
+///
+/// `progress` receives the number of slips done and the total; the result does not depend on the number of
+/// threads, because every integral is computed by one.
+pub fn predict(
+    law: &dyn AsperityLaw,
+    surface: &Surface,
+    query: &Query,
+    settings: &Settings,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Prediction, PredictionError> {
+    let sweep = Sweep::new(law, surface, query, settings)?;
+    let pressed = sweep.press_all()?;
+    let slip = sweep.slip_grid(&pressed);
+    let states = slide_all(&sweep, &slip, &pressed, progress)?;
+
+    let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
+    let mut warnings = Vec::new();
+    let mut cell = |row: usize, rate: usize| {
+        let curve: Vec<SlipState> = states[rate].iter().map(|rows| rows[row]).collect();
+        sweep.evaluate((row, rate), &pressed[rate][row], &slip, &curve, &mut warnings)
+    };
+    let mut friction: Vec<Vec<Friction>> =
+        (0..rows).map(|row| (0..rates).map(|rate| cell(row, rate)).collect()).collect();
+    let mut flash_heating = Vec::new();
+    for row in &mut friction {
+        let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
+        for (cell, sensitivity) in row.iter_mut().zip(rate_sensitivity(&query.slip_rates, &mu)) {
+            cell.rate_sensitivity = sensitivity;
+        }
+        flash_heating.push(flash_heating::fit(&query.slip_rates, &mu));
+    }
+    Ok(Prediction {
+        query: query.clone(),
+        law: law.name(),
+        slip,
+        friction,
+        plasticity_index: plasticity_index(law, surface),
+        flash_heating,
+        warnings,
+    })
+}
+
+/// For every slip rate and slip the states under every pressure or separation. Each task starts from the
+/// press.
+fn slide_all(
+    sweep: &Sweep,
+    slip: &[f64],
+    pressed: &[Vec<EquilibriumState>],
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Vec<Vec<SlipState>>>, PredictionError> {
+    let tasks: Vec<(usize, &[f64])> = (0..pressed.len())
+        .flat_map(|rate| slip.chunks(SLIPS_PER_TASK).map(move |slips| (rate, slips)))
+        .collect();
+    let (done, total) = (AtomicUsize::new(0), pressed.len() * slip.len());
+    let states: Vec<_> = tasks
+        .into_par_iter()
+        .map(|(rate, slips)| {
+            let states = sweep.slide(rate, slips, &pressed[rate]);
+            progress(done.fetch_add(slips.len(), Ordering::Relaxed) + slips.len(), total);
+            states
+        })
+        .collect();
+    // In order: the failure that is reported does not depend on the threads.
+    let states = states.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
+    Ok(states.chunks(slip.len()).map(<[_]>::to_vec).collect())
+}
+
+/// Slip (m) at which [`predict`] ends its slides.
+pub fn end_of_slide(
+    law: &dyn AsperityLaw,
+    surface: &Surface,
+    query: &Query,
+    settings: &Settings,
+) -> Result<f64, PredictionError> {
+    let sweep = Sweep::new(law, surface, query, settings)?;
+    let grid = sweep.slip_grid(&sweep.press_all()?);
+    Ok(grid[grid.len() - 1])
+}

@@ -1,0 +1,140 @@
+//! The one list of results: friction.nc, the file of samples, summary, JSON, report and figures loop over it.
+
+use crate::friction::result::Friction;
+use crate::friction::slip_curve::SlipState;
+use tables::law::Estimate;
+
+/// A result over (pressure or separation, slip rate).
+pub struct Quantity {
+    /// Name in files.
+    pub name: &'static str,
+    /// Unit as CF conventions write it.
+    pub unit: &'static str,
+    /// Meaning in words.
+    pub long_name: &'static str,
+    /// Where it is found.
+    pub source: Source,
+    /// Whether uncertain parameters are propagated to it.
+    pub propagated: bool,
+}
+
+/// Where a result is found.
+pub enum Source {
+    /// In the state at the end of the slide.
+    Sliding(fn(&SlipState) -> Estimate),
+    /// In the results of the whole slide.
+    Slide(fn(&Friction) -> Estimate),
+    /// In the results of the whole slide, where the law states it.
+    WhereKnown(fn(&Friction) -> Option<Estimate>),
+    /// A share, without an error.
+    Share(fn(&Friction) -> f64),
+}
+
+/// Every result. To add one: a line here.
+pub static QUANTITIES: [Quantity; 22] = [
+    Quantity::sliding("mu", "1", "sliding friction coefficient at the end of the slide", |s| s.mu).propagated(),
+    Quantity::slide("mu_static", "1", "friction coefficient where the friction-slip curve of the surface starts to slide",
+        |f| f.mu_static).propagated(),
+    Quantity::slide("inception_slip", "m", "slip at which static friction is reached", |f| f.inception_slip),
+    Quantity::sliding("Q", "Pa", "friction stress on the nominal area at the end of the slide", |s| s.shear).propagated(),
+    Quantity::where_known("G", "J m-2", "energy that the asperities release from full stick to full slip per nominal area",
+        |f| f.energy_release).propagated(),
+    Quantity::slide("G_weakening", "J m-2",
+        "energy of slip weakening per nominal area, from the peak of the friction stress to the end of the slide",
+        |f| f.weakening_energy).propagated(),
+    Quantity::slide("G_weakening_real_area", "J m-2",
+        "energy of slip weakening per real contact area at the end of the slide", Friction::weakening_of_real_area),
+    Quantity::where_known("G_real_area", "J m-2",
+        "energy that the asperities release from full stick to full slip per real contact area before the slide",
+        Friction::release_of_real_area),
+    Quantity::slide("weakening_distance", "m",
+        "slip-weakening distance, that of linear weakening with the same peak, end and energy of the friction stress",
+        |f| f.weakening_distance),
+    Quantity::slide("dmu_dlnV", "1",
+        "derivative of the sliding friction coefficient with respect to the logarithm of the slip rate",
+        |f| f.rate_sensitivity),
+    Quantity::sliding("real_area_fraction", "1", "real over nominal contact area at the end of the slide",
+        |s| s.area_fraction).propagated(),
+    Quantity::slide("real_area_fraction_press", "1", "real over nominal contact area before the slide",
+        |f| f.pressed.area_fraction),
+    Quantity::slide("separation", "m", "distance of the flat from the reference plane of the heights before the slide",
+        |f| f.pressed.separation).propagated(),
+    Quantity::sliding("separation_sliding", "m",
+        "distance of the flat from the reference plane of the heights at the end of the slide", |s| s.separation),
+    Quantity::slide("pressure", "Pa", "nominal pressure before the slide", |f| f.pressed.pressure),
+    Quantity::sliding("pressure_sliding", "Pa", "nominal pressure at the end of the slide", |s| s.pressure),
+    Quantity::sliding("contact_density", "m-2", "asperities in contact per nominal area at the end of the slide",
+        |s| s.contact_density),
+    Quantity::slide("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
+        |f| f.pressed.contact_density),
+    Quantity::share("outside_table_fraction",
+        "largest share of the load carried beyond the range of the table during the slide", |f| f.outside_table),
+    Quantity::share("elastic_fraction",
+        "share of the asperities in contact pressed less than first yield needs, at the end of the slide",
+        |f| f.shares.elastic),
+    Quantity::share("plastic_fraction",
+        "share of the asperities in contact pressed beyond first yield and not melting, at the end of the slide",
+        |f| f.shares.plastic),
+    Quantity::share("melting_fraction",
+        "share of the asperities in contact whose hottest point has the melting temperature, at the end of the slide",
+        |f| f.shares.melting),
+];
+
+impl Quantity {
+    const fn new(name: &'static str, unit: &'static str, long_name: &'static str, source: Source) -> Self {
+        Self { name, unit, long_name, source, propagated: false }
+    }
+    const fn sliding(
+        name: &'static str,
+        unit: &'static str,
+        long_name: &'static str,
+        of: fn(&SlipState) -> Estimate,
+    ) -> Self {
+        Self::new(name, unit, long_name, Source::Sliding(of))
+    }
+    const fn slide(
+        name: &'static str,
+        unit: &'static str,
+        long_name: &'static str,
+        of: fn(&Friction) -> Estimate,
+    ) -> Self {
+        Self::new(name, unit, long_name, Source::Slide(of))
+    }
+    const fn where_known(
+        name: &'static str,
+        unit: &'static str,
+        long_name: &'static str,
+        of: fn(&Friction) -> Option<Estimate>,
+    ) -> Self {
+        Self::new(name, unit, long_name, Source::WhereKnown(of))
+    }
+    const fn share(name: &'static str, long_name: &'static str, of: fn(&Friction) -> f64) -> Self {
+        Self::new(name, "1", long_name, Source::Share(of))
+    }
+    const fn propagated(self) -> Self {
+        Self { propagated: true, ..self }
+    }
+
+    /// The quantity of that name in [`QUANTITIES`].
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn named(name: &str) -> &'static Self {
+        QUANTITIES.iter().find(|quantity| quantity.name == name).expect("a name of the list of quantities")
+    }
+
+    /// Value and error; none where the law does not state it. A share has no error.
+    pub fn of(&self, friction: &Friction) -> Option<Estimate> {
+        match self.source {
+            Source::Sliding(of) => Some(of(&friction.sliding)),
+            Source::Slide(of) => Some(of(friction)),
+            Source::WhereKnown(of) => of(friction),
+            Source::Share(of) => Some(Estimate { value: of(friction), error: 0.0 }),
+        }
+    }
+
+    /// As [`of`](Self::of), NaN where it is unknown.
+    pub fn estimate(&self, friction: &Friction) -> Estimate {
+        self.of(friction).unwrap_or(Estimate { value: f64::NAN, error: f64::NAN })
+    }
+}

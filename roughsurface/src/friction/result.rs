@@ -1,0 +1,83 @@
+//! Results of a prediction.
+
+use crate::friction::flash_heating::{FlashHeating, NoFit};
+use crate::friction::regime::RegimeShares;
+use crate::friction::slip_curve::SlipState;
+use crate::friction::warning::Warning;
+use crate::surface::query::Query;
+use tables::law::Estimate;
+
+/// Friction of the surface at one pressure or separation and one slip rate; units and meanings in
+/// [`QUANTITIES`](crate::friction::quantities::QUANTITIES).
+#[derive(Clone, Debug)]
+pub struct Friction {
+    /// Static friction coefficient, see [`inception`](crate::friction::slip_curve::inception).
+    pub mu_static: Estimate,
+    /// Slip at which it is reached, m.
+    pub inception_slip: Estimate,
+    /// Energy released by weakening, J per m² of nominal area, see
+    /// [`weakening_energy`](crate::friction::slip_curve::weakening_energy).
+    pub weakening_energy: Estimate,
+    /// Slip over which friction weakens, m, see
+    /// [`weakening_distance`](crate::friction::slip_curve::weakening_distance).
+    pub weakening_distance: Estimate,
+    /// Energy that the asperities release from full stick to full slip, J per m² of nominal area; none
+    /// where the law does not state it.
+    pub energy_release: Option<Estimate>,
+    /// Before the slide.
+    pub pressed: SlipState,
+    /// At the end of the slide: sliding friction.
+    pub sliding: SlipState,
+    /// Share of the contacts in each regime at the end of the slide.
+    pub shares: RegimeShares,
+    /// dμ/d ln V of sliding friction, see
+    /// [`rate_sensitivity`](crate::friction::rate_dependence::rate_sensitivity).
+    pub rate_sensitivity: Estimate,
+    /// Friction coefficient at each slip.
+    pub mu_history: Vec<Estimate>,
+    /// Largest share of the load beyond the range of the law, at any slip.
+    pub outside_table: f64,
+}
+
+impl Friction {
+    /// [`weakening_energy`](Self::weakening_energy) per real contact area at the end of the slide, J/m².
+    pub fn weakening_of_real_area(&self) -> Estimate {
+        per_real_area(self.weakening_energy, self.sliding.area_fraction)
+    }
+
+    /// [`energy_release`](Self::energy_release) per real contact area before the slide, J/m².
+    pub fn release_of_real_area(&self) -> Option<Estimate> {
+        self.energy_release.map(|energy| per_real_area(energy, self.pressed.area_fraction))
+    }
+}
+
+fn per_real_area(energy: Estimate, area_fraction: Estimate) -> Estimate {
+    let value = energy.value / area_fraction.value;
+    let error = (energy.error + value.abs() * area_fraction.error) / area_fraction.value;
+    Estimate { value, error }
+}
+
+/// Answer to a query.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    pub query: Query,
+    /// Name of the asperity law.
+    pub law: String,
+    /// Slips of the histories, m.
+    pub slip: Vec<f64>,
+    /// One row per pressure or separation, one column per slip rate.
+    pub friction: Vec<Vec<Friction>>,
+    /// √(σ_s/ω_c) of heights of standard deviation σ_s, ω_c at the mean radius.
+    pub plasticity_index: f64,
+    /// Flash-heating parameters per pressure or separation.
+    pub flash_heating: Vec<Result<FlashHeating, NoFit>>,
+    /// Limits of validity that the prediction reaches.
+    pub warnings: Vec<Warning>,
+}
+
+impl Prediction {
+    /// Pressure (Pa) or separation (m), slip rate (m/s) and friction of every cell, row by row.
+    pub fn cells(&self) -> impl Iterator<Item = (f64, f64, &Friction)> {
+        self.query.cells().zip(self.friction.iter().flatten()).map(|((load, rate), cell)| (load, rate, cell))
+    }
+}

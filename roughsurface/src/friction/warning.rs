@@ -1,0 +1,52 @@
+//! Warnings: limits of validity that a result reaches.
+
+use crate::surface::query::Query;
+use std::fmt;
+
+/// Pressure or separation and slip rate that a warning is about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    pub loading: String,
+    /// m/s.
+    pub slip_rate: f64,
+}
+
+impl Place {
+    /// Row (pressure or separation) and column (slip rate) of a query.
+    pub fn of(query: &Query, row: usize, rate: usize) -> Self {
+        Self { loading: query.loading.describe(row), slip_rate: query.slip_rates[rate] }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        write!(formatter, "{}, {} m/s", self.loading, self.slip_rate)
+    }
+}
+
+/// A warning, with the numbers that it rests on; `Display` renders it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Warning {
+    #[error("{at}: {:.2} % of the load lies beyond the table and is extrapolated", 100.0 * .share)]
+    Extrapolated { at: Place, share: f64 },
+    #[error(
+        "{at}: up to {:.2} % of the load of a surface lies beyond the table and is extrapolated",
+        100.0 * .share
+    )]
+    SamplesExtrapolated { at: Place, share: f64 },
+    #[error("{at}: friction still rises at the end of the slide; mu_static is the last value")]
+    StillRising { at: Place },
+    #[error(
+        "{at}: {:.0} % of the nominal area is in contact; neighbouring asperities, here independent, would interact",
+        100.0 * .share
+    )]
+    AsperitiesInteract { at: Place, share: f64 },
+    #[error("{at}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient")]
+    SamplesWithoutContact { at: Place, idle: usize, count: usize },
+    #[error("cells without results, interpolated around: {}", .cells.join("; "))]
+    CellsInterpolated { cells: Vec<String> },
+    #[error(
+        "chang-etsion-bogy: its static friction was published for a Poisson ratio of 0.3, not {poisson_ratio}"
+    )]
+    PoissonRatioOfChangEtsionBogy { poisson_ratio: f64 },
+}

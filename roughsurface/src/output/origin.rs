@@ -1,0 +1,86 @@
+//! Common parts of the NetCDF files: attributes of provenance, coordinates, variables with their errors.
+
+use crate::surface::query::{LoadingControl, NormalLoading, Query};
+use tables::law::Estimate;
+use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
+
+/// Where a result comes from, as written to the global attributes.
+#[derive(Clone, Debug)]
+pub struct Origin<'a> {
+    /// Text of the surface file.
+    pub surface: &'a str,
+    /// The table as asked for: file, shipped name or `model:NAME`.
+    pub table: &'a str,
+    /// The command that made the result.
+    pub command: &'a str,
+}
+
+impl Origin<'_> {
+    /// Writes the global attributes and warnings that every file has.
+    pub(super) fn write(
+        &self,
+        file: &mut DatasetWriter,
+        law: &str,
+        query: &Query,
+        warnings: &[impl ToString],
+    ) -> Result<(), DatasetError> {
+        let hold = match query.control {
+            LoadingControl::Load => "load",
+            LoadingControl::Separation => "separation",
+        };
+        for (name, value) in [
+            ("source", concat!("roughsurface ", env!("CARGO_PKG_VERSION"))),
+            ("history", self.command),
+            ("surface", self.surface),
+            ("table", self.table),
+            ("law", law),
+            ("hold", hold),
+        ] {
+            file.attribute(name, value)?;
+        }
+        if !warnings.is_empty() {
+            let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+            file.attribute("warnings", warnings.join("\n").as_str())?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes the coordinates of pressures or separations and of slip rates; returns the name of the former.
+pub(super) fn grid_coordinates(
+    file: &mut DatasetWriter,
+    query: &Query,
+) -> Result<&'static str, DatasetError> {
+    let (row, unit, long_name) = match query.loading {
+        NormalLoading::Pressure(_) => ("pressure", "Pa", "nominal pressure before the slide"),
+        NormalLoading::Separation(_) => (
+            "separation",
+            "m",
+            "distance of the flat from the reference plane of the heights before the slide",
+        ),
+    };
+    file.coordinate(row, query.loading.values(), &described(unit, long_name))?;
+    file.coordinate("slip_rate", &query.slip_rates, &described("m s-1", "slip rate"))?;
+    Ok(row)
+}
+
+pub(super) fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
+    vec![("units", unit.into()), ("long_name", long_name.into())]
+}
+
+/// A variable and, named in its `ancillary_variables`, the one of its errors.
+pub(super) fn with_error(
+    file: &mut DatasetWriter,
+    name: &str,
+    dimensions: &[&str],
+    (unit, long_name): (&str, &str),
+    estimates: &[Estimate],
+) -> Result<(), DatasetError> {
+    let error_name = format!("{name}_error");
+    let mut attributes = described(unit, long_name);
+    attributes.push(("ancillary_variables", error_name.as_str().into()));
+    let (values, errors): (Vec<f64>, Vec<f64>) = estimates.iter().map(|e| (e.value, e.error)).unzip();
+    file.reals(name, dimensions, &values, &attributes)?;
+    let error_long_name = format!("estimated absolute error of the {long_name}");
+    file.reals(&error_name, dimensions, &errors, &described(unit, &error_long_name))
+}

@@ -1,0 +1,132 @@
+//! One battery for every output: files are read again, and every quantity is in them.
+
+use super::{Origin, Results, figure, friction_file, report, sample_file, summary, summary_json};
+use crate::friction::quantities::{QUANTITIES, Source};
+use crate::friction::warning::Warning;
+use crate::friction::{Prediction, Settings, end_of_slide, predict};
+use crate::integral::test_laws::PowerLaw;
+use crate::sampling::finite_surface::{Sampling, sample};
+use crate::surface::file::SurfaceFile;
+use std::path::{Path, PathBuf};
+use tables::netcdf::DatasetReader;
+
+const SURFACE: &str = "# a < b & c\nsurface = { asperity_density = 1e10, asperity_radius = 1e-4, \
+                       heights = { distribution = \"exponential\", std = 1e-6 } }\n[query]\n";
+const ORIGIN: Origin = Origin { surface: SURFACE, table: "model:test", command: "roughsurface predict" };
+
+fn surface(query: &str) -> SurfaceFile {
+    SurfaceFile::parse(Path::new("surface.toml"), format!("{SURFACE}{query}")).unwrap()
+}
+
+fn prediction(query: &str) -> Prediction {
+    let history = |rate: f64, _, _| 0.25 + 0.75 / (1.0 + (rate / 0.2f64).powi(8)).powf(0.125);
+    let law = PowerLaw { relative_error: 0.01, history, ..PowerLaw::hertz() };
+    let file = surface(query);
+    predict(&law, &file.surface, &file.query, &Settings::default(), &|_, _| ()).unwrap()
+}
+
+fn path(name: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("roughsurface-{name}-{}.nc", std::process::id()))
+}
+
+/// Writes the prediction, reads it with `read`, and returns the bytes.
+fn written(name: &str, results: &Results, read: impl Fn(&DatasetReader)) -> Vec<u8> {
+    let path = path(name);
+    friction_file::write(&path, results, &ORIGIN).unwrap();
+    read(&DatasetReader::open(&path).unwrap());
+    let bytes = std::fs::read(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    bytes
+}
+
+#[test]
+fn every_quantity_is_in_the_file_and_in_the_json() {
+    let results = Results::from(prediction("pressure = [1e5, 1e6]\nslip_rate = [0.1, 1.0, 10.0]"));
+    let prediction = &results.prediction;
+    let json = summary_json::json(&results);
+    let bytes = written("pressure", &results, |file| {
+        assert_eq!(file.coordinate("pressure").unwrap(), [1e5, 1e6]);
+        assert_eq!(file.coordinate("slip").unwrap(), prediction.slip);
+        for quantity in QUANTITIES.iter().filter(|quantity| quantity.name != "pressure") {
+            let name = quantity.name;
+            let values = file.reals(name, &[2, 3]).unwrap();
+            let is_share = matches!(quantity.source, Source::Share(_));
+            for (index, cell) in prediction.friction.iter().flatten().enumerate() {
+                let expected = quantity.estimate(cell);
+                assert!(values[index] == expected.value || expected.value.is_nan(), "{name}");
+                let in_json = &json["friction"][index][name];
+                let value = if is_share || name == "inception_slip" { in_json } else { &in_json["value"] };
+                assert_eq!(value.as_f64(), Some(expected.value).filter(|value| value.is_finite()), "{name}");
+                if !is_share {
+                    let error = file.reals(&format!("{name}_error"), &[2, 3]).unwrap()[index];
+                    assert!(error == expected.error || expected.error.is_nan(), "{name}");
+                }
+            }
+        }
+        let history = file.reals("mu_history", &[2, 3, prediction.slip.len()]).unwrap();
+        assert_eq!(history[0], prediction.friction[0][0].mu_history[0].value);
+        assert_eq!(file.reals("V_w", &[2]).unwrap().len(), 2);
+        assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
+    });
+    // The same prediction gives the same bytes.
+    assert!(bytes == written("again", &results, |_| ()));
+    assert_eq!(summary::text(&results).lines().count(), 2 + 7 + 2 + 3);
+}
+
+#[test]
+fn separations_are_a_coordinate_too_and_missing_fits_are_fill_values() {
+    let results = prediction("separation = [0.0, 2e-6]\nslip_rate = [0.1]").into();
+    written("separation", &results, |file| {
+        assert_eq!(file.coordinate("separation").unwrap(), [0.0, 2e-6]);
+        assert_eq!(file.reals("pressure", &[2, 1]).unwrap().len(), 2);
+        assert!(file.reals("mu_0", &[2]).unwrap().iter().all(|value| value.is_nan()));
+    });
+}
+
+#[test]
+fn every_surface_and_its_statistics_are_written() {
+    let file = surface("pressure = [1e6, 1e7]\nslip_rate = [1.0]");
+    let (law, settings) = (PowerLaw::hertz(), Settings::default());
+    let slip = end_of_slide(&law, &file.surface, &file.query, &settings).unwrap();
+    let sampling = Sampling { asperities: 100, realizations: 20, seed: u64::MAX, slip };
+    let samples = sample(&law, &file.surface, &file.query, &sampling, &settings, &|_, _| ()).unwrap();
+    let path = path("samples");
+    sample_file::write(&path, &samples, &ORIGIN).unwrap();
+    let read = DatasetReader::open(&path).unwrap();
+    assert_eq!(read.reals("mu", &[2, 1, 20]).unwrap()[21], samples.states[1][0][1].state.mu.value);
+    let mean = read.reals("mu_mean", &[2, 1]).unwrap();
+    assert_eq!(mean[1], samples.scatter(1, 0, |one| one.state.mu.value).mean);
+    for name in ["Q", "pressure_sliding", "separation_sliding", "real_area_fraction", "contacts"] {
+        assert!(read.reals(&format!("{name}_std"), &[2, 1]).is_ok(), "{name}");
+    }
+    assert_eq!(read.attribute_text("seed").unwrap(), u64::MAX.to_string());
+    drop(read);
+    std::fs::remove_file(path).unwrap();
+    assert_eq!(sample_file::text(&samples).lines().count(), 4);
+    assert_eq!(sample_file::json(&samples)["friction"][1]["pressure"], 1e7);
+}
+
+#[test]
+fn the_report_is_one_well_formed_page_without_references_outside() {
+    let mut results = Results::from(prediction("pressure = [1e6]\nslip_rate = [0.01, 0.1, 0.5, 2.0]"));
+    results.prediction.warnings.push(Warning::CellsInterpolated { cells: vec!["less < more".into()] });
+    assert!(figure::figure(&results).svg().contains("Share of the contacts"));
+    let page = report::html(&results, &ORIGIN);
+    for wanted in [
+        "around: less &lt; more",
+        "# a &lt; b &amp; c",
+        "Share of the contacts",
+        "flash-heating fit (lines)",
+        "dμ/d ln V",
+        "No adhesion",
+        "Greenwood",
+    ] {
+        assert!(page.contains(wanted), "{wanted}");
+    }
+    for foreign in ["<script", "<link", "src=", "@import", "url(http"] {
+        assert!(!page.contains(foreign), "{foreign}");
+    }
+    // As XML, but for the declaration and a void element of the head.
+    let body = page.replace("<!DOCTYPE html>", "").replace("<meta charset=\"utf-8\">", "");
+    roxmltree::Document::parse(&body).unwrap();
+}

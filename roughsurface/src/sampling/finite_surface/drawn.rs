@@ -1,0 +1,130 @@
+//! One finite surface: its summits drawn at random, and its states.
+
+use crate::friction::slip_curve::SlipState;
+use crate::friction::{PredictionError, Settings};
+use crate::integral::contact_state::ContactState;
+use crate::integral::height_integral::{HeightIntegral, NEGLIGIBLE_SHARE};
+use crate::integral::predictor::Predictor;
+use crate::integral::separation::separation_for;
+use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
+use crate::surface::heights::{Heights, Random, Sample};
+use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
+use rand::SeedableRng;
+
+/// One finite surface under one pressure at one slip rate.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SampledState {
+    /// After the slip; errors are those of the law. The friction coefficient is NaN without contact.
+    pub state: SlipState,
+    /// Number of asperities in contact.
+    pub contacts: f64,
+}
+
+/// The asperities at one slip rate.
+pub(super) struct LawAtRate<'a> {
+    pub slip_rate: f64,
+    pub before: Asperities<'a>,
+    pub after: Asperities<'a>,
+}
+
+/// A finite surface.
+pub(super) struct DrawnSurface {
+    asperity_density: f64,
+    asperities: usize,
+    all: Sample,
+    /// Heights of the summits of each radius; empty if there is one radius only.
+    of_class: Vec<Sample>,
+}
+
+impl DrawnSurface {
+    pub(super) fn new(surface: &Surface, asperities: usize, seed: u64) -> Result<Self, PredictionError> {
+        let mut random = Random::seed_from_u64(seed);
+        let heights: Vec<f64> = (0..asperities).map(|_| surface.heights.draw(&mut random)).collect();
+        let mut of_class = Vec::new();
+        let radii = &surface.asperity_radius;
+        if radii.classes().len() > 1 {
+            let mut classes = vec![Vec::new(); radii.classes().len()];
+            for &height in &heights {
+                classes[radii.draw(&mut random)].push(height);
+            }
+            of_class = classes.into_iter().map(Sample::part).collect();
+        }
+        // One asperity has no distribution of heights.
+        let too_few =
+            || PredictionError::NoContact { loading: "a surface of less than two asperities".into() };
+        let all = Sample::new(heights).ok_or_else(too_few)?;
+        Ok(Self { asperity_density: surface.asperity_density, asperities, all, of_class })
+    }
+
+    fn integral<'a>(&'a self, asperities: &Asperities<'a>, tolerance: f64) -> SurfaceIntegral<'a> {
+        let parts =
+            if self.of_class.is_empty() { std::slice::from_ref(&self.all) } else { &self.of_class[..] };
+        let integrals = parts.iter().zip(asperities.classes()).map(|(heights, (_, asperity))| {
+            let count = heights.measured().map_or(0, <[f64]>::len);
+            let share = count as f64 / self.asperities as f64;
+            (share, HeightIntegral::new(asperity.clone(), heights, self.asperity_density, tolerance))
+        });
+        SurfaceIntegral::of_parts(integrals.filter(|(share, _)| *share > 0.0).collect())
+    }
+
+    /// At every pressure or separation and slip rate, row by row.
+    pub(super) fn states(
+        &self,
+        laws: &[LawAtRate],
+        predictors: &[Predictor],
+        limit: f64,
+        query: &Query,
+        settings: &Settings,
+    ) -> Result<Vec<SampledState>, PredictionError> {
+        let mut states = Vec::new();
+        for (row, &value) in query.loading.values().iter().enumerate() {
+            for (law, predictor) in laws.iter().zip(&predictors[row * laws.len()..]) {
+                let (separation, state) = self.slid(law, *predictor, query, value, settings.tolerance)?;
+                if state.outside > NEGLIGIBLE_SHARE && !settings.extrapolate {
+                    return Err(PredictionError::OutsideTable {
+                        loading: query.loading.describe(row),
+                        slip_rate: law.slip_rate,
+                        limit,
+                        reach: state.reach,
+                        share: state.outside,
+                    });
+                }
+                let contacts = state.contact_density / self.asperity_density * self.asperities as f64;
+                states.push(SampledState { state: SlipState::at_separation(separation, &state), contacts });
+            }
+        }
+        Ok(states)
+    }
+
+    /// Separation (m) and state after the slide under the pressure or separation `value`.
+    fn slid(
+        &self,
+        law: &LawAtRate,
+        predictor: Predictor,
+        query: &Query,
+        value: f64,
+        tolerance: f64,
+    ) -> Result<(f64, ContactState), PredictionError> {
+        let mut before = self.integral(&law.before, tolerance);
+        let mut after = self.integral(&law.after, tolerance);
+        let find = |integral: &mut SurfaceIntegral, pressure: f64| {
+            separation_for(integral, &self.all, pressure, predictor, tolerance)
+        };
+        if query.control == LoadingControl::Separation {
+            let separation = match query.loading {
+                NormalLoading::Separation(_) => value,
+                NormalLoading::Pressure(_) => find(&mut before, value)?.separation,
+            };
+            return Ok((separation, after.at(separation)?));
+        }
+        let pressure = match query.loading {
+            NormalLoading::Pressure(_) => value,
+            NormalLoading::Separation(_) => before.at(value)?.pressure.value,
+        };
+        if pressure <= 0.0 {
+            return Ok((value, ContactState::default()));
+        }
+        let equilibrium = find(&mut after, pressure)?;
+        Ok((equilibrium.separation, equilibrium.state))
+    }
+}

@@ -1,0 +1,161 @@
+//! Reads and checks a surface file.
+
+use super::keys::{FileKeys, SurfaceKeys, allowed, positive, radii_of};
+use super::parameter::{Parameter, Uncertain};
+use crate::surface::heights;
+use crate::surface::messages::{explain, one_line, short};
+use crate::surface::query::{NormalLoading, Query, Surface};
+use std::path::{Path, PathBuf};
+use tables::closed_forms::ElasticPlastic;
+
+/// A surface file that has been read and checked.
+#[derive(Debug)]
+pub struct SurfaceFile {
+    pub surface: Surface,
+    pub query: Query,
+    /// Initial temperature, K, at which a table of several is read.
+    pub temperature: Option<f64>,
+    /// Needed by closed forms only.
+    pub material: Option<ElasticPlastic>,
+    /// Parameters given with a standard deviation.
+    pub uncertain: Vec<Uncertain>,
+    /// Tables of a material of which one constant is raised by its standard deviation.
+    pub uncertain_tables: Vec<(String, PathBuf)>,
+    /// The text of the file, kept with the results.
+    pub text: String,
+    /// The file itself, named in errors.
+    file: PathBuf,
+}
+
+/// An error in a surface file, in one line.
+#[derive(Debug, thiserror::Error)]
+pub enum SurfaceFileError {
+    #[error("{}: cannot be read: {reason}", .file.display())]
+    Unreadable { file: PathBuf, reason: String },
+    #[error("{}{}: {}", .file.display(), .line.map(|line| format!(":{line}")).unwrap_or_default(), short(.what))]
+    Content { file: PathBuf, line: Option<usize>, what: String },
+}
+
+impl SurfaceFile {
+    /// Reads and checks a surface file.
+    pub fn read(file: &Path) -> Result<Self, SurfaceFileError> {
+        use std::io::Read;
+
+        /// Far more than anyone writes, and less than a device that never ends.
+        const MOST: u64 = 16 << 20;
+        let unreadable = |reason: String| SurfaceFileError::Unreadable { file: file.to_path_buf(), reason };
+        let mut text = String::new();
+        std::fs::File::open(file)
+            .and_then(|opened| opened.take(MOST + 1).read_to_string(&mut text))
+            .map_err(|reason| unreadable(reason.to_string()))?;
+        match text.len() as u64 > MOST {
+            true => Err(unreadable(format!("is longer than {} MB", MOST >> 20))),
+            false => Self::parse(file, text),
+        }
+    }
+
+    /// Checks the `text` of a surface file; `file` is named in errors, and measured
+    /// heights are looked for beside it.
+    pub fn parse(file: &Path, text: String) -> Result<Self, SurfaceFileError> {
+        Self::parse_moved(file, text, None)
+    }
+
+    /// The same surface, query and material with one parameter moved by `change`.
+    pub fn varied(&self, parameter: Parameter, change: f64) -> Result<Self, SurfaceFileError> {
+        Self::parse_moved(&self.file, self.text.clone(), Some((parameter, change)))
+    }
+
+    fn parse_moved(
+        file: &Path,
+        text: String,
+        moved: Option<(Parameter, f64)>,
+    ) -> Result<Self, SurfaceFileError> {
+        let content = |line: Option<usize>, what: String| SurfaceFileError::Content {
+            file: file.to_path_buf(),
+            line,
+            what,
+        };
+        let line_of = |span: Option<std::ops::Range<usize>>| {
+            span.map(|span| 1 + text[..span.start.min(text.len())].matches('\n').count())
+        };
+        let deserializer = toml::Deserializer::parse(&text)
+            .map_err(|error| content(line_of(error.span()), one_line(error.message())))?;
+        let mut keys: FileKeys = serde_path_to_error::deserialize(deserializer).map_err(|error| {
+            let inner = error.inner();
+            let what = explain(&error.path().to_string(), inner.message());
+            content(line_of(inner.span()), what)
+        })?;
+        if let Some((parameter, change)) = moved {
+            keys.shift(parameter, change);
+        }
+        build(keys, file, &text).map_err(|what| content(None, what))
+    }
+}
+
+fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, String> {
+    let folder = file.parent().unwrap_or(Path::new("."));
+    let uncertain_tables = keys.uncertain_tables(folder);
+    let uncertain = keys.uncertain()?;
+    let SurfaceKeys { asperity_density, asperity_radius, radii, heights } = keys.surface;
+    positive("surface.asperity_density", asperity_density, "1/m2")?;
+    let asperity_radius = radii_of(asperity_radius, radii)?;
+    let heights = heights::build(&heights, folder).map_err(|error| format!("surface.heights.{error}"))?;
+
+    let loading = match (keys.query.pressure, keys.query.separation) {
+        (Some(values), None) => NormalLoading::Pressure(list("query.pressure", values, "Pa", |p| p > 0.0)?),
+        (None, Some(values)) => NormalLoading::Separation(list("query.separation", values, "m", |_| true)?),
+        (None, None) => {
+            return Err("query.pressure: is missing; give pressure in Pa, or separation in m".into());
+        }
+        (Some(_), Some(_)) => {
+            return Err("query.separation: cannot be given together with pressure".into());
+        }
+    };
+    // Zero is the isothermal limit, which tables may have.
+    let slip_rates = list("query.slip_rate", keys.query.slip_rate, "m/s", |v| v >= 0.0)?;
+
+    if let Some(temperature) = keys.query.temperature {
+        positive("query.temperature", temperature, "K")?;
+    }
+    if let Some(material) = &keys.material {
+        positive("material.youngs_modulus", material.youngs_modulus, "Pa")?;
+        positive("material.yield_strength", material.yield_strength, "Pa")?;
+        let nu = material.poisson_ratio;
+        if !(0.0..0.5).contains(&nu) {
+            return Err(allowed("material.poisson_ratio", nu, "must be at least 0 and below 0.5"));
+        }
+    }
+    Ok(SurfaceFile {
+        surface: Surface { asperity_density, asperity_radius, heights },
+        query: Query { loading, slip_rates, control: keys.query.hold },
+        temperature: keys.query.temperature,
+        material: keys.material,
+        uncertain,
+        uncertain_tables,
+        text: text.to_string(),
+        file: file.to_path_buf(),
+    })
+}
+
+/// A list for a coordinate of the result: ascending, each value once.
+fn list(key: &str, mut values: Vec<f64>, unit: &str, rule: fn(f64) -> bool) -> Result<Vec<f64>, String> {
+    if values.is_empty() {
+        return Err(format!("{key}: must hold at least one value ({unit})"));
+    }
+    for (index, &value) in values.iter().enumerate() {
+        if !value.is_finite() || !rule(value) {
+            let what = if rule(-1.0) {
+                "finite"
+            } else if rule(0.0) {
+                "finite and not negative"
+            } else {
+                "finite and positive"
+            };
+            let key = format!("{key}[{index}]");
+            return Err(allowed(&key, format!("{value:e}"), &format!("must be {what} ({unit})")));
+        }
+    }
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    Ok(values)
+}

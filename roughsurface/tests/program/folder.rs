@@ -1,0 +1,67 @@
+//! A folder in which the program is run.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A folder for one test, removed at its end.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    pub fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        Self(folder)
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+
+    /// Writes a file, for a name or a number of text or bytes.
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        std::fs::write(self.path(name), content).unwrap();
+    }
+
+    pub fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    /// Runs the program with arguments separated by white space.
+    pub fn run(&self, arguments: &str) -> Output {
+        program(&self.0).args(arguments.split_whitespace()).output().unwrap()
+    }
+
+    /// Runs the program, which must succeed.
+    pub fn run_well(&self, arguments: &str) -> Output {
+        let output = self.run(arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        output
+    }
+
+    /// Runs the program, which must refuse its input in one line with `expected` in it.
+    pub fn refused(&self, arguments: &str, expected: &str) {
+        let output = self.run(arguments);
+        let message = stderr(&output);
+        assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{arguments}: {message}");
+        assert!(message.contains(expected), "{arguments}: {message}");
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The program, to be run in `folder`.
+pub fn program(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_roughsurface"));
+    // Programs started by tests that run at the same time inherit the lock of a table that this one is
+    // writing.
+    command.current_dir(folder).env("HDF5_USE_FILE_LOCKING", "FALSE");
+    command
+}
+
+pub fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}

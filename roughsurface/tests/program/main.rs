@@ -1,0 +1,7 @@
+//! The program from topography, surface file and table to results, and the numbers of the worked examples.
+
+mod characterize;
+mod demonstration;
+mod folder;
+mod predict;
+mod worked_examples;
