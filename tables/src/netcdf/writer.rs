@@ -38,12 +38,12 @@ pub struct DatasetWriter {
 impl DatasetWriter {
     /// Starts a file with the attributes `Conventions` and `title`.
     pub fn create(path: &Path, title: &str) -> Result<Self, DatasetError> {
-        let path = path.display().to_string();
-        let failed = |reason: String| DatasetError::Write { path: path.clone(), reason };
-        let temporary = Temporary::beside(Path::new(&path)).map_err(|error| failed(error.to_string()))?;
+        let shown = path.display().to_string();
+        let failed = |reason: String| DatasetError::Write { path: shown.clone(), reason };
+        let temporary = Temporary::beside(path).map_err(|error| failed(error.to_string()))?;
         silence_hdf5();
         let file = ::netcdf::create(&temporary.place).map_err(|error| failed(error.to_string()))?;
-        let mut writer = Self { path, file: Some(file), temporary: Some(temporary) };
+        let mut writer = Self { path: shown, file: Some(file), temporary: Some(temporary) };
         writer.attribute("Conventions", CONVENTIONS)?;
         writer.attribute("title", title)?;
         Ok(writer)
