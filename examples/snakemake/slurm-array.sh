@@ -4,9 +4,9 @@
 #   array=$(sbatch --parsable --array=1-4 examples/snakemake/slurm-array.sh request.toml table.nc)
 #   sbatch --dependency=afterok:$array --wrap "asperity merge table.nc.shards/*.nc -o table.nc"
 #
-# If a shard runs out of time or is killed, the merge waits for ever (DependencyNeverSatisfied): cancel it and
-# submit both again. Shards that are done end at once, the others go on where they stopped. To submit one shard
-# alone, say how many there are: sbatch --array=2 examples/snakemake/slurm-array.sh request.toml table.nc 4
+# If a shard runs out of time or is killed, the merge stays pending (DependencyNeverSatisfied): cancel it and
+# submit both again. Finished shards end at once, the others continue. To submit one shard alone, give the number
+# of shards: sbatch --array=2 examples/snakemake/slurm-array.sh request.toml table.nc 4
 #SBATCH --job-name=asperity
 #SBATCH --cpus-per-task=1
 #SBATCH --mem-per-cpu=1G
@@ -17,11 +17,11 @@ table=$2
 shards=${3:-$SLURM_ARRAY_TASK_COUNT}
 shard=$table.shards/$SLURM_ARRAY_TASK_ID.nc
 mkdir -p "$table.shards"
-# Its journal is gone with the table written: it would be made again from the beginning.
+# Its journal is removed when the table is written; without this test it would be computed again.
 if [ -s "$shard" ]; then
     echo "$shard is done"
     exit 0
 fi
-# Status 1 with a file: some cells failed and are marked so in it; the others are worth merging.
+# Status 1 with a file: some cells failed and are marked as failed; the others can be merged.
 asperity tabulate "$request" -o "$shard" --shard "$SLURM_ARRAY_TASK_ID/$shards" \
     --jobs "${SLURM_CPUS_PER_TASK:-1}" --resume --quiet || { [ $? -eq 1 ] && [ -s "$shard" ]; }
