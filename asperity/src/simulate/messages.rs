@@ -220,8 +220,42 @@ impl serde::Serialize for Warning {
     }
 }
 
+/// A run of a slide, and its part of the progress of the whole.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RunProgress {
+    pub kind: RunKind,
+    /// Shares of the whole at the start and at the end of the run.
+    pub span: (f64, f64),
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum RunKind {
+    Auxiliary,
+    Main,
+    /// A main run repeated more finely.
+    Finer,
+}
+
+impl RunProgress {
+    /// Share of the whole after a share `done` of the run.
+    pub fn at(&self, done: f64) -> f64 {
+        let (from, to) = self.span;
+        from + (to - from) * done
+    }
+
+    /// Kind of the run and state of the slide in one line.
+    pub fn describe(&self, units: &Units, history: &[SlideState]) -> String {
+        let state = slide_progress(units, history);
+        match self.kind {
+            RunKind::Auxiliary => format!("coarse mesh: {state}"),
+            RunKind::Main => state,
+            RunKind::Finer => format!("finer: {state}"),
+        }
+    }
+}
+
 /// The last state of a slide in one line.
-pub fn slide_progress(units: &Units, history: &[SlideState]) -> String {
+fn slide_progress(units: &Units, history: &[SlideState]) -> String {
     let [start, .., now] = history else { return String::new() };
     // Radii of circles of the contact's area.
     let radius = |state: &SlideState| (state.area / std::f64::consts::PI).sqrt();

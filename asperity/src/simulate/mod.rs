@@ -31,6 +31,7 @@ use crate::loading::slide::{SlideFailure, SlideState};
 use crate::scene::{Scene, Switch};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::outcome::Outcome;
+use messages::{RunKind, RunProgress};
 pub use pressed::{Pressed, PressedContact, press};
 use runs::Runner;
 
@@ -126,11 +127,9 @@ pub(crate) fn slide_refined(
     refinements: usize,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
-    /// Share of a run's progress until it may have to be repeated.
-    const FIRST_SHARE: f64 = 0.7;
     let clock = Instant::now();
     let mut runner = Runner::new(pressed, slip_rate, watch);
-    let mut ladder = runner.ladder(|done, standing| watch.progress("slide", FIRST_SHARE * done, standing))?;
+    let mut ladder = runner.ladder()?;
     let mut budget = runner.judge(&ladder);
     let mut stopped = false;
     while ladder.main.len() <= refinements {
@@ -138,12 +137,7 @@ pub(crate) fn slide_refined(
         else {
             break;
         };
-        watch.progress("slide", FIRST_SHARE, "finer");
-        let run = runner.run(&finer, |done, standing| {
-            let done = FIRST_SHARE + (1.0 - FIRST_SHARE) * done;
-            watch.progress("slide", done, &format!("finer: {standing}"));
-        });
-        match run {
+        match runner.finer(&finer) {
             Ok(run) if run.failure.is_none() => ladder.main.push(run),
             // The run before is the result.
             Ok(run) => {
@@ -180,7 +174,8 @@ pub(crate) fn sample(
     watch: &dyn Watch,
 ) -> Result<Sample, SimulationError> {
     let pressed = pressed::press_coarsely(scene, watch)?;
-    let run = Runner::new(&pressed, slip_rate, watch).run(resolution, |_, _| {})?;
+    let progress = RunProgress { kind: RunKind::Main, span: (0.0, 1.0) };
+    let run = Runner::new(&pressed, slip_rate, watch).run(resolution, progress)?;
     match run.failure {
         None => Ok(Sample { press: run.press.increments.clone(), history: run.history }),
         Some(failure) => Err(slide_error(failure, run.history.last(), &pressed, None)),

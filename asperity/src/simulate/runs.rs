@@ -6,7 +6,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 
 use super::conditions::Conditions;
-use super::messages::{Note, slide_progress};
+use super::messages::{Note, RunKind, RunProgress};
 use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
 use super::{SimulationError, Watch};
 use crate::discretisation::collocation::Collocation;
@@ -21,6 +21,11 @@ use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::values::Values;
 use crate::solver::newton::Effort;
 use crate::solver::timings::{Kernel, Timings};
+
+/// Shares of the progress of a slide at the end of the auxiliary runs and of the main run; then it may be
+/// repeated more finely.
+const AUXILIARY: f64 = 0.25;
+const MAIN: f64 = 0.7;
 
 /// One slide at one resolution, as far as it came, and the press that it started from.
 pub(super) struct Run {
@@ -116,20 +121,17 @@ impl<'a> Runner<'a> {
 
     /// The auxiliary runs, then the main run in as many sectors and increments as they ask for. Where a
     /// contact outgrows its mesh, all is repeated on wider ones as long as there is room.
-    pub fn ladder(&mut self, progress: impl Fn(f64, &str) + Sync) -> Result<Ladder, SimulationError> {
-        /// Share of the auxiliary runs in the progress.
-        const AUXILIARY: f64 = 0.35;
+    pub fn ladder(&mut self) -> Result<Ladder, SimulationError> {
         let mut start = self.pressed.resolution;
         let mut notes = Vec::new();
         loop {
             let [coarse, others @ ..] = start.auxiliary();
-            let progress_of_coarse = |done: f64, standing: &str| {
-                progress(AUXILIARY * done, &format!("coarse mesh: {standing}"));
-            };
-            let mut auxiliary = self.run_all(&[coarse], progress_of_coarse)?;
+            let middle = 0.5 * AUXILIARY;
+            let auxiliary_progress = |span| RunProgress { kind: RunKind::Auxiliary, span };
+            let mut auxiliary = self.run_all(&[coarse], auxiliary_progress((0.0, middle)))?;
             // Without the first of them errors are unknown, and the others are not needed.
             if auxiliary[0].failure.is_none() {
-                auxiliary.extend(self.run_all(&others, progress_of_coarse)?);
+                auxiliary.extend(self.run_all(&others, auxiliary_progress((middle, AUXILIARY)))?);
             }
             if let Some(wider) = self.wider(&start, &auxiliary, &mut notes) {
                 start = wider;
@@ -140,10 +142,8 @@ impl<'a> Runner<'a> {
                 return Ok(Ladder { start, auxiliary, main, abandoned: None, notes });
             }
             let resolution = self.main_resolution(&start, &auxiliary);
-            let main = self.run(&resolution, |done, standing| {
-                progress(AUXILIARY + (1.0 - AUXILIARY) * done, standing);
-            });
-            let main = match main {
+            let progress = RunProgress { kind: RunKind::Main, span: (AUXILIARY, MAIN) };
+            let main = match self.run(&resolution, progress) {
                 Err(SimulationError::Cancelled { .. }) => coarse_alone(&mut auxiliary),
                 main => main?,
             };
@@ -194,34 +194,23 @@ impl<'a> Runner<'a> {
     }
 
     /// Runs side by side; progress is that of the first.
-    fn run_all(
-        &mut self,
-        plan: &[Resolution],
-        progress: impl Fn(f64, &str) + Sync,
-    ) -> Result<Vec<Run>, SimulationError> {
+    fn run_all(&mut self, plan: &[Resolution], progress: RunProgress) -> Result<Vec<Run>, SimulationError> {
         self.add_presses(plan)?;
         let this = &*self;
-        let runs: Vec<_> = plan
-            .par_iter()
-            .enumerate()
-            .map(|(i, resolution)| {
-                this.slide(resolution, |done, standing| {
-                    if i == 0 {
-                        progress(done, standing);
-                    }
-                })
-            })
-            .collect();
-        runs.into_iter().collect()
+        let progress_of = |i: usize| (i == 0).then_some(progress);
+        plan.par_iter().enumerate().map(|(i, resolution)| this.slide(resolution, progress_of(i))).collect()
     }
 
-    pub fn run(
-        &mut self,
-        resolution: &Resolution,
-        progress: impl FnMut(f64, &str),
-    ) -> Result<Run, SimulationError> {
+    /// A finer main run.
+    pub fn finer(&mut self, resolution: &Resolution) -> Result<Run, SimulationError> {
+        self.watch.progress("slide", MAIN, "finer");
+        self.run(resolution, RunProgress { kind: RunKind::Finer, span: (MAIN, 1.0) })
+    }
+
+    /// One run.
+    pub fn run(&mut self, resolution: &Resolution, progress: RunProgress) -> Result<Run, SimulationError> {
         self.add_presses(std::slice::from_ref(resolution))?;
-        self.slide(resolution, progress)
+        self.slide(resolution, Some(progress))
     }
 
     fn add_presses(&mut self, plan: &[Resolution]) -> Result<(), SimulationError> {
@@ -231,11 +220,7 @@ impl<'a> Runner<'a> {
     }
 
     /// A slide from its press, which must be there.
-    fn slide(
-        &self,
-        resolution: &Resolution,
-        mut progress: impl FnMut(f64, &str),
-    ) -> Result<Run, SimulationError> {
+    fn slide(&self, resolution: &Resolution, progress: Option<RunProgress>) -> Result<Run, SimulationError> {
         let Pressed { problem, scene, recording, .. } = self.pressed;
         let at_surface = self.conditions.at_surface(resolution);
         let press =
@@ -251,7 +236,10 @@ impl<'a> Runner<'a> {
         slide.record_fields();
         let failure = slide
             .run(scene.loading.slip_distance * radius, |done, history| {
-                progress(done, &slide_progress(&problem.units, history));
+                if let Some(progress) = progress {
+                    let detail = progress.describe(&problem.units, history);
+                    self.watch.progress("slide", progress.at(done), &detail);
+                }
                 !self.watch.cancelled()
             })
             .err();
