@@ -1,5 +1,5 @@
 //! Fields of the body: displacement, stress, plastic strain and temperature on the meridian, at the
-//! angles of the simulation. [`crate::output::revolved`] makes bodies of revolution of them.
+//! angles of the simulation.
 
 use crate::discretisation::body::NODAL;
 use crate::discretisation::element::RevolvedMesh;

@@ -1,6 +1,6 @@
 //! States of a slide that are kept as fields: over the contact, and of the body if asked for.
 //!
-//! What is kept has no influence on the slide: its increments are those of a run without.
+//! Recording does not influence the increments of the slide.
 
 use crate::heat::conduction::Conduction;
 use crate::interface::contact::Status;
@@ -8,8 +8,8 @@ use crate::loading::body_fields::RecordedBody;
 use crate::loading::slide::SlideState;
 use crate::solver::newton::Mechanics;
 
-/// Which states of a run are kept as fields, beside those that always are: before the slide, when
-/// half of the contact slips, at full slip and at the end.
+/// Which states of a run are kept as fields. Always kept: before the slide, when half of the contact
+/// slips, at full slip and at the end.
 ///
 /// ```
 /// use asperity::loading::recording::Recording;
@@ -25,7 +25,7 @@ pub struct Recording {
     pub body: bool,
 }
 
-/// Contact fields at one instant: ring by ring, columns within.
+/// Contact fields of one state: ring by ring, angles within.
 #[derive(Clone, Debug)]
 pub struct Fields {
     pub slip: f64,
@@ -57,7 +57,7 @@ impl Recorder {
         Self { slips, stick_fractions, body: recording.body, ..Self::default() }
     }
 
-    /// Whether the state `now`, just reached, is one to keep.
+    /// Whether the state `now` is one to keep.
     pub fn is_due(&mut self, now: &SlideState) -> bool {
         let before = (self.slips.len(), self.stick_fractions.len());
         let slipped = now.slip * (1.0 + 1e-12);
@@ -81,7 +81,7 @@ impl Recorder {
             slip: now.slip,
             status: state.status.clone(),
             pressure: state.pressure.clone(),
-            // The last ring may bear for the contact beyond its own cell: per area that is covered.
+            // The area of the last ring may be covered beyond its own cell.
             shear: (state.traction.iter().zip(&contact.cover))
                 .map(|(t, cover)| t[0].hypot(t[1]) / cover.max(1.0))
                 .collect(),

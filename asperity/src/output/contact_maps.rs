@@ -1,4 +1,4 @@
-//! The contact plane in pictures: what sticks and slips, pressure, shear and temperature.
+//! Maps of the contact plane: stick and slip, pressure, shear and temperature.
 
 use tables::figures::{Axis, Cell, Cells, Scale};
 use tables::quantity::Quantity;
@@ -19,8 +19,8 @@ const ANGLES: usize = 16;
 /// Chords of a cell's arcs are not longer than this, in radians.
 const CHORD: f64 = 0.1;
 
-/// Rows of maps, one row an instant: what sticks, pressure, shear and, with heat, temperature. Shades
-/// mean the same in all rows.
+/// Rows of maps, one row for each snapshot: stick and slip, pressure, shear and, with heat, temperature.
+/// The scales are the same in all rows.
 pub fn contact_maps(outcome: &Outcome) -> Vec<Cells> {
     let fields: &[Field] = match outcome.account.heat {
         true => &[PRESSURE, SHEAR, TEMPERATURE],

@@ -1,4 +1,4 @@
-//! The figure of a run: what happens along the slide, and the contact plane at chosen instants.
+//! The figure of a run: histories over slip, and maps of the contact plane.
 
 use tables::figures::{Axis, Curve, Drawing, Panel, Sheet};
 use tables::quantity::Quantity;

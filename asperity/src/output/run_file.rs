@@ -14,7 +14,7 @@ use crate::simulate::fracture;
 use crate::simulate::outcome::{Account, ContactStatus, ErrorSource, InceptionCriterion, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
 
-/// What a file says about the run besides its numbers.
+/// Provenance and completion of a run.
 pub struct About<'a> {
     /// For the attribute `history`, see [`crate::output::provenance::history`].
     pub history: String,

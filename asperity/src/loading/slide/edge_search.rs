@@ -32,7 +32,7 @@ impl EdgeSearch {
 mod tests {
     use super::*;
 
-    /// Edges that answer by little are followed; one that would swing for ever is found at once.
+    /// Edges that answer by little are followed; one that oscillates is found at once.
     #[test]
     fn edges_that_swing_are_found() {
         let slopes = [0.3, -0.2, -1.0];

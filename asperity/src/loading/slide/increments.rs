@@ -18,7 +18,7 @@ const REFERENCE_GROWTH: f64 = 0.15;
 /// the rise of temperature by 0.02 in ten slides between 0.1 and 100 omega_c.
 const WHILE_SLIDING: f64 = 2.0;
 /// Width of the increment in which sliding begins, relative to the slip. In shorter ones the last points
-/// let go so suddenly that where heat spreads at once (Fo = 1e6) they get hot for a moment.
+/// slip so suddenly that their temperature has a peak where heat spreads at once (Fo = 1e6).
 pub const INCEPTION_WIDTH: f64 = 0.01;
 /// Shortest increment, in units of the elastic displacement at gross slip.
 const SHORTEST: f64 = 1e-6;

@@ -126,8 +126,8 @@ fn a_reversed_slide_closes_its_loop() {
     assert!(lost[0] > 0.0 && lost[1] > 2.0 * lost[0] && lost[2] > lost[1] + lost[0], "{lost:?}");
 }
 
-/// Slides hot, all but stops for a thousand times as long, and slides on: it cools and sticks, is
-/// stronger when it slips again, heats up as before, and no energy is lost on the way.
+/// Slides, almost stops for a thousand times as long, and slides on: it cools and sticks, is stronger
+/// when it slips again, heats up as before, and the energies balance.
 #[test]
 fn a_slide_that_stops_cools_and_restarts() {
     let problem = problem_of(&[]);

@@ -1,4 +1,4 @@
-//! What each number may be off by, and why: mesh, sectors, steps, solver, model.
+//! Error estimates by source: mesh, collocation angles, increments, solver, model.
 //!
 //! Every run has auxiliary runs on a mesh half as fine: one as it is, and one each with another N_θ,
 //! with increments twice as large and with a larger solver tolerance. The mesh error follows from the
@@ -8,7 +8,7 @@
 //! differences among the auxiliary runs are the errors of the other three sources, less where the run
 //! is finer than they are. All of this is a function of the values of the runs: [`estimate`].
 //!
-//! How the estimates compare with true errors is what [`crate::studies::effectivity`] finds out.
+//! `asperity effectivity` compares the estimates with true errors.
 
 use tables::quantity::Quantity;
 

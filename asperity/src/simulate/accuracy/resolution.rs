@@ -1,4 +1,5 @@
-//! What the asked accuracy means for mesh, sectors and increments.
+//! Resolutions: mesh, collocation angles and increments by the accuracy asked for, and those of the
+//! auxiliary runs.
 
 use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize};
 use crate::loading::NEWTON_TOLERANCE;
@@ -15,7 +16,7 @@ const PRESS_INCREMENTS: f64 = 18.0;
 const MOST_ELEMENTS: usize = 48;
 const MOST_SECTORS: usize = 16;
 const LEAST_GROWTH: f64 = 0.05;
-/// By how much more room is given to a contact that outgrows its mesh.
+/// Factor of the room for a contact that outgrows its mesh.
 const WIDER: f64 = 1.5;
 
 /// How finely a run is divided, in each direction.
@@ -72,8 +73,8 @@ impl Resolution {
             && self.press_increments == other.press_increments
     }
 
-    /// On a mesh half as fine, all else alike; of the coarsest meshes, which have none that are coarser beside
-    /// them, on one and a half times as fine a mesh.
+    /// On a mesh half as fine, all else alike; for the coarsest meshes, which have no coarser ones, on one and a half
+    /// times as fine a mesh.
     pub fn coarse(&self) -> Self {
         let elements = match self.elements_per_radius {
             n @ ..6 => n + n / 2,
@@ -184,7 +185,7 @@ mod tests {
     use super::*;
     use crate::discretisation::mesh::MeridianMesh;
 
-    /// The first layer under the surface is thin beside the heated one, and no thinner than needed.
+    /// The first layer under the surface is thinner than the heated one, and no thinner than needed.
     #[test]
     fn layers_at_the_surface_follow_the_heat() {
         let contact_radius = 0.01;
