@@ -63,7 +63,7 @@ fn main() -> anyhow::Result<()> {
 
     // 3. Side by side.
     println!("pressure [MPa]   slip rate [m/s]   mu fresh   mu worn   area fresh   area worn");
-    for (i, pressure) in fresh.query.pressing.values().iter().enumerate() {
+    for (i, pressure) in fresh.query.loading.values().iter().enumerate() {
         for (j, rate) in fresh.query.slip_rates.iter().enumerate() {
             let [(mu, area), (worn_mu, worn_area)] = [&fresh, &worn].map(|surface| {
                 let sliding = &surface.friction[i][j].sliding;
@@ -111,7 +111,7 @@ fn figure(fresh: &Prediction, worn: &Prediction) -> Figure {
     let curve = |name: &str, prediction: &Prediction, row: usize| {
         let sliding = || prediction.friction[row].iter().map(|friction| friction.sliding.mu);
         Curve::new(
-            format!("{name}, {} MPa", 1e-6 * prediction.query.pressing.values()[row]),
+            format!("{name}, {} MPa", 1e-6 * prediction.query.loading.values()[row]),
             prediction.query.slip_rates.clone(),
             sliding().map(|mu| mu.value).collect(),
         )
