@@ -19,7 +19,7 @@ pub enum PressFailure {
 }
 
 /// One increment of the press, dimensionless.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Increment {
     pub interference: f64,
     pub load: f64,

@@ -5,6 +5,7 @@
 
 mod contact_maps;
 pub mod figures;
+pub mod journal_file;
 pub mod numbers;
 pub mod provenance;
 pub mod revolved;

@@ -159,7 +159,7 @@ pub(crate) fn slide_refined(
 }
 
 /// One run without auxiliary runs, dimensionless.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Sample {
     pub press: Vec<Increment>,
     pub history: Vec<SlideState>,

@@ -6,9 +6,8 @@
 //!
 //! The journal is locked while it is open, so that only one program makes the table.
 
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
+use std::io;
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use tables::quantity::Quantity;
@@ -16,6 +15,7 @@ use tables::table::Cell;
 
 use super::cell::Finished;
 use super::shard::Shard;
+use crate::output::journal_file::{JournalFile, decode};
 use crate::output::provenance::{FINGERPRINT, SOURCE};
 use crate::solver::timings::Timings;
 
@@ -119,10 +119,7 @@ struct Record {
 
 /// An open journal.
 pub struct Journal {
-    path: PathBuf,
-    file: File,
-    /// The last line is incomplete.
-    torn: bool,
+    file: JournalFile,
 }
 
 /// Space for a result with its warnings; one without takes about 5 kB.
@@ -148,10 +145,10 @@ impl Journal {
         if !resume && path.exists() {
             return Err(JournalError::Exists { path: shown() });
         }
-        let mut file = open_locked(path)?;
-        let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes).map_err(io)?;
-        let text = String::from_utf8_lossy(&bytes);
+        let (file, text) = JournalFile::open(path).map_err(|error| match error.kind() {
+            io::ErrorKind::WouldBlock => JournalError::InUse { path: shown() },
+            _ => io(error),
+        })?;
         let mut lines = text.lines();
         let found = lines.next().and_then(decode::<Header>);
         if let Some(found) = &found
@@ -161,9 +158,7 @@ impl Journal {
             return Err(JournalError::Foreign { path: shown(), reason });
         }
         let cells: Vec<_> = lines.filter_map(|line| decode::<Record>(line)?.into_cell()).collect();
-        // Keep the next line apart from one that was cut off.
-        let torn = !text.is_empty() && !text.ends_with('\n');
-        let mut journal = Self { path: path.to_owned(), file, torn };
+        let mut journal = Self { file };
         if found.is_none() {
             if !cells.is_empty() {
                 let reason = format!(
@@ -173,8 +168,7 @@ impl Journal {
                 );
                 return Err(JournalError::Foreign { path: shown(), reason });
             }
-            journal.file.set_len(0).map_err(io)?;
-            journal.torn = false;
+            journal.file.clear().map_err(io)?;
             journal.append(&header)?;
         }
         Ok((journal, cells))
@@ -183,32 +177,17 @@ impl Journal {
     /// Reserves disk space for a number of further cells, where the system can, so that no result is lost
     /// to a full disk.
     pub fn reserve(&self, cells: usize) -> Result<(), JournalError> {
-        #[cfg(target_os = "linux")]
-        {
-            use rustix::fs::{FallocateFlags, fallocate};
-            use rustix::io::Errno;
+        let bytes = cells * MOST_OF_A_LINE;
+        self.file.reserve(bytes).map_err(|source| JournalError::NoRoom {
+            path: self.shown(),
+            cells,
+            kilobytes: bytes >> 10,
+            source,
+        })
+    }
 
-            let end = self.file.metadata().map_or(0, |data| data.len());
-            let bytes = cells * MOST_OF_A_LINE;
-            if bytes == 0 {
-                return Ok(());
-            }
-            match fallocate(&self.file, FallocateFlags::KEEP_SIZE, end, bytes as u64) {
-                Err(error @ (Errno::NOSPC | Errno::DQUOT)) => Err(JournalError::NoRoom {
-                    path: self.path.display().to_string(),
-                    cells,
-                    kilobytes: bytes >> 10,
-                    source: error.into(),
-                }),
-                // Other errors: the file system cannot reserve.
-                _ => Ok(()),
-            }
-        }
-        #[cfg(not(target_os = "linux"))]
-        {
-            let _ = cells;
-            Ok(())
-        }
+    fn shown(&self) -> String {
+        self.file.path().display().to_string()
     }
 
     /// Write a finished cell through to the disk.
@@ -218,62 +197,16 @@ impl Journal {
 
     /// Remove the journal once its table is written.
     pub fn remove(self) -> Result<(), JournalError> {
-        std::fs::remove_file(&self.path)
-            .map_err(|source| JournalError::Io { path: self.path.display().to_string(), source })
+        let path = self.shown();
+        self.file.remove().map_err(|source| JournalError::Io { path, source })
     }
 
     fn append(&mut self, value: &impl Serialize) -> Result<(), JournalError> {
-        let json = serde_json::to_string(value).expect("plain data");
-        let start = if self.torn { "\n" } else { "" };
-        let line = format!("{start}{:08x} {json}\n", crc32fast::hash(json.as_bytes()));
-        if !leads_to(&self.path, &self.file) {
-            return Err(JournalError::Vanished { path: self.path.display().to_string() });
-        }
-        let written = self.file.write_all(line.as_bytes()).and_then(|()| self.file.sync_data());
-        self.torn = written.is_err();
-        written.map_err(|source| JournalError::Io { path: self.path.display().to_string(), source })
+        self.file.append(value).map_err(|source| match source.kind() {
+            io::ErrorKind::NotFound => JournalError::Vanished { path: self.shown() },
+            _ => JournalError::Io { path: self.shown(), source },
+        })
     }
-}
-
-/// The file at `path`, made if need be, which no other program has open as a journal.
-fn open_locked(path: &Path) -> Result<File, JournalError> {
-    let shown = || path.display().to_string();
-    let io = |source| JournalError::Io { path: shown(), source };
-    loop {
-        let file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(io)?;
-        match file.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(JournalError::InUse { path: shown() }),
-            // Some network file systems have no locks.
-            Err(TryLockError::Error(_)) => {}
-        }
-        // The program that had it open before may have removed it in between.
-        if leads_to(path, &file) {
-            return Ok(file);
-        }
-    }
-}
-
-/// Whether the name still leads to the open file.
-#[cfg(unix)]
-fn leads_to(path: &Path, file: &File) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    match (std::fs::metadata(path), file.metadata()) {
-        (Ok(named), Ok(open)) => (named.dev(), named.ino()) == (open.dev(), open.ino()),
-        _ => false,
-    }
-}
-
-#[cfg(not(unix))]
-fn leads_to(path: &Path, _file: &File) -> bool {
-    path.exists()
-}
-
-fn decode<T: for<'a> Deserialize<'a>>(line: &str) -> Option<T> {
-    let (checksum, json) = line.split_once(' ')?;
-    let checksum = u32::from_str_radix(checksum, 16).ok()?;
-    let intact = checksum == crc32fast::hash(json.as_bytes());
-    intact.then(|| serde_json::from_str(json).ok()).flatten()
 }
 
 /// The first line in which two headers differ.

@@ -10,7 +10,7 @@ use super::friction_heat::contact_rise;
 use crate::interface::contact::FlatPosition;
 
 /// State after one increment, dimensionless, energies of the half body since the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SlideState {
     pub slip: f64,
     /// Over R.

@@ -2,36 +2,34 @@
 
 use std::fmt::Write;
 
-use super::report::{HONEST, JUDGED, NEGLIGIBLE, QuantityReport, Report};
+use super::report::{EFFECTIVE, JUDGED, NEGLIGIBLE, QuantityReport, Report};
 use super::{WORKING_ELEMENTS, scenes};
 
 /// What was found, over quantities and over scenes.
 pub fn markdown(report: &Report) -> String {
     let mut text = format!(
-        "# Are the error estimates honest?\n\n\
-         Written by `asperity honesty --output FILE`; the runs are kept in its journal, so that the study can\n\
-         be interrupted, continued and judged anew (`--judge-only`). {} of {} scenes are judged, at\n\
+        "# Effectivity of the error estimates\n\n\
+         Written by `asperity effectivity --output FILE`. The runs are kept in its journal, so that the study can be\n\
+         interrupted, continued and judged anew (`--judge-only`). {} of {} scenes are judged, at\n\
          {WORKING_ELEMENTS} elements per contact radius and otherwise as the default accuracy chooses.\n\n\
          True errors are against runs with four times the elements, a quarter of the increments and twice the\n\
-         angles, each alone, extrapolated with order 1.5 in the elements and 1 in the increments. Honest\n\
-         is a true error between {} and {} times the estimate, or both below {} % of the value.\n\n",
+         angles, each alone, extrapolated with order 1.5 in the elements and 1 in the increments. An estimate is\n\
+         *effective* if the true error is between {} and {} times the estimate, or both are below {} % of the value. The\n\
+         *coverage* is the share of true errors of at most {} times the estimate.\n\n",
         report.scenes.len(),
         scenes::SCENES.len(),
-        HONEST.0,
-        HONEST.1,
+        EFFECTIVE.0,
+        EFFECTIVE.1,
         100.0 * NEGLIGIBLE,
+        EFFECTIVE.1,
     );
     let parts = [
         (
             0..scenes::SEEN,
-            "Scenes by which two constants of the estimates were chosen",
-            "that of the contact edge, among three, and the order in the elements of friction below first yield",
+            "Scenes used for two constants of the estimates",
+            "the share of the contact edge, chosen among three, and the order in the elements of friction below first yield",
         ),
-        (
-            scenes::SEEN..scenes::SCENES.len(),
-            "Scenes that no constant of the estimates was chosen by",
-            "five other materials, materials and slip rates in turn",
-        ),
+        (scenes::SEEN..scenes::SCENES.len(), "Scenes used for no constant", "five other materials"),
     ];
     for (positions, title, remark) in parts {
         let part = report.part(positions);
@@ -56,18 +54,17 @@ pub fn markdown(report: &Report) -> String {
 fn summary(report: &Report, text: &mut String) {
     let _ = writeln!(
         text,
-        "**{:.0} % of the estimates are honest; {:.0} % of the true errors are at most {} times the estimate.**\n\n\
-         What `accuracy` is about is the worst of `mu`, `mu_static`, `Q`, `P` and `area` of a scene: in {} of {} scenes\n\
+        "**{:.0} % of the estimates are effective; the coverage is {:.0} %.**\n\n\
+         The accuracy is asked of the worst of `mu`, `mu_static`, `Q`, `P` and `area` of a scene: in {} of {} scenes\n\
          the largest true error is between {} and {} times the largest estimate, which may be that of another quantity.\n",
         100.0 * report.share(),
         100.0 * report.covered(),
-        HONEST.1,
-        report.honest_scenes(),
+        report.effective_scenes(),
         report.scenes.len(),
-        HONEST.0,
-        HONEST.1,
+        EFFECTIVE.0,
+        EFFECTIVE.1,
     );
-    text.push_str("True error over its estimate:\n\n| quantity | honest | least | median | largest |\n|---|---|---|---|---|\n");
+    text.push_str("True error over its estimate:\n\n| quantity | effective | least | median | largest |\n|---|---|---|---|---|\n");
     for quantity in JUDGED {
         let QuantityReport { share, ratios: [least, median, largest], .. } = report.of(quantity);
         let name = quantity.descriptor().name;
@@ -91,7 +88,7 @@ fn scene_table(report: &Report, text: &mut String) {
         let _ = write!(text, "| {} |", scenes::name(preset, interference, slip_rate));
         for judged in &scene.judged {
             let [error, estimate] = [judged.error(), judged.estimate()].map(|x| 100.0 * x / judged.scale);
-            let mark = if judged.is_honest() { "" } else { " !" };
+            let mark = if judged.is_effective() { "" } else { " !" };
             let _ = write!(text, " {error:+.2} ({estimate:.2}){mark} |");
         }
         text.push('\n');

@@ -1,11 +1,10 @@
-//! Are the error estimates honest? Scenes are run as always and far more finely, and the true
-//! errors compared with the estimates.
+//! Effectivity of the error estimates: scenes are run as usual and far more finely, and the true errors compared with the
+//! estimates (book, "Estimated and true errors"). Uses simulate as any caller, and the rooms below it for single runs.
 //!
 //! The sources of error are taken one at a time, each against a run in which it alone is several
 //! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the
-//! increments, and from these the limit at order 1; twice the angles. Their effects add up to the true
-//! error; what they do to each other is an error of an error. The solver's part is a hundredth of the
-//! others and left out.
+//! increments, and from these the limit at order 1; twice the angles. The true error is the sum of these
+//! effects; their interaction is of second order. The solver's part is a hundredth of the others and left out.
 
 mod document;
 mod record;
@@ -20,7 +19,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 pub use document::markdown;
-pub use record::{Journal, Record};
+use record::Journal;
+pub use record::Record;
 pub use report::{Judged, QuantityReport, Report};
 
 use crate::simulate::accuracy::resolution::Resolution;
@@ -34,16 +34,16 @@ pub const WORKING_ELEMENTS: usize = 8;
 pub enum Role {
     /// The run that is judged.
     Working,
-    /// Its companions, from which its errors are estimated.
+    /// Its auxiliary runs, from which its errors are estimated.
     Coarse,
     CoarseSectors,
     CoarseSteps,
     CoarseSolver,
-    /// Those that tell its true errors.
+    /// Runs for its true errors.
     FourTimesElements,
     MoreSectors,
     QuarterSteps,
-    /// Those that tell the orders of convergence.
+    /// Runs for the orders of convergence.
     TwiceElements,
     HalfSteps,
 }
@@ -60,7 +60,7 @@ impl Role {
         Role::CoarseSteps,
         Role::CoarseSolver,
     ];
-    /// What tells the orders of convergence.
+    /// Runs for the orders of convergence.
     pub const THOROUGH: [Role; 2] = [Role::TwiceElements, Role::HalfSteps];
 
     fn resolution(self, working: &Resolution) -> Resolution {
@@ -83,15 +83,15 @@ impl Role {
 /// Runs what the journal lacks of the given scenes (positions in [`scenes::SCENES`]); `done` is
 /// called after each run. Ends early, without error, once the watch says so.
 ///
-/// A scene takes minutes; `asperity honesty` runs them all.
+/// A scene takes minutes; `asperity effectivity` runs them all.
 ///
 /// ```no_run
 /// use asperity::Unwatched;
 /// use asperity::studies::effectivity::{Report, run};
 ///
 /// // The first scene, on as many threads as there are; started again, it runs what is missing.
-/// let records = run("honesty.jsonl".as_ref(), &[0], false, &Unwatched, &|_| ())?;
-/// println!("{:.0} % of the estimates are honest", 100.0 * Report::new(&records).share());
+/// let records = run("effectivity.jsonl".as_ref(), &[0], false, &Unwatched, &|_| ())?;
+/// println!("{:.0} % of the estimates are effective", 100.0 * Report::new(&records).share());
 /// # Ok::<(), std::io::Error>(())
 /// ```
 ///
@@ -101,13 +101,13 @@ impl Role {
 /// use asperity::Unwatched;
 /// use asperity::studies::effectivity::{Report, markdown, run, scenes};
 ///
-/// let path = std::env::temp_dir().join(format!("honesty-example-{}.jsonl", std::process::id()));
+/// let path = std::env::temp_dir().join(format!("effectivity-example-{}.jsonl", std::process::id()));
 /// let report = Report::new(&run(&path, &[], false, &Unwatched, &|_| ())?);
 /// // Nothing was run, so no scene can be judged, and each says why.
 /// assert!(report.scenes.is_empty());
 /// assert_eq!(report.missing.len(), scenes::SCENES.len());
 /// assert!(report.missing[0].1.contains("not run"));
-/// assert!(markdown(&report).starts_with("# Are the error estimates honest?"));
+/// assert!(markdown(&report).starts_with("# Effectivity of the error estimates"));
 /// # std::fs::remove_file(&path)?;
 /// # Ok::<(), std::io::Error>(())
 /// ```

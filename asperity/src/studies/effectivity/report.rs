@@ -15,10 +15,10 @@ use crate::simulate::values::Values;
 
 /// Quantities that are judged.
 pub const JUDGED: [Quantity; 7] = MAIN;
-/// True error over its estimate that counts as honest.
-pub const HONEST: (f64, f64) = (0.2, 1.5);
-/// Relative to the value (to the rise, for temperatures): below this an error is no concern, and
-/// neither is an estimate.
+/// Ratios of true to estimated error at which an estimate is effective.
+pub const EFFECTIVE: (f64, f64) = (0.2, 1.5);
+/// Relative to the value (to the rise, for temperatures): below this neither an error nor an
+/// estimate matters.
 pub const NEGLIGIBLE: f64 = 5e-4;
 
 /// One quantity of one scene.
@@ -36,9 +36,9 @@ pub const NEGLIGIBLE: f64 = 5e-4;
 ///     estimates: [0.008, 0.0, 0.001, 0.0, 0.0],
 ///     orders: [Some(1.5), None],
 /// };
-/// assert!((judged.ratio() - 2.0 / 3.0).abs() < 1e-12 && judged.is_honest());
-/// // Ten times the error that there is says no more than none at all.
-/// assert!(!Judged { estimates: [0.06, 0.0, 0.0, 0.0, 0.0], ..judged }.is_honest());
+/// assert!((judged.ratio() - 2.0 / 3.0).abs() < 1e-12 && judged.is_effective());
+/// // Ten times the true error is no more informative than none.
+/// assert!(!Judged { estimates: [0.06, 0.0, 0.0, 0.0, 0.0], ..judged }.is_effective());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
@@ -71,9 +71,9 @@ impl Judged {
     }
 
     /// Neither too large nor too small, or both too small to matter.
-    pub fn is_honest(&self) -> bool {
+    pub fn is_effective(&self) -> bool {
         let small = self.error().abs().max(self.estimate()) <= NEGLIGIBLE * self.scale;
-        small || (HONEST.0..=HONEST.1).contains(&self.ratio())
+        small || (EFFECTIVE.0..=EFFECTIVE.1).contains(&self.ratio())
     }
 }
 
@@ -86,8 +86,8 @@ pub struct SceneReport {
 }
 
 impl SceneReport {
-    /// What the accuracy asked of a scene is about: the largest true error over the largest estimate, relative to
-    /// their quantities, among those that it is asked of. The two need not be of the same quantity.
+    /// Largest relative true error over the largest relative estimate among the quantities that an accuracy is asked of. The
+    /// two need not be of the same quantity.
     pub fn worst_ratio(&self) -> f64 {
         let largest = |of: fn(&Judged) -> f64| {
             let asked = self.judged.iter().filter(|judged| CONTROLLED.contains(&judged.quantity));
@@ -101,7 +101,7 @@ impl SceneReport {
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuantityReport {
     pub quantity: Quantity,
-    /// Of honest estimates.
+    /// Share of effective estimates.
     pub share: f64,
     /// Least, median and largest ratio of true error to estimate.
     pub ratios: [f64; 3],
@@ -131,7 +131,7 @@ impl Report {
                 .iter()
                 .filter(|record| record.scene == position)
                 .filter_map(|record| {
-                    let sample = record.sample()?;
+                    let sample = record.sample.as_ref()?;
                     Some((record.role, Values::new(&problem, &sample.press, &sample.history)))
                 })
                 .collect();
@@ -163,23 +163,23 @@ impl Report {
         self.scenes.iter().flat_map(|scene| &scene.judged)
     }
 
-    /// Share of honest estimates among all.
+    /// Share of effective estimates among all.
     pub fn share(&self) -> f64 {
         share(self.all())
     }
 
     /// Number of scenes whose worst error is neither too large nor too small for their worst estimate.
-    pub fn honest_scenes(&self) -> usize {
-        let honest = |scene: &&SceneReport| (HONEST.0..=HONEST.1).contains(&scene.worst_ratio());
-        self.scenes.iter().filter(honest).count()
+    pub fn effective_scenes(&self) -> usize {
+        let effective = |scene: &&SceneReport| (EFFECTIVE.0..=EFFECTIVE.1).contains(&scene.worst_ratio());
+        self.scenes.iter().filter(effective).count()
     }
 
-    /// Share of true errors that are no larger than an honest estimate allows.
+    /// Share of true errors that are at most 1.5 times the estimate: the coverage.
     pub fn covered(&self) -> f64 {
         let (mut covered, mut all) = (0u32, 0u32);
         for judged in self.all() {
             all += 1;
-            covered += u32::from(judged.is_honest() || judged.ratio() <= HONEST.1);
+            covered += u32::from(judged.is_effective() || judged.ratio() <= EFFECTIVE.1);
         }
         f64::from(covered) / f64::from(all.max(1))
     }
@@ -197,16 +197,16 @@ impl Report {
 }
 
 fn share<'a>(judged: impl Iterator<Item = &'a Judged>) -> f64 {
-    let (mut honest, mut all) = (0u32, 0u32);
+    let (mut effective, mut all) = (0u32, 0u32);
     for judged in judged {
         all += 1;
-        honest += u32::from(judged.is_honest());
+        effective += u32::from(judged.is_effective());
     }
-    f64::from(honest) / f64::from(all.max(1))
+    f64::from(effective) / f64::from(all.max(1))
 }
 
 fn judge(runs: &HashMap<Role, Values>, scene: &Scene) -> Vec<Judged> {
-    let companions = AuxiliaryRuns {
+    let auxiliary = AuxiliaryRuns {
         coarse: &runs[&Role::Coarse],
         other_sectors: &runs[&Role::CoarseSectors],
         longer_steps: &runs[&Role::CoarseSteps],
@@ -216,9 +216,9 @@ fn judge(runs: &HashMap<Role, Values>, scene: &Scene) -> Vec<Judged> {
     let resolution = Resolution::choose(&scene.numerics);
     let start = scene.loading.temperature;
     let main = [RunValues { resolution: &resolution, values: working }];
-    let budget = estimate(&resolution, &companions, &main, &ModellingError::default());
+    let budget = estimate(&resolution, &auxiliary, &main, &ModellingError::default());
     let of = |quantity: Quantity| {
-        let value = |role: Role| runs.get(&role).map(|scalars| scalars.value(quantity));
+        let value = |role: Role| runs.get(&role).map(|values| values.value(quantity));
         let here = working.value(quantity);
         let against = |role: Role| value(role).map_or(0.0, |there| here - there);
         let order = |values: [Option<f64>; 3]| {
@@ -266,12 +266,12 @@ mod tests {
             judged: vec![
                 judged(Quantity::Mu, -0.03, 0.01),
                 judged(Quantity::Load, 0.001, 0.04),
-                // Of no concern to the accuracy.
+                // The accuracy is not asked of it.
                 judged(Quantity::EnergyRelease, 0.5, 0.1),
             ],
         };
         assert!((scene.worst_ratio() - 0.75).abs() < 1e-12);
         let report = Report { scenes: vec![scene], missing: Vec::new() };
-        assert_eq!((report.honest_scenes(), report.share()), (1, 0.0));
+        assert_eq!((report.effective_scenes(), report.share()), (1, 0.0));
     }
 }

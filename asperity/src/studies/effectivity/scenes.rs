@@ -1,15 +1,14 @@
-//! The scenes of the study, from elastic to deeply plastic contact, from rest to 10 m/s: those of three materials, by
-//! which constants of the estimates were chosen, and those of five others, which had no part in that. No two share
-//! interference and slip rate, so that none counts twice.
+//! The scenes of the study, from elastic to deeply plastic contact, from 0 to 10 m/s: three materials, used for two constants
+//! of the estimates, and five others, used for none. No two scenes share interference and slip rate.
 
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 
-/// So many of [`SCENES`], the first, had a part in the choice of constants of the estimates.
+/// The first scenes of [`SCENES`], used for constants of the estimates.
 pub const SEEN: usize = 21;
 
-/// Preset, ω₀/ω_c, V (m/s). Of those that are not seen materials and slip rates go round, five and seven of them, over
-/// interferences that grow.
+/// Preset, ω₀/ω_c, V (m/s). Beyond the first [`SEEN`], five materials and seven slip rates in turn
+/// over growing interferences.
 pub const SCENES: [(&str, f64, f64); 41] = [
     ("steel-4340", 0.1, 1.0),
     ("steel-4340", 0.5, 0.0),
@@ -75,7 +74,7 @@ pub fn scene(preset: &str, interference: f64, slip_rate: f64, elements_per_radiu
     parse_scene(&text, preset, &[]).expect("presets are valid")
 }
 
-/// How a scene is called in tables.
+/// Name of a scene in tables.
 pub fn name(preset: &str, interference: f64, slip_rate: f64) -> String {
     format!("{preset} {interference} ω_c {slip_rate} m/s")
 }
