@@ -1,4 +1,4 @@
-//! The question that every table and every closed form answers.
+//! The single-asperity response: the interface of tables and closed forms.
 
 pub use crate::quantity::Estimate;
 

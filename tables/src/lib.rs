@@ -26,9 +26,3 @@ pub mod shipped;
 pub mod table;
 
 pub use quantity::numbers;
-
-// Former paths of these rooms.
-#[doc(hidden)]
-pub use figures as figure;
-#[doc(hidden)]
-pub use netcdf as dataset;

@@ -56,7 +56,7 @@ impl Finished {
         for (quantity, history) in resample(outcome, slips, temperature) {
             cell = cell.with_history(quantity, history);
         }
-        cell.levelled = outcome.steady;
+        cell.steady = outcome.steady;
         cell.wall_time = outcome.account.wall_time;
         let timings = outcome.account.timings;
         Self {

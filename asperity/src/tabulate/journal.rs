@@ -247,7 +247,7 @@ impl Record {
         match result {
             Err(reason) => Self { failure: Some(reason.clone()), ..empty },
             Ok(finished) => Self {
-                levelled: finished.cell.levelled,
+                levelled: finished.cell.steady,
                 numbers: numbers(&finished.cell),
                 notes: finished.notes.clone(),
                 warnings: finished.warnings.clone(),
@@ -270,7 +270,7 @@ impl Record {
             return None;
         }
         let mut cell = Cell::new();
-        cell.levelled = self.levelled;
+        cell.steady = self.levelled;
         cell.wall_time = *wall_time;
         for (quantity, pair) in Quantity::SCALARS.into_iter().zip(scalars.chunks_exact(2)) {
             cell = cell.with(quantity, pair[0], pair[1]);

@@ -89,7 +89,7 @@ fn shards_that_do_not_belong_together_are_refused() {
     let mut other = read(&folder, "whole.nc");
     let (i, j) = (0..4).map(|k| (k / 2, k % 2)).find(|at| shard.cell(at.0, at.1).is_some()).unwrap();
     let mut cell = other.cell(i, j).unwrap().clone();
-    cell.levelled = !cell.levelled;
+    cell.steady = !cell.steady;
     other.set_cell(i, j, cell).unwrap();
     other.write(&folder.join("overlap.nc")).unwrap();
     refused("merge 2.nc overlap.nc -o m4.nc", &["different results at"], "m4.nc");

@@ -44,8 +44,8 @@ pub fn area(interference: f64) -> f64 {
     if interference <= 1.0 { interference } else { 2.0 * interference - 1.0 }
 }
 
-/// Q_max/P at ν = 0.3: what is missing to yield below the surface or at its edge, whichever is
-/// less, and nothing once the sphere has yielded.
+/// Q_max/P at ν = 0.3: the tangential load that makes the sphere yield below its surface or at
+/// the edge of the contact, whichever is less, and 0 once it has yielded.
 pub fn static_friction(interference: f64) -> f64 {
     if interference >= 1.0 {
         return 0.0;

@@ -5,7 +5,7 @@ const LOWEST: f64 = 1e-9;
 const HIGHEST: f64 = 1e6;
 
 /// Interferences at which the positive `quantity` equals `value`, between `breaks` at which it may
-/// jump, on so many `steps` from one to the next as to see it turn.
+/// jump; `steps` is the number of intervals between breaks that are searched for a change of sign.
 pub(super) fn where_equal(
     quantity: impl Fn(f64) -> f64,
     value: f64,
@@ -42,7 +42,7 @@ fn sign_change(function: impl Fn(f64) -> f64, mut low: (f64, f64), mut high: (f6
             break;
         }
         let secant = low.0 + (high.0 - low.0) * weight_low / (weight_low - weight_high);
-        // Where there is nothing there is no logarithm.
+        // The logarithm of 0 is infinite.
         let next = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
         let value = function(next);
         if value == 0.0 {

@@ -2,7 +2,7 @@
 //!
 //! One module per model, with plain functions in the units of the paper; [`closed_form`]
 //! wraps them as an [`AsperityLaw`](crate::law::AsperityLaw). They are the references of the
-//! tests, the comparison models of `roughsurface`, and what a table continues into where it ends.
+//! tests, the comparison models of `roughsurface`, and the elastic limit of a table below its first interference.
 
 pub mod brizmer;
 pub mod chang_etsion_bogy;

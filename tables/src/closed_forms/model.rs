@@ -49,7 +49,7 @@ enum SlidingInception {
     Cohen,
 }
 
-/// Names that [`closed_form`] knows.
+/// Names of the closed forms.
 pub const NAMES: [&str; 7] =
     ["hertz", "constant-shear", "chang-etsion-bogy", "kogut-etsion", "jackson-green", "brizmer", "cohen"];
 
@@ -57,6 +57,7 @@ pub const NAMES: [&str; 7] =
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no closed form is called \"{name}\"; there are {}", NAMES.join(", "))]
 pub struct UnknownClosedForm {
+    /// What was asked for.
     pub name: String,
 }
 
@@ -87,11 +88,10 @@ pub struct ClosedForm {
 /// | `brizmer` | Brizmer et al. 2006, full stick | Brizmer et al. 2007 |
 /// | `cohen` | Brizmer et al. 2006, full stick | Cohen et al. 2008 |
 ///
-/// with τ₀ = σ_Y/√3. None depends on the slip rate, none knows junction growth. The friction
+/// with τ₀ = σ_Y/√3. None depends on the slip rate or includes junction growth. The friction
 /// force rises with slip as in elastic partial slip under a constant interfacial strength
 /// ([`constant_shear`](super::partial_slip::constant_shear)), the strength being the final
-/// force over the area. Errors are reported as zero: how far the fits are from the truth is not
-/// known to them.
+/// force over the area. Errors are reported as zero: the errors of the fits are not published.
 ///
 /// ```
 /// use tables::closed_forms::{ElasticPlastic, closed_form};

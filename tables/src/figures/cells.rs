@@ -15,19 +15,26 @@ use super::map::dark_for_high;
 /// Cells of a plane with a value each. A length is as long on one axis as on the other.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cells {
+    /// Above the panel.
     pub title: String,
+    /// Horizontal axis.
     pub x: Axis,
+    /// Vertical axis.
     pub y: Axis,
     /// Ends of both axes, which are linear.
     pub x_range: (f64, f64),
+    /// Ends of the vertical axis.
     pub y_range: (f64, f64),
+    /// Polygons with their values.
     pub cells: Vec<Cell>,
+    /// Colour scale.
     pub scale: Scale,
 }
 
 /// A polygon and its value.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cell {
+    /// Corners (x, y) of the polygon.
     pub corners: Vec<(f64, f64)>,
     /// Not drawn if it is not finite.
     pub value: f64,

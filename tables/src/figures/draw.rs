@@ -105,7 +105,7 @@ pub(super) fn styled(layout: Layout, title: &str, x: &Axis, y: &Axis) -> Layout 
         .with_y_label_offset(-8.0, 0.0)
 }
 
-/// Ticks; of logarithmic axes also the range that they shall have: left to itself the library ends
+/// Ticks; of logarithmic axes also their range: by default the library ends
 /// them at the decades around the data.
 pub(super) fn axes(mut layout: Layout, x: (&Axis, (f64, f64)), y: (&Axis, (f64, f64))) -> Layout {
     layout = match x {

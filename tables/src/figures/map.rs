@@ -13,13 +13,17 @@ use super::draw::{axes, styled};
 /// Values over a product of two axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Map {
+    /// Above the panel.
     pub title: String,
     /// Of the values, with the unit; beside the scale of shades.
     pub label: String,
+    /// Horizontal axis.
     pub x: Axis,
+    /// Vertical axis.
     pub y: Axis,
     /// Rising coordinates, at least two on each axis.
     pub x_values: Vec<f64>,
+    /// Rising coordinates of the rows.
     pub y_values: Vec<f64>,
     /// `values[row][column]` at `y_values[row]` and `x_values[column]`; NaN where unknown.
     pub values: Vec<Vec<f64>>,

@@ -32,23 +32,31 @@ pub use sheet::{Drawing, Sheet};
 /// assert!(svg.contains("slip rate (m/s)"));
 /// ```
 pub struct Figure {
+    /// Above the drawing; may be empty.
     pub title: String,
+    /// Two in a row.
     pub panels: Vec<Panel>,
 }
 
 /// One pair of axes with its curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Panel {
+    /// Above the drawing; may be empty.
     pub title: String,
+    /// Horizontal axis.
     pub x: Axis,
+    /// Vertical axis.
     pub y: Axis,
+    /// In the order of the legend.
     pub curves: Vec<Curve>,
 }
 
 /// Label, with the unit, and scale of an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
+    /// With the unit.
     pub label: String,
+    /// Whether logarithmic.
     pub log: bool,
 }
 
@@ -58,10 +66,13 @@ pub struct Axis {
 pub struct Curve {
     /// Empty: not in the legend.
     pub label: String,
+    /// Abscissae.
     pub x: Vec<f64>,
+    /// Ordinates, as many.
     pub y: Vec<f64>,
     /// Absolute errors of `y`, drawn as bars on few points and as a band on many.
     pub error: Option<Vec<f64>>,
+    /// Line, markers or both.
     pub drawn: Drawn,
     /// Number of the colour, dash and marker; by default the place among the curves.
     pub style: Option<usize>,
@@ -91,20 +102,24 @@ pub enum FigureError {
 const PIXELS: f32 = 2.0;
 
 impl Axis {
+    /// A linear axis.
     pub fn linear(label: impl Into<String>) -> Self {
         Self { label: label.into(), log: false }
     }
 
+    /// A logarithmic axis.
     pub fn logarithmic(label: impl Into<String>) -> Self {
         Self { label: label.into(), log: true }
     }
 }
 
 impl Curve {
+    /// A curve without errors.
     pub fn new(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
         Self { label: label.into(), x, y, ..Self::default() }
     }
 
+    /// The curve with absolute errors of `y`.
     pub fn with_error(mut self, error: Vec<f64>) -> Self {
         self.error = Some(error);
         self
@@ -119,7 +134,7 @@ impl Curve {
 }
 
 impl Figure {
-    /// Whether `path` has an extension that [`Figure::save`] knows: to be asked before a long
+    /// Whether `path` has an extension that [`Figure::save`] supports: to be checked before a long
     /// computation.
     pub fn check_extension(path: &Path) -> Result<(), FigureError> {
         extension(path).map(|_| ())

@@ -25,7 +25,9 @@ pub enum Drawing {
 /// Panels of curves, maps and cells, in rows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sheet {
+    /// Above the panels; may be empty.
     pub title: String,
+    /// The panels.
     pub drawings: Vec<Drawing>,
     /// Panels in a row, at least one.
     pub columns: usize,

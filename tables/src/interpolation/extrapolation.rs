@@ -1,13 +1,15 @@
-//! Scalars beyond the table, for those who ask for them.
+//! Extrapolation of scalars above the last interference and outside the slip rates, on request.
 
 use super::InterpolatedTable;
 use crate::law::{AsperityLaw, Estimate, LookupError};
 use crate::quantity::Quantity;
 
-/// A number from a table, and whether it is from beyond its range.
+/// A number from a table, and whether it is extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extrapolated {
+    /// Value and error.
     pub estimate: Estimate,
+    /// Whether it is from outside the range of the table.
     pub outside: bool,
 }
 

@@ -79,7 +79,7 @@ fn blended(ends: [&Cell; 2], t: f64, base: f64) -> Cell {
         let history = pairs.map(|(a, b)| base + between(a - base, b - base, t)).collect();
         cell = cell.with_history(quantity, history);
     }
-    cell.levelled = ends.iter().all(|cell| cell.levelled);
+    cell.steady = ends.iter().all(|cell| cell.steady);
     cell.wall_time = 0.0;
     cell
 }

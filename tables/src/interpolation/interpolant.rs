@@ -1,12 +1,12 @@
-//! What follows from a slice before the first question: nodes, coordinates, the elastic limit.
+//! The interpolant of a slice: nodes, coordinates, the elastic limit.
 
 use super::ROUNDING;
-use super::elastic::{Descent, Elastic};
+use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::nodes::{self, FIELDS, Nodes, Values};
 use super::steffen::{self, Location, locate};
 use crate::table::{Axes, Slice};
 
-/// What can be computed before the first question.
+/// Interpolates the fields of the response.
 #[derive(Clone, Debug)]
 pub(super) struct Interpolant {
     pub(super) log_interference: Vec<f64>,
@@ -20,7 +20,7 @@ pub(super) struct Interpolant {
     pub(super) log_contact_radius: Vec<f64>,
     /// Its slopes against ln ω.
     pub(super) log_contact_radius_slope: Vec<f64>,
-    pub(super) elastic: Elastic,
+    pub(super) sphere: ElasticSphere,
 }
 
 /// Why there is no result at a point: (row, column).
@@ -40,7 +40,7 @@ impl Interpolant {
             rows: first.zip(last),
             log_contact_radius_slope: steffen::slopes(&log_interference, &log_contact_radius),
             log_contact_radius,
-            elastic: Elastic::new(table.metadata()),
+            sphere: ElasticSphere::new(table.metadata()),
             log_interference,
             slip_rate,
             rate_coordinate,
@@ -120,7 +120,7 @@ impl Interpolant {
         let (first, _) = self.rows.ok_or((0, 0))?;
         let log_interference = interference.ln();
         if log_interference < self.log_interference[first] {
-            return self.below(first, log_interference, rate, slip);
+            return self.state_below(first, log_interference, rate, slip);
         }
         let place = locate(&self.log_interference, log_interference);
         let slip = self.nodes.locate_slip(slip / self.contact_radius(place));
@@ -128,13 +128,13 @@ impl Interpolant {
         Ok((values, self.nodes.relative_error(place, rate, slip)))
     }
 
-    pub(super) fn descent(&self, first: usize, log_interference: f64) -> Descent {
-        let knot = self.log_interference[first];
-        Descent { knot: knot.exp(), depth: log_interference - knot }
+    pub(super) fn below(&self, first: usize, log_interference: f64) -> BelowFirstRow {
+        let first_row = self.log_interference[first];
+        BelowFirstRow { first_row: first_row.exp(), log_ratio: log_interference - first_row }
     }
 
-    /// Below the first row: elastic, in the ratio to elasticity that the row has.
-    fn below(
+    /// State and relative errors below the first row.
+    fn state_below(
         &self,
         first: usize,
         log_interference: f64,
@@ -145,17 +145,52 @@ impl Interpolant {
         let place = Location { index: first, t: 0.0 };
         let slip = self.nodes.locate_slip(ratio);
         let row = self.row(first, rate, slip)?;
-        let descent = self.descent(first, log_interference);
-        let (values, spread) = self.elastic.below(descent, ratio, &row);
+        let below = self.below(first, log_interference);
+        let (values, uncertainty) = self.sphere.state_below(below, ratio, &row);
         let mut error = self.nodes.relative_error(place, rate, slip);
-        for (error, spread) in error.iter_mut().zip(spread) {
-            *error += spread;
+        for (error, uncertainty) in error.iter_mut().zip(uncertainty) {
+            *error += uncertainty;
         }
         Ok((values, error))
     }
 }
 
 impl Interpolant {
+    /// ω/ω_c at which the slip `slip` (m), at the radius of the table, is the last of the histories.
+    pub(super) fn end_of_histories(&self, slip: f64) -> Option<f64> {
+        let (first, last) = self.rows?;
+        let wanted = slip / self.nodes.last_slip();
+        let contact_radius = |log_interference: f64| match log_interference < self.log_interference[first] {
+            true => self.contact_radius_below(first, log_interference),
+            false => self.contact_radius(locate(&self.log_interference, log_interference)),
+        };
+        // a₀ grows with ω; far below the table as its root.
+        let (mut low, mut high) = (self.log_interference[first] - 40.0, self.log_interference[last]);
+        if !(wanted > 0.0 && contact_radius(low) < wanted && wanted < contact_radius(high)) {
+            return None;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if contact_radius(middle) < wanted {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Some(high.exp())
+    }
+
+    /// a₀ below the first row, m.
+    pub(super) fn contact_radius_below(&self, first: usize, log_interference: f64) -> f64 {
+        let below = self.below(first, log_interference);
+        extrapolated(
+            self.sphere.contact_radius(below.interference()),
+            self.sphere.contact_radius(below.first_row),
+            self.log_contact_radius[first].exp(),
+            below.press_weight(),
+        )
+    }
+
     /// The same at one slip rate, as an interpolant with a single column.
     pub(super) fn at_rate(&self, rate: Location) -> Self {
         Self {
@@ -166,7 +201,7 @@ impl Interpolant {
             rows: self.rows,
             log_contact_radius: self.log_contact_radius.clone(),
             log_contact_radius_slope: self.log_contact_radius_slope.clone(),
-            elastic: self.elastic,
+            sphere: self.sphere,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A table as a law of one asperity: between its points, below them, at other radii and initial temperatures.
 //!
 //! - **Interference**: monotone cubic in ln ω, of the logarithm of positive quantities, hence
-//!   exact for power laws. Below the first point the elastic asymptote, see [`elastic`]; above
+//!   exact for power laws. Below the first point the elastic asymptote, see [`hertz_limit`]; above
 //!   the last an error.
 //! - **Slip rate**: the same in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
@@ -18,10 +18,9 @@
 //! [`Table::at`](crate::table::Table::at) gives the [`InterpolatedTable`] at an initial temperature, which answers as
 //! an [`AsperityLaw`]. Depends on `table`, `closed_forms` (the elastic limit) and `law`.
 
-mod elastic;
-mod end_of_histories;
 mod extrapolation;
 mod failed_cells;
+mod hertz_limit;
 mod interpolant;
 mod nodes;
 mod scalar;
@@ -190,7 +189,7 @@ impl AsperityLaw for InterpolatedTable {
         self.scaled(interference, ratio, slip, state).map_err(|absent| self.absent(absent, ratio))
     }
 
-    /// Interpolates along the slip rate once and for all.
+    /// Interpolates along the slip rate once.
     fn at_slip_rate(&self, radius: f64, slip_rate: f64) -> Result<SlidingResponse<'_>, LookupError> {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(0.0, slip_rate, ratio)?;
@@ -200,7 +199,7 @@ impl AsperityLaw for InterpolatedTable {
             self.check_interference(interference)?;
             let state = |slip| column.state(interference, only, slip);
             self.scaled(interference, ratio, slip, state)
-                // What is absent, and why, the general way knows.
+                // The general way gives the reason of an error.
                 .or_else(|_| self.response(radius, interference, slip_rate, slip))
         }))
     }

@@ -1,4 +1,4 @@
-//! Points of a table with what interpolation needs of them.
+//! Histories of the points of a table with their slopes, and the error of interpolating between them.
 //!
 //! The interpolation error is estimated by leaving points out: each inner point of an axis is
 //! predicted from its neighbours, and the relative misfit stands for the error of intervals
@@ -10,7 +10,7 @@ use super::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
 use crate::quantity::Quantity;
 use crate::table::{Slice, Status};
 
-/// What the response of a table consists of.
+/// Fields of the response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Field {
     Load,
@@ -272,7 +272,7 @@ fn ends(place: Location) -> impl Iterator<Item = (usize, f64)> {
 }
 
 fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 2]>> {
-    // Without a₀ there is no telling where on the slip axis a slip lies.
+    // A slip has its place on the slip axis by a₀.
     let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
     let slip = &table.axes().slip;
     let columns = QUANTITIES.map(|quantity| {
@@ -308,7 +308,7 @@ fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Values> {
     let relative = |quantity: Quantity| {
         let shift = if quantity.is_temperature() { base } else { 0.0 };
         let (value, error) = (cell[quantity].value - shift, cell[quantity].error);
-        // An unheated contact has an exact temperature, whatever its error says.
+        // The temperature of an unheated contact is exact.
         if error == 0.0 || value == 0.0 { 0.0 } else { (error / value).abs() }
     };
     let begins = cell[Quantity::InceptionSlip].value / cell[Quantity::ContactRadius].value;

@@ -1,11 +1,11 @@
-//! Scalars of a table between its points.
+//! Scalars of a table between its points, and below its first row.
 
-use super::elastic::{Descent, Elastic};
+use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::nodes::FIELDS;
 use super::steffen::{Location, locate};
 use super::{Absent, Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
-use crate::quantity::Quantity;
+use crate::quantity::{ElasticLimit, Quantity};
 
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
@@ -21,69 +21,58 @@ impl InterpolatedTable {
     ) -> Result<Estimate, LookupError> {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(interference, slip_rate, ratio)?;
-        let interpolant = &self.interpolant;
         let absent = |absent| self.absent(absent, ratio);
-        let (first, _) = interpolant.rows.ok_or((0, 0)).map_err(absent)?;
-        let depth = interference.ln() - interpolant.log_interference[first];
-        let place = if depth < 0.0 {
-            Location { index: first, t: 0.0 }
-        } else {
-            locate(&interpolant.log_interference, interference.ln())
-        };
-        let base = match quantity.is_temperature() {
-            true => self.metadata().temperature,
-            false => 0.0,
-        };
-        let (mut value, mut error) =
-            self.between(interpolant, quantity, base, place, rate).map_err(absent)?;
-        if depth < 0.0 {
-            let row =
-                |quantity| self.between(interpolant, quantity, 0.0, place, rate).map(|(value, _)| value);
-            let of_row = |quantity| row(quantity).unwrap_or(f64::NAN);
-            let below = Below {
-                elastic: &interpolant.elastic,
-                descent: interpolant.descent(first, interference.ln()),
+        let (first, _) = self.interpolant.rows.ok_or((0, 0)).map_err(absent)?;
+        let rows = &self.interpolant.log_interference;
+        let is_below = interference.ln() < rows[first];
+        let place =
+            if is_below { Location { index: first, t: 0.0 } } else { locate(rows, interference.ln()) };
+        let origin = quantity.origin(self.metadata().temperature);
+        let (mut value, mut error) = self.between(quantity, origin, place, rate).map_err(absent)?;
+        if is_below {
+            let of_row =
+                |quantity| self.between(quantity, 0.0, place, rate).map_or(f64::NAN, |(value, _)| value);
+            let row = FirstRow {
+                sphere: &self.interpolant.sphere,
+                below: self.interpolant.below(first, interference.ln()),
                 load: of_row(Quantity::Load),
                 area: of_row(Quantity::Area),
             };
-            let (continued, spread) = below.continued(quantity, value);
+            let continued = row.extrapolate(quantity, value);
             error *= if value == 0.0 { 1.0 } else { (continued / value).abs() };
-            error += spread * continued.abs();
+            error += row.uncertainty(quantity, value) * continued.abs();
             value = continued;
         }
         let scale = ratio.powi(quantity.descriptor().radius_exponent);
-        Ok(Estimate { value: scale * (base + value), error: scale * error })
+        Ok(Estimate { value: scale * (origin + value), error: scale * error })
     }
 
-    /// (value above `base`, error) at the radius of the table and inside its rows.
+    /// (value above `origin`, error) at the radius of the table and inside its rows.
     fn between(
         &self,
-        interpolant: &Interpolant,
         quantity: Quantity,
-        base: f64,
+        origin: f64,
         place: Location,
         rate: Location,
     ) -> Result<(f64, f64), Absent> {
+        let Interpolant { rate_coordinate, log_interference, .. } = &self.interpolant;
         let at = |i: usize, j: usize| {
             let cell = self.cell(i, j).ok_or((i, j))?;
             let Estimate { value, error } = cell[quantity];
-            if value.is_nan() {
-                return Err((i, j));
-            }
-            Ok([value - base, error, 0.0, 0.0])
+            if value.is_nan() { Err((i, j)) } else { Ok((value - origin, error)) }
         };
         let row = |i: usize| {
-            Interpolant::blend(&interpolant.rate_coordinate, rate, |j| at(i, j).map(|v| [v[0]; FIELDS]))
+            Interpolant::blend(rate_coordinate, rate, |j| at(i, j).map(|(value, _)| [value; FIELDS]))
         };
-        let value = Interpolant::blend(&interpolant.log_interference, place, row)?[0];
+        let value = Interpolant::blend(log_interference, place, row)?[0];
         let (mut linear, mut error) = (0.0, 0.0);
         for (i, share_i) in [(0, 1.0 - place.t), (1, place.t)] {
             for (j, share_j) in [(0, 1.0 - rate.t), (1, rate.t)] {
                 let share = share_i * share_j;
                 if share > 0.0 {
                     let corner = at(place.index + i, rate.index + j)?;
-                    linear += share * corner[0];
-                    error += share * corner[1];
+                    linear += share * corner.0;
+                    error += share * corner.1;
                 }
             }
         }
@@ -93,66 +82,96 @@ impl InterpolatedTable {
     }
 }
 
-/// Below the first row, which bears `load` on `area` while it slides.
-struct Below<'a> {
-    elastic: &'a Elastic,
-    descent: Descent,
+/// The first row, which bears `load` on `area` while it slides, and an interference below it.
+struct FirstRow<'a> {
+    sphere: &'a ElasticSphere,
+    below: BelowFirstRow,
     load: f64,
     area: f64,
 }
 
-impl Below<'_> {
-    /// A scalar continued from its value in the row as the response is, and the relative error of that.
-    fn continued(&self, quantity: Quantity, row: f64) -> (f64, f64) {
-        use Quantity::*;
-        let Self { elastic, descent, .. } = *self;
-        let (here, knot) = (descent.here(), descent.knot);
-        let from = |asymptote: &dyn Fn(f64) -> f64, row: f64, share: f64| {
-            elastic.continued(asymptote(here), asymptote(knot), row, share)
-        };
-        let load = |at: f64| elastic.load(at);
-        let area = |at: f64| elastic.area(at);
-        let kept = |asymptote: &dyn Fn(f64) -> f64| from(asymptote, row, descent.kept());
-        let shear = |at: f64| elastic.sliding_friction(at).unwrap_or(f64::NAN);
-        // What sliding friction has beside the area fades, as heat does; static friction knows no heat.
-        let strength = |at: f64| shear(at) / area(at);
-        let friction = |row: f64| {
-            from(&area, self.area, descent.kept()) * from(&strength, row / self.area, descent.fade())
-        };
-        let rubs = elastic.sliding_friction(here).is_some();
-        let value = match quantity {
-            TemperatureMax | TemperatureMean => row * descent.fade(),
-            Load | LoadPress => kept(&load),
-            Area | AreaPress => kept(&area),
-            ContactRadius => kept(&|at| elastic.contact_radius(at)),
-            // Weakening by a slight heating: drop of strength and slip both go with a.
-            EnergyWeakening if rubs => row * area(here) / area(knot),
-            Friction if rubs => friction(row),
-            Mu | MuMean if rubs => friction(row * self.load) / from(&load, self.load, descent.kept()),
-            FrictionStatic if rubs => kept(&shear),
-            MuStatic | MuPeak if rubs => kept(&|at| shear(at) / load(at)),
-            InceptionSlip if rubs => kept(&|at| elastic.inception_slip(at).unwrap_or(f64::NAN)),
-            EnergyRelease if rubs => kept(&|at| elastic.energy_release(at).unwrap_or(f64::NAN)),
-            // No strength of its own: friction coefficients stay, forces go with the load.
-            _ => match quantity.descriptor().units {
+impl FirstRow<'_> {
+    /// A scalar from its value in the first row; as the response is, by its [`ElasticLimit`].
+    fn extrapolate(&self, quantity: Quantity, row: f64) -> f64 {
+        let Self { sphere, below, .. } = *self;
+        let (here, first) = (below.interference(), below.first_row);
+        let pressed = |elastic: &dyn Fn(f64) -> f64| self.weighted(elastic, row, below.press_weight());
+        let known = |value: Option<f64>| value.unwrap_or(f64::NAN);
+        let limit = quantity.descriptor().elastic_limit;
+        match limit {
+            ElasticLimit::TemperatureRise => row * below.thermal_weight(),
+            ElasticLimit::Load => pressed(&|at| sphere.load(at)),
+            ElasticLimit::Area => pressed(&|at| sphere.area(at)),
+            ElasticLimit::ContactRadius => pressed(&|at| sphere.contact_radius(at)),
+            // No strength of its own: friction coefficients stay, forces are in proportion to the load.
+            _ if !self.has_friction() => match quantity.descriptor().units {
                 "1" => row,
-                "N" => row * load(here) / load(knot),
-                _ => row * elastic.contact_radius(here) / elastic.contact_radius(knot),
+                "N" => row * sphere.load(here) / sphere.load(first),
+                _ => row * sphere.contact_radius(here) / sphere.contact_radius(first),
             },
+            ElasticLimit::SlidingFriction => self.friction(row),
+            ElasticLimit::SlidingCoefficient => {
+                let load = self.weighted(&|at| sphere.load(at), self.load, below.press_weight());
+                self.friction(row * self.load) / load
+            }
+            ElasticLimit::StaticFriction => pressed(&|at| self.shear(at)),
+            ElasticLimit::StaticCoefficient => pressed(&|at| self.shear(at) / sphere.load(at)),
+            ElasticLimit::InceptionSlip => pressed(&|at| known(sphere.inception_slip(at))),
+            ElasticLimit::EnergyRelease => pressed(&|at| known(sphere.energy_release(at))),
+            // Slight heating: the drop of strength and the slip are both in proportion to a.
+            ElasticLimit::Weakening => row * sphere.area(here) / sphere.area(first),
+            ElasticLimit::None => f64::NAN,
+        }
+    }
+
+    /// Relative uncertainty of that.
+    fn uncertainty(&self, quantity: Quantity, row: f64) -> f64 {
+        let Self { sphere, below, .. } = *self;
+        let first = below.first_row;
+        let sliding = (below.ratio_uncertainty(self.load / sphere.load(first)))
+            .max(below.ratio_uncertainty(self.area / sphere.area(first)));
+        let thermal = |friction: f64| {
+            let strength = self.strength(friction)
+                / (self.shear(below.interference()) / sphere.area(below.interference()));
+            (strength - 1.0).abs() * (1.0 - below.thermal_weight())
         };
-        let sliding = descent.doubt(self.load / load(knot)).max(descent.doubt(self.area / area(knot)));
-        let fades = |row: f64| {
-            let faded = from(&strength, row / self.area, descent.fade()) / strength(here);
-            (faded - 1.0).abs() * (1.0 - descent.fade())
-        };
-        let spread = match quantity {
-            TemperatureMax | TemperatureMean => 0.0,
-            LoadPress | AreaPress | ContactRadius if descent.kept() == 1.0 => 0.0,
-            LoadPress | AreaPress | ContactRadius => sliding,
-            Friction if rubs => sliding + elastic.lifted(descent) + fades(row),
-            Mu | MuMean if rubs => sliding + elastic.lifted(descent) + fades(row * self.load),
-            _ => sliding + elastic.lifted(descent),
-        };
-        (value, spread)
+        let limit = quantity.descriptor().elastic_limit;
+        match limit {
+            ElasticLimit::TemperatureRise => 0.0,
+            _ if quantity.descriptor().of_press && below.press_weight() == 1.0 => 0.0,
+            _ if quantity.descriptor().of_press => sliding,
+            ElasticLimit::SlidingFriction if self.has_friction() => {
+                sliding + sphere.uplift_uncertainty(below) + thermal(row)
+            }
+            ElasticLimit::SlidingCoefficient if self.has_friction() => {
+                sliding + sphere.uplift_uncertainty(below) + thermal(row * self.load)
+            }
+            _ => sliding + sphere.uplift_uncertainty(below),
+        }
+    }
+
+    fn weighted(&self, elastic: &dyn Fn(f64) -> f64, row: f64, weight: f64) -> f64 {
+        extrapolated(elastic(self.below.interference()), elastic(self.below.first_row), row, weight)
+    }
+
+    fn has_friction(&self) -> bool {
+        self.sphere.sliding_friction(self.below.interference()).is_some()
+    }
+
+    /// Q of gross slip of the elastic sphere.
+    fn shear(&self, interference: f64) -> f64 {
+        self.sphere.sliding_friction(interference).unwrap_or(f64::NAN)
+    }
+
+    /// Q/A, from Q in the first row: what sliding friction has beside the area is changed by heat.
+    fn strength(&self, friction: f64) -> f64 {
+        let elastic = |at: f64| self.shear(at) / self.sphere.area(at);
+        self.weighted(&elastic, friction / self.area, self.below.thermal_weight())
+    }
+
+    /// Q, from that in the first row.
+    fn friction(&self, friction: f64) -> f64 {
+        let area = self.weighted(&|at| self.sphere.area(at), self.area, self.below.press_weight());
+        area * self.strength(friction)
     }
 }

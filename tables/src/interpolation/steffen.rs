@@ -56,7 +56,9 @@ pub fn slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
 /// `t` of the way; `t` is 0 or 1 outside the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Location {
+    /// Number of the point below.
     pub index: usize,
+    /// Fraction of the way to the next point.
     pub t: f64,
 }
 

@@ -183,7 +183,7 @@ fn continuous_and_elastic_below_the_first_row() {
     let contact_radius = hertz::contact_radius(RADIUS, omega * STEEL.critical_interference(RADIUS));
     let at_the_end = truth(omega, 0.0, 2.0 * contact_radius);
     assert!(relative(small.load.value, at_the_end.load.value) < 1e-4);
-    // There the friction lifts the contact, the table says, by all that it has.
+    // There the uncertainty by friction-induced uplift is as large as the load.
     assert!(small.load.error >= 0.99 * small.load.value);
     assert!((small.temperature_max.value - BASE).abs() < 0.1);
     let none = table.response(RADIUS, 0.0, 1.0, 0.0).unwrap();
@@ -370,18 +370,18 @@ fn errors_go_from_those_of_static_friction_to_those_of_the_end() {
     }
 }
 
-/// What friction lifts, with 1/ω from the first row on, and a part of what the row has beside Hertz.
+/// Friction-induced uplift, with 1/ω from the first row on, and a share of the ratio of the row to Hertz.
 #[test]
-fn what_is_not_known_below_the_first_row_is_in_the_error() {
+fn uncertainties_below_the_first_row_are_in_the_error() {
     let table = table();
     let at = |omega: f64| table.response(RADIUS, omega, 0.0, 1e-6).unwrap().load;
-    let doubt = |omega: f64| at(omega).error / at(omega).value;
+    let uncertainty = |omega: f64| at(omega).error / at(omega).value;
     for omega in [0.3, 0.1, 0.03] {
-        let lifted = 0.0022 * (1.0 / omega - 1.0 / 0.5);
+        let uplift = 0.0022 * (1.0 / omega - 1.0 / 0.5);
         let hertz =
             hertz::hertz_load(STEEL.contact_modulus(), RADIUS, omega * STEEL.critical_interference(RADIUS));
         let of_ratio = 0.6 * (at(omega).value / hertz - 1.0).abs() * (1.0 - (omega / 0.5f64).sqrt());
-        let (more, expected) = (doubt(omega) - doubt(0.5), lifted + of_ratio);
+        let (more, expected) = (uncertainty(omega) - uncertainty(0.5), uplift + of_ratio);
         assert!(of_ratio > 0.0 && (more - expected).abs() < 0.01 * expected, "{omega}: {more} {expected}");
     }
 }
@@ -400,7 +400,7 @@ fn errors_of_the_points_are_carried_along() {
 }
 
 #[test]
-fn beyond_the_table_only_when_asked_and_flagged() {
+fn extrapolation_is_explicit_and_flagged() {
     let power = |omega: f64, rate: f64| 2.0 * omega.powf(1.3) * rate.powf(-0.2);
     let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![0.1, 1.0], slip: vec![0.0, 1.0] };
     let metadata = table().metadata().clone();

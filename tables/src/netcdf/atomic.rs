@@ -52,7 +52,7 @@ impl Temporary {
         // As for any new file: temporary files are for their owner only.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        // The message of the library names the temporary file, which nobody knows.
+        // The message of the library names the temporary file instead of the one asked for.
         let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
         Ok(Self { place: file.into_temp_path(), destination })
     }
@@ -66,7 +66,7 @@ impl Temporary {
 /// The place that a file called `path` is written to: links are followed, that to nothing as well.
 ///
 /// A file gets its name by being renamed, which would put the file in place of the link, on the disk of
-/// the link, and leave what it points to as it was.
+/// the link, and leave the target of the link unchanged.
 ///
 /// ```
 /// use tables::netcdf::destination;

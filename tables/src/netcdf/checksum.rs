@@ -35,7 +35,7 @@ pub(super) fn append(path: &Path) -> io::Result<()> {
     file.sync_all()
 }
 
-/// What the end of a file says of the rest.
+/// Whether the bytes of a file agree with the line at its end.
 #[derive(Debug, PartialEq)]
 pub(super) enum Checksum {
     Agrees,

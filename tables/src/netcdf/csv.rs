@@ -8,7 +8,7 @@ use crate::table::{Cell, Slice, Status, Table};
 
 impl Table {
     /// A line for each grid point: coordinates, state, every scalar with its error. Names carry
-    /// units, as in `Q [N]`; what is not known is empty. Of several initial temperatures the first column is
+    /// units, as in `Q [N]`; unknown values are empty. Of several initial temperatures the first column is
     /// `temperature [K]`.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
         self.lines().write(to)
@@ -70,7 +70,7 @@ impl Lines<'_> {
                 line.push(cell.map_or(String::new(), |cell| number(cell[quantity].value)));
                 line.push(cell.map_or(String::new(), |cell| number(cell[quantity].error)));
             }
-            line.push(cell.map_or(String::new(), |cell| cell.levelled.to_string()));
+            line.push(cell.map_or(String::new(), |cell| cell.steady.to_string()));
             line.push(cell.map_or(String::new(), |cell| number(cell.wall_time)));
             line.push(reason.to_string());
             line.push(cell.map_or(String::new(), |cell| cell.warnings.join("; ")));
@@ -99,7 +99,7 @@ impl Lines<'_> {
     }
 }
 
-/// Exactly; nothing for what is not known.
+/// Exactly; empty for unknown values.
 fn number(value: f64) -> String {
     if value.is_nan() { String::new() } else { exact(value) }
 }

@@ -45,7 +45,7 @@ pub enum DatasetError {
     Open {
         /// The file.
         path: String,
-        /// What the system or the library said.
+        /// Message of the system or of the library.
         reason: String,
     },
     /// It cannot be written.
@@ -53,7 +53,7 @@ pub enum DatasetError {
     Write {
         /// The file.
         path: String,
-        /// What the system or the library said.
+        /// Message of the system or of the library.
         reason: String,
     },
     /// It lacks a variable.

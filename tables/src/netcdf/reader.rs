@@ -29,6 +29,7 @@ fn foreign_damage(path: &Path) -> std::io::Result<Option<String>> {
 }
 
 impl DatasetReader {
+    /// Opens a file after its bytes have been verified.
     pub fn open(path: &Path) -> Result<Self, DatasetError> {
         let shown = path.display().to_string();
         let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };

@@ -19,10 +19,10 @@ use super::{MOST_EXPANSION, indices};
 
 /// Path of the file that a copy of the program is to read; absent in the program itself.
 const FILE: &str = "ASPERITY_SANDBOX";
-/// Of address space, beside what the file may expand to.
+/// Address space in bytes, beside that of the expanded file.
 const MEMORY: u64 = 1 << 30;
 const TIME: Duration = Duration::from_secs(60);
-/// Status of a copy that could not open the file; it has said why.
+/// Status of a copy that could not open the file; the reason is on its standard output.
 const NOT_OPENED: i32 = 3;
 
 static ENABLED: OnceLock<()> = OnceLock::new();
@@ -38,7 +38,7 @@ pub fn enable() {
     ENABLED.get_or_init(|| ());
 }
 
-/// Reads the file in a copy of this program, if that is enabled; says what is wrong where the copy fails.
+/// Reads the file in a copy of this program, if that is enabled; an error if the copy fails.
 pub(super) fn check(file: &Path) -> Result<(), String> {
     if ENABLED.get().is_none() {
         return Ok(());
@@ -69,7 +69,7 @@ fn program() -> std::io::Result<OsString> {
     if own.exists() { Ok(own.into()) } else { std::env::current_exe().map(Into::into) }
 }
 
-/// None if it took too long.
+/// Its status; none if it took too long.
 fn wait(copy: &mut Child) -> std::io::Result<Option<std::process::ExitStatus>> {
     let start = Instant::now();
     while start.elapsed() < TIME {
@@ -83,7 +83,7 @@ fn wait(copy: &mut Child) -> std::io::Result<Option<std::process::ExitStatus>> {
     Ok(None)
 }
 
-/// Reads all that a reader of this project may ask of the file; what is not of a kind that any asks for is no matter.
+/// Reads every attribute and variable of the kinds that readers of this project use.
 fn read_all(file: &Path) -> i32 {
     let size = std::fs::metadata(file).map_or(0, |metadata| metadata.len());
     let memory = MEMORY.saturating_add(size.saturating_mul(MOST_EXPANSION));

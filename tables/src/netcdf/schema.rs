@@ -182,7 +182,7 @@ impl Content {
         for quantity in Quantity::TABLE_HISTORIES {
             self.reals(cell.history(quantity));
         }
-        self.real(f64::from(u8::from(cell.levelled)));
+        self.real(f64::from(u8::from(cell.steady)));
         self.real(cell.wall_time);
         self.text(&cell.warnings.join("\n"));
     }

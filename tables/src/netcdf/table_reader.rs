@@ -105,7 +105,7 @@ fn read_cells(
             *cell = std::mem::take(cell).with_history(quantity, history.to_vec());
         }
     }
-    let levelled = file.flags("levelled", grid)?;
+    let steady = file.flags("levelled", grid)?;
     let wall_time = file.reals("wall_time", grid)?;
     for (position, mut cell) in cells.into_iter().enumerate() {
         let (member, i, j) = (position / (rows * rates), position / rates % rows, position % rates);
@@ -114,7 +114,7 @@ fn read_cells(
         let slice = &mut slices[member];
         match status[position] {
             0 => {
-                cell.levelled = levelled[position] != 0;
+                cell.steady = steady[position] != 0;
                 cell.wall_time = wall_time[position];
                 cell.warnings = file.text("warnings", index)?.lines().map(str::to_string).collect();
                 slice.set_cell(i, j, cell).map_err(|error| file.content(error.to_string()))?;

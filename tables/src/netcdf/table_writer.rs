@@ -7,7 +7,7 @@ use crate::quantity::{Descriptor, Quantity, Stored};
 use crate::table::fracture::FractureEnergy;
 use crate::table::{Cell, Metadata, Slice, Status, Table};
 
-/// Of which a table of one temperature lacks the first, and what is not a history the last.
+/// A table of one temperature lacks the first; only histories have the last.
 const DIMENSIONS: [&str; 4] = ["temperature", "interference", "slip_rate", "slip"];
 /// G_IIc = coefficient·aⁿ in J m-2, contact radius a in m.
 pub(super) const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
@@ -255,13 +255,13 @@ impl Content<'_> {
     }
 
     fn write_state(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
-        let levelled = |cell: Option<&Cell>| i8::from(cell.is_some_and(|cell| cell.levelled));
-        let levelled: Vec<i8> = self.each_cell().map(|(_, cell)| levelled(cell)).collect();
+        let steady = |cell: Option<&Cell>| i8::from(cell.is_some_and(|cell| cell.steady));
+        let steady: Vec<i8> = self.each_cell().map(|(_, cell)| steady(cell)).collect();
         let long_name = |text: &str| ("long_name", AttributeValue::from(text));
         file.flags(
             "levelled",
             self.grid(),
-            &levelled,
+            &steady,
             &["no", "yes"],
             &[long_name("whether friction has levelled off at the end of the slide")],
         )?;

@@ -30,7 +30,7 @@ fn table() -> Slice {
         for quantity in [Quantity::Mu, Quantity::Friction] {
             cell = cell.with_history(quantity, vec![0.0, 1.0 / 3.0, 0.1]);
         }
-        cell.levelled = i == 1;
+        cell.steady = i == 1;
         cell.wall_time = 12.5;
         if i == 0 {
             cell.warnings = vec!["coarse".to_string(), "far".to_string()];

@@ -16,7 +16,7 @@ use super::scalars::same;
 /// }
 /// assert_eq!(history.column(Quantity::Slip), [0.0, 1e-6, 2e-6]);
 /// assert_eq!(history.last(Quantity::Friction), Some(0.2));
-/// // Of what it does not hold there is nothing.
+/// // The column of another quantity is empty.
 /// assert!(history.column(Quantity::Work).is_empty());
 /// ```
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ impl History {
         }
     }
 
-    /// Keeps the first rows, so many.
+    /// Keeps a number of rows from the first.
     pub fn truncate(&mut self, rows: usize) {
         self.columns.iter_mut().for_each(|column| column.truncate(rows));
     }

@@ -1,7 +1,7 @@
 //! The entries of the list.
 
 use super::Quantity::{self, *};
-use super::{Descriptor, Stored};
+use super::{Descriptor, ElasticLimit as Limit, Stored};
 
 /// Exponents (of R; of σ_Y, of E*) of each kind of quantity.
 type Scaling = (i32, (i32, i32));
@@ -20,22 +20,22 @@ const ELASTIC_SLIP_ENERGY: Scaling = (1, (3, -2));
 /// Every quantity, in the order of [`Quantity`].
 #[rustfmt::skip]
 pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
-    scalar(Mu, "mu", "1", NUMBER, "sliding friction coefficient Q/P").history(Stored::RunAndTable, "last value"),
-    scalar(MuStatic, "mu_static", "1", NUMBER, "friction coefficient Q/P at sliding inception"),
-    scalar(MuPeak, "mu_peak", "1", NUMBER, "largest friction coefficient Q/P of the slide"),
-    scalar(MuMean, "mu_mean", "1", NUMBER, "mean friction coefficient of the slide, work of friction over the integral of P along the slip").since(1),
-    scalar(Friction, "Q", "N", FORCE, "friction force").history(Stored::RunAndTable, "last value"),
-    scalar(FrictionStatic, "Q_static", "N", FORCE, "friction force at sliding inception"),
-    scalar(Load, "P", "N", FORCE, "normal force").history(Stored::RunAndTable, "last value"),
-    scalar(LoadPress, "P_press", "N", FORCE, "normal force at the end of the press").history(Stored::Press, "last value"),
-    scalar(Area, "area", "m2", AREA, "real contact area").history(Stored::RunAndTable, "last value"),
-    scalar(AreaPress, "area_press", "m2", AREA, "real contact area at the end of the press").history(Stored::Press, "last value"),
-    scalar(ContactRadius, "contact_radius", "m", LENGTH, "contact radius at the end of the press"),
-    scalar(EnergyRelease, "G", "J m-2", ELASTIC_SLIP_ENERGY, "energy released from full stick to full slip per contact area"),
-    scalar(EnergyWeakening, "G_weakening", "J m-2", ENERGY_PER_AREA, "energy of slip weakening per contact area"),
-    scalar(TemperatureMax, "temperature_max", "K", NUMBER, "highest temperature of the contact").history(Stored::RunAndTable, "highest of the slide"),
-    scalar(TemperatureMean, "temperature_mean", "K", NUMBER, "mean temperature of the contact").history(Stored::Run, "last value"),
-    scalar(InceptionSlip, "inception_slip", "m", ELASTIC_SLIP, "slip at sliding inception"),
+    scalar(Mu, "mu", "1", NUMBER, Limit::SlidingCoefficient, "sliding friction coefficient Q/P").history(Stored::RunAndTable, "last value"),
+    scalar(MuStatic, "mu_static", "1", NUMBER, Limit::StaticCoefficient, "friction coefficient Q/P at sliding inception"),
+    scalar(MuPeak, "mu_peak", "1", NUMBER, Limit::StaticCoefficient, "largest friction coefficient Q/P of the slide"),
+    scalar(MuMean, "mu_mean", "1", NUMBER, Limit::SlidingCoefficient, "mean friction coefficient of the slide, work of friction over the integral of P along the slip").since(1),
+    scalar(Friction, "Q", "N", FORCE, Limit::SlidingFriction, "friction force").history(Stored::RunAndTable, "last value"),
+    scalar(FrictionStatic, "Q_static", "N", FORCE, Limit::StaticFriction, "friction force at sliding inception"),
+    scalar(Load, "P", "N", FORCE, Limit::Load, "normal force").history(Stored::RunAndTable, "last value"),
+    scalar(LoadPress, "P_press", "N", FORCE, Limit::Load, "normal force at the end of the press").history(Stored::Press, "last value").of_press(),
+    scalar(Area, "area", "m2", AREA, Limit::Area, "real contact area").history(Stored::RunAndTable, "last value"),
+    scalar(AreaPress, "area_press", "m2", AREA, Limit::Area, "real contact area at the end of the press").history(Stored::Press, "last value").of_press(),
+    scalar(ContactRadius, "contact_radius", "m", LENGTH, Limit::ContactRadius, "contact radius at the end of the press").of_press(),
+    scalar(EnergyRelease, "G", "J m-2", ELASTIC_SLIP_ENERGY, Limit::EnergyRelease, "energy released from full stick to full slip per contact area"),
+    scalar(EnergyWeakening, "G_weakening", "J m-2", ENERGY_PER_AREA, Limit::Weakening, "energy of slip weakening per contact area"),
+    scalar(TemperatureMax, "temperature_max", "K", NUMBER, Limit::TemperatureRise, "highest temperature of the contact").history(Stored::RunAndTable, "highest of the slide"),
+    scalar(TemperatureMean, "temperature_mean", "K", NUMBER, Limit::TemperatureRise, "mean temperature of the contact").history(Stored::Run, "last value"),
+    scalar(InceptionSlip, "inception_slip", "m", ELASTIC_SLIP, Limit::InceptionSlip, "slip at sliding inception"),
     history(InterferencePress, "interference_press", "1", NUMBER, "interference over that of first yield").history(Stored::Press, ""),
     history(Slip, "slip", "m", LENGTH, "displacement of the flat"),
     history(Interference, "interference", "1", NUMBER, "interference over that of first yield"),
@@ -58,6 +58,7 @@ const fn scalar(
     name: &'static str,
     units: &'static str,
     (radius_exponent, material_exponents): Scaling,
+    elastic_limit: Limit,
     long_name: &'static str,
 ) -> Descriptor {
     Descriptor {
@@ -69,6 +70,8 @@ const fn scalar(
         standard_name: None,
         radius_exponent,
         material_exponents,
+        elastic_limit,
+        of_press: false,
         scalar: true,
         moment: "",
         history: Stored::No,
@@ -83,12 +86,17 @@ const fn history(
     scaling: Scaling,
     long_name: &'static str,
 ) -> Descriptor {
-    Descriptor { scalar: false, history: Stored::Run, ..scalar(quantity, name, units, scaling, long_name) }
+    let entry = scalar(quantity, name, units, scaling, Limit::None, long_name);
+    Descriptor { scalar: false, history: Stored::Run, ..entry }
 }
 
 impl Descriptor {
     const fn history(self, history: Stored, moment: &'static str) -> Self {
         Self { history, moment, ..self }
+    }
+
+    const fn of_press(self) -> Self {
+        Self { of_press: true, ..self }
     }
 
     const fn since(self, since: u32) -> Self {

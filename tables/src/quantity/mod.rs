@@ -1,4 +1,4 @@
-//! The one list of quantities: what a run yields and a table holds.
+//! The one list of quantities, of runs and of tables.
 //!
 //! An entry of [`Quantity::LIST`] gives name, unit and meaning of a quantity, how it scales with the
 //! radius of the asperity and with the material, and where it is stored: as a scalar of a run and a
@@ -99,6 +99,36 @@ pub enum Stored {
     RunAndTable,
 }
 
+/// Quantity of the elastic sphere that a scalar tends to as the interference falls; static friction does not depend on
+/// heat, sliding friction does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElasticLimit {
+    /// It is no scalar of a table.
+    None,
+    /// Hertz's load.
+    Load,
+    /// πRω.
+    Area,
+    /// √(Rω).
+    ContactRadius,
+    /// τ_c·A, with the softening by heat.
+    SlidingFriction,
+    /// The same over P.
+    SlidingCoefficient,
+    /// τ_c·A.
+    StaticFriction,
+    /// The same over P.
+    StaticCoefficient,
+    /// Slip of gross slip under the constant strength τ_c.
+    InceptionSlip,
+    /// Dissipation of partial slip per area.
+    EnergyRelease,
+    /// In proportion to the area.
+    Weakening,
+    /// A temperature rise, in proportion to the contact radius.
+    TemperatureRise,
+}
+
 /// Name, unit, meaning and scaling of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Descriptor {
@@ -117,6 +147,10 @@ pub struct Descriptor {
     /// Exponents (m, n) of the unit σ_Yᵐ·E*ⁿ in which the quantity hardly changes with the initial
     /// temperature: at equal ω/ω_c a contact radius is in proportion to σ_Y/E*, a stress to σ_Y.
     pub material_exponents: (i32, i32),
+    /// How the scalar is extrapolated below the first interference of a table.
+    pub elastic_limit: ElasticLimit,
+    /// Whether it belongs to the press and does not depend on sliding.
+    pub of_press: bool,
     /// Whether it is a scalar of a run and of a table.
     pub scalar: bool,
     /// What the scalar is of the history of the same name, where there is one.

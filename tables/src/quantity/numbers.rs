@@ -46,7 +46,7 @@ pub fn plain(value: f64) -> String {
     digits(value, 6)
 }
 
-/// At most so many significant digits, without trailing zeros.
+/// At most `digits` significant digits, without trailing zeros.
 ///
 /// ```
 /// use tables::numbers::digits;

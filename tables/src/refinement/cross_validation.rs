@@ -1,7 +1,7 @@
-//! How well a table interpolates, found by leaving out what was computed.
+//! Error of interpolation by cross-validation: computed points are left out and predicted.
 //!
 //! Each inner interference (slip rate) is taken out of the table with all its results, and these
-//! are predicted from what is left, in the way in which a reader of the table would. The misfit
+//! are predicted from the others by the interpolation that a reader of the table uses. The misfit
 //! is the error of interpolation over the gap that was made; that over one of its two parts is
 //! taken to be smaller in proportion, as it is at a kink. Where the data are smooth the
 //! interpolation is of third order, and this an upper estimate.

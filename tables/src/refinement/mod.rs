@@ -13,7 +13,7 @@ use crate::quantity::Quantity;
 use crate::table::{Axes, Metadata, Slice};
 use cross_validation::{Along, CrossValidation};
 
-/// What must interpolate well: the friction of an asperity, from which all else follows.
+/// Quantities whose error of interpolation is judged: those of friction.
 pub const JUDGED: [Quantity; 4] =
     [Quantity::Mu, Quantity::MuStatic, Quantity::Friction, Quantity::EnergyRelease];
 
@@ -31,7 +31,7 @@ const CLOSE: f64 = 1.5;
 /// Intervals below this factor are left as they are.
 const NARROWEST: f64 = 1.02;
 
-/// Fills what is not run of a table by `evaluate`, adds points, and so on until every quantity of
+/// Computes missing points of a table by `evaluate` and adds points, in turn, until every quantity of
 /// [`JUDGED`] interpolates within the tolerance, or the grid is full.
 ///
 /// ```
@@ -94,7 +94,7 @@ pub fn refine<E>(
     }
 }
 
-/// An interval that asks for a point, and its error.
+/// An interval that needs a point, and its error.
 type Wanted = (f64, Along, usize);
 
 impl Goal {

@@ -1,4 +1,4 @@
-//! What a table is worth, in a few numbers.
+//! Errors, states and cost of a table in a few numbers.
 
 use crate::quantity::Quantity;
 use crate::table::{Slice, Status};
@@ -6,10 +6,13 @@ use crate::table::{Slice, Status};
 /// Relative errors of a quantity over the cells with results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorStatistics {
+    /// The quantity.
     pub quantity: Quantity,
     /// Smallest and largest value, in the unit of the quantity.
     pub range: (f64, f64),
+    /// Median relative error.
     pub median: f64,
+    /// Largest relative error.
     pub largest: f64,
     /// Where the largest is: indices of interference and slip rate.
     pub largest_at: (usize, usize),
@@ -20,8 +23,11 @@ pub struct ErrorStatistics {
 /// Numbers of cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
+    /// Cells with results.
     pub done: usize,
+    /// Cells that were not run.
     pub not_run: usize,
+    /// Cells that failed.
     pub failed: usize,
 }
 
@@ -32,7 +38,7 @@ impl Slice {
         let validation = self.cross_validation();
         let of = |quantity: Quantity| {
             let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
-            /// Of the largest value: what is smaller is a rounding error.
+            /// Over the largest value: smaller values are rounding errors.
             const NOTHING: f64 = 1e-9;
             let known = self.grid().filter_map(|at| Some((at, self.cell(at.0, at.1)?[quantity])));
             let known: Vec<_> = known.filter(|(_, estimate)| estimate.value.is_finite()).collect();
@@ -41,7 +47,7 @@ impl Slice {
             let (mut errors, mut range) = (Vec::new(), (f64::INFINITY, f64::NEG_INFINITY));
             for (at, estimate) in known {
                 range = (range.0.min(estimate.value), range.1.max(estimate.value));
-                // Nothing is off nothing: the temperature of a cell without heat.
+                // The temperature rise of a cell without heat has no relative error.
                 let nothing = size(estimate.value) <= NOTHING * scale;
                 errors.push((if nothing { 0.0 } else { estimate.error / size(estimate.value) }, at));
             }

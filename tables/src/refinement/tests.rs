@@ -67,7 +67,7 @@ fn refined(tolerance: f64, most_cells: usize) -> (Slice, usize) {
     (table, runs)
 }
 
-/// Largest relative error between the points, on a fine grid that the table knows nothing of, and
+/// Largest relative error between the points, on a fine grid that is independent of the points of the table, and
 /// the share of answers whose error estimate covers the true error.
 fn actual(slice: &Slice) -> (f64, f64) {
     let table = slice.clone().interpolated();

@@ -31,9 +31,9 @@ pub enum TableSourceError {
     /// Neither a file nor shipped.
     #[error("{asked}: there is no such file, nor is a table of that name shipped ({shipped})")]
     Unknown {
-        /// What was asked for.
+        /// File or name.
         asked: String,
-        /// What is shipped.
+        /// Names of the shipped tables.
         shipped: String,
     },
     /// The file is no table.
@@ -42,7 +42,7 @@ pub enum TableSourceError {
     /// There is no table at the initial temperature.
     #[error("{asked}: {error}")]
     Temperature {
-        /// What was asked for.
+        /// File or name.
         asked: String,
         /// Why not.
         error: TemperatureError,
@@ -50,9 +50,9 @@ pub enum TableSourceError {
     /// A shipped table could not be unpacked.
     #[error("{name}: cannot be unpacked into a temporary file: {reason}")]
     Unpacked {
-        /// Of the shipped table.
+        /// Name of the shipped table.
         name: &'static str,
-        /// What the system said.
+        /// Message of the system.
         reason: std::io::Error,
     },
 }
@@ -84,7 +84,7 @@ pub fn load(asked: &str) -> Result<Table, TableSourceError> {
     }
     match SHIPPED.iter().find(|(name, _)| *name == asked) {
         Some((name, bytes)) => unpacked(name, bytes),
-        // The library knows better what is wrong with something that looks like a file.
+        // The library has the better message for a path.
         None if asked.contains(['/', '.']) => Ok(Table::read(Path::new(asked))?),
         None => Err(TableSourceError::Unknown {
             asked: asked.to_owned(),

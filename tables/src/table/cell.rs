@@ -14,7 +14,7 @@ pub struct Cell {
     /// Values over the slip axis; a column that is not known is empty.
     pub histories: History,
     /// Whether μ has levelled off at the end of the slide.
-    pub levelled: bool,
+    pub steady: bool,
     /// What the run took, s.
     pub wall_time: f64,
     /// What a reader must know before trusting the numbers of this cell.
@@ -26,7 +26,7 @@ impl Default for Cell {
         Self {
             scalars: Scalars::default(),
             histories: History::new(&Quantity::TABLE_HISTORIES),
-            levelled: false,
+            steady: false,
             wall_time: f64::NAN,
             warnings: Vec::new(),
         }
@@ -60,7 +60,7 @@ impl Cell {
 
     /// Whether all is equal but the wall time.
     pub fn agrees_with(&self, other: &Cell) -> bool {
-        self.levelled == other.levelled
+        self.steady == other.steady
             && self.warnings == other.warnings
             && self.scalars == other.scalars
             && self.histories == other.histories

@@ -15,11 +15,13 @@ type Pair = ((usize, usize), (usize, usize));
 /// How two tables differ; "here" is the first of them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
-    /// What differs between the tables as a whole: (name, here, there).
+    /// Differences of the tables as a whole: (name, here, there).
     pub metadata: Vec<(&'static str, String, String)>,
     /// Grid points that both have.
     pub common: usize,
+    /// Grid points of the first table only.
     pub only_here: usize,
+    /// Grid points of the second table only.
     pub only_there: usize,
     /// Common points that are done in one table and not in the other: (point, here, there).
     pub states: Vec<(String, String, String)>,
@@ -30,12 +32,15 @@ pub struct Comparison {
 /// How a quantity differs over the points that are done in both tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
+    /// The quantity.
     pub quantity: Quantity,
-    /// Points compared, and those that differ by more than both errors together.
+    /// Points compared.
     pub compared: usize,
+    /// Points that differ by more than both errors together.
     pub beyond_errors: usize,
-    /// Largest difference relative to the larger value (a rounding error is nothing), and where it is.
+    /// Largest difference relative to the larger value; rounding errors are left out.
     pub largest: f64,
+    /// Where the largest difference is.
     pub at: String,
     /// The two values there.
     pub values: (f64, f64),

@@ -1,4 +1,4 @@
-//! Tables made in pieces: what is missing, shards, added points.
+//! Tables made in parts: missing points, shards, added points.
 
 use crate::numbers::plain;
 use crate::table::{Axes, Metadata, Slice, Status, TableError};

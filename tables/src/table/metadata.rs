@@ -1,10 +1,11 @@
-//! What holds for a whole table.
+//! Origin and constants of a table.
 
 use super::FractureEnergy;
 
-/// What holds for the whole table.
+/// Origin and constants of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Metadata {
+    /// In words.
     pub title: String,
     /// One line per command that made or changed the table.
     pub history: String,

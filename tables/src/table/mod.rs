@@ -26,7 +26,7 @@ use merge::first_difference;
 
 use crate::numbers::plain;
 
-/// What is wrong with a table that is being put together.
+/// Why parts do not make a table.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TableError {
     #[error("axis \"{axis}\" must {rule}, but has {value} at position {position}")]
@@ -125,7 +125,7 @@ impl Table {
         self.slices[0].axes()
     }
 
-    /// What holds for the table; constants of the material are those at the lowest temperature.
+    /// Origin and constants; those of the material are those at the lowest temperature.
     pub fn metadata(&self) -> &Metadata {
         self.slices[0].metadata()
     }

@@ -58,10 +58,12 @@ impl Slice {
         Ok(Self { axes, metadata, cells })
     }
 
+    /// Coordinates of the grid.
     pub fn axes(&self) -> &Axes {
         &self.axes
     }
 
+    /// Origin and constants.
     pub fn metadata(&self) -> &Metadata {
         &self.metadata
     }

@@ -135,7 +135,7 @@ impl Column<'_> {
             cell = cell.with_history(quantity, (0..points).map(point).collect());
         }
         let sides = [self.cells[place.index], self.cells[place.index + 1]];
-        cell.levelled = sides.iter().flatten().all(|side| side.levelled);
+        cell.steady = sides.iter().flatten().all(|side| side.steady);
         cell.wall_time = 0.0;
         for warning in sides.iter().flatten().flat_map(|side| &side.warnings) {
             if !cell.warnings.contains(warning) {
@@ -159,7 +159,7 @@ mod tests {
     use crate::closed_forms::partial_slip::constant_shear;
     use crate::closed_forms::{ElasticPlastic, hertz};
 
-    /// At first yield, for one Poisson's ratio: slip of gross slip, and what it dissipates per area, up to a factor.
+    /// At first yield, for one Poisson's ratio: slip of gross slip and its dissipation per area, up to a factor.
     #[test]
     fn elastic_slip_and_its_energy_do_not_change_in_their_units() {
         let at = |yield_strength: f64, youngs_modulus: f64| {

@@ -35,7 +35,7 @@ fn cell(interference: f64, slip_rate: f64, temperature: f64) -> Cell {
         let end = cell[quantity].value;
         cell = cell.with_history(quantity, vec![start, 0.5 * (start + end), end]);
     }
-    cell.levelled = true;
+    cell.steady = true;
     cell.wall_time = 3.0;
     cell
 }
