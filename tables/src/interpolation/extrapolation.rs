@@ -31,7 +31,7 @@ impl InterpolatedTable {
         if inside == (interference, slip_rate) {
             return Ok(Extrapolated { estimate: edge, outside: false });
         }
-        let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
+        let base = quantity.origin(self.metadata().temperature);
         let ratio = |at: Estimate, before: Estimate| (at.value - base) / (before.value - base);
         // ln of what the quantity is multiplied by along each axis; 0 where it is no power law.
         let growth = |ratio: f64, span: f64, distance: f64| match ratio > 0.0 && ratio.is_finite() {

@@ -67,14 +67,14 @@ impl Slice {
 fn blended(ends: [&Cell; 2], t: f64, base: f64) -> Cell {
     let mut cell = Cell::new();
     for quantity in Quantity::SCALARS {
-        let base = if quantity.is_temperature() { base } else { 0.0 };
+        let base = quantity.origin(base);
         let [Estimate { value: a, error: e }, Estimate { value: b, error: f }] =
             ends.map(|cell| cell[quantity]);
         let value = base + between(a - base, b - base, t);
         cell = cell.with(quantity, value, (1.0 - t) * e + t * f + 0.5 * (a - b).abs());
     }
     for quantity in Quantity::TABLE_HISTORIES {
-        let base = if quantity.is_temperature() { base } else { 0.0 };
+        let base = quantity.origin(base);
         let pairs = ends[0].history(quantity).iter().zip(ends[1].history(quantity));
         let history = pairs.map(|(a, b)| base + between(a - base, b - base, t)).collect();
         cell = cell.with_history(quantity, history);

@@ -276,7 +276,7 @@ fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 
     let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
     let slip = &table.axes().slip;
     let columns = QUANTITIES.map(|quantity| {
-        let shift = if quantity.is_temperature() { base } else { 0.0 };
+        let shift = quantity.origin(base);
         let values = cell.history(quantity).iter().map(|value| value - shift);
         values.collect::<Vec<f64>>()
     });
@@ -306,7 +306,7 @@ fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Values> {
         return vec![[f64::NAN; FIELDS]; slips.len()];
     };
     let relative = |quantity: Quantity| {
-        let shift = if quantity.is_temperature() { base } else { 0.0 };
+        let shift = quantity.origin(base);
         let (value, error) = (cell[quantity].value - shift, cell[quantity].error);
         // The temperature of an unheated contact is exact.
         if error == 0.0 || value == 0.0 { 0.0 } else { (error / value).abs() }

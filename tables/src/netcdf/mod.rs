@@ -17,6 +17,7 @@ mod csv;
 mod reader;
 mod sandbox;
 pub mod schema;
+mod table_format;
 mod table_reader;
 mod table_writer;
 mod writer;

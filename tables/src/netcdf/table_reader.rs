@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::table_writer::{
+use super::table_format::{
     FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE, REAL_ATTRIBUTES,
     TEXT_ATTRIBUTES, history_name,
 };
@@ -11,48 +11,50 @@ use crate::quantity::Quantity;
 use crate::table::fracture::FractureEnergy;
 use crate::table::{Axes, Cell, Metadata, Slice, Table, TableError};
 
-/// Reads a table.
-pub(super) fn read(path: &Path) -> Result<Table, DatasetError> {
-    let file = DatasetReader::open(path)?;
-    let several = schema::has_temperatures(&file)?;
-    let axes = Axes {
-        interference: file.coordinate("interference")?,
-        slip_rate: file.coordinate("slip_rate")?,
-        slip: file.coordinate("slip")?,
-    };
-    let mut metadata = Metadata::default();
-    for (name, _, place) in REAL_ATTRIBUTES {
-        *place(&mut metadata) = file.attribute_real(name)?;
-    }
-    for (name, place) in TEXT_ATTRIBUTES {
-        *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
-    }
-    for (name, place) in OPTIONAL_ATTRIBUTES {
-        *place(&mut metadata) = file.optional_real(name)?;
-    }
-    metadata.fracture_energy = match file.optional_real(FRACTURE_ENERGY)? {
-        None => None,
-        Some(coefficient) => {
-            let radius_exponent = file.attribute_real(FRACTURE_EXPONENT)? as i32;
-            Some(FractureEnergy { coefficient, radius_exponent })
+impl Table {
+    /// Reads a table.
+    pub fn read(path: &Path) -> Result<Table, DatasetError> {
+        let file = DatasetReader::open(path)?;
+        let several = schema::has_temperatures(&file)?;
+        let axes = Axes {
+            interference: file.coordinate("interference")?,
+            slip_rate: file.coordinate("slip_rate")?,
+            slip: file.coordinate("slip")?,
+        };
+        let mut metadata = Metadata::default();
+        for (name, _, place) in REAL_ATTRIBUTES {
+            *place(&mut metadata) = file.attribute_real(name)?;
         }
-    };
-    let metadata = if several { read_temperatures(&file, &metadata)? } else { vec![metadata] };
-    let wrong = |error: TableError| file.content(error.to_string());
-    let mut shape = vec![metadata.len(), axes.interference.len(), axes.slip_rate.len()];
-    if !several {
-        shape.remove(0);
+        for (name, place) in TEXT_ATTRIBUTES {
+            *place(&mut metadata) = file.optional_text(name)?.unwrap_or_default();
+        }
+        for (name, place) in OPTIONAL_ATTRIBUTES {
+            *place(&mut metadata) = file.optional_real(name)?;
+        }
+        metadata.fracture_energy = match file.optional_real(FRACTURE_ENERGY)? {
+            None => None,
+            Some(coefficient) => {
+                let radius_exponent = file.attribute_real(FRACTURE_EXPONENT)? as i32;
+                Some(FractureEnergy { coefficient, radius_exponent })
+            }
+        };
+        let metadata = if several { read_temperatures(&file, &metadata)? } else { vec![metadata] };
+        let wrong = |error: TableError| file.content(error.to_string());
+        let mut shape = vec![metadata.len(), axes.interference.len(), axes.slip_rate.len()];
+        if !several {
+            shape.remove(0);
+        }
+        // Checks also that the file can hold so many.
+        let status = file.flags("status", &shape)?;
+        let slices = metadata.into_iter().map(|metadata| Slice::new(axes.clone(), metadata));
+        let mut slices = slices.collect::<Result<Vec<Slice>, TableError>>().map_err(wrong)?;
+        if slices.is_empty() {
+            return Err(wrong(TableError::AxisEmpty("temperature")));
+        }
+        read_cells(&file, &mut slices, &shape, &status)?;
+        schema::check_content(&file, &slices, several)?;
+        Table::new(slices).map_err(wrong)
     }
-    // Checks also that the file can hold so many.
-    let status = file.flags("status", &shape)?;
-    let slices = metadata.into_iter().map(|metadata| Slice::new(axes.clone(), metadata));
-    let mut slices = slices.collect::<Result<Vec<Slice>, TableError>>().map_err(wrong)?;
-    if slices.is_empty() {
-        return Err(wrong(TableError::AxisEmpty("temperature")));
-    }
-    read_cells(&file, &mut slices, &shape, &status)?;
-    schema::check_content(&file, &slices, several)?;
-    Table::new(slices).map_err(wrong)
 }
 
 /// The metadata of each slice.

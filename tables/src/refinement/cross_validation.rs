@@ -97,7 +97,7 @@ impl Slice {
         let radius = self.metadata().asperity_radius;
         Quantity::SCALARS.map(|quantity| {
             let actual = self.cell(i, j)?[quantity].value;
-            let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
+            let base = quantity.origin(self.metadata().temperature);
             let predicted = rest.estimate(quantity, radius, interference, slip_rate).ok()?.value;
             // Of a temperature the rise: only that changes.
             let scale = (actual - base).abs().max((predicted - base).abs());

@@ -228,7 +228,7 @@ impl Slice {
             let Some(mut cell) = self.cell(i, j).cloned() else { continue };
             for quantity in Quantity::SCALARS {
                 let relative = validation.around(i, j, quantity);
-                let shift = if quantity.is_temperature() { base } else { 0.0 };
+                let shift = quantity.origin(base);
                 let added = relative * (cell[quantity].value - shift).abs();
                 if added > 0.0 {
                     cell[quantity].error += added;

@@ -37,7 +37,7 @@ impl Slice {
     pub fn error_statistics(&self) -> Vec<ErrorStatistics> {
         let validation = self.cross_validation();
         let of = |quantity: Quantity| {
-            let base = if quantity.is_temperature() { self.metadata().temperature } else { 0.0 };
+            let base = quantity.origin(self.metadata().temperature);
             /// Over the largest value: smaller values are rounding errors.
             const NOTHING: f64 = 1e-9;
             let known = self.grid().filter_map(|at| Some((at, self.cell(at.0, at.1)?[quantity])));

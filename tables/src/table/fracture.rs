@@ -1,6 +1,6 @@
 //! Energy released by the asperity against what shear fracture of its material takes.
 
-use crate::law::Estimate;
+use crate::quantity::Estimate;
 
 /// G_IIc = `coefficient`·aⁿ, J/m², at the contact radius a in m: a constant of the material (n = 0),
 /// or an estimate that grows with the contact (n = 1).

@@ -31,7 +31,7 @@ fn cell(interference: f64, slip_rate: f64, temperature: f64) -> Cell {
         cell = cell.with(quantity, value, 0.0);
     }
     for quantity in Quantity::TABLE_HISTORIES {
-        let start = if quantity.is_temperature() { temperature } else { 0.0 };
+        let start = quantity.origin(temperature);
         let end = cell[quantity].value;
         cell = cell.with_history(quantity, vec![start, 0.5 * (start + end), end]);
     }

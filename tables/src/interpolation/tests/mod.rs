@@ -1,3 +1,7 @@
+//! Between the points of a table, against a smooth law.
+
+mod limits;
+
 use super::*;
 use crate::closed_forms::{ClosedForm, ElasticPlastic, hertz};
 use crate::quantity::Quantity;
@@ -164,45 +168,6 @@ fn power_laws_are_exact() {
 }
 
 #[test]
-fn continuous_and_elastic_below_the_first_row() {
-    let table = table();
-    for (rate, slip) in [(0.0, 1e-9), (0.3, 1e-6), (10.0, 1e-4)] {
-        let above = table.response(RADIUS, 0.5 * (1.0 + 1e-9), rate, slip).unwrap();
-        let below = table.response(RADIUS, 0.5 * (1.0 - 1e-9), rate, slip).unwrap();
-        assert!(relative(below.friction.value, above.friction.value) < 1e-6);
-        assert!(relative(below.load.value, above.load.value) < 1e-6);
-        assert!(relative(below.area.value, above.area.value) < 1e-6);
-        let (t_below, t_above) = (below.temperature_max.value, above.temperature_max.value);
-        assert!((t_below - t_above).abs() < 1e-4);
-    }
-    // Deep below, τ = τ_c(T₀) whatever the slip rate, and P is Hertz's but for what slip does to it in the row.
-    let omega = 1e-9;
-    let small = table.response(RADIUS, omega, 10.0, 1e-3).unwrap();
-    let strength = small.friction.value / small.area.value;
-    assert!(relative(strength, STEEL.shear_strength()) < 1e-4);
-    let contact_radius = hertz::contact_radius(RADIUS, omega * STEEL.critical_interference(RADIUS));
-    let at_the_end = truth(omega, 0.0, 2.0 * contact_radius);
-    assert!(relative(small.load.value, at_the_end.load.value) < 1e-4);
-    // There the uncertainty by friction-induced uplift is as large as the load.
-    assert!(small.load.error >= 0.99 * small.load.value);
-    assert!((small.temperature_max.value - BASE).abs() < 0.1);
-    let none = table.response(RADIUS, 0.0, 1.0, 0.0).unwrap();
-    assert_eq!((none.load.value, none.friction.value), (0.0, 0.0));
-}
-
-#[test]
-fn isothermal_limit_is_approached_monotonically() {
-    let table = table();
-    let mut last = f64::INFINITY;
-    for step in 0..=100 {
-        let rate = 0.2 * step as f64 / 100.0;
-        let friction = table.response(RADIUS, 20.0, rate, 1e-3).unwrap().friction;
-        assert!(friction.value < last, "{rate}");
-        last = friction.value;
-    }
-}
-
-#[test]
 fn other_radii_see_the_same_dimensionless_asperity() {
     let table = table();
     let here = table.response(RADIUS, 7.0, 1.0, 1e-6).unwrap();
@@ -222,45 +187,6 @@ fn other_radii_see_the_same_dimensionless_asperity() {
     assert!(fixed.response(RADIUS, 7.0, 1.0, 0.0).is_ok());
     let refused = fixed.response(2.0 * RADIUS, 7.0, 1.0, 0.0).unwrap_err();
     assert!(matches!(refused, LookupError::RadiusFixed { .. }));
-}
-
-#[test]
-fn last_slip_is_held() {
-    let table = table();
-    let end = table.response(RADIUS, 7.0, 1.0, 1e-2).unwrap();
-    let later = table.response(RADIUS, 7.0, 1.0, 1.0).unwrap();
-    assert_eq!(end, later);
-}
-
-#[test]
-fn outside_and_missing_are_refused_with_their_reason() {
-    let table = table();
-    let ask = |table: &InterpolatedTable, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
-    assert!(matches!(ask(&table, 101.0, 1.0), Err(LookupError::InterferenceAbove { .. })));
-    assert!(ask(&table, 100.0, 10.0).is_ok());
-    assert!(matches!(ask(&table, 1.0, 11.0), Err(LookupError::SlipRateOutside { .. })));
-    let table = changed(|slice| slice.mark_failed(3, 2, "no convergence"));
-    let omega = table.axes().interference[3];
-    let message = ask(&table, 1.01 * omega, 0.2).unwrap_err().to_string();
-    assert!(message.ends_with("the run failed: no convergence"), "{message}");
-    // A neighbour that is missing only makes the slopes one-sided.
-    assert!(ask(&table, 1.01 * omega, 5.0).is_ok());
-    assert!(ask(&table, 0.2, 0.2).is_ok());
-}
-
-#[test]
-fn scalars_below_the_first_row_are_elastic() {
-    let table = table();
-    let omega = 1e-7;
-    let load = table.estimate(Quantity::Load, RADIUS, omega, 1.0).unwrap();
-    let hertz =
-        hertz::hertz_load(STEEL.contact_modulus(), RADIUS, omega * STEEL.critical_interference(RADIUS));
-    // Of the load 1/15 is gone at the end of the slide, see `truth`.
-    assert!(relative(load.value, hertz * 14.0 / 15.0) < 1e-3);
-    let mu = table.estimate(Quantity::Mu, RADIUS, omega, 1.0).unwrap();
-    assert!(relative(mu.value, 0.5370 / omega.sqrt() * 15.0 / 14.0) < 2e-3);
-    let hot = table.estimate(Quantity::TemperatureMax, RADIUS, omega, 1.0);
-    assert!((hot.unwrap().value - BASE).abs() < 0.1);
 }
 
 #[test]
@@ -325,16 +251,6 @@ fn monotone_points_give_a_monotone_friction() {
     }
 }
 
-#[test]
-fn the_isothermal_limit_is_that_of_the_table() {
-    let table = table();
-    for omega in [0.01, 0.5, 7.0, 99.0] {
-        let limit = table.response(RADIUS, omega, 0.0, 1e-4).unwrap().friction.value;
-        let near = table.response(RADIUS, omega, 1e-9, 1e-4).unwrap().friction.value;
-        assert!(relative(near, limit) < 1e-8, "{omega}");
-    }
-}
-
 /// G of a cell is per area at inception.
 #[test]
 fn energy_is_that_of_the_area_at_inception() {
@@ -350,108 +266,4 @@ fn energy_is_that_of_the_area_at_inception() {
     let (omega, rate) = (table.axes().interference[row], table.axes().slip_rate[rate]);
     let energy = table.energy_release(RADIUS, omega, rate).unwrap().unwrap();
     assert!(relative(energy.value, 1e-3 * a0 * 1.05 * area) < 1e-9, "{energy:?}");
-}
-
-/// Errors before the contact slides are those of static friction.
-#[test]
-fn errors_go_from_those_of_static_friction_to_those_of_the_end() {
-    let table = table();
-    let (row, rate) = (3, 2);
-    let cell = table.cell(row, rate).unwrap().clone();
-    let a0 = cell[Quantity::ContactRadius].value;
-    let friction = cell[Quantity::Friction].value;
-    let cell =
-        cell.with(Quantity::FrictionStatic, friction, 0.1 * friction).with(Quantity::InceptionSlip, a0, 0.0);
-    let table = changed(|slice| slice.set_cell(row, rate, cell).unwrap());
-    let (omega, rate) = (table.axes().interference[row], table.axes().slip_rate[rate]);
-    for (slip, expected) in [(0.35, 0.1), (1.0, 0.1), (1.35, 0.072), (2.0, 0.02)] {
-        let state = table.response(RADIUS, omega, rate, slip * a0).unwrap().friction;
-        assert!((state.error / state.value - expected).abs() < 1e-6, "{slip}: {state:?}");
-    }
-}
-
-/// Friction-induced uplift, with 1/ω from the first row on, and a share of the ratio of the row to Hertz.
-#[test]
-fn uncertainties_below_the_first_row_are_in_the_error() {
-    let table = table();
-    let at = |omega: f64| table.response(RADIUS, omega, 0.0, 1e-6).unwrap().load;
-    let uncertainty = |omega: f64| at(omega).error / at(omega).value;
-    for omega in [0.3, 0.1, 0.03] {
-        let uplift = 0.0022 * (1.0 / omega - 1.0 / 0.5);
-        let hertz =
-            hertz::hertz_load(STEEL.contact_modulus(), RADIUS, omega * STEEL.critical_interference(RADIUS));
-        let of_ratio = 0.6 * (at(omega).value / hertz - 1.0).abs() * (1.0 - (omega / 0.5f64).sqrt());
-        let (more, expected) = (uncertainty(omega) - uncertainty(0.5), uplift + of_ratio);
-        assert!(of_ratio > 0.0 && (more - expected).abs() < 0.01 * expected, "{omega}: {more} {expected}");
-    }
-}
-
-#[test]
-fn errors_of_the_points_are_carried_along() {
-    // 2 % in Q at the points, none in P: between and below the points it is no less.
-    let table = table();
-    for omega in [0.05, 0.3, 3.3, 42.0] {
-        for rate in [0.0, 0.05, 0.4, 10.0] {
-            let state = table.response(RADIUS, omega, rate, 1e-4).unwrap();
-            let share = state.friction.error / state.friction.value;
-            assert!((0.0199..0.3).contains(&share), "{omega} {rate}: {share}");
-        }
-    }
-}
-
-#[test]
-fn extrapolation_is_explicit_and_flagged() {
-    let power = |omega: f64, rate: f64| 2.0 * omega.powf(1.3) * rate.powf(-0.2);
-    let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![0.1, 1.0], slip: vec![0.0, 1.0] };
-    let metadata = table().metadata().clone();
-    let mut table = Slice::new(axes, metadata).unwrap();
-    for (i, j) in table.grid() {
-        let (omega, rate) = table.coordinates(i, j);
-        let cell = Cell::new()
-            .with(Quantity::ContactRadius, 1e-5, 0.0)
-            .with(Quantity::Load, power(omega, rate), 0.0)
-            .with_history(Quantity::Load, vec![1.0, 1.0])
-            .with_history(Quantity::Friction, vec![1.0, 1.0])
-            .with_history(Quantity::Area, vec![1.0, 1.0]);
-        table.set_cell(i, j, cell).unwrap();
-    }
-    let table = table.interpolated();
-    let ask = |omega, rate| table.extrapolate(Quantity::Load, RADIUS, omega, rate).unwrap();
-    assert!(table.estimate(Quantity::Load, RADIUS, 20.0, 1.0).is_err());
-    let inside = ask(3.0, 0.3);
-    assert!(!inside.outside && inside.estimate == table.estimate(Quantity::Load, RADIUS, 3.0, 0.3).unwrap());
-    for (omega, rate) in [(20.0, 0.5), (5.0, 3.0), (30.0, 7.0)] {
-        let there = ask(omega, rate);
-        assert!(there.outside);
-        assert!(relative(there.estimate.value, power(omega, rate)) < 1e-9, "{omega} {rate}");
-        let held = power(omega.min(10.0), rate.min(1.0));
-        assert!(there.estimate.error >= 0.999 * (power(omega, rate) - held).abs());
-    }
-    // Towards rest it is held, and covers the power law.
-    let slow = ask(5.0, 0.01);
-    assert!(slow.outside && relative(slow.estimate.value, power(5.0, 0.1)) < 1e-9);
-    assert!(slow.estimate.error >= 0.999 * (power(5.0, 0.01) - power(5.0, 0.1)));
-}
-
-#[test]
-fn the_end_of_the_histories_is_a_break() {
-    let table = table_of(log_spaced(0.1, 50.0, 8), vec![0.1, 1.0]);
-    for radius in [RADIUS, 0.1 * RADIUS] {
-        // In the table and below it: a₀ is half the slip there, the histories end at s = 2 a₀.
-        for interference in [0.01f64, 0.3, 20.0] {
-            let area = table.response(radius, interference, 1.0, 0.0).unwrap().area.value;
-            let slip = 2.0 * (area / std::f64::consts::PI).sqrt();
-            let [found] = table.breaks_after(radius, slip)[..] else { panic!("{interference}") };
-            // The area and a₀ are interpolated apart.
-            assert!((found / interference - 1.0).abs() < 0.02, "{interference}: {found}");
-            let friction = |interference: f64, slip: f64| {
-                table.response(radius, interference, 1.0, slip).unwrap().friction.value
-            };
-            // Smaller contacts are held, larger ones still change.
-            assert_eq!(friction(0.999 * found, slip), friction(0.999 * found, 1.001 * slip));
-            assert_ne!(friction(1.001 * found, slip), friction(1.001 * found, 0.999 * slip));
-        }
-        assert!(table.breaks_after(radius, 0.0).is_empty());
-        assert!(table.breaks_after(radius, 1.0).is_empty());
-    }
 }

@@ -1,0 +1,64 @@
+//! Names of dimensions and attributes in the file of a table.
+
+use crate::table::Metadata;
+
+/// A table of one temperature lacks the first; only histories have the last.
+pub(super) const DIMENSIONS: [&str; 4] = ["temperature", "interference", "slip_rate", "slip"];
+/// G_IIc = coefficient·aⁿ in J m-2, contact radius a in m.
+pub(super) const FRACTURE_ENERGY: &str = "fracture_energy_coefficient";
+pub(super) const FRACTURE_EXPONENT: &str = "fracture_energy_radius_exponent";
+pub(super) const STATUS_MEANINGS: [&str; 3] = ["done", "not_run", "failed"];
+
+/// A number of the metadata as a global attribute, in SI units.
+pub(super) type RealAttribute = (&'static str, fn(&Metadata) -> f64, fn(&mut Metadata) -> &mut f64);
+
+macro_rules! real_attributes {
+    ($($name:ident),*) => {
+        [$((stringify!($name), |m| m.$name, |m| &mut m.$name)),*]
+    };
+}
+
+pub(super) const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
+    asperity_radius,
+    critical_interference,
+    contact_modulus,
+    poisson_ratio,
+    yield_strength,
+    temperature,
+    heat_partition,
+    gap_conductance
+];
+
+/// Numbers of the metadata that change with the initial temperature: at several they are variables over
+/// it, beside the attributes, which are those of the lowest. Name, unit, meaning.
+pub(super) const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
+    ("critical_interference", "m", "interference of first yield"),
+    ("contact_modulus", "Pa", "contact modulus E/(1-nu^2) at the initial temperature"),
+    ("yield_strength", "Pa", "yield strength at the initial temperature"),
+];
+
+/// A text of the metadata as a global attribute; the title is written by the dataset itself.
+pub(super) type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
+
+pub(super) const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
+    ("title", |m| &mut m.title),
+    ("history", |m| &mut m.history),
+    ("source", |m| &mut m.source),
+    ("fingerprint", |m| &mut m.fingerprint),
+    ("shard", |m| &mut m.shard),
+    ("comment", |m| &mut m.comment),
+    ("scene", |m| &mut m.scene),
+];
+
+/// A number of the metadata that need not be there.
+pub(super) type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Option<f64>);
+
+pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
+    ("strength_factor", |m| &mut m.strength_factor),
+    ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
+];
+
+/// Variable of the history of a quantity.
+pub(super) fn history_name(name: &str) -> String {
+    format!("{name}_history")
+}
