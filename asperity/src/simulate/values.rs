@@ -74,6 +74,19 @@ impl Values {
         Self { values, brackets, start, elastic, inception: inception.criterion, steady: is_steady(history) }
     }
 
+    /// The same value for every quantity, of a plastic contact.
+    #[cfg(test)]
+    pub fn all(value: f64) -> Self {
+        Self {
+            values: [value; QUANTITIES],
+            brackets: [0.0; QUANTITIES],
+            start: 0.0,
+            elastic: false,
+            inception: InceptionCriterion::None,
+            steady: false,
+        }
+    }
+
     /// With the temperature rise (K) to expect of a slide without heat.
     pub fn with_expected_rise(mut self, rise: f64) -> Self {
         for quantity in [Quantity::TemperatureMax, Quantity::TemperatureMean] {

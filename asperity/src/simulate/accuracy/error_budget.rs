@@ -308,6 +308,41 @@ mod tests {
         assert!((with_edge - mesh - edge).abs() < 1e-12);
     }
 
+    /// 3 + 2 n^-1.5 + 0.4 g + 0.5/N_θ² with n elements, slip increments g and N_θ angles: each part of the error is found,
+    /// of a main run and of a finer one.
+    #[test]
+    fn errors_of_runs_of_known_orders_are_found() {
+        let parts = |r: &Resolution| {
+            let (elements, angles) = (r.elements_per_radius as f64, r.sectors as f64);
+            [2.0 * elements.powf(-1.5), 0.5 / angles.powi(2), 0.4 * r.increments.growth]
+        };
+        let values = |r: &Resolution| Values::all(3.0 + parts(r).iter().sum::<f64>());
+        let start = Resolution::choose(&numerics());
+        let [coarse, other_sectors, longer_steps, looser_solver] = start.auxiliary().map(|r| values(&r));
+        let auxiliary = AuxiliaryRuns {
+            coarse: &coarse,
+            other_sectors: &other_sectors,
+            longer_steps: &longer_steps,
+            looser_solver: &looser_solver,
+        };
+        let mesh = start.finer_mesh(2);
+        let angles = Resolution { sectors: 2 * mesh.sectors, ..mesh };
+        let runs = [start, mesh, angles].map(|resolution| (resolution, values(&resolution)));
+        for count in 1..=runs.len() {
+            let main: Vec<RunValues> =
+                runs[..count].iter().map(|(resolution, values)| RunValues { resolution, values }).collect();
+            let budget = estimate(&start, &auxiliary, &main, &ModellingError::default());
+            let exact = parts(main[count - 1].resolution);
+            let sources = [ErrorSource::Mesh, ErrorSource::Collocation, ErrorSource::Steps];
+            for (source, exact) in sources.into_iter().zip(exact) {
+                // The load does not depend on the place of the edge.
+                let found = budget.part(source, Quantity::Load);
+                assert!((found / exact - 1.0).abs() < 1e-9, "{count} {source:?}: {found} {exact}");
+            }
+            assert_eq!(budget.part(ErrorSource::Model, Quantity::Load), 0.0);
+        }
+    }
+
     #[test]
     fn meshes_that_hardly_differ_do_not_blow_the_estimate_up() {
         assert!((mesh_share(2.0, 1.5) - 1.0 / (2f64.powf(1.5) - 1.0)).abs() < 1e-12);
