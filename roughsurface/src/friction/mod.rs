@@ -1,7 +1,7 @@
 //! Friction of a rough surface: the friction–slip curve and the quantities that follow from it.
 //!
 //! For every pressure (or separation) and slip rate the surface is first pressed, then slid; after the
-//! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict`]). Static
+//! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict()`]). Static
 //! friction and the weakening energy follow from that curve ([`slip_curve`]), dμ/d ln V and the
 //! flash-heating parameters from its end at several slip rates ([`rate_dependence`], [`flash_heating`]).
 //! [`comparison`] repeats the prediction with closed forms, [`regime`] gives the shares of elastic,

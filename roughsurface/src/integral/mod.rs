@@ -1,6 +1,15 @@
-//! A surface at one separation and slip: the response of single asperities integrated over heights
-//! and radii, p(d) = η ∫ P(z − d) φ(z) dz and likewise Q, A and G, and the separation that carries a
-//! pressure. Depends on [`surface`](crate::surface) and on [`tables`].
+//! The surface at one separation and slip (chapter "Rough surfaces" of the book, "Integrals over the heights").
+//!
+//! p(d) = η ∫ P(z − d) φ(z) dz, likewise friction Q, real contact area A and energy release G
+//! (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242), summed over the classes of the summit radii.
+//!
+//! - [`law_source`]: the single-asperity response, a table or a closed form; [`asperity_at_slip`]: the response at
+//!   a fixed slip rate and slip, continued beyond the table;
+//! - `kronrod`, `panels`, [`height_integral`]: adaptive Gauss–Kronrod panels in √(ω/ω_c), kept for all separations;
+//! - [`surface_integral`]: the sum over radii; [`contact_state`]: its result;
+//! - [`separation`], [`predictor`]: the separation in equilibrium with a pressure.
+//!
+//! Depends on [`surface`](crate::surface) and on [`tables`].
 
 pub mod asperity_at_slip;
 pub mod contact_state;

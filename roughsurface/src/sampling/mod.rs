@@ -1,5 +1,11 @@
-//! Many surfaces in place of one: finite surfaces with heights drawn at random ([`finite_surface`]), and
-//! uncertain parameters propagated to the friction ([`uncertainty`]). Depends on `friction`.
+//! Many surfaces in place of one.
+//!
+//! - [`finite_surface`]: surfaces of a given number of asperities, heights and radii drawn at random, and the
+//!   [`scatter`] of their friction;
+//! - [`uncertainty`]: standard deviations of the parameters propagated to the results, (f(x + σ) − f(x − σ))/2 for
+//!   each parameter, squares added.
+//!
+//! Depends on `friction`, `integral` and `surface`.
 
 pub mod finite_surface;
 pub mod scatter;

@@ -1,4 +1,10 @@
-//! The surface and the query: summit heights φ(z), summit radii, the surface file (TOML).
+//! The surface and the query (chapter "Rough surfaces" of the book, "Heights and radii").
+//!
+//! - [`heights`]: distributions φ(z) of the summit heights, one a file, and their catalogue;
+//! - [`radii`]: classes of summit radii;
+//! - [`query`]: loading, slip rates, loading control;
+//! - [`mod@file`]: the surface file (TOML), its keys, its uncertain parameters.
+//!
 //! Depends on no other room.
 
 pub mod file;
