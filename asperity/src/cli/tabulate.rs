@@ -7,7 +7,7 @@ use std::time::Instant;
 use asperity::output::{numbers, provenance};
 use asperity::scene::file::read_request;
 use asperity::solver::timings::{Kernel, Timings};
-use asperity::tabulate::{self, JournalError, Options, TabulateError, Tabulation};
+use asperity::tabulate::{self, Options, TabulateError, Tabulation};
 use serde_json::{Value, json};
 use tables::quantity::Quantity;
 
@@ -34,9 +34,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     let result = tabulate::tabulate(&request, &options, &progress);
     progress.clear();
     let (tabulation, journal) = result.map_err(|error| match error {
-        TabulateError::Journal(
-            JournalError::Io { .. } | JournalError::NoRoom { .. } | JournalError::Vanished { .. },
-        ) => Failure::run(error),
+        TabulateError::Journal(ref journal) if journal.is_of_the_system() => Failure::run(error),
         error => Failure::input(error),
     })?;
     if !tabulation.finished() {

@@ -1,5 +1,6 @@
-//! What a table keeps of one run: scalars, and histories on the slips that all cells share.
+//! Cells of a table: scalars of a run, and its histories on the slips that all cells share.
 
+use roots::{SimpleConvergency, find_root_brent};
 use tables::interpolation::steffen::Steffen;
 use tables::quantity::Quantity;
 use tables::table::Cell;
@@ -9,26 +10,24 @@ use crate::solver::timings::Timings;
 
 /// Number of intervals between the slips at which histories are kept.
 const INTERVALS: usize = 72;
-/// First of these slips, over a₀. Contacts slip all over at 2τ_c/(πG*), 0.0009 of copper and 0.005 of 4340 steel, and
-/// the friction of a surface rises up to there.
+/// First of these slips, over a₀. Elastic contacts slip fully at 2τ_c/(πG*), 0.0009 of copper and 0.005 of 4340 steel,
+/// and the friction of a surface rises up to there.
 const FIRST_SLIP: f64 = 1e-4;
 
-/// Slips s/a₀ from 0 to `slip_distance` (in a₀), dense at the start. They do not depend on the metal, so that the cells
-/// of all tables have them in common.
+/// Slips s/a₀ from 0 to `slip_distance` (in a₀), dense at the start; the same for all materials.
 pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
     let n = INTERVALS as f64;
-    let first = |grading: f64| slip_distance * (grading / n).sinh() / grading.sinh();
-    // The larger the grading the smaller the first slip; at the most it is 1e-19 of the distance.
-    let (mut low, mut high) = (1e-3, 40.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if first(middle) > FIRST_SLIP { low = middle } else { high = middle }
-    }
-    let grading = 0.5 * (low + high);
+    let share = |grading: f64, k: f64| (grading * k / n).sinh() / grading.sinh();
+    // The first slip falls from an even division to 1e-19 of the distance.
+    let (even, finest) = (1e-3, 40.0);
+    let excess = |grading: f64| (slip_distance * share(grading, 1.0) / FIRST_SLIP).ln();
+    let mut accuracy = SimpleConvergency { eps: 1e-12, max_iter: 100 };
+    // A short distance needs no grading.
+    let grading = find_root_brent(even, finest, excess, &mut accuracy).unwrap_or(even);
     (0..=INTERVALS)
         .map(|k| match k {
             INTERVALS => slip_distance,
-            k => slip_distance * (grading * k as f64 / n).sinh() / grading.sinh(),
+            k => slip_distance * share(grading, k as f64),
         })
         .collect()
 }
@@ -36,35 +35,29 @@ pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
 /// A run as it enters the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finished {
-    /// Scalars, and histories on the slips of [`slip_grid`].
+    /// Scalars, histories on the slips of [`slip_grid`], and warnings.
     pub cell: Cell,
-    /// Where the time of the run went; nothing for a run that was taken from a journal.
+    /// Time of the run by part of the computation; zero for a run that was taken from a journal.
     pub timings: Timings,
     /// Of the run's account.
     pub notes: Vec<String>,
-    /// Of the run's account.
-    pub warnings: Vec<String>,
 }
 
 impl Finished {
-    /// What is kept of `outcome`; `temperature` is that at the start, K.
+    /// The part of `outcome` that a table keeps; `temperature` is that at the start, K.
     pub fn new(outcome: &Outcome, slips: &[f64], temperature: f64) -> Self {
-        let mut cell = Cell::new();
-        for (quantity, estimate) in outcome.scalars.iter() {
-            cell[quantity] = estimate;
-        }
+        let mut cell = Cell {
+            scalars: outcome.scalars,
+            steady: outcome.steady,
+            wall_time: outcome.account.wall_time,
+            warnings: outcome.account.warnings.iter().map(ToString::to_string).collect(),
+            ..Cell::new()
+        };
         for (quantity, history) in resample(outcome, slips, temperature) {
             cell = cell.with_history(quantity, history);
         }
-        cell.steady = outcome.steady;
-        cell.wall_time = outcome.account.wall_time;
-        let timings = outcome.account.timings;
-        Self {
-            cell,
-            timings,
-            notes: outcome.account.notes.iter().map(ToString::to_string).collect(),
-            warnings: outcome.account.warnings.iter().map(ToString::to_string).collect(),
-        }
+        let notes = outcome.account.notes.iter().map(ToString::to_string).collect();
+        Self { cell, timings: outcome.account.timings, notes }
     }
 }
 

@@ -6,25 +6,25 @@
 //!
 //! The journal is locked while it is open, so that only one program makes the table.
 
+mod record;
+
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use tables::quantity::Quantity;
-use tables::table::Cell;
 
 use super::cell::Finished;
 use super::shard::Shard;
 use crate::output::journal_file::{JournalFile, decode};
 use crate::output::provenance::{FINGERPRINT, SOURCE};
-use crate::solver::timings::Timings;
+use record::Record;
 
 /// Cell of the grid: index of the row (the interference; at several initial temperatures those of the
 /// first, then those of the next) and of the slip rate.
 pub type Index = (usize, usize);
 
 /// A cell by its coordinates, which stay as they are when a grid gets more points.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Initial temperature, K.
     pub temperature: f64,
@@ -39,82 +39,49 @@ pub type CellResult = Result<Finished, String>;
 
 /// Why a journal cannot be used.
 #[derive(Debug, thiserror::Error)]
-pub enum JournalError {
-    /// Unfinished work of an earlier run is in the way.
-    #[error("{path}: unfinished table of an earlier run; continue it with --resume or delete it")]
-    Exists {
-        /// The journal.
-        path: String,
-    },
-    /// The journal to continue belongs to another request or version.
-    #[error("{path}: cannot be resumed: {reason}")]
-    Foreign {
-        /// The journal.
-        path: String,
-        /// What differs.
-        reason: String,
-    },
-    /// Another program has it open.
-    #[error("{path}: another program is making this table")]
-    InUse {
-        /// The journal.
-        path: String,
-    },
+#[error("{}: {fault}", .path.display())]
+pub struct JournalError {
+    /// The journal.
+    path: PathBuf,
+    fault: Fault,
+}
+
+#[derive(Debug, thiserror::Error)]
+enum Fault {
+    #[error("unfinished table of an earlier run; continue it with --resume or delete it")]
+    Exists,
+    /// The journal belongs to another request or build; what differs.
+    #[error("cannot be resumed: {0}")]
+    Foreign(String),
+    #[error("another program is making this table")]
+    InUse,
     /// Results would be written to a file that has been unlinked.
-    #[error("{path}: was removed or replaced while the table was being made")]
-    Vanished {
-        /// The journal.
-        path: String,
-    },
-    /// The disk has no space for the results.
-    #[error("{path}: no room for {cells} results, about {kilobytes} kB: {source}")]
-    NoRoom {
-        /// The journal.
-        path: String,
-        /// Number of results to come.
-        cells: usize,
-        /// Space that they need at most.
-        kilobytes: usize,
-        /// What the system said.
-        source: io::Error,
-    },
-    /// The system refused.
-    #[error("{path}: {source}")]
-    Io {
-        /// The journal.
-        path: String,
-        /// What the system said.
-        source: io::Error,
-    },
+    #[error("was removed or replaced while the table was being made")]
+    Vanished,
+    #[error("no room for {cells} results, about {kilobytes} kB: {source}")]
+    NoRoom { cells: usize, kilobytes: usize, source: io::Error },
+    #[error("{0}")]
+    Io(#[from] io::Error),
+}
+
+impl JournalError {
+    fn new(path: &Path, fault: impl Into<Fault>) -> Self {
+        Self { path: path.to_owned(), fault: fault.into() }
+    }
+
+    /// Whether the system failed; otherwise the journal is not the one asked for.
+    pub fn is_of_the_system(&self) -> bool {
+        matches!(self.fault, Fault::Vanished | Fault::NoRoom { .. } | Fault::Io(_))
+    }
 }
 
 #[derive(Serialize, Deserialize, PartialEq)]
 struct Header {
     source: String,
     /// Of the program: another build of the version may give other numbers.
-    #[serde(default)]
     fingerprint: String,
-    #[serde(default)]
     shard: Option<String>,
     request: String,
-}
-
-#[derive(Serialize, Deserialize)]
-struct Record {
-    temperature: f64,
-    interference: f64,
-    slip_rate: f64,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    failure: Option<String>,
-    #[serde(default)]
-    levelled: bool,
-    /// Numbers as the hexadecimal digits of their bits: exact, and NaN has some too.
-    #[serde(default)]
-    numbers: String,
-    #[serde(default)]
-    notes: Vec<String>,
-    #[serde(default)]
-    warnings: Vec<String>,
 }
 
 /// An open journal.
@@ -134,8 +101,8 @@ impl Journal {
         shard: Option<Shard>,
         resume: bool,
     ) -> Result<(Self, Vec<(Point, CellResult)>), JournalError> {
-        let shown = || path.display().to_string();
-        let io = |source| JournalError::Io { path: shown(), source };
+        let fault = |fault: Fault| JournalError::new(path, fault);
+        let io = |error: io::Error| JournalError::new(path, error);
         let header = Header {
             source: SOURCE.into(),
             fingerprint: FINGERPRINT.into(),
@@ -143,10 +110,10 @@ impl Journal {
             request: request.into(),
         };
         if !resume && path.exists() {
-            return Err(JournalError::Exists { path: shown() });
+            return Err(fault(Fault::Exists));
         }
         let (file, text) = JournalFile::open(path).map_err(|error| match error.kind() {
-            io::ErrorKind::WouldBlock => JournalError::InUse { path: shown() },
+            io::ErrorKind::WouldBlock => fault(Fault::InUse),
             _ => io(error),
         })?;
         let mut lines = text.lines();
@@ -154,10 +121,9 @@ impl Journal {
         if let Some(found) = &found
             && *found != header
         {
-            let reason = differences(found, &header);
-            return Err(JournalError::Foreign { path: shown(), reason });
+            return Err(fault(Fault::Foreign(differences(found, &header))));
         }
-        let cells: Vec<_> = lines.filter_map(|line| decode::<Record>(line)?.into_cell()).collect();
+        let cells: Vec<_> = lines.filter_map(|line| decode::<Record>(line)?.into_result()).collect();
         let mut journal = Self { file };
         if found.is_none() {
             if !cells.is_empty() {
@@ -166,7 +132,7 @@ impl Journal {
                      below it are of; delete it to start anew",
                     cells.len()
                 );
-                return Err(JournalError::Foreign { path: shown(), reason });
+                return Err(fault(Fault::Foreign(reason)));
             }
             journal.file.clear().map_err(io)?;
             journal.append(&header)?;
@@ -178,16 +144,12 @@ impl Journal {
     /// to a full disk.
     pub fn reserve(&self, cells: usize) -> Result<(), JournalError> {
         let bytes = cells * MOST_OF_A_LINE;
-        self.file.reserve(bytes).map_err(|source| JournalError::NoRoom {
-            path: self.shown(),
-            cells,
-            kilobytes: bytes >> 10,
-            source,
-        })
+        let no_room = |source| self.error(Fault::NoRoom { cells, kilobytes: bytes >> 10, source });
+        self.file.reserve(bytes).map_err(no_room)
     }
 
-    fn shown(&self) -> String {
-        self.file.path().display().to_string()
+    fn error(&self, fault: impl Into<Fault>) -> JournalError {
+        JournalError::new(self.file.path(), fault)
     }
 
     /// Write a finished cell through to the disk.
@@ -197,14 +159,14 @@ impl Journal {
 
     /// Remove the journal once its table is written.
     pub fn remove(self) -> Result<(), JournalError> {
-        let path = self.shown();
-        self.file.remove().map_err(|source| JournalError::Io { path, source })
+        let path = self.file.path().to_owned();
+        self.file.remove().map_err(|error| JournalError::new(&path, error))
     }
 
     fn append(&mut self, value: &impl Serialize) -> Result<(), JournalError> {
-        self.file.append(value).map_err(|source| match source.kind() {
-            io::ErrorKind::NotFound => JournalError::Vanished { path: self.shown() },
-            _ => JournalError::Io { path: self.shown(), source },
+        self.file.append(value).map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => self.error(Fault::Vanished),
+            _ => self.error(error),
         })
     }
 }
@@ -230,77 +192,6 @@ fn differences(found: &Header, asked: &Header) -> String {
         Some((found, asked)) => format!("it has \"{found}\", the request \"{asked}\""),
         None => "it belongs to another request".into(),
     }
-}
-
-impl Record {
-    fn new(Point { temperature, interference, slip_rate }: Point, result: &CellResult) -> Self {
-        let empty = Self {
-            temperature,
-            interference,
-            slip_rate,
-            failure: None,
-            levelled: false,
-            numbers: String::new(),
-            notes: Vec::new(),
-            warnings: Vec::new(),
-        };
-        match result {
-            Err(reason) => Self { failure: Some(reason.clone()), ..empty },
-            Ok(finished) => Self {
-                levelled: finished.cell.steady,
-                numbers: numbers(&finished.cell),
-                notes: finished.notes.clone(),
-                warnings: finished.warnings.clone(),
-                ..empty
-            },
-        }
-    }
-
-    fn into_cell(self) -> Option<(Point, CellResult)> {
-        let Self { temperature, interference, slip_rate, .. } = self;
-        let point = Point { temperature, interference, slip_rate };
-        if let Some(reason) = self.failure {
-            return Some((point, Err(reason)));
-        }
-        let numbers = from_hexadecimal(&self.numbers)?;
-        let (wall_time, numbers) = numbers.split_first()?;
-        let (scalars, histories) = numbers.split_at_checked(2 * Quantity::SCALARS.len())?;
-        let count = Quantity::TABLE_HISTORIES.len();
-        if histories.is_empty() || histories.len() % count != 0 {
-            return None;
-        }
-        let mut cell = Cell::new();
-        cell.steady = self.levelled;
-        cell.wall_time = *wall_time;
-        for (quantity, pair) in Quantity::SCALARS.into_iter().zip(scalars.chunks_exact(2)) {
-            cell = cell.with(quantity, pair[0], pair[1]);
-        }
-        let histories = histories.chunks_exact(histories.len() / count);
-        for (quantity, history) in Quantity::TABLE_HISTORIES.into_iter().zip(histories) {
-            cell = cell.with_history(quantity, history.to_vec());
-        }
-        let finished =
-            Finished { cell, timings: Timings::default(), notes: self.notes, warnings: self.warnings };
-        Some((point, Ok(finished)))
-    }
-}
-
-fn numbers(cell: &Cell) -> String {
-    let scalars = Quantity::SCALARS.into_iter().flat_map(|q| [cell[q].value, cell[q].error]);
-    let histories = Quantity::TABLE_HISTORIES.into_iter().flat_map(|q| cell.history(q));
-    std::iter::once(cell.wall_time)
-        .chain(scalars)
-        .chain(histories.copied())
-        .map(|number| format!("{:016x}", number.to_bits()))
-        .collect()
-}
-
-fn from_hexadecimal(text: &str) -> Option<Vec<f64>> {
-    let digits = |chunk: &[u8]| {
-        let text = std::str::from_utf8(chunk).ok()?;
-        Some(f64::from_bits(u64::from_str_radix(text, 16).ok()?))
-    };
-    text.as_bytes().chunks(16).map(digits).collect()
 }
 
 #[cfg(test)]

@@ -124,11 +124,7 @@ impl Tabulation {
             row.iter().enumerate().filter_map(move |(j, cell)| Some((i, j, cell.as_ref()?)))
         }) {
             match result {
-                Ok(finished) => {
-                    let mut cell = finished.cell.clone();
-                    cell.warnings.clone_from(&finished.warnings);
-                    slice.set_cell(i, j, cell)?;
-                }
+                Ok(finished) => slice.set_cell(i, j, finished.cell.clone())?,
                 Err(reason) => slice.mark_failed(i, j, reason),
             }
         }

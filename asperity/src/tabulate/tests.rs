@@ -181,7 +181,7 @@ fn unfinished_work_is_not_overwritten_without_resume() {
 fn table_has_every_cell_and_says_which_failed() {
     let mut tabulation = whole(GRID, &Fake { slide_fails: Some(10.0), ..Fake::default() }, 1);
     if let Some(Ok(finished)) = &mut tabulation.cells[0][0] {
-        finished.warnings = vec!["of one cell".into()];
+        finished.cell.warnings = vec!["of one cell".into()];
     }
     let table = table(&tabulation).at(None).unwrap();
     assert_eq!(table.shape(), (3, 3));

@@ -1,5 +1,7 @@
 //! Journals that were cut off, damaged, of others, or in use.
 
+use tables::quantity::Quantity;
+
 use super::*;
 use crate::simulate::fake;
 use crate::tabulate::cell::slip_grid;
@@ -29,7 +31,7 @@ fn cells_come_back_bit_for_bit() {
     assert_eq!(found[0].0, at(0.1 + 0.2, 2e-7));
     let cell = found[0].1.as_ref().unwrap();
     assert_eq!(cell, &finished());
-    assert_eq!(numbers(&cell.cell), numbers(&finished().cell));
+    assert_eq!(record::hexadecimal(&cell.cell), record::hexadecimal(&finished().cell));
     assert_eq!(found[1], (at(100.0, 0.0), Err("did not\nconverge".into())));
 }
 
@@ -95,8 +97,6 @@ fn a_journal_of_another_build_is_refused() {
     header.fingerprint = "0123456789abcdef".into();
     let message = refused(&header);
     assert!(message.contains("another build") && message.contains(FINGERPRINT), "{message}");
-    header.fingerprint = String::new();
-    assert!(refused(&header).contains("another build"));
     header.source = "asperity 0.0.9".into();
     assert!(refused(&header).contains("asperity 0.0.9"));
 }
