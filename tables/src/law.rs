@@ -1,4 +1,4 @@
-//! The single-asperity response: the interface of tables and closed forms.
+//! The single-asperity response: the interface of tables and closed forms. Depends on `quantity`.
 
 pub use crate::quantity::Estimate;
 

@@ -3,6 +3,8 @@
 //! One module per model, with plain functions in the units of the paper; [`closed_form`]
 //! wraps them as an [`AsperityLaw`](crate::law::AsperityLaw). They are the references of the
 //! tests, the comparison models of `roughsurface`, and the elastic limit of a table below its first interference.
+//!
+//! Depends on `law`.
 
 pub mod brizmer;
 pub mod chang_etsion_bogy;

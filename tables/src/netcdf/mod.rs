@@ -8,7 +8,7 @@
 //!   programs are read first ([`enable_sandbox`]).
 //! - [`write_atomically`]: every file of the project appears whole or not at all.
 //!
-//! Depends on `table`, `quantity` and `interpolation`.
+//! Depends on `table` and `quantity`.
 
 mod atomic;
 mod checksum;

@@ -11,11 +11,11 @@ use super::scalars::same;
 /// use tables::quantity::{History, Quantity};
 ///
 /// let mut history = History::new(&[Quantity::Slip, Quantity::Friction]);
-/// for slip in [0.0, 1e-6, 2e-6] {
-///     history.push(|quantity| if quantity == Quantity::Slip { slip } else { 1e5 * slip });
+/// for slip in [0.0, 1.0, 2.0] {
+///     history.push(|quantity| if quantity == Quantity::Slip { slip } else { 0.5 * slip });
 /// }
-/// assert_eq!(history.column(Quantity::Slip), [0.0, 1e-6, 2e-6]);
-/// assert_eq!(history.last(Quantity::Friction), Some(0.2));
+/// assert_eq!(history.column(Quantity::Slip), [0.0, 1.0, 2.0]);
+/// assert_eq!(history.last(Quantity::Friction), Some(1.0));
 /// // The column of another quantity is empty.
 /// assert!(history.column(Quantity::Work).is_empty());
 /// ```

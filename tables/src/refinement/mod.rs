@@ -1,9 +1,11 @@
-//! More points where a table interpolates badly.
+//! Refinement of a table: points are added where it interpolates badly.
 //!
-//! The judge is cross-validation against computed results (see [`cross_validation`]): a
-//! point is added in the middle of an interval, computed, and from then on is one of those that
+//! The criterion is cross-validation against computed results (see [`cross_validation`]): a
+//! point is added in the middle of an interval, computed, and from then on one of those that
 //! are left out and predicted. The grid stays a product of its axes: a new interference is a row
-//! of runs, a new slip rate a column.
+//! of runs, a new slip rate a column. [`statistics`] summarises the errors of a table.
+//!
+//! Depends on `interpolation` and `table`.
 
 pub mod cross_validation;
 pub mod statistics;
