@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Instructions that a small case takes, all in all and by function: figures that can be compared between
-# machines and versions, where times cannot.
+# Instructions of a small case, in total and by function: comparable between machines and versions, as times are not.
 #
 #     asperity/benches/instructions.sh            # prints them beside the recorded ones
 #     asperity/benches/instructions.sh --record   # and records them in instructions.txt
 #
-# Needs valgrind, which knows no AVX-512: the program is compiled for x86-64-v3 (AVX2) instead of the
-# machine at hand, into target/instructions. Minutes, besides that.
+# Needs valgrind, which does not support AVX-512: the program is compiled for x86-64-v3 (AVX2) into
+# target/instructions. Takes some minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 record=asperity/benches/instructions.txt
@@ -23,7 +22,7 @@ count() {
         --output "$work/$strain.nc" --quiet --set "model.kinematics=$strain" \
         --set loading.interference=5 --set loading.slip_distance=0.02 \
         --set numerics.elements_per_radius=4 --set numerics.sectors=4
-    printf '%s strain: 5 omega_c, 1 m/s, slide 0.02 a0, 4 elements and angles, with companions\n' "$strain"
+    printf '%s strain: 5 omega_c, 1 m/s, slide 0.02 a0, 4 elements and angles, with auxiliary runs\n' "$strain"
     # Millions of instructions; hashes of symbols are left out.
     callgrind_annotate --auto=no --threshold=90 "$work/$strain.out" | awk '
         /PROGRAM TOTALS/ { gsub(",", "", $1); printf "%10.0f  all\n", $1 / 1e6 }

@@ -1,10 +1,10 @@
-//! Kernels of a slide, beside what the machine can do.
+//! Kernels of a slide, and the limits of the machine.
 //!
 //!     cargo bench -p asperity
 //!
-//! The columns under a kernel are bytes and operations (items) per second. `machine` has the
-//! limits to compare with: fused multiply-adds from registers on one core, and a triad through
-//! arrays larger than any cache. One thread, so leave the other cores idle as well.
+//! The columns under a kernel are bytes and operations (items) per second. `machine` measures the limits: fused
+//! multiply-adds from registers on one core, and a triad through arrays larger than any cache. One thread; the other
+//! cores should be idle.
 
 use asperity::scene::Scene;
 use asperity::scene::file::parse_scene;
@@ -47,11 +47,11 @@ fn counted(bencher: Bencher, work: Work, run: impl FnMut()) {
 #[divan::bench(args = SIZES)]
 fn internal_force(bencher: Bencher, size: (usize, usize)) {
     let mut kernels = kernels(size);
-    // As many as a tangent product has, and more for the powers of the hardening law.
+    // The operations of a tangent product; the powers of the hardening law come on top.
     counted(bencher, kernels.tangent_work(), || kernels.internal_force());
 }
 
-/// Beside the one above, which is at small strain.
+/// At finite strain.
 #[divan::bench(args = SIZES)]
 fn internal_force_at_finite_strain(bencher: Bencher, size: (usize, usize)) {
     let mut kernels = kernels_at("finite", size);

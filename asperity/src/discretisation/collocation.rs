@@ -4,8 +4,8 @@
 //! In θ fields are trigonometric polynomials through these values: even ones (u_r, u_z, T) of
 //! cos mθ, m < N_θ, odd ones (u_θ) of sin mθ, 1 ≤ m ≤ N_θ; the half θ < 0 mirrors this one. Their
 //! derivatives in θ at the angles are exact, and integrals in θ are means over the angles, exact up
-//! to harmonic 2N_θ (Canuto, Hussaini, Quarteroni & Zang, Spectral Methods, 2006, §2.1). So a field
-//! that does not depend on θ has no error from N_θ, and is computed with one sector alone.
+//! to harmonic 2N_θ (Canuto, Hussaini, Quarteroni & Zang, Spectral Methods, 2006, §2.1). A field that
+//! does not depend on θ has no error from N_θ and is computed at one angle.
 //!
 //! Fields are stored node by node, component by component, one column for each angle:
 //! `field[(node*components + component)*columns + j]`; vectors have components (u_r, u_θ, u_z).
@@ -92,7 +92,7 @@ impl Collocation {
         }
     }
 
-    /// Adds to `force` what works on a displacement as `on_derivative` works on its ∂/∂θ.
+    /// Adds to `force` the transpose of [`Self::differentiate`] applied to the force `on_derivative` conjugate to ∂u/∂θ.
     pub fn add_transposed(&self, parities: &[Parity], on_derivative: &[f64], force: &mut [f64]) {
         let n = self.count;
         if n == 1 {
@@ -107,7 +107,7 @@ impl Collocation {
         }
     }
 
-    /// Spreads a θ-independent field over all columns.
+    /// A θ-independent field at all angles.
     pub fn spread(&self, axisymmetric: &[f64]) -> Vec<f64> {
         axisymmetric.iter().flat_map(|&value| std::iter::repeat_n(value, self.count)).collect()
     }

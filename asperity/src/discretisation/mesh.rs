@@ -23,12 +23,12 @@ pub struct MeshSize {
     pub elements_per_radius: usize,
     /// The rings keep their edge size up to here, in contact radii: the contact grows while it slides.
     pub growth_zone: f64,
-    /// How often the layer at the surface is halved, for what heat does in a thin one.
+    /// Thermal boundary-layer refinement: number of halvings of the layer at the surface.
     pub thermal_layer_refinements: u32,
 }
 
 impl MeshSize {
-    /// With the room for growth that most slides need.
+    /// With the growth zone that most slides need.
     #[cfg(test)]
     pub fn new(contact_radius: f64, elements_per_radius: usize) -> Self {
         Self { contact_radius, elements_per_radius, growth_zone: GROWTH_ZONE, thermal_layer_refinements: 0 }
@@ -68,7 +68,7 @@ pub fn sphere_height(r: f64) -> f64 {
 pub const EDGE_SIZE: f64 = 1.0 / 3.0;
 const CENTRE_SIZE: f64 = 1.6;
 const SURFACE_LAYER: f64 = 0.5;
-/// Growth that a mesh has room for unless more is asked.
+/// Growth zone of a mesh unless a larger one is given.
 pub const GROWTH_ZONE: f64 = 1.25;
 /// Width of the coarser rim of the fine block beyond that, and its depth, in a.
 const RIM: f64 = 0.35;

@@ -1,3 +1,13 @@
+//! The discrete body: mesh of the meridian half-plane, collocation in θ, ring elements, and the internal
+//! forces, tangent and energies of the elastic-plastic body at small and at finite strain.
+//!
+//! - `mesh`: graded quadrilaterals of the meridian; `collocation`: values and derivatives at N_θ angles;
+//! - `element`: strains and forces of a ring element with mean dilatation (B̄); `elastic`: its stiffness;
+//! - `body`: history at the Gauss points, ∫Bᵀσ dV, its derivative, energies, means at nodes and surface;
+//! - `runs`: vectors restricted to a part of the body.
+//!
+//! Depends on `crate::material` and `crate::scene` alone. Chapter "Mesh and elements" of the book.
+
 pub(crate) mod body;
 pub(crate) mod collocation;
 pub(crate) mod elastic;

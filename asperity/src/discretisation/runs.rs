@@ -1,10 +1,10 @@
-//! Parts of vectors.
+//! Vectors restricted to a part of their entries.
 
 use std::ops::Range;
 
-use crate::material::lanes::fma;
+use crate::material::lanes::dot_of_parts;
 
-/// Entries of a vector as runs of consecutive ones, rising.
+/// Rising runs of consecutive entries of a vector.
 #[derive(Clone, Debug, Default)]
 pub struct Runs(Vec<Range<usize>>);
 
@@ -37,19 +37,6 @@ impl Runs {
 
     /// Scalar product over these entries.
     pub fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
-        // Eight sums, in a fixed order, for the machine's vector units.
-        let mut sums = [0.0; 8];
-        let mut rest = 0.0;
-        for run in self.iter() {
-            let (a8, a_rest) = a[run.clone()].as_chunks::<8>();
-            let (b8, b_rest) = b[run].as_chunks::<8>();
-            for (x, y) in a8.iter().zip(b8) {
-                for l in 0..8 {
-                    sums[l] = fma(x[l], y[l], sums[l]);
-                }
-            }
-            rest += a_rest.iter().zip(b_rest).map(|(x, y)| x * y).sum::<f64>();
-        }
-        sums.iter().sum::<f64>() + rest
+        dot_of_parts(self.iter().map(|run| (&a[run.clone()], &b[run])))
     }
 }

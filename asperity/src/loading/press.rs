@@ -47,7 +47,7 @@ pub fn press_on(
         let interference = problem.interference * next * next;
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
-        let cover = mechanics.contact.cover.clone();
+        let cover = mechanics.contact.contact_fraction.clone();
         match press_to(problem, &mut mechanics, interference, start) {
             Ok(increment) => {
                 increments.push(increment);
@@ -96,7 +96,7 @@ fn press_to(
         }
         Some(CouplingData { limit: vec![limit; contact.len()], rise: None, settled: true })
     })?;
-    mechanics.contact.update_cover();
+    mechanics.contact.update_contact_fraction();
     mechanics.body.commit();
     mechanics.contact.commit();
     let contact = &mechanics.contact;

@@ -82,8 +82,8 @@ impl Recorder {
             status: state.status.clone(),
             pressure: state.pressure.clone(),
             // The area of the last ring may be covered beyond its own cell.
-            shear: (state.traction.iter().zip(&contact.cover))
-                .map(|(t, cover)| t[0].hypot(t[1]) / cover.max(1.0))
+            shear: (state.traction.iter().zip(&contact.contact_fraction))
+                .map(|(t, fraction)| t[0].hypot(t[1]) / fraction.max(1.0))
                 .collect(),
             rise,
             path: state.slip.clone(),

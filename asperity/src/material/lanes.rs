@@ -1,4 +1,4 @@
-//! Arithmetic on lanes: W angles computed together.
+//! Arithmetic on lanes: W angles computed together in vector registers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -20,8 +20,8 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
     }
 }
 
-/// As many numbers as a vector register holds. Where a loop over lanes is long and its values are many, the
-/// compiler halves its vectors and spills them: the logarithm at finite strain takes half the time on these.
+/// The numbers of a vector register. Long loops over lanes with many values are split and spilled by the compiler: the
+/// logarithm at finite strain takes half the time with these.
 pub trait Pack:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
@@ -94,13 +94,13 @@ macro_rules! pack {
 
             #[inline(always)]
             fn load(from: &[f64]) -> Self {
-                let first: &[f64; $width] = from[..$width].try_into().expect("so many");
+                let first: &[f64; $width] = from[..$width].try_into().expect("a full register");
                 Self::new(*first)
             }
 
             #[inline(always)]
             fn load_single(from: &[f32]) -> Self {
-                let first: &[f32; $width] = from[..$width].try_into().expect("so many");
+                let first: &[f32; $width] = from[..$width].try_into().expect("a full register");
                 Self::new(first.map(f64::from))
             }
 
@@ -179,6 +179,29 @@ pub fn logarithms<const W: usize>(x: &Lanes<W>) -> Lanes<W> {
     lane_by_lane!(x, P => |x: P| x.ln(), f64::ln)
 }
 
+/// Scalar product.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    dot_of_parts(std::iter::once((a, b)))
+}
+
+/// Scalar product of two vectors given in parts, in eight partial sums of a fixed order.
+#[inline(always)]
+pub fn dot_of_parts<'a>(parts: impl Iterator<Item = (&'a [f64], &'a [f64])>) -> f64 {
+    let mut sums = [0.0; 8];
+    let mut rest = 0.0;
+    for (a, b) in parts {
+        let (a8, a_rest) = a.as_chunks::<8>();
+        let (b8, b_rest) = b.as_chunks::<8>();
+        for (x, y) in a8.iter().zip(b8) {
+            for l in 0..8 {
+                sums[l] = fma(x[l], y[l], sums[l]);
+            }
+        }
+        rest += a_rest.iter().zip(b_rest).map(|(x, y)| x * y).sum::<f64>();
+    }
+    sums.iter().sum::<f64>() + rest
+}
+
 /// y += scale·M·x for a small square matrix stored column by column.
 #[inline(always)]
 pub fn add_small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
@@ -197,7 +220,7 @@ pub fn add_small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) 
     }
 }
 
-/// y = scale·M·x. To fill y with zeros first would cost as much again.
+/// y = scale·M·x.
 #[inline(always)]
 pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     match x.len() {
@@ -212,7 +235,7 @@ pub fn small_product(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     }
 }
 
-/// ADD: to what is there.
+/// y = scale·M·x, or y += scale·M·x with ADD.
 #[inline(always)]
 fn fixed_product<const N: usize, const ADD: bool>(scale: f64, columns: &[f64], x: &[f64], y: &mut [f64]) {
     let (columns, _) = columns.as_chunks::<N>();

@@ -4,8 +4,8 @@ use super::Solid;
 use crate::material::lanes::{Lanes, powers};
 use crate::scene::Hardening;
 
-/// Points whose stress would be too high if they stayed elastic. G is that of T₀: where the moduli have changed,
-/// stress and softening factor are relative to E(T)/E(T₀).
+/// Points whose elastic stress is above the yield strength. G is that of T₀: where the moduli have changed, stress
+/// and softening factor are relative to E(T)/E(T₀).
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<const W: usize> {
     /// Lanes that flow; the others stay as they are.
@@ -36,10 +36,9 @@ pub struct Return<const W: usize> {
 impl Solid {
     /// Radial return: the increment x with q − 3Gx = f·σ_y(ε_p + x, T₀).
     ///
-    /// The residual falls and is convex where hardening is concave, so Newton's method started
-    /// left of the root never passes it; for a power law with its infinite first slope the start
-    /// is where the elastic and the hardening part each take up half of the excess. A bracket
-    /// guards against laws that are not concave.
+    /// The residual falls and is convex where hardening is concave, so Newton's method started left of the root never
+    /// passes it. For a power law, with its infinite initial slope, it starts where the elastic and the hardening part
+    /// each take up half of the excess. A bracket secures laws that are not concave.
     pub fn return_map<const W: usize>(&self, trial: &Trial<W>) -> Return<W> {
         let stiffness = 3.0 * self.moduli.shear;
         let Trial { stress, strain, softening, .. } = trial;
@@ -49,13 +48,13 @@ impl Solid {
         for l in 0..W {
             let excess = stress[l] - softening[l] * trial.strength[l];
             pending[l] = trial.flowing[l] && excess > 0.0;
-            // A hardening that falls lets the increment be larger than that at the present strength.
+            // Where the hardening falls, the increment may exceed that at the present strength.
             let most = if let Hardening::Table { .. } = self.hardening { stress[l] } else { excess };
             high[l] = if pending[l] { most / stiffness } else { 0.0 };
         }
         let mut x = self.first_guess(trial, &pending, &high);
-        // A power law is smooth: an error e goes to less than e²/2(ε_p + x), so that the iteration
-        // before the last tells how exact that will be, without a further power.
+        // A power law is smooth: one iteration takes an error e below e²/2(ε_p + x), which bounds the error of the last
+        // iterate without another evaluation of the power.
         let smooth = matches!(self.hardening, Hardening::JohnsonCook { .. });
         let mut inexact = [false; W];
         for _ in 0..100 {
@@ -64,7 +63,7 @@ impl Solid {
             }
             let total: Lanes<W> = std::array::from_fn(|l| strain[l] + x[l]);
             let (strength, slope) = self.hardened_lanes(&total);
-            // Without branches, for the machine's vector units; lanes that are done only look on.
+            // Without branches, for the vector units; converged lanes keep their values.
             for l in 0..W {
                 let residual = stress[l] - stiffness * x[l] - softening[l] * strength[l];
                 let falls_short = residual >= 0.0;
@@ -81,7 +80,7 @@ impl Solid {
                 let next = if inside { next } else { 0.5 * (low[l] + high[l]) };
                 x[l] = if pending[l] { next } else { x[l] };
                 let done = pending[l] & converged;
-                // To first order, and with the curvature left out of the slope alone.
+                // To first order; the curvature is neglected in the slope alone.
                 end.strength[l] = if done { strength[l] + slope[l] * step } else { end.strength[l] };
                 end.slope[l] = if done { slope[l] } else { end.slope[l] };
                 inexact[l] |= done & !(smooth & inside & slope[l].is_finite());

@@ -1,4 +1,4 @@
-//! Where the time of a run goes: clocks around its kernels, added up.
+//! Time of a run by kernel.
 //!
 //! Wall-clock time of the thread that did the work, so that with as many threads as idle
 //! processors the sum is processor time. Nothing is computed from it.
@@ -22,9 +22,9 @@ pub enum Kernel {
     ContactFactorisation,
     /// Conduction, with its sources.
     Heat,
-    /// What else the slide takes: vector sums, contact laws, energies.
+    /// The rest of the slide: vector sums, contact laws, energies.
     Rest,
-    /// All runs on coarser meshes, from which the errors come, and those that were refined.
+    /// Auxiliary runs: those on other resolutions, from which the errors follow.
     AuxiliaryRuns,
     /// Writing the file.
     Output,
@@ -90,7 +90,7 @@ impl Timings {
         self.seconds.iter().sum()
     }
 
-    /// The main run alone: without companions and output.
+    /// The main run alone: without auxiliary runs and output.
     pub fn main_run(&self) -> f64 {
         self.total() - self.of(Kernel::AuxiliaryRuns) - self.of(Kernel::Output)
     }

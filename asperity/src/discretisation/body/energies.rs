@@ -3,12 +3,12 @@
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::{CORNERS, POINTS};
 
-/// Energies of a step or since a state, J in the problem's units, half body.
+/// Mechanical energies of a step, dimensionless, half body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MechanicalEnergies {
     pub plastic: f64,
     pub thermal_expansion: f64,
-    /// Elastic energy given up as the moduli fall with temperature.
+    /// Elastic energy released as the moduli fall with temperature.
     pub moduli_softening: f64,
 }
 
@@ -71,7 +71,7 @@ impl Body {
         energies
     }
 
-    /// Elastic energy that element e gives up in sector l as its moduli go from f₀ to f₁ times those
+    /// Elastic energy that element e releases at angle l as its moduli change from f₀ to f₁ times those
     /// at T₀: −(f₁ − f₀)(G a₀:a₁ + ½K v₀v₁) per volume with the elastic strains a, v. Half the change
     /// of f·a² is at constant moduli ½(f₀a₀ + f₁a₁)(a₁ − a₀), which is work, and this is the rest:
     /// with it the balance of the step closes exactly.

@@ -1,4 +1,4 @@
-//! How near to yield an elastic body is.
+//! Largest von Mises stress of the body.
 
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::POINTS;
@@ -6,11 +6,11 @@ use crate::discretisation::element::POINTS;
 /// The largest von Mises stress of a body, in units of σ_Y at the initial temperature.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LargestMises {
-    /// Over the Gauss points, where yield is decided. A bilinear element has one axial strain over its
-    /// height and one radial strain over its width: off its middle that is wrong to first order in its
-    /// size, too high on one side as it is too low on the other.
+    /// Over the Gauss points, where yield is decided. A bilinear element has constant axial strain over its height and
+    /// constant radial strain over its width: away from its centre they are wrong to first order in its size, with
+    /// opposite signs on opposite sides.
     pub at_points: f64,
-    /// Over the means of the four points of an element, where that error cancels.
+    /// Over the means of the four points of an element, in which that error cancels.
     pub of_elements: f64,
 }
 

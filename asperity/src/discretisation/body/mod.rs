@@ -1,31 +1,31 @@
-//! The elastic–plastic body: history at the Gauss points, internal forces, consistent tangent
-//! and mechanical energies. Small strain here, finite strain in [`finite`] with the same history.
+//! The elastic-plastic body: history at the Gauss points, internal forces, consistent tangent and mechanical energies.
 //!
-//! Stress at a Gauss point: deviator s = 2G(e − ε_p), mean stress p = K(ε̄_v − 3∫α dθ̄), where the
-//! dilatation ε̄_v and the temperature rise θ̄ are means over the element (B̄), and G and K those
-//! of the element at θ̄. All moduli are f = E(T)/E(T₀) times those at T₀, so that the stresses over
-//! f are those of the moduli at T₀ with a yield strength over f. How stress and plastic strain go on over a step is
-//! the material's: [`Solid::flow`]. Its derivative is not symmetric where the stress turns; the tangent here is symmetric,
-//! a few per cent off in long steps and exact in short ones and along proportional paths, where it is the consistent one of
-//! the radial return (de Souza Neto, Perić & Owen, Computational Methods for Plasticity (2008), eq. (7.120)).
+//! The strain measure is a property of the element kernel: [`small_strain`] or [`finite_strain`], with the same
+//! history. How stress and plastic strain evolve over a step is the material's: [`Solid::flow`], called in
+//! [`point_stress`]. Moduli are f = E(T)/E(T₀) times those at T₀, f at the mean temperature of the element; stresses
+//! over f are those of the moduli at T₀ with a yield strength over f.
+//!
+//! The derivative of the stress is not symmetric where the stress turns; the tangent is symmetric. It is exact in short
+//! steps and along proportional paths, where it is the consistent tangent of the radial return (de Souza Neto, Perić &
+//! Owen, Computational Methods for Plasticity (2008), eq. (7.120)), and a few per cent off in long steps.
 
 use crate::discretisation::collocation::VECTOR_PARITY;
-use crate::discretisation::element::{
-    CORNERS, POINTS, RevolvedMesh, deviators_and_dilatation, shape_at_points, stress_force,
-};
-use crate::material::lanes::{Lanes, Pack, lanes_of};
-use crate::material::{Solid, StrainPath};
+use crate::discretisation::element::{CORNERS, POINTS, RevolvedMesh, VALUES, shape_at_points};
+use crate::material::Solid;
+use crate::material::lanes::Pack;
 use wide::{f64x4, f64x8};
 
 mod energies;
-mod heat;
+mod finite_strain;
 mod mises;
 mod nodal;
+mod point_stress;
+mod small_strain;
 mod state;
 mod surface;
 mod tangent;
+mod temperature;
 
-use heat::PointTemperature;
 pub use mises::LargestMises;
 pub use nodal::NODAL;
 pub use state::BodyState;
@@ -34,8 +34,8 @@ pub use tangent::InelasticZone;
 /// Tangent at points that flow: 2G·across·dev + radial·(n:e)n.
 #[derive(Clone, Debug)]
 struct Tangent {
-    /// Per element and group of lanes: whether any point flows. Where none does, the plastic strains of the
-    /// trial state are those of the committed one.
+    /// Per element and group of lanes: whether any point flows. Where none does, trial and committed plastic strains
+    /// are equal.
     flows: Vec<bool>,
     /// (2G-factor, radial factor, n) per point, 8 values; relative to E(T)/E(T₀). Where nothing flows
     /// the first two are 2G and 0, and n is stale or zero.
@@ -51,8 +51,8 @@ pub struct Body {
     pub committed: BodyState,
     pub trial: BodyState,
     tangent: Tangent,
-    /// At finite strain its tangent, at small strain nothing.
-    finite: Option<finite::FiniteTangent>,
+    /// Tangent of the kernel of finite strain; none at small strain.
+    finite_strain: Option<finite_strain::FiniteTangent>,
     shapes: [[f64; CORNERS]; POINTS],
     /// Scratch: ∂u/∂θ, and the forces that work on it.
     slope: Vec<f64>,
@@ -62,7 +62,7 @@ pub struct Body {
 const TENSOR: usize = 6;
 const COEFFICIENTS: usize = 8;
 
-/// Runs the body with so many angles at a time, and the pack that they fill.
+/// Calls a method with the number of angles that are computed together and the pack that they fill.
 macro_rules! by_lanes {
     ($self:ident . $method:ident ( $($argument:expr),* )) => {
         match $self.mesh.sectors.columns() {
@@ -72,8 +72,6 @@ macro_rules! by_lanes {
         }
     };
 }
-
-mod finite;
 
 impl Body {
     /// Virgin body.
@@ -94,7 +92,7 @@ impl Body {
             committed: state.clone(),
             trial: state,
             tangent,
-            finite: None,
+            finite_strain: None,
             shapes: shape_at_points(),
             slope: vec![0.0; mesh.field_length(3)],
             on_slope: vec![0.0; mesh.field_length(3)],
@@ -105,7 +103,7 @@ impl Body {
     /// The same body at finite strain.
     pub fn at_finite_strain(mut self) -> Self {
         let (elements, lanes) = (self.mesh.elements.len(), self.mesh.sectors.columns());
-        self.finite = Some(finite::FiniteTangent::new(elements, lanes));
+        self.finite_strain = Some(finite_strain::FiniteTangent::new(elements, lanes));
         self
     }
 
@@ -113,7 +111,7 @@ impl Body {
     pub fn revolve(axisymmetric: &Body, mesh: RevolvedMesh) -> Self {
         let lanes = mesh.sectors.columns();
         let mut body = Self::new(mesh, axisymmetric.solid.clone());
-        if axisymmetric.finite.is_some() {
+        if axisymmetric.finite_strain.is_some() {
             body = body.at_finite_strain();
         }
         body.committed = axisymmetric.committed.spread(lanes);
@@ -121,227 +119,71 @@ impl Body {
         body
     }
 
-    /// Takes the trial state as the new history.
+    /// Takes the trial state as the committed one.
     pub fn commit(&mut self) {
         self.committed.copy_from(&self.trial);
     }
 
-    /// Back to the history, after a step that failed.
+    /// Resets the trial state to the committed one, after a failed step.
     pub fn restore(&mut self) {
         self.trial.copy_from(&self.committed);
     }
 
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
-    /// sets the trial state and the tangent.
+    /// sets the trial state and the tangent. Where a point is turned inside out, the force is not a number.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        if self.finite.is_some() {
-            self.finite_force(u, rise, force);
-        } else if self.solid.stiffness_varies() {
-            by_lanes!(self.internal_force_varying(u, rise, force));
-        } else {
-            by_lanes!(self.internal_force_constant(u, rise, force));
+        // At finite strain, points beside angles where these alone do not fill a vector register.
+        match self.mesh.sectors.columns() {
+            1 => self.force_by_lanes::<1, 4, f64, f64x4>(u, rise, force),
+            n if n.is_multiple_of(8) => self.force_by_lanes::<8, 1, f64x8, f64x8>(u, rise, force),
+            _ => self.force_by_lanes::<4, 2, f64x4, f64x8>(u, rise, force),
         }
     }
 
-    fn internal_force_varying<const W: usize, V: Pack>(
+    /// W angles at a time, which fill A, and at finite strain P points of them, which fill V.
+    fn force_by_lanes<const W: usize, const P: usize, A: Pack, V: Pack>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
         force: &mut [f64],
     ) {
-        self.internal_force_lanes::<W, V, true>(u, rise, force);
+        if let Some(mut tangent) = self.finite_strain.take() {
+            self.assemble::<W, A>(u, force, |body, e, first, displacement| {
+                body.finite_strain_force::<W, P, A, V>(e, first, displacement, rise, &mut tangent)
+            });
+            self.finite_strain = Some(tangent);
+        } else if self.solid.stiffness_varies() {
+            self.assemble::<W, A>(u, force, |body, e, first, displacement| {
+                body.small_strain_force::<W, A, true>(e, first, displacement, rise)
+            });
+        } else {
+            self.assemble::<W, A>(u, force, |body, e, first, displacement| {
+                body.small_strain_force::<W, A, false>(e, first, displacement, rise)
+            });
+        }
     }
 
-    fn internal_force_constant<const W: usize, V: Pack>(
-        &mut self,
-        u: &[f64],
-        rise: Option<&[f64]>,
-        force: &mut [f64],
-    ) {
-        self.internal_force_lanes::<W, V, false>(u, rise, force);
-    }
-
-    /// VARYING: whether the moduli depend on temperature.
+    /// Sum over the elements of the forces that `kernel` gives for the displacement of an element's corners.
     #[inline(always)]
-    fn internal_force_lanes<const W: usize, V: Pack, const VARYING: bool>(
+    fn assemble<const W: usize, A: Pack>(
         &mut self,
         u: &[f64],
-        rise: Option<&[f64]>,
         force: &mut [f64],
+        mut kernel: impl FnMut(&mut Self, usize, usize, &[[A; VALUES]; CORNERS]) -> [[A; VALUES]; CORNERS],
     ) {
         force.fill(0.0);
         self.on_slope.fill(0.0);
         self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
-        let lanes = self.mesh.sectors.columns();
         for e in 0..self.mesh.elements.len() {
-            for first in (0..lanes).step_by(W) {
-                let heat = self.element_heat::<W>(e, first, rise, VARYING);
+            for first in (0..self.mesh.sectors.columns()).step_by(W) {
+                let displacement =
+                    self.mesh.gather_vector::<A>(u, &self.slope, &self.mesh.elements[e], first);
+                let of_element = kernel(self, e, first, &displacement);
                 let element = &self.mesh.elements[e];
-                let displacement = self.mesh.gather_vector::<V>(u, &self.slope, element, first);
-                let (deviators, dilatation) = deviators_and_dilatation(element, &displacement);
-                let dilatation: Lanes<W> = lanes_of(dilatation);
-                let mut mean_stress = [0.0; W];
-                for l in 0..W {
-                    mean_stress[l] = self.solid.moduli.bulk * (dilatation[l] - heat.thermal[l]);
-                }
-                let at = e * lanes + first;
-                if let Some(stiffness) = &heat.stiffness {
-                    (0..W).for_each(|l| mean_stress[l] *= stiffness[l]);
-                    self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
-                }
-                self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
-                self.trial.rise[at..at + W].copy_from_slice(&heat.mean_rise);
-                let mean_stress = V::load(&mean_stress);
-                let mut stresses = [[mean_stress; TENSOR]; POINTS];
-                let (stale, mut flows) = (self.tangent.flows[at], false);
-                for q in 0..POINTS {
-                    let (stress, flowing) =
-                        self.point_stress::<W, V>(e, q, first, &deviators[q], heat.at_point(q), stale);
-                    flows |= flowing;
-                    let weight = V::splat(self.mesh.elements[e].weight[q]);
-                    for (i, (joined, &deviatoric)) in stresses[q].iter_mut().zip(&stress).enumerate() {
-                        *joined = weight * if i < 3 { deviatoric + mean_stress } else { deviatoric };
-                    }
-                }
-                self.tangent.flows[at] = flows;
-                let nodal_force = stress_force(&self.mesh.elements[e], &stresses);
-                self.mesh.scatter_vector(
-                    &nodal_force,
-                    &self.mesh.elements[e],
-                    first,
-                    force,
-                    &mut self.on_slope,
-                );
+                self.mesh.scatter_vector(&of_element, element, first, force, &mut self.on_slope);
             }
         }
         self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
-    }
-
-    /// Stress at one point: its deviator and whether any lane flows; `stale`: whether any point of
-    /// the element did the time before.
-    #[inline(always)]
-    fn point_stress<const W: usize, V: Pack>(
-        &mut self,
-        e: usize,
-        q: usize,
-        first: usize,
-        deviator: &[V; TENSOR],
-        heat: PointTemperature<'_, W>,
-        stale: bool,
-    ) -> ([V; TENSOR], bool) {
-        let lanes = self.mesh.sectors.columns();
-        let point = e * POINTS + q;
-        let tensor = |i: usize| (point * TENSOR + i) * lanes + first;
-        let scalar = point * lanes + first;
-        let two_shear = 2.0 * self.solid.moduli.shear;
-
-        let mut squared = V::splat(0.0);
-        let mut stress: [V; TENSOR] = std::array::from_fn(|i| {
-            let plastic = V::load(&self.committed.plastic_strain[tensor(i)..]);
-            let component = V::splat(two_shear) * (deviator[i] - plastic);
-            squared = (V::splat(if i < 3 { 1.5 } else { 3.0 }) * component).mul_add(component, squared);
-            component
-        });
-        let squared: Lanes<W> = lanes_of(squared);
-        let over_stiffness =
-            |factor: f64, l: usize| heat.stiffness.map_or(factor, |[now, _]| factor / now[l]);
-        // No softening factor need be evaluated where the lowest one in the element keeps the
-        // points elastic.
-        let strength = &self.committed.strength[scalar..scalar + W];
-        let mut near = false;
-        for l in 0..W {
-            let least = over_stiffness(heat.weakest, l) * strength[l];
-            near |= squared[l] > least * least;
-        }
-        let mut flowing = [false; W];
-        let mut softening = [1.0; W];
-        let mut any = false;
-        if near {
-            softening = self.solid.softening_factors(heat.rise);
-            for l in 0..W {
-                softening[l] = over_stiffness(softening[l], l);
-                let limit = strength[l] * softening[l];
-                flowing[l] = squared[l] > limit * limit;
-                any |= flowing[l];
-            }
-        }
-        let coefficient = |i: usize| (point * COEFFICIENTS + i) * lanes + first;
-        // The return mapping of the iteration before is a good first guess.
-        let mut guess = [0.0; W];
-        if any || stale {
-            for i in 0..TENSOR {
-                let at = tensor(i)..tensor(i) + W;
-                self.trial.plastic_strain[at.clone()].copy_from_slice(&self.committed.plastic_strain[at]);
-            }
-            for l in 0..W {
-                guess[l] = self.trial.accumulated[scalar + l] - self.committed.accumulated[scalar + l];
-                self.trial.accumulated[scalar + l] = self.committed.accumulated[scalar + l];
-                self.trial.strength[scalar + l] = self.committed.strength[scalar + l];
-            }
-        }
-        if stale && !any {
-            self.tangent.coefficients[coefficient(0)..coefficient(0) + W].fill(two_shear);
-            self.tangent.coefficients[coefficient(1)..coefficient(1) + W].fill(0.0);
-        }
-        if any {
-            let at_start = |values: &[f64]| -> Lanes<W> { std::array::from_fn(|l| values[scalar + l]) };
-            let mut start = [[0.0; W]; TENSOR];
-            for (i, start) in start.iter_mut().enumerate() {
-                start.copy_from_slice(&self.committed.deviator[tensor(i)..tensor(i) + W]);
-                if let Some([_, before]) = heat.stiffness {
-                    (0..W).for_each(|l| start[l] /= before[l]);
-                }
-            }
-            let elastic: [Lanes<W>; TENSOR] = stress.map(lanes_of);
-            let path = StrainPath {
-                flowing,
-                start: &start,
-                elastic: &elastic,
-                strain: at_start(&self.committed.accumulated),
-                strength: at_start(&self.committed.strength),
-                softening,
-                guess,
-            };
-            let end = self.solid.flow(&path);
-            let stiffness = 3.0 * self.solid.moduli.shear;
-            // Elastic where nothing flows: what follows is for all lanes at once.
-            let (mut across, mut radial) = ([two_shear; W], [0.0; W]);
-            for l in (0..W).filter(|&l| flowing[l]) {
-                self.trial.accumulated[scalar + l] = path.strain[l] + end.increment[l];
-                self.trial.strength[scalar + l] = end.strength[l];
-                // Along the stress the tangent is 2GH/(3G + H). A strength that falls counts as constant, so that
-                // it stays definite; and nowhere is it stiffer along the stress than across.
-                let slope = end.slope[l].max(0.0);
-                across[l] = two_shear * end.across[l];
-                radial[l] = (two_shear * (1.0 - stiffness / (stiffness + slope)) - across[l]).min(0.0);
-            }
-            let at = coefficient(0);
-            self.tangent.coefficients[at..at + W].copy_from_slice(&across);
-            let at = coefficient(1);
-            self.tangent.coefficients[at..at + W].copy_from_slice(&radial);
-            for i in 0..TENSOR {
-                let (direction, plastic) = (coefficient(2 + i), tensor(i));
-                let direction = &mut self.tangent.coefficients[direction..direction + W];
-                let plastic = &mut self.trial.plastic_strain[plastic..plastic + W];
-                let mut at_end = elastic[i];
-                for l in 0..W {
-                    let flows = flowing[l];
-                    let flown = end.radius[l] * end.direction[i][l];
-                    direction[l] = if flows { end.direction[i][l] } else { 0.0 };
-                    at_end[l] = if flows { flown } else { at_end[l] };
-                    // What of the strain is not elastic.
-                    plastic[l] += (elastic[i][l] - at_end[l]) / two_shear;
-                }
-                stress[i] = V::load(&at_end);
-            }
-        }
-        for (i, component) in stress.iter_mut().enumerate() {
-            if let Some([now, _]) = heat.stiffness {
-                *component = *component * V::load(now);
-            }
-            component.store(&mut self.trial.deviator[tensor(i)..]);
-        }
-        (stress, any)
     }
 
     /// Angles that are computed together, see `by_lanes`.
@@ -371,8 +213,8 @@ impl Body {
         &self.tangent.coefficients[at..at + W]
     }
 
-    /// Product with a displacement of what the elastic stiffness at T₀ has more than the consistent tangent
-    /// at the last internal force. Reads and writes the entries of the zone alone: elsewhere the product is zero.
+    /// Product of the stiffness loss, elastic stiffness at T₀ minus consistent tangent at the last internal force, with
+    /// a displacement. Reads and writes the entries of the zone alone: elsewhere the product is zero.
     pub fn stiffness_loss(&mut self, zone: &InelasticZone, u: &[f64], force: &mut [f64]) {
         by_lanes!(self.stiffness_loss_lanes(zone, u, force));
     }
@@ -390,3 +232,5 @@ impl Body {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+pub(crate) use tests::test_solid;

@@ -1,4 +1,4 @@
-//! Stress and plastic strain at the nodes of the meridian, for pictures.
+//! Stress and plastic strain at the nodes of the meridian.
 
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::POINTS;

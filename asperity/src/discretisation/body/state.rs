@@ -13,7 +13,7 @@ pub struct BodyState {
     pub(super) deviator: Vec<f64>,
     /// Equivalent plastic strain.
     pub(super) accumulated: Vec<f64>,
-    /// Strength without softening at that strain, kept to spare its power law.
+    /// Strength without softening at that strain, stored to save its power law.
     pub(super) strength: Vec<f64>,
     /// Mean stress, one per element.
     pub(super) mean_stress: Vec<f64>,

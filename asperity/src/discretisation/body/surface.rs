@@ -1,4 +1,4 @@
-//! What the interface sees of the body: the plastic strain of the elements under the contact.
+//! Plastic strain of the elements under the contact, at the contact points.
 
 use super::{Body, BodyState};
 use crate::discretisation::element::POINTS;

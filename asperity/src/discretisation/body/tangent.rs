@@ -1,8 +1,8 @@
-//! Products with the consistent tangent, as what it is short of the elastic stiffness.
+//! Products with the stiffness loss: elastic stiffness at T₀ minus consistent tangent.
 //!
-//! The preconditioner inverts the elastic stiffness at T₀. So in conjugate gradients its product with a
-//! direction of search is a sum of residuals that are known, and only the elements whose tangent is another
-//! need be gone through: those that flow, three to four in ten in a slide at 20 ω_c.
+//! The preconditioner inverts the elastic stiffness at T₀. So in conjugate gradients its product with a search direction
+//! is a sum of known residuals, and only the elements with another tangent contribute: those that flow, three to four
+//! in ten in a slide at 20 ω_c.
 
 use super::{Body, TENSOR};
 use crate::discretisation::collocation::VECTOR_PARITY;
@@ -12,8 +12,8 @@ use crate::discretisation::element::{CORNERS, POINTS, VALUES, deviators_and_dila
 use crate::discretisation::runs::Runs;
 use crate::material::lanes::Pack;
 
-/// Where the tangent at the last internal force is not the elastic stiffness at T₀: elements that flow, have other
-/// moduli or large displacement gradients.
+/// Inelastic zone: where the tangent at the last internal force is not the elastic stiffness at T₀, i.e. elements that
+/// flow, have other moduli or large displacement gradients.
 pub struct InelasticZone {
     elements: Vec<u32>,
     /// Nodes of these elements and of the contact.
@@ -38,7 +38,7 @@ impl Body {
         InelasticZone { elements, nodes, entries }
     }
 
-    /// Whether the tangent of a group of angles of an element is another than the elastic one.
+    /// Whether the tangent of a group of angles of an element differs from the elastic one.
     fn is_inelastic(&self, at: usize) -> bool {
         let moduli = &self.tangent.stiffness;
         self.is_large(at)
@@ -48,10 +48,10 @@ impl Body {
 
     /// Whether the moduli of small strain will not do.
     fn is_large(&self, at: usize) -> bool {
-        self.finite.as_ref().is_some_and(|tangent| !tangent.is_small(at))
+        self.finite_strain.as_ref().is_some_and(|tangent| !tangent.is_small(at))
     }
 
-    /// V has room for W angles.
+    /// W angles at a time, which fill V.
     pub(super) fn stiffness_loss_lanes<const W: usize, V: Pack>(
         &mut self,
         zone: &InelasticZone,
@@ -85,7 +85,7 @@ impl Body {
         }
     }
 
-    /// Share of an element at small strain.
+    /// Contribution of an element at small strain.
     #[inline(always)]
     fn small_loss<const W: usize, V: Pack>(
         &self,

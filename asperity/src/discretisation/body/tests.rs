@@ -4,7 +4,8 @@ use super::energies::MechanicalEnergies;
 use super::*;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
-use crate::scene::{Hardening, Material, Softening, TemperatureDependence, TemperatureTable};
+use crate::material::tests::steel;
+use crate::scene::{Hardening, Material, TemperatureDependence, TemperatureTable};
 
 pub(super) fn body(hardening: Hardening, sectors: Collocation) -> Body {
     body_with(hardening, sectors, TemperatureDependence::default())
@@ -22,31 +23,26 @@ fn varying() -> TemperatureDependence {
     }
 }
 
+/// E = 500 σ_Y, ν = 0.3.
+pub(crate) fn test_solid(hardening: Hardening) -> Solid {
+    solid_with(hardening, TemperatureDependence::default())
+}
+
+fn solid_with(hardening: Hardening, dependence: TemperatureDependence) -> Solid {
+    Solid::new(&Material { dependence, ..steel(hardening) }, 298.0)
+}
+
 fn body_with(hardening: Hardening, sectors: Collocation, dependence: TemperatureDependence) -> Body {
-    let material = Material {
-        youngs_modulus: 200e9,
-        poisson_ratio: 0.3,
-        yield_strength: 400e6,
-        hardening,
-        density: 7850.0,
-        specific_heat: 475.0,
-        thermal_conductivity: 45.0,
-        thermal_expansion: 1.2e-5,
-        softening: Softening::JohnsonCook { reference: 298.0, melting: 1793.0, exponent: 1.0 },
-        fracture: None,
-        dependence,
-    };
     let meridian = MeridianMesh::new(MeshSize::new(0.1, 4));
-    let mesh = RevolvedMesh::new(meridian, sectors);
-    Body::new(mesh, Solid::new(&material, 298.0))
+    Body::new(RevolvedMesh::new(meridian, sectors), solid_with(hardening, dependence))
 }
 
 pub(super) fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
     (0..n).map(|i| scale * (i as f64 * 0.37 + phase).sin()).collect()
 }
 
-/// Relative difference between the tangent product with `d` and the forces a little further and a little back.
-pub(super) fn tangent_error(body: &mut Body, u: &[f64], rise: Option<&[f64]>, d: &[f64], h: f64) -> f64 {
+/// Relative difference between the tangent product with `d` and the central difference of the forces along it.
+fn tangent_error(body: &mut Body, u: &[f64], rise: Option<&[f64]>, d: &[f64], h: f64) -> f64 {
     let n = u.len();
     let at = |body: &mut Body, t: f64| {
         let x: Vec<f64> = u.iter().zip(d).map(|(a, b)| a + t * b).collect();
@@ -64,14 +60,28 @@ pub(super) fn tangent_error(body: &mut Body, u: &[f64], rise: Option<&[f64]>, d:
     error / norm
 }
 
-/// Of the tangent in two long steps, and in two short ones of which the second is a tenth of the first.
-pub(super) fn assert_is_of_first_order(errors: [f64; 4]) {
+/// The tangent against finite differences of the force: exact at `first`, where loading is proportional from the
+/// virgin state; with `first` as history, in error in proportion to the length of a further `step`.
+pub(super) fn check_tangent(
+    body: &mut Body,
+    rise: Option<&[f64]>,
+    first: &[f64],
+    step: &[f64],
+    direction: &[f64],
+    h: f64,
+) {
+    let error = tangent_error(body, first, rise, direction, h);
+    assert!(error < 1e-6, "{error}");
+    body.commit();
+    let errors = [1.0, 0.1, 1e-3, 1e-4].map(|length| {
+        let u: Vec<f64> = first.iter().zip(step).map(|(a, b)| a + length * b).collect();
+        tangent_error(body, &u, rise, direction, h * length)
+    });
     let [long, shorter, short, shortest] = errors;
     assert!(long.max(shorter) < 0.03 && short < 2e-3, "{errors:?}");
     assert!((8.0..12.0).contains(&(short / shortest)), "{errors:?}");
 }
 
-/// Exact where loading is proportional, from the virgin state; after a history, the shorter the step.
 #[test]
 fn tangent_agrees_with_finite_differences() {
     let power = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 };
@@ -85,17 +95,10 @@ fn tangent_agrees_with_finite_differences() {
         let mut body = body_with(hardening, Collocation::full(4), dependence);
         let n = body.mesh.field_length(3);
         let rise: Vec<f64> = wave(body.mesh.field_length(1), 100.0, 0.3).iter().map(|t| t + 150.0).collect();
-        let d = wave(n, 1e-4, 2.0);
         // Strains of a few per cent in the fine elements.
-        let first = wave(n, 2e-4, 0.1);
-        let error = tangent_error(&mut body, &first, Some(&rise), &d, 1e-6);
-        assert!(error < 1e-6, "{error}");
-        body.commit();
-        let errors = [1.0, 0.1, 1e-3, 1e-4].map(|length| {
-            let u: Vec<f64> = first.iter().zip(wave(n, 1e-4, 1.0)).map(|(a, b)| a + length * b).collect();
-            tangent_error(&mut body, &u, Some(&rise), &d, 1e-6 * length)
-        });
-        assert_is_of_first_order(errors);
+        let [first, step, d] =
+            [(2e-4, 0.1), (1e-4, 1.0), (1e-4, 2.0)].map(|(scale, phase)| wave(n, scale, phase));
+        check_tangent(&mut body, Some(&rise), &first, &step, &d, 1e-6);
     }
 }
 

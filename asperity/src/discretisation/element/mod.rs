@@ -15,7 +15,7 @@ use crate::material::lanes::{Lanes, Pack};
 /// Gauss points of a quadrilateral.
 pub const POINTS: usize = 4;
 pub const CORNERS: usize = 4;
-/// (u_r, u_θ, u_z) and their derivatives in θ; likewise the forces that work on them.
+/// (u_r, u_θ, u_z) and their derivatives in θ; likewise the conjugate forces.
 pub const VALUES: usize = 6;
 
 /// 1/√3.
@@ -175,7 +175,7 @@ impl RevolvedMesh {
         values
     }
 
-    /// Adds forces on the corners' displacements and on their derivatives to fields of each.
+    /// Adds the forces conjugate to the corners' displacements and to their derivatives in θ.
     #[inline(always)]
     pub fn scatter_vector<V: Pack>(
         &self,
@@ -295,4 +295,4 @@ pub fn stress_force<V: Pack>(element: &Element, stress: &[[V; 6]; POINTS]) -> [[
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

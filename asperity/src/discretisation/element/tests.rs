@@ -10,7 +10,7 @@ fn mesh(sectors: Collocation) -> RevolvedMesh {
 }
 
 /// Cylindrical nodal values of a Cartesian displacement symmetric about y = 0.
-fn nodal(mesh: &RevolvedMesh, u: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
+pub(crate) fn nodal(mesh: &RevolvedMesh, u: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
     let columns = mesh.sectors.columns();
     let mut field = vec![0.0; mesh.field_length(3)];
     for (node, &[r, z]) in mesh.meridian.nodes.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Conduction against closed forms, and its heat balance under awkward heat flows and properties.
+//! Conduction against closed forms, and its heat balance with steep heat flows and properties.
 
 use super::*;
 use crate::discretisation::collocation::Collocation;
@@ -90,7 +90,7 @@ fn constant_diffusivity_follows_kirchhoff_and_carslaw_and_jaeger() {
     }
 }
 
-/// Properties that happen to be constant take the other path to the same temperatures.
+/// Constant properties given as tables are solved by the other method, with the same temperatures.
 #[test]
 fn constant_tables_agree_with_constant_properties() {
     let (mesh, heat) = (small_mesh(), |mesh: &RevolvedMesh| Softening::new(mesh, 1.0, 3.0));

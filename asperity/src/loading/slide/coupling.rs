@@ -55,7 +55,7 @@ impl Coupling<'_> {
         }
         if iteration > 0 {
             let edges = self.edge.next(contact.edges(), contact.trial_edges());
-            contact.cover_to(&edges);
+            contact.set_edges(&edges);
         }
         let stretched = if self.problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
         // A step that failed may have left any trial state.
@@ -120,7 +120,7 @@ impl Slide<'_> {
         // The first guess decides which points touch; the shear limits do not matter for that.
         let contact = &mut self.mechanics.contact;
         contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
-        contact.cover_to(&edges);
+        contact.set_edges(&edges);
         let mut coupling = Coupling {
             problem: self.problem,
             conduction: self.heat.as_mut(),

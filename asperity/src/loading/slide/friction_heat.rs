@@ -26,8 +26,9 @@ impl ContactHeat for FrictionHeat<'_> {
         let gap = self.conductance(point);
         let power = problem.heat_partition * area * self.speed[point];
         let (traction, slope) = if problem.law.is_material_strength() {
-            let strength =
-                |t: f64| shear_strength(problem, self.hardened[point], t) * self.contact.cover[point];
+            let strength = |t: f64| {
+                shear_strength(problem, self.hardened[point], t) * self.contact.contact_fraction[point]
+            };
             let h = 0.01;
             (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
         } else {
@@ -48,7 +49,7 @@ impl FrictionHeat<'_> {
         if self.contact.trial.status[point] == Status::Open {
             return 0.0;
         }
-        let covered = self.contact.areas[point] * self.contact.cover[point];
+        let covered = self.contact.areas[point] * self.contact.contact_fraction[point];
         self.problem.gap_conductance * self.problem.heat_capacity * covered
     }
 }
@@ -92,7 +93,7 @@ pub fn contact_rise(contact: &Contact, rise: &[f64]) -> (f64, f64) {
     let (mut largest, mut sum, mut area) = (0.0f64, 0.0, 0.0);
     for i in (0..contact.len()).filter(|&i| contact.trial.status[i] != Status::Open) {
         let value = rise[contact.scalar_place(i)];
-        let share = contact.areas[i] * contact.cover[i];
+        let share = contact.areas[i] * contact.contact_fraction[i];
         largest = largest.max(value);
         sum += share * value;
         area += share;

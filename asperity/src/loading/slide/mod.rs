@@ -137,7 +137,7 @@ impl<'a> Slide<'a> {
             }
             let next = control.next(slip);
             let committed = self.predictor();
-            let cover = self.mechanics.contact.cover.clone();
+            let cover = self.mechanics.contact.contact_fraction.clone();
             let guess = match control.bracket() {
                 None => Predictor::between((&before, slip_before), (&committed, slip), next),
                 Some(beyond) => {

@@ -34,7 +34,7 @@ pub fn shear_limits(
             let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
             let point = ContactPoint {
                 pressure: contact.trial.pressure[i],
-                contact_fraction: contact.cover[i],
+                contact_fraction: contact.contact_fraction[i],
                 strength: shear_strength(problem, hardened[i], theta),
                 unit: problem.units.stress,
             };

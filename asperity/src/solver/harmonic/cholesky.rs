@@ -1,15 +1,14 @@
 //! Numeric Cholesky factorisation of several harmonics together.
 //!
-//! They share one pattern, so that each operation is done on lanes of them. Columns that follow each other and have
-//! the same rows below are one panel, at least the components of a node, and the factorisation goes from panel to
-//! panel, left-looking (Ng & Peyton 1993, SIAM J. Sci. Comput. 14, 1034): what has been computed is read once per panel
-//! instead of once per column.
+//! They share one pattern, so each operation acts on lanes of them. Consecutive columns with the same rows below form a
+//! panel, at least the components of a node. The factorisation is left-looking by panels (Ng & Peyton 1993, SIAM J.
+//! Sci. Comput. 14, 1034, doi:10.1137/0914063): earlier columns are read once per panel instead of once per column.
 
 use std::ops::Range;
 
 use crate::material::lanes::{Lanes, fma};
 
-/// Columns of a panel at most: what an update needs of two panels stays in registers.
+/// Columns of a panel at most: the operands of an update stay in registers.
 const WIDEST: usize = 3;
 
 /// Pattern of a factor L, by columns as they are stored.
@@ -22,7 +21,7 @@ pub struct FactorPattern {
     place: Vec<u32>,
     /// First column of each panel.
     panel_start: Vec<usize>,
-    /// Of each panel: those before it that it is updated by, and which of their rows below is the first one in it.
+    /// Of each panel: the earlier panels that update it, and the first of their rows below that lies in it.
     update_start: Vec<usize>,
     update: Vec<(u32, u32)>,
 }
@@ -140,7 +139,7 @@ impl FactorPattern {
     }
 }
 
-/// What a panel takes from one before it.
+/// Update of a panel by an earlier one.
 struct Update<'a, const M: usize> {
     lower: &'a [Lanes<M>],
     columns: Range<usize>,
@@ -209,7 +208,7 @@ fn factorise_panel<const M: usize>(width: usize, panel: &mut [[Lanes<M>; WIDEST]
 mod tests {
     use super::*;
 
-    /// An arrow that points down: dense in its last row, nothing filled in. Each lane is another matrix.
+    /// An arrow matrix, dense in its last row, without fill-in; each lane is another matrix.
     #[test]
     fn factors_multiply_back() {
         let (upper_start, upper_row) = ([0, 1, 2, 5], [0, 1, 0, 1, 2]);

@@ -5,22 +5,23 @@
 //! pattern, so their Cholesky factors are stored as lanes and one sweep solves all.
 //!
 //! The unknowns of the contact nodes come last. Elimination of the rest leaves, exactly, their
-//! Schur complement: the dense stiffness of the body as the contact feels it. A solve is a
-//! forward sweep, whatever is to be done with that dense system (contact springs, nonlinear
-//! heat exchange), and a backward sweep.
+//! Schur complement: the dense stiffness of the body at the contact. A solve is a forward sweep, the
+//! solution of that dense system with the contact springs or the heat exchange, and a backward sweep.
 
 mod cholesky;
+mod in_plane;
 mod pattern;
 mod single;
 mod sweeps;
 
 pub use pattern::HarmonicPattern;
 pub use single::SingleFactors;
+use sweeps::BlockTriangle;
 
 use crate::discretisation::collocation::{Collocation, Parity, VECTOR_PARITY};
-use crate::material::lanes::{fma, small_product};
+use crate::material::lanes::{dot, small_product};
 
-/// Which nodal values an operator acts on.
+/// Nodal values that an operator acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldKind {
     /// (u_r, u_θ, u_z): even, odd, even.
@@ -103,11 +104,8 @@ pub struct HarmonicFactors {
     /// Position of each node and component in the elimination order.
     position: Vec<u32>,
     on_axis: Vec<bool>,
-    column_start: Vec<u32>,
-    row: Vec<u32>,
-    /// Entries of L below the diagonal, harmonics as lanes; 1/diagonal apart.
-    value: Vec<f64>,
-    inverse_diagonal: Vec<f64>,
+    /// Columns of the interior unknowns.
+    triangle: BlockTriangle<f64>,
     /// Cholesky factor of the Schur complement of the contact unknowns per harmonic, dense
     /// lower triangle, row by row.
     schur: Vec<f64>,
@@ -146,6 +144,16 @@ impl HarmonicFactors {
             }
         }
         stiffness
+    }
+
+    /// Eliminates the interior: on return the contact part of `modal` is the reduced force.
+    pub fn forward(&self, modal: &mut [f64]) {
+        self.triangle.forward::<1>(modal, 0..self.interior);
+    }
+
+    /// Substitutes back, given the contact part of `modal` as displacement.
+    pub fn backward(&self, modal: &mut [f64]) {
+        self.triangle.backward::<1, 4>(modal, (0..self.interior).rev());
     }
 
     /// Harmonics of a nodal force.
@@ -217,9 +225,9 @@ impl HarmonicFactors {
             FieldKind::Scalar => 0,
             FieldKind::Vector => 2 * columns,
         };
-        modal[axial] = dot(&self.transform.even[..columns], &force[axial..]);
+        modal[axial] = dot(&self.transform.even[..columns], &force[axial..][..columns]);
         if self.kind == FieldKind::Vector && columns > 1 {
-            modal[1] = dot(&self.transform.even[first.clone()], force)
+            modal[1] = dot(&self.transform.even[first.clone()], &force[..columns])
                 - dot(&self.transform.odd[first.clone()], &force[first]);
         }
     }
@@ -275,7 +283,5 @@ impl HarmonicFactors {
     }
 }
 
-#[inline(always)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |sum, (x, y)| fma(*x, *y, sum))
-}
+#[cfg(test)]
+mod tests;

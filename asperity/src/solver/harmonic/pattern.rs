@@ -1,10 +1,13 @@
 //! Sparsity pattern and elimination order of an axisymmetric operator, and its factorisation.
 
+use std::ops::Range;
+
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::{amd, cholesky::simplicial};
 
 use super::cholesky::FactorPattern;
+use super::sweeps::BlockTriangle;
 use super::{ABSENT, FactorError, FieldKind, HarmonicFactors, ThetaTransform};
 use crate::discretisation::element::{CORNERS, RevolvedMesh};
 
@@ -24,92 +27,17 @@ pub struct HarmonicPattern {
 impl HarmonicPattern {
     pub fn new(mesh: &RevolvedMesh, kind: FieldKind) -> Result<Self, FactorError> {
         let components = kind.components();
-        let meridian = &mesh.meridian;
-        let nodes = mesh.node_count();
-        let mut is_contact = vec![false; nodes];
-        for &node in &meridian.contact {
-            is_contact[node as usize] = true;
-        }
-
-        // Minimum-degree order of the interior nodes, then the contact rings.
-        let interior_nodes: Vec<usize> =
-            (0..nodes).filter(|&n| !is_contact[n] && !meridian.is_base[n]).collect();
-        let mut local = vec![usize::MAX; nodes];
-        for (i, &node) in interior_nodes.iter().enumerate() {
-            local[node] = i;
-        }
-        let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); interior_nodes.len()];
-        for quad in &meridian.quads {
-            for &a in quad {
-                for &b in quad {
-                    let (i, j) = (local[a as usize], local[b as usize]);
-                    if i != usize::MAX && j != usize::MAX && i <= j {
-                        neighbours[j].push(i);
-                    }
-                }
-            }
-        }
-        let (column_start, row) = compress(&mut neighbours);
-        let n = interior_nodes.len();
-        let graph = SymbolicSparseColMatRef::new_checked(n, n, &column_start, None, &row);
-        let (mut order, mut rank) = (vec![0usize; n], vec![0usize; n]);
-        let mut memory =
-            MemBuffer::try_new(amd::order_scratch::<usize>(n, row.len())).map_err(|_| FactorError::Memory)?;
-        amd::order(&mut order, &mut rank, graph, amd::Control::default(), MemStack::new(&mut memory))
-            .map_err(|_| FactorError::Memory)?;
-        let mut position = vec![ABSENT; nodes * components];
-        let sequence =
-            order.iter().map(|&i| interior_nodes[i]).chain(meridian.contact.iter().map(|&n| n as usize));
-        let mut unknowns = 0;
-        for node in sequence {
+        let order = elimination_order(mesh)?;
+        let mut position = vec![ABSENT; mesh.node_count() * components];
+        for (place, &node) in order.iter().enumerate() {
             for c in 0..components {
-                position[node * components + c] = unknowns as u32;
-                unknowns += 1;
+                position[node * components + c] = (place * components + c) as u32;
             }
         }
-        let interior = unknowns - meridian.contact.len() * components;
-
-        // Pattern of the permuted upper triangle.
-        let mut columns: Vec<Vec<usize>> = vec![Vec::new(); unknowns];
-        for quad in &meridian.quads {
-            for &a in quad {
-                for &b in quad {
-                    for (ca, cb) in (0..components * components).map(|i| (i / components, i % components)) {
-                        let i = position[a as usize * components + ca];
-                        let j = position[b as usize * components + cb];
-                        if i != ABSENT && j != ABSENT && i <= j {
-                            columns[j as usize].push(i as usize);
-                        }
-                    }
-                }
-            }
-        }
-        // The contact block is dense in the factor anyway; say so, to read it off row by row.
-        for j in interior..unknowns {
-            columns[j].extend(interior..=j);
-        }
-        let (column_start, row) = compress(&mut columns);
-        let pattern = SymbolicSparseColMatRef::new_checked(unknowns, unknowns, &column_start, None, &row);
-        let mut memory = MemBuffer::try_new(StackReq::any_of(&[
-            simplicial::prefactorize_symbolic_cholesky_scratch::<usize>(unknowns, row.len()),
-            simplicial::factorize_simplicial_symbolic_cholesky_scratch::<usize>(unknowns),
-        ]))
-        .map_err(|_| FactorError::Memory)?;
-        let (mut tree, mut counts) = (vec![0isize; unknowns], vec![0usize; unknowns]);
-        simplicial::prefactorize_symbolic_cholesky(
-            &mut tree,
-            &mut counts,
-            pattern,
-            MemStack::new(&mut memory),
-        );
-        let symbolic = simplicial::factorize_simplicial_symbolic_cholesky(
-            pattern,
-            // SAFETY: the tree was just filled for this pattern.
-            unsafe { simplicial::EliminationTreeRef::from_inner(&tree) },
-            &counts,
-            MemStack::new(&mut memory),
-        )
-        .map_err(|_| FactorError::Memory)?;
+        let unknowns = order.len() * components;
+        let interior = unknowns - mesh.meridian.contact.len() * components;
+        let (column_start, row) = upper_triangle(mesh, components, &position, interior..unknowns);
+        let symbolic = factorise_symbolically(unknowns, &column_start, &row)?;
         let factor_pattern = FactorPattern::new(symbolic.col_ptr(), symbolic.row_idx(), &column_start, &row);
         Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic, factor_pattern })
     }
@@ -156,7 +84,7 @@ impl HarmonicPattern {
                 }
             }
         }
-        // Unknowns that the axis does not have in a harmonic: a diagonal, and nothing beside it.
+        // Unknowns that do not exist on the axis in a harmonic have a unit diagonal and no coupling.
         for m in 0..columns {
             for node in (0..mesh.node_count()).filter(|&n| mesh.meridian.on_axis(n)) {
                 for c in (0..components).filter(|&c| !self.exists_on_axis(c, m)) {
@@ -224,18 +152,21 @@ impl HarmonicPattern {
             interior: self.interior,
             position: self.position.clone(),
             on_axis: (0..mesh.node_count()).map(|n| mesh.meridian.on_axis(n)).collect(),
-            column_start: Vec::with_capacity(self.interior + 1),
-            row: Vec::with_capacity(sparse),
-            value: vec![0.0; sparse * lanes],
-            inverse_diagonal: vec![0.0; self.interior * lanes],
+            triangle: BlockTriangle {
+                lanes,
+                start: vec![0],
+                row: Vec::with_capacity(sparse),
+                block: vec![0.0; sparse * lanes],
+                diagonal: vec![0.0; self.interior * lanes],
+            },
             schur: vec![0.0; dense * dense * lanes],
         };
+        let triangle = &mut factors.triangle;
         for j in 0..self.interior {
-            factors.column_start.push(factors.row.len() as u32);
             debug_assert_eq!(rows[columns[j]], j);
-            factors.row.extend(rows[columns[j] + 1..columns[j + 1]].iter().map(|&i| i as u32));
+            triangle.row.extend(rows[columns[j] + 1..columns[j + 1]].iter().map(|&i| i as u32));
+            triangle.start.push(triangle.row.len() as u32);
         }
-        factors.column_start.push(factors.row.len() as u32);
         // N_θ is one or a multiple of four.
         for first in (0..lanes).step_by(group_of(lanes)) {
             match group_of(lanes) {
@@ -264,12 +195,12 @@ impl HarmonicPattern {
         for j in 0..self.interior {
             let own = &lower[columns[j]];
             for l in 0..M {
-                factors.inverse_diagonal[j * lanes + first + l] = 1.0 / own[l];
+                factors.triangle.diagonal[j * lanes + first + l] = 1.0 / own[l];
             }
             // Diagonals are kept apart: j + 1 of them come before.
             for at in columns[j] + 1..columns[j + 1] {
                 let place = (at - j - 1) * lanes + first;
-                factors.value[place..place + M].copy_from_slice(&lower[at]);
+                factors.triangle.block[place..place + M].copy_from_slice(&lower[at]);
             }
         }
         let (rows, dense) = (self.symbolic.row_idx(), self.unknowns - self.interior);
@@ -292,6 +223,93 @@ fn group_of(lanes: usize) -> usize {
         n if n.is_multiple_of(4) => 4,
         _ => 1,
     }
+}
+
+/// Nodes that are not fixed: the interior ones in minimum-degree order, then the contact rings.
+fn elimination_order(mesh: &RevolvedMesh) -> Result<Vec<usize>, FactorError> {
+    let (meridian, nodes) = (&mesh.meridian, mesh.node_count());
+    let mut is_contact = vec![false; nodes];
+    for &node in &meridian.contact {
+        is_contact[node as usize] = true;
+    }
+    let interior: Vec<usize> = (0..nodes).filter(|&n| !is_contact[n] && !meridian.is_base[n]).collect();
+    let mut local = vec![usize::MAX; nodes];
+    for (i, &node) in interior.iter().enumerate() {
+        local[node] = i;
+    }
+    let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); interior.len()];
+    for quad in &meridian.quads {
+        for &a in quad {
+            for &b in quad {
+                let (i, j) = (local[a as usize], local[b as usize]);
+                if i != usize::MAX && j != usize::MAX && i <= j {
+                    neighbours[j].push(i);
+                }
+            }
+        }
+    }
+    let (column_start, row) = compress(&mut neighbours);
+    let n = interior.len();
+    let graph = SymbolicSparseColMatRef::new_checked(n, n, &column_start, None, &row);
+    let (mut order, mut rank) = (vec![0usize; n], vec![0usize; n]);
+    let mut memory =
+        MemBuffer::try_new(amd::order_scratch::<usize>(n, row.len())).map_err(|_| FactorError::Memory)?;
+    amd::order(&mut order, &mut rank, graph, amd::Control::default(), MemStack::new(&mut memory))
+        .map_err(|_| FactorError::Memory)?;
+    let contact = meridian.contact.iter().map(|&n| n as usize);
+    Ok(order.into_iter().map(|i| interior[i]).chain(contact).collect())
+}
+
+/// Compressed columns of the permuted upper triangle.
+fn upper_triangle(
+    mesh: &RevolvedMesh,
+    components: usize,
+    position: &[u32],
+    contact: Range<usize>,
+) -> (Vec<usize>, Vec<usize>) {
+    let mut columns: Vec<Vec<usize>> = vec![Vec::new(); contact.end];
+    for quad in &mesh.meridian.quads {
+        for &a in quad {
+            for &b in quad {
+                for (ca, cb) in (0..components * components).map(|i| (i / components, i % components)) {
+                    let i = position[a as usize * components + ca];
+                    let j = position[b as usize * components + cb];
+                    if i != ABSENT && j != ABSENT && i <= j {
+                        columns[j as usize].push(i as usize);
+                    }
+                }
+            }
+        }
+    }
+    // The contact block is dense in the factor; a dense pattern lets it be read row by row.
+    for j in contact.clone() {
+        columns[j].extend(contact.start..=j);
+    }
+    compress(&mut columns)
+}
+
+/// Pattern of the Cholesky factor.
+fn factorise_symbolically(
+    unknowns: usize,
+    column_start: &[usize],
+    row: &[usize],
+) -> Result<simplicial::SymbolicSimplicialCholesky<usize>, FactorError> {
+    let pattern = SymbolicSparseColMatRef::new_checked(unknowns, unknowns, column_start, None, row);
+    let mut memory = MemBuffer::try_new(StackReq::any_of(&[
+        simplicial::prefactorize_symbolic_cholesky_scratch::<usize>(unknowns, row.len()),
+        simplicial::factorize_simplicial_symbolic_cholesky_scratch::<usize>(unknowns),
+    ]))
+    .map_err(|_| FactorError::Memory)?;
+    let (mut tree, mut counts) = (vec![0isize; unknowns], vec![0usize; unknowns]);
+    simplicial::prefactorize_symbolic_cholesky(&mut tree, &mut counts, pattern, MemStack::new(&mut memory));
+    simplicial::factorize_simplicial_symbolic_cholesky(
+        pattern,
+        // SAFETY: the tree was just filled for this pattern.
+        unsafe { simplicial::EliminationTreeRef::from_inner(&tree) },
+        &counts,
+        MemStack::new(&mut memory),
+    )
+    .map_err(|_| FactorError::Memory)
 }
 
 /// Sorted, duplicate-free compressed columns.

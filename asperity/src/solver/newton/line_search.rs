@@ -1,24 +1,26 @@
-//! How far Newton's method goes along a direction.
+//! Line search of Newton's method: the step at which the slope of the energy along the direction has fallen enough.
 
-use super::{CouplingData, LoadingControl, Mechanics, dot};
+use super::{CouplingData, LoadingControl, Mechanics};
 use crate::interface::contact::FlatPosition;
+use crate::material::lanes::dot;
 
 /// Share of the slope of the energy that a step may leave.
-const ENOUGH: f64 = 0.7;
-/// Longest step, as share of the interference, of which the end is good enough to ask for temperature and contact
-/// edge before the body has been there: a long one may turn the surface inside out.
+const SUFFICIENT_DECREASE: f64 = 0.7;
+/// Longest step, as share of the interference, at whose end temperature and contact edge are evaluated before the
+/// stress of the body: a longer one may turn the surface inside out.
 const SHORT: f64 = 0.1;
+const TRIES: usize = 8;
 
-/// Where Newton's method goes next, and from where.
+/// Direction of a Newton step, and the residual at its start.
 pub(super) struct Line<'a> {
     pub(super) direction: &'a [f64],
     pub(super) residual: &'a [f64],
     pub(super) flat: FlatPosition,
-    pub(super) hold: LoadingControl,
+    pub(super) control: LoadingControl,
 }
 
 impl Line<'_> {
-    /// Of the energy.
+    /// Slope of the energy at the start.
     fn initial_slope(&self) -> f64 {
         dot(self.residual, self.direction)
     }
@@ -38,29 +40,28 @@ impl Line<'_> {
 impl Mechanics {
     /// Sets `trial` that far along a line from `u`, with the internal force of that point; its share in the slope
     /// of the energy is returned.
-    fn go(&mut self, u: &[f64], trial: &mut [f64], line: &Line, step: f64, around: &CouplingData) -> f64 {
+    fn go(&mut self, u: &[f64], trial: &mut [f64], line: &Line, step: f64, data: &CouplingData) -> f64 {
         let size = self.internal.len();
         for ((t, &x), &d) in trial.iter_mut().zip(u).zip(line.direction) {
             *t = x + step * d;
         }
-        self.internal_force(&trial[..size], around);
+        self.internal_force(&trial[..size], data);
         dot(&self.internal, &line.direction[..size])
     }
 
     /// Share of contact and load in the slope of the energy that far along a line from `u`.
-    fn contact_slope(&mut self, u: &[f64], line: &Line, step: f64, around: &CouplingData) -> f64 {
+    fn contact_slope(&mut self, u: &[f64], line: &Line, step: f64, data: &CouplingData) -> f64 {
         let size = self.internal.len();
         let contact = &mut self.contact;
-        contact.evaluate(|p| u[p] + step * line.direction[p], line.flat_at(size, step), &around.limit);
-        let work = match line.hold {
+        contact.evaluate(|p| u[p] + step * line.direction[p], line.flat_at(size, step), &data.limit);
+        let work = match line.control {
             LoadingControl::Interference => 0.0,
             LoadingControl::Load(load) => 0.5 * (contact.load(&contact.trial) - load) * line.direction[size],
         };
         work - contact.work_on(line.direction)
     }
 
-    /// Goes all the way along a line into surroundings that have changed meanwhile, if the slope of the energy falls
-    /// enough. Otherwise `u` stays.
+    /// Takes the full step with new coupling data, if the slope of the energy falls enough. Otherwise `u` stays.
     pub(super) fn full_step(
         &mut self,
         u: &mut Vec<f64>,
@@ -69,7 +70,7 @@ impl Mechanics {
         next: &CouplingData,
     ) -> bool {
         let slope = self.go(u, trial, line, 1.0, next) + self.contact_slope(u, line, 1.0, next);
-        let enough = slope.abs() <= ENOUGH * line.initial_slope().abs();
+        let enough = slope.abs() <= SUFFICIENT_DECREASE * line.initial_slope().abs();
         if enough {
             std::mem::swap(u, trial);
         }
@@ -79,26 +80,24 @@ impl Mechanics {
     /// Goes along a line until the slope of the energy has fallen enough; leaves `u` there, with
     /// the internal force of that point. Returns how far that is.
     ///
-    /// Where a full step goes too far, that is mostly because points of the contact touch, lift off
-    /// or begin to slip on the way. So the next try is the root of the body's slope, taken as
-    /// linear, plus the exact slope of the contact, which is cheap.
+    /// Where a full step goes too far, points of the contact mostly touch, lift off or begin to slip on the way. So the
+    /// next try is the root of the slope of the body, taken as linear, plus the exact slope of the contact.
     pub(super) fn line_search(
         &mut self,
         u: &mut Vec<f64>,
         trial: &mut Vec<f64>,
         line: &Line,
-        around: &CouplingData,
+        data: &CouplingData,
     ) -> f64 {
-        const TRIES: usize = 8;
         let initial = line.initial_slope();
         // Steps that fall short and that go too far, each with the slope of the body alone.
         let mut low = (0.0, dot(&self.internal, &line.direction[..self.internal.len()]));
         let mut high: Option<(f64, f64)> = None;
         let mut step = 1.0;
         for attempt in 1..=TRIES {
-            let of_body = self.go(u, trial, line, step, around);
-            let slope = of_body + self.contact_slope(u, line, step, around);
-            if slope.abs() <= ENOUGH * initial.abs() || attempt == TRIES {
+            let of_body = self.go(u, trial, line, step, data);
+            let slope = of_body + self.contact_slope(u, line, step, data);
+            if slope.abs() <= SUFFICIENT_DECREASE * initial.abs() || attempt == TRIES {
                 break;
             }
             if !slope.is_finite() {
@@ -113,23 +112,33 @@ impl Mechanics {
             }
             step = match high {
                 None => 2.0 * step,
-                Some(high) => {
-                    let (mut left, mut right) = (low.0, high.0);
-                    for _ in 0..40 {
-                        let middle = 0.5 * (left + right);
-                        let body = low.1 + (high.1 - low.1) * (middle - low.0) / (high.0 - low.0);
-                        if body + self.contact_slope(u, line, middle, around) > 0.0 {
-                            right = middle;
-                        } else {
-                            left = middle;
-                        }
-                    }
-                    let width = high.0 - low.0;
-                    right.clamp(low.0 + 0.01 * width, high.0 - 0.01 * width)
-                }
+                Some(high) => self.slope_root(u, line, low, high, data),
             };
         }
         std::mem::swap(u, trial);
         step
+    }
+
+    /// Root of the slope between two steps with the slopes of the body, linear, and the exact slope of the contact.
+    fn slope_root(
+        &mut self,
+        u: &[f64],
+        line: &Line,
+        low: (f64, f64),
+        high: (f64, f64),
+        data: &CouplingData,
+    ) -> f64 {
+        let (mut left, mut right) = (low.0, high.0);
+        for _ in 0..40 {
+            let middle = 0.5 * (left + right);
+            let body = low.1 + (high.1 - low.1) * (middle - low.0) / (high.0 - low.0);
+            if body + self.contact_slope(u, line, middle, data) > 0.0 {
+                right = middle;
+            } else {
+                left = middle;
+            }
+        }
+        let width = high.0 - low.0;
+        right.clamp(low.0 + 0.01 * width, high.0 - 0.01 * width)
     }
 }

@@ -3,9 +3,10 @@
 
 use std::time::Instant;
 
-use super::{LoadingControl, Mechanics, StepFailure, dot};
+use super::{LoadingControl, Mechanics, StepFailure};
 use crate::discretisation::body::InelasticZone;
 use crate::discretisation::runs::Runs;
+use crate::material::lanes::dot;
 use crate::solver::preconditioner::Search;
 use crate::solver::timings::Kernel;
 
@@ -13,10 +14,9 @@ const KRYLOV_LIMIT: usize = 400;
 
 /// The interference as an unknown beside the displacements, in the preconditioner.
 ///
-/// Block elimination would take the load per interference as the small difference of two stiff
-/// springs. With the displacement that follows the flat as one more direction of search instead,
-/// nothing cancels, and the preconditioner stays symmetric and positive whatever the precision of
-/// its sweeps.
+/// Block elimination would compute the load per interference as the small difference of two stiff springs. With the
+/// displacement that follows the flat as one more search direction nothing cancels, and the preconditioner is symmetric
+/// and positive at any precision of its sweeps.
 pub(super) struct BorderedSystem {
     /// Displacement as the flat moves, then the interference itself.
     direction: Vec<f64>,
@@ -27,10 +27,9 @@ pub(super) struct BorderedSystem {
 impl Mechanics {
     /// Solves tangent·direction = −residual; `direction` holds M⁻¹·residual on entry.
     ///
-    /// The tangent is M less what the body has lost of its elastic stiffness, so that the elastic answer leaves a
-    /// residual in the inelastic zone alone, and all further residuals stay there. As each z is M⁻¹r, the product
-    /// of M with the direction of search p = z + βp' is r + β times the one before: no product with the stiffness
-    /// of the whole body is ever made.
+    /// The tangent is M minus the stiffness loss of the body, so the elastic solution leaves a residual in the inelastic
+    /// zone alone, and all further residuals stay there. As each z is M⁻¹r, the product of M with the search direction
+    /// p = z + βp' is r + β times the previous one: no product with the stiffness of the whole body is formed.
     pub(super) fn conjugate_gradients(&mut self, residual: &[f64], direction: &mut [f64], tolerance: f64) {
         let n = residual.len();
         let size = self.internal.len();
@@ -56,7 +55,7 @@ impl Mechanics {
             if next <= target {
                 break;
             }
-            // What the last iteration, or the elastic answer, left of ρ; also β of the next direction.
+            // Reduction of ρ by the last iteration, or by the elastic solution; also β of the next direction.
             let rate = next / rho;
             let beta = if iteration > 0 { rate } else { 0.0 };
             entries.update(&mut p, &z, |p, z| *p = z + beta * *p);
@@ -75,7 +74,7 @@ impl Mechanics {
             if n > size {
                 so_far += step * p[size];
             }
-            // To know for certain would take one more application of the preconditioner.
+            // Expected to be solved; certainty would take one more application of the preconditioner.
             if rate * rho <= target {
                 break;
             }
@@ -98,9 +97,9 @@ impl Mechanics {
     ) {
         let size = self.internal.len();
         let (field, of_field) = (&u[..size], &mut force[..size]);
-        let clock = Instant::now();
+        let start = Instant::now();
         self.body.stiffness_loss(zone, field, of_field);
-        self.timings.since(Kernel::TangentProduct, clock);
+        self.timings.since(Kernel::TangentProduct, start);
         zone.entries.update(of_field, elastic_tangent, |force, elastic| *force = elastic - *force);
         if let Some(&height) = u.get(size) {
             force[size] = self.contact.height_stiffness() * height + self.contact.load_product(field);
@@ -135,19 +134,19 @@ impl Mechanics {
         }
     }
 
-    /// Takes the present contact stiffness into the preconditioner.
-    pub(super) fn update_preconditioner(&mut self, hold: LoadingControl) -> Result<(), StepFailure> {
+    /// Updates the preconditioner with the present contact stiffness.
+    pub(super) fn update_preconditioner(&mut self, control: LoadingControl) -> Result<(), StepFailure> {
         self.preconditioner
             .update(&self.contact, &mut self.timings)
             .map_err(|_| StepFailure::ContactStiffness)?;
         self.border = None;
-        if let LoadingControl::Load(_) = hold {
+        if let LoadingControl::Load(_) = control {
             let size = self.internal.len();
             let (mut unit, mut direction) = (vec![0.0; size], vec![0.0; size]);
             self.contact.add_height_product(-1.0, &mut unit);
             self.preconditioner.apply(&unit, &mut direction, &mut self.timings);
             direction.push(1.0);
-            // Of its own making: no force is left on the displacements of the elastic body.
+            // The elastic body is in equilibrium along this direction.
             let mut force = vec![0.0; size + 1];
             let zone = self.body.inelastic_zone();
             self.tangent_product(&zone, &direction, &vec![0.0; size], &mut force);
@@ -163,75 +162,4 @@ impl Mechanics {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::discretisation::body::Body;
-    use crate::discretisation::collocation::Collocation;
-    use crate::discretisation::mesh::MeshSize;
-    use crate::interface::contact::{Contact, FlatPosition};
-    use crate::loading::press;
-    use crate::loading::problem::{Discretisation, Problem};
-    use crate::studies::robustness;
-
-    /// Energy of what a direction leaves of the residual.
-    fn left(mechanics: &mut Mechanics, residual: &[f64], direction: &[f64]) -> f64 {
-        let size = mechanics.internal.len();
-        let field = &direction[..size];
-        let mut rest = vec![0.0; direction.len()];
-        mechanics.body.tangent_product(field, &mut rest[..size]);
-        mechanics.contact.add_tangent_product(field, &mut rest[..size]);
-        if let Some(&height) = direction.get(size) {
-            let contact = &mechanics.contact;
-            contact.add_height_product(height, &mut rest[..size]);
-            rest[size] = contact.height_stiffness() * height + contact.load_product(field);
-        }
-        rest.iter_mut().zip(residual).for_each(|(rest, residual)| *rest += residual);
-        let mut answer = vec![0.0; direction.len()];
-        mechanics.precondition(&rest, &mut answer);
-        dot(&rest, &answer)
-    }
-
-    /// What is left of the residual is found with products of the whole tangent, which the solver never makes.
-    #[test]
-    fn the_answer_in_the_inelastic_zone_solves_the_whole_system() {
-        for (case, finite_strain) in [("interference-5", false), ("interference-100", true)] {
-            let case = robustness::all().into_iter().find(|known| known.name == case).unwrap();
-            let problem = Problem { finite_strain, ..Problem::new(&case.scene().unwrap()) };
-            let size = MeshSize::new(problem.expected_contact_radius(), 6);
-            let (pressed, _) = press::press_on(&problem, size, 8).unwrap();
-            let (body, contact, displacement) = pressed.into_parts();
-            let Discretisation { mesh, factors } =
-                Discretisation::new(&problem, size, Collocation::full(4)).unwrap();
-            let u = mesh.sectors.spread(&displacement);
-            let body = Body::revolve(&body, mesh.clone());
-            let contact = Contact::revolve(&contact, &mesh, problem.contact_modulus);
-            let mut mechanics = Mechanics::new(body, contact, factors, u.clone(), 1e-7);
-            // Pushed on and along, so that the body flows and no angle is like another.
-            let interference = 1.03 * problem.interference;
-            let flat = FlatPosition { interference, displacement: 0.05 * interference };
-            let further: Vec<f64> = u.iter().map(|u| 1.01 * u).collect();
-            let Mechanics { body, contact, internal, .. } = &mut mechanics;
-            body.internal_force(&further, None, internal);
-            contact.evaluate(|place| further[place], flat, &vec![f64::INFINITY; contact.len()]);
-            let share = body.inelastic_zone().nodes.len() as f64 / mesh.node_count() as f64;
-            assert!(share > 0.2 && share < 0.9, "{share}");
-            for hold in [LoadingControl::Interference, LoadingControl::Load(0.0)] {
-                // Forces on all nodes; or a load that is missing, and nothing else, which moves the flat.
-                let residual: Vec<f64> = match hold {
-                    LoadingControl::Interference => (0..u.len()).map(|i| (0.61 * i as f64).sin()).collect(),
-                    LoadingControl::Load(_) => (0..=u.len()).map(|i| f64::from(i == u.len())).collect(),
-                };
-                mechanics.update_preconditioner(hold).unwrap();
-                let mut direction = vec![0.0; residual.len()];
-                mechanics.precondition(&residual, &mut direction);
-                let elastic: Vec<f64> = direction.iter().map(|x| -x).collect();
-                let before = dot(&residual, &direction);
-                let unanswered = (left(&mut mechanics, &residual, &elastic) / before).sqrt();
-                assert!(unanswered > 0.1, "{unanswered}");
-                mechanics.conjugate_gradients(&residual, &mut direction, 1e-3);
-                let unanswered = (left(&mut mechanics, &residual, &direction) / before).sqrt();
-                assert!(unanswered < 1.5e-3, "{hold:?}: {unanswered}");
-            }
-        }
-    }
-}
+mod tests;

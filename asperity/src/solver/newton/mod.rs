@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use crate::discretisation::body::Body;
 use crate::interface::contact::{Contact, FlatPosition};
+use crate::material::lanes::dot;
 use crate::solver::harmonic::HarmonicFactors;
 use crate::solver::preconditioner::Preconditioner;
 use crate::solver::timings::{Kernel, Timings};
@@ -17,20 +18,20 @@ mod chattering;
 mod line_search;
 mod linear;
 
-/// Residual below which a state is good enough to ask for its temperature and contact edge.
+/// Relative residual below which temperature and contact edge are evaluated anew.
 const REFRESH: f64 = 3e-2;
-/// Where the shear strength is many times the pressure, the points that stick, slip and touch are found
-/// a few at a time: at 0.001 omega_c that took up to 50 iterations, elsewhere fewer than 30.
+/// Where the shear strength is many times the pressure, the points that stick, slip and touch are found a few at a
+/// time: at 0.001 ω_c in up to 50 iterations, elsewhere in fewer than 30.
 const NEWTON_LIMIT: usize = 60;
-/// Share of a Newton step that is none, and how many of them in a row show that no step leads on: a point that
-/// touches takes hold at once, and where the body pushes it off again by that, there is no equilibrium with this
-/// increment.
+/// Share of a Newton step that counts as none, and the number of them in a row after which the step has stagnated: a
+/// point that touches sticks at once, and where that lifts it off again there is no equilibrium with this increment.
 const STAGNATION_TOLERANCE: f64 = 1e-6;
-const STALLED_LIMIT: usize = 3;
-/// Share of the friction that may be gone without so: more than the outermost ring of the coarsest mesh has
-/// is another problem than the one posed. Ordinary slides stay below 0.02; at 0.001 omega_c, with a
-/// shear strength of some twenty times the pressure, all of the friction went.
-const MOST_WITHOUT: f64 = 0.2;
+const STAGNATION_LIMIT: usize = 3;
+/// Forcing terms of the linear systems: no more accuracy than the next Newton step can use. While temperature and
+/// contact edge still change they undo most of it.
+const FORCING: f64 = 3e-3;
+const COUPLED_FORCING: f64 = 0.05;
+const LARGEST_FORCING: f64 = 0.1;
 
 /// Why a step was not solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -46,7 +47,7 @@ pub enum StepFailure {
     #[error(
         "points of the contact with {:.0} % of its friction neither touch nor lift off: the shear strength \
          of the interface, which does not fall with the pressure, lifts the surface off the flat where it \
-         touches. A contact pressed so lightly has no equilibrium without adhesion; the law \"coulomb\" or a \
+         touches. A contact under so small a load has no equilibrium without adhesion; the law \"coulomb\" or a \
          smaller strength_factor has one",
         100.0 * .share
     )]
@@ -60,7 +61,7 @@ pub struct Effort {
     pub krylov: usize,
 }
 
-/// What of the flat's position is held in a step.
+/// What is prescribed in a step: the interference (displacement control) or the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LoadingControl {
     Interference,
@@ -102,51 +103,38 @@ impl Mechanics {
         }
     }
 
-    /// Solves one step: on success body, contact and displacement hold the trial state, and the
-    /// position of the flat is returned.
+    /// Solves one step: on success body, contact and displacement hold the trial state, and the position of the flat is
+    /// returned.
     ///
-    /// Where the load is held, the interference is one more unknown: the last entry of all vectors,
-    /// with the load that is missing as its residual. The system stays symmetric.
+    /// Under load control the interference is one more unknown, the last entry of all vectors, with the missing load as
+    /// its residual. The system stays symmetric.
     ///
-    /// `surroundings` gives temperature and shear limits; it is asked anew in each iteration, with
-    /// the trial state of the one before but the contact where a full step takes it, if that is a short one, and
-    /// answers nothing when they shall stay as they are.
-    /// The step is solved when the residual is small and they have settled. `start` is the first
-    /// guess.
+    /// `coupling` gives temperature and shear limits. It is called in each iteration with the trial state of the one
+    /// before, but with the contact at the end of a full step if that is short, and returns nothing when its data stay
+    /// as they are. The step is solved when the residual is small and the data are settled. `predictor` is the first
+    /// iterate.
     pub fn solve(
         &mut self,
         flat: FlatPosition,
-        hold: LoadingControl,
-        start: Vec<f64>,
-        mut surroundings: impl FnMut(&mut Body, &mut Contact, usize) -> Option<CouplingData>,
+        control: LoadingControl,
+        predictor: Vec<f64>,
+        mut coupling: impl FnMut(&mut Body, &mut Contact, usize) -> Option<CouplingData>,
     ) -> Result<FlatPosition, StepFailure> {
-        let mut u = start;
-        if let LoadingControl::Load(_) = hold {
-            u.push(flat.interference);
-        }
-        let n = u.len();
         let size = self.internal.len();
-        let mut residual = vec![0.0; n];
-        let mut direction = vec![0.0; n];
-        let mut trial = vec![0.0; n];
-        let mut around =
-            surroundings(&mut self.body, &mut self.contact, 0).expect("asked for the first time");
-        self.internal_force(&u[..size], &around);
-        let (mut last, mut stalled) = (f64::INFINITY, 0);
-        let mut chattering = Chattering::new(self.contact.len());
+        let data = coupling(&mut self.body, &mut self.contact, 0).expect("data of the first iteration");
+        let mut now = Iterate::new(predictor, self.contact.len(), data);
+        if let LoadingControl::Load(_) = control {
+            now.u.push(flat.interference);
+        }
+        let [mut residual, mut direction] = [0, 1].map(|_| vec![0.0; now.u.len()]);
+        now.trial.resize(now.u.len(), 0.0);
+        self.internal_force(&now.u[..size], &now.data);
+        let mut last = f64::INFINITY;
         for iteration in 0..NEWTON_LIMIT {
-            let flat =
-                FlatPosition { interference: u.get(size).copied().unwrap_or(flat.interference), ..flat };
-            self.contact.evaluate(|p| u[p], flat, &around.limit);
-            if chattering.damp(&self.contact, &mut around.limit) {
-                self.contact.evaluate(|p| u[p], flat, &around.limit);
-            }
-            residual[..size].copy_from_slice(&self.internal);
-            self.contact.subtract_force(&mut residual[..size]);
-            if let LoadingControl::Load(load) = hold {
-                residual[size] = 0.5 * (self.contact.load(&self.contact.trial) - load);
-            }
-            self.update_preconditioner(hold)?;
+            let interference = now.u.get(size).copied().unwrap_or(flat.interference);
+            let flat = FlatPosition { interference, ..flat };
+            self.residual(&mut now, flat, control, &mut residual);
+            self.update_preconditioner(control)?;
             self.precondition(&residual, &mut direction);
             let norm = dot(&residual, &direction).max(0.0).sqrt();
             let reference = (0.5 * self.contact.load(&self.contact.trial) * flat.interference).sqrt();
@@ -154,77 +142,106 @@ impl Mechanics {
                 return Err(StepFailure::NotFinite);
             }
             let scale = reference.max(f64::MIN_POSITIVE);
-            if norm <= self.tolerance * scale && around.settled {
-                let share = chattering.share(&self.contact, &around.limit);
-                if share > MOST_WITHOUT {
-                    return Err(StepFailure::Chattering { share });
-                }
-                u.truncate(size);
-                self.displacement = u;
+            if norm <= self.tolerance * scale && now.data.settled {
+                now.chattering.check(&self.contact, &now.data.limit)?;
+                now.u.truncate(size);
+                self.displacement = now.u;
                 return Ok(flat);
             }
             last = norm / scale;
             self.effort.newton += 1;
-            // Forcing term: no more accuracy than the next Newton step can use. While temperature and
-            // contact edge still change they undo most of it: a slide at 16 elements per radius took
-            // 548, 545, 554 and 565 Newton and 4007, 3572, 3054 and 2889 Krylov iterations with 3e-3,
-            // 0.01, 0.05 and 0.1 there. Once they are settled, 0.01 took 582 Newton iterations for 554.
-            let least = if around.settled { 3e-3 } else { 0.05 };
-            let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, 0.1);
+            let least = if now.data.settled { FORCING } else { COUPLED_FORCING };
+            let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, LARGEST_FORCING);
             self.conjugate_gradients(&residual, &mut direction, forcing);
-            let line = Line { direction: &direction, residual: &residual, flat, hold };
-            let near = norm <= REFRESH * scale;
-            let ahead = near && line.is_short();
-            let next = ahead.then(|| {
-                self.contact.evaluate(|p| u[p] + direction[p], line.flat_at(size, 1.0), &around.limit);
-                surroundings(&mut self.body, &mut self.contact, iteration + 1)
-            });
-            match next.flatten() {
-                Some(next) if self.full_step(&mut u, &mut trial, &line, &next) => around = next,
-                mut next => {
-                    if next.is_some() {
-                        self.internal_force(&u[..size], &around);
-                    }
-                    let step = self.line_search(&mut u, &mut trial, &line, &around);
-                    stalled = if step < STAGNATION_TOLERANCE { stalled + 1 } else { 0 };
-                    if stalled > STALLED_LIMIT {
-                        let further = |p: usize| u[p] + direction[p];
-                        if !chattering.waver(&mut self.contact, further, flat, &around.limit) {
-                            return Err(StepFailure::Newton { iterations: iteration + 1, residual: last });
-                        }
-                        stalled = 0;
-                    }
-                    if near && !ahead {
-                        next = surroundings(&mut self.body, &mut self.contact, iteration + 1);
-                    }
-                    if let Some(next) = next {
-                        around = next;
-                        if around.rise.is_some() {
-                            self.internal_force(&u[..size], &around);
-                        }
-                    }
-                }
+            let line = Line { direction: &direction, residual: &residual, flat, control };
+            let refresh = norm <= REFRESH * scale;
+            let next = |body: &mut Body, contact: &mut Contact| coupling(body, contact, iteration + 1);
+            if !self.advance(&mut now, &line, refresh, next) {
+                return Err(StepFailure::Newton { iterations: iteration + 1, residual: last });
             }
         }
-        match chattering.share(&self.contact, &around.limit) {
-            share if share > MOST_WITHOUT => Err(StepFailure::Chattering { share }),
-            _ => Err(StepFailure::Newton { iterations: NEWTON_LIMIT, residual: last }),
+        now.chattering.check(&self.contact, &now.data.limit)?;
+        Err(StepFailure::Newton { iterations: NEWTON_LIMIT, residual: last })
+    }
+
+    /// Forces of body and contact that are not in balance, and the missing load under load control.
+    fn residual(
+        &mut self,
+        now: &mut Iterate,
+        flat: FlatPosition,
+        control: LoadingControl,
+        residual: &mut [f64],
+    ) {
+        let size = self.internal.len();
+        self.contact.evaluate(|p| now.u[p], flat, &now.data.limit);
+        if now.chattering.damp(&self.contact, &mut now.data.limit) {
+            self.contact.evaluate(|p| now.u[p], flat, &now.data.limit);
+        }
+        residual[..size].copy_from_slice(&self.internal);
+        self.contact.subtract_force(&mut residual[..size]);
+        if let LoadingControl::Load(load) = control {
+            residual[size] = 0.5 * (self.contact.load(&self.contact.trial) - load);
         }
     }
 
-    /// Of the body at displacement `u`, kept for the residual.
-    fn internal_force(&mut self, u: &[f64], around: &CouplingData) {
-        let clock = Instant::now();
-        self.body.internal_force(u, around.rise.as_deref(), &mut self.internal);
-        self.timings.since(Kernel::InternalForce, clock);
+    /// Takes a step along a line, with the `coupling` data of its end if they are evaluated anew; false where no step
+    /// leads on.
+    fn advance(
+        &mut self,
+        now: &mut Iterate,
+        line: &Line<'_>,
+        refresh: bool,
+        mut coupling: impl FnMut(&mut Body, &mut Contact) -> Option<CouplingData>,
+    ) -> bool {
+        let size = self.internal.len();
+        let ahead = refresh && line.is_short();
+        let mut next = None;
+        if ahead {
+            let further = |p: usize| now.u[p] + line.direction[p];
+            self.contact.evaluate(further, line.flat_at(size, 1.0), &now.data.limit);
+            next = coupling(&mut self.body, &mut self.contact);
+            if let Some(data) = next.take_if(|data| self.full_step(&mut now.u, &mut now.trial, line, data)) {
+                now.data = data;
+                return true;
+            }
+            if next.is_some() {
+                self.internal_force(&now.u[..size], &now.data);
+            }
+        }
+        let step = self.line_search(&mut now.u, &mut now.trial, line, &now.data);
+        now.stagnant = if step < STAGNATION_TOLERANCE { now.stagnant + 1 } else { 0 };
+        if now.stagnant > STAGNATION_LIMIT {
+            let further = |p: usize| now.u[p] + line.direction[p];
+            if !now.chattering.release(&mut self.contact, further, line.flat, &now.data.limit) {
+                return false;
+            }
+            now.stagnant = 0;
+        }
+        if refresh && !ahead {
+            next = coupling(&mut self.body, &mut self.contact);
+        }
+        if let Some(data) = next {
+            now.data = data;
+            if now.data.rise.is_some() {
+                self.internal_force(&now.u[..size], &now.data);
+            }
+        }
+        true
     }
 
-    /// Back to the state before a step that failed, with the displacement and the cover of that
-    /// state: nothing of the attempt may guide the next one.
-    pub fn restore(&mut self, displacement: Vec<f64>, cover: Vec<f64>) {
+    /// Internal force of the body at displacement `u`, kept for the residual.
+    fn internal_force(&mut self, u: &[f64], data: &CouplingData) {
+        let start = Instant::now();
+        self.body.internal_force(u, data.rise.as_deref(), &mut self.internal);
+        self.timings.since(Kernel::InternalForce, start);
+    }
+
+    /// Back to the state before a failed step, with its displacement and contact fractions: nothing of the attempt
+    /// guides the next one.
+    pub fn restore(&mut self, displacement: Vec<f64>, contact_fraction: Vec<f64>) {
         self.body.restore();
         self.contact.trial.clone_from(&self.contact.committed);
-        self.contact.cover = cover;
+        self.contact.contact_fraction = contact_fraction;
         self.displacement = displacement;
     }
 
@@ -234,7 +251,7 @@ impl Mechanics {
     }
 }
 
-/// What the mechanics of a step depends on from outside: temperature and the shear limits.
+/// Coupling data of a step: temperature and shear limits.
 pub struct CouplingData {
     /// Limit of the shear traction at each contact point.
     pub limit: Vec<f64>,
@@ -244,15 +261,19 @@ pub struct CouplingData {
     pub settled: bool,
 }
 
-pub fn dot(a: &[f64], b: &[f64]) -> f64 {
-    // Four sums, in a fixed order, for the machine's vector units.
-    let mut sums = [0.0; 8];
-    let (a8, a_rest) = a.as_chunks::<8>();
-    let (b8, b_rest) = b.as_chunks::<8>();
-    for (x, y) in a8.iter().zip(b8) {
-        for l in 0..8 {
-            sums[l] = crate::material::lanes::fma(x[l], y[l], sums[l]);
-        }
+/// Iterate of Newton's method.
+struct Iterate {
+    u: Vec<f64>,
+    /// Scratch of the line search.
+    trial: Vec<f64>,
+    data: CouplingData,
+    chattering: Chattering,
+    /// Steps without progress in a row.
+    stagnant: usize,
+}
+
+impl Iterate {
+    fn new(u: Vec<f64>, points: usize, data: CouplingData) -> Self {
+        Self { u, trial: Vec::new(), data, chattering: Chattering::new(points), stagnant: 0 }
     }
-    sums.iter().sum::<f64>() + a_rest.iter().zip(b_rest).map(|(x, y)| x * y).sum::<f64>()
 }

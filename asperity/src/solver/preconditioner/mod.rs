@@ -1,5 +1,5 @@
-//! The elastic body with the contact stiffness inside, inverted: preconditioner of Newton's
-//! method and of conjugate gradients.
+//! Inverse of the elastic stiffness of the body with the contact stiffness: preconditioner of Newton's method and of
+//! conjugate gradients.
 //!
 //! Only rings in contact enter the dense system over harmonics; the free ones further out are
 //! eliminated with the body, harmonic by harmonic.
@@ -34,7 +34,7 @@ pub struct Preconditioner {
     elastic: Mat<f32>,
     factor: Mat<f32>,
     work: MemBuffer,
-    /// Contact stiffness that is in the factor.
+    /// Contact stiffness contained in the factor.
     inside: Vec<NodeStiffness>,
 }
 
@@ -54,12 +54,12 @@ impl Preconditioner {
         }
     }
 
-    /// Takes in the present contact stiffness.
+    /// Factorises the present contact stiffness, if it has changed.
     pub fn update(&mut self, contact: &Contact, timings: &mut Timings) -> Result<(), Indefinite> {
         if self.inside == contact.stiffness {
             return Ok(());
         }
-        let clock = Instant::now();
+        let start = Instant::now();
         let touched = contact.stiffness.iter().rposition(|d| d[2][2] != 0.0);
         let rings = touched.map_or(0, |last| last / contact.columns + 1);
         if rings != self.rings {
@@ -90,20 +90,20 @@ impl Preconditioner {
             .map_err(|_| Indefinite)?;
         }
         self.inside.clone_from(&contact.stiffness);
-        timings.since(Kernel::ContactFactorisation, clock);
+        timings.since(Kernel::ContactFactorisation, start);
         Ok(())
     }
 
     /// `solution` = M⁻¹ `residual`.
     pub fn apply(&mut self, residual: &[f64], solution: &mut [f64], timings: &mut Timings) {
-        let clock = Instant::now();
+        let start = Instant::now();
         let nodes = 0..self.single.nodes();
         self.single.load(&self.factors, residual, nodes.clone(), &mut self.sweep);
         self.single.forward(&mut self.sweep, &self.places);
         solve_dense(&self.factor, &mut self.work, &mut self.sweep);
         self.single.backward(&mut self.sweep, &self.places);
         self.single.store(&self.factors, &self.sweep, nodes, solution);
-        timings.since(Kernel::Preconditioner, clock);
+        timings.since(Kernel::Preconditioner, start);
     }
 }
 

@@ -1,9 +1,8 @@
-//! The preconditioner where forces work on a part of the body alone.
+//! The preconditioner for forces on a part of the body alone.
 //!
-//! A forward sweep leaves at zero what the nodes of these forces are not eliminated into, and a backward sweep need
-//! not go there as long as nobody asks for the displacement outside of that part. What conjugate gradients ask
-//! for in the end is a sum of solutions: it is kept in harmonics, as the sweeps leave it, and substituted back
-//! into the rest of the body once.
+//! A forward sweep is zero outside the nodes that those with forces are eliminated into, and a backward sweep can omit
+//! them while displacements are needed in that part alone. Conjugate gradients need the displacement of the whole body
+//! once, at the end, as a sum of solutions: the sum is stored in harmonics and substituted back once.
 
 use std::time::Instant;
 
@@ -15,7 +14,7 @@ use crate::solver::timings::{Kernel, Timings};
 pub struct Search {
     /// Where forces work.
     nodes: Vec<usize>,
-    /// Places outside the dense system that forward sweeps reach, and the others.
+    /// Places outside the dense system that forward sweeps reach, and the remaining ones.
     within: Vec<u32>,
     beyond: Vec<u32>,
     /// Harmonics within, with those of the dense system.
@@ -55,7 +54,7 @@ impl Search {
         solution: &mut [f64],
         timings: &mut Timings,
     ) {
-        let clock = Instant::now();
+        let start = Instant::now();
         let Preconditioner { factors, single, factor, work, .. } = preconditioner;
         let nodes = || self.nodes.iter().copied();
         self.entries.iter().for_each(|run| self.solution[run].fill(0.0));
@@ -64,10 +63,10 @@ impl Search {
         solve_dense(factor, work, &mut self.solution);
         single.backward(&mut self.solution, &self.within);
         single.store(factors, &self.solution, nodes(), solution);
-        timings.since(Kernel::Preconditioner, clock);
+        timings.since(Kernel::Preconditioner, start);
     }
 
-    /// Turns to the last solution, plus `rate` times the direction before.
+    /// New search direction: the last solution plus `rate` times the previous direction.
     pub fn turn(&mut self, rate: f64) {
         let rate = rate as f32;
         self.entries.update(&mut self.direction, &self.solution, |direction, solution| {
@@ -75,18 +74,18 @@ impl Search {
         });
     }
 
-    /// Goes so far in the direction of search.
+    /// Adds a step of this length in the search direction.
     pub fn step(&mut self, length: f64) {
         let length = length as f32;
         self.entries.update(&mut self.sum, &self.direction, |sum, direction| *sum += length * direction);
     }
 
-    /// `solution` = the sum of the steps, all over the body.
+    /// `solution` = the sum of the steps, over the whole body.
     pub fn finish(mut self, preconditioner: &Preconditioner, solution: &mut [f64], timings: &mut Timings) {
-        let clock = Instant::now();
+        let start = Instant::now();
         let Preconditioner { factors, single, .. } = preconditioner;
         single.backward(&mut self.sum, &self.beyond);
         single.store(factors, &self.sum, 0..single.nodes(), solution);
-        timings.since(Kernel::Preconditioner, clock);
+        timings.since(Kernel::Preconditioner, start);
     }
 }

@@ -2,9 +2,10 @@
 
 use super::*;
 use crate::discretisation::collocation::Collocation;
-use crate::discretisation::elastic::{Moduli, element_stiffness};
+use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
+use crate::material::elasticity::Moduli;
 use crate::solver::harmonic::HarmonicPattern;
 
 fn factors(sectors: usize) -> HarmonicFactors {

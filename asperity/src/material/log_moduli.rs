@@ -1,12 +1,12 @@
-//! The derivative of the first Piola–Kirchhoff stress from stress and moduli in logarithmic strain
+//! The derivative of the first Piola-Kirchhoff stress from stress and moduli in logarithmic strain
 //! (Miehe, Apel & Lambrecht 2002, Comput. Methods Appl. Mech. Engrg 191, 5383).
 //!
 //! With E = ½ ln C, its conjugate stress T, dT = D:dE and H = sym(FᵀdF) = ½dC, dE = K:H and
 //! dS = (KDK + second derivative of E along T):H; P = FS.
 
-use super::gradient::{PLACE, Symmetric, TwoPoint, after};
-use super::log_strain::LogStrain;
 use crate::material::lanes::Pack;
+use crate::material::log_strain::LogStrain;
+use crate::material::tensor::{PLACE, Symmetric, TwoPoint, after};
 
 /// Independent entries of the symmetric ∂P/∂F: 9·10/2, row by row.
 pub const ENTRIES: usize = 45;

@@ -1,17 +1,16 @@
 //! Areas of the contact points on the flat as the surface stretches.
 //!
-//! In contact the surface is plane, so its deformation there is that of a plane, and the area
-//! grows by the determinant of its gradient, taken at the middle between two rings.
+//! In contact the surface is plane: areas grow by det ∂x/∂X of its in-plane deformation, taken midway between two rings.
 
 use super::{Contact, ContactState};
 use crate::discretisation::collocation::Parity;
 
 impl Contact {
-    /// Areas of the deformed surface: of the committed state at the start of a step, which a failed
-    /// step may not have left, of the trial state later. Returns the largest change, relative.
+    /// Areas of the deformed surface: of the committed state at the start of a step (a failed step may have left
+    /// others), of the trial state later. Returns the largest relative change.
     ///
-    /// Within a Newton iteration they are held, which keeps the tangent symmetric; they settle over
-    /// the iterations like the edge.
+    /// Within a Newton iteration they are constant, which keeps the tangent symmetric; like the edge they converge over
+    /// the iterations.
     pub fn update_areas(&mut self, of_committed: bool) -> f64 {
         let areas = self.deformed_areas(if of_committed { &self.committed } else { &self.trial });
         let change = |(new, old): (&f64, &f64)| (new / old - 1.0).abs();
@@ -22,8 +21,7 @@ impl Contact {
 
     fn deformed_areas(&self, state: &ContactState) -> Vec<f64> {
         let columns = self.columns;
-        // (r, θ) components of the displacement; that of the flat, part of the relative one, is a
-        // translation and stretches nothing.
+        // (r, θ) components of the displacement. The part of the flat in the relative displacement is a translation.
         let displacement: Vec<f64> = (0..self.radii.len())
             .flat_map(|ring| (0..2).map(move |c| (ring, c)))
             .flat_map(|(ring, c)| (0..columns).map(move |j| -state.relative[ring * columns + j][c]))

@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::gradient::{cauchy_green_excess, deformation_gradient};
 use super::*;
+use crate::material::tensor::{cauchy_green_excess, deformation_gradient};
 
 fn matrix(tensor: &Symmetric<f64>) -> Matrix3<f64> {
     Matrix3::from_fn(|i, j| tensor[PLACE[i][j]])

@@ -1,10 +1,10 @@
-//! Temperature as the body sees it: at the Gauss points and as the mean of an element.
+//! Temperature at the Gauss points and its mean over an element, with the properties that follow from it.
 
 use super::Body;
 use crate::discretisation::element::{CORNERS, Element, POINTS};
 use crate::material::lanes::Lanes;
 
-/// Temperature and what it does at one Gauss point.
+/// Temperature and temperature-dependent properties at one Gauss point.
 #[derive(Clone, Copy)]
 pub(super) struct PointTemperature<'a, const W: usize> {
     pub(super) rise: &'a Lanes<W>,
@@ -14,7 +14,7 @@ pub(super) struct PointTemperature<'a, const W: usize> {
     pub(super) stiffness: Option<[&'a Lanes<W>; 2]>,
 }
 
-/// Temperature and what it does in one element.
+/// Temperature and temperature-dependent properties in one element.
 pub(super) struct ElementHeat<const W: usize> {
     pub(super) point_rise: [Lanes<W>; POINTS],
     pub(super) mean_rise: Lanes<W>,
@@ -36,7 +36,7 @@ impl<const W: usize> ElementHeat<W> {
 }
 
 impl Body {
-    /// Temperature in element e and what follows from it; `varying`: whether the moduli do.
+    /// Temperature and properties in element e; `varying`: whether the moduli depend on temperature.
     #[inline(always)]
     pub(super) fn element_heat<const W: usize>(
         &self,

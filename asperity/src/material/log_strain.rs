@@ -1,19 +1,19 @@
-//! Logarithmic strain and its conjugate stress by resolvents: a few matrices are inverted, none is decomposed.
+//! Logarithmic strain and its conjugate stress by resolvents, without an eigenvalue decomposition.
 //!
 //! With X = C − 1, E = ½ ln(1 + X) = ½ ∫₀¹ X(1 + tX)⁻¹ dt. Gauss quadrature with m points t_i makes of that a Padé
 //! approximant of the logarithm (Dieci, Morini & Papini 1996, SIAM J. Matrix Anal. Appl. 17, 570), which for an
 //! eigenvalue λ of C is wrong by about ρ^2m of the strain, ρ = (√λ − 1)/(√λ + 1). With A_i = (1 + t_iX)⁻¹ the
-//! derivative is ½ Σ w_i A_i dX A_i, so that a stress T on E is the second Piola–Kirchhoff stress S = Σ w_i A_i T A_i.
-//! Force and tangent are the exact derivatives of the approximant: what it is wrong by disturbs no balance.
+//! derivative is ½ Σ w_i A_i dX A_i, so that a stress T on E is the second Piola-Kirchhoff stress S = Σ w_i A_i T A_i.
+//! Force and tangent are the exact derivatives of the approximant: its truncation disturbs no balance.
 
 use gauss_quad::GaussLegendre;
 
-use super::gradient::{PAIR, PLACE, Symmetric, TwoPoint};
 use crate::material::lanes::Pack;
+use crate::material::tensor::{PAIR, PLACE, Symmetric, TwoPoint};
 
-/// ρ^2m that is allowed: what is left of strains and stresses is far below what Newton's method leaves.
+/// Largest truncation ρ^2m: far below the tolerance of Newton's method.
 const TRUNCATION: f64 = 1e-12;
-/// Of the largest rule, which is used beyond its reach as well: a principal strain of 2.2.
+/// Points of the largest rule, which is used beyond its reach, a principal strain of 2.2, as well.
 const MOST_POINTS: usize = 64;
 /// Up to this |X| the smallest eigenvalue is bounded by 1 − |X|, beyond by the inverse of C.
 const MODERATE: f64 = 0.5;
@@ -23,7 +23,7 @@ const MODERATE: f64 = 0.5;
 struct Rule {
     /// (t, w).
     points: Vec<(f64, f64)>,
-    /// Eigenvalues of C from the inverse of this on up to this.
+    /// Largest eigenvalue of C, and inverse of the smallest, within the truncation.
     reach: f64,
 }
 
@@ -61,8 +61,8 @@ impl Rules {
     }
 }
 
-/// The logarithm at one point. The resolvents are made anew for strain, stress and tangent: to write and read
-/// them takes as long.
+/// The logarithm at one point. The resolvents are computed again for strain, stress and tangent: storing them takes as
+/// long.
 pub struct LogStrain<'a, V> {
     /// X.
     excess: Symmetric<V>,
@@ -103,8 +103,8 @@ impl<V: Pack> LogStrain<'_, V> {
         second
     }
 
-    /// ∂E/∂(½C) = Σ w_i A_i⊗A_i, as products of components, and −4 Σ w_i t_i A_i⊗B_i with B_i = A_i T A_i, by
-    /// which the stress turns with the strain: the second derivative of E along T.
+    /// ∂E/∂(½C) = Σ w_i A_i⊗A_i, as products of components, and −4 Σ w_i t_i A_i⊗B_i with B_i = A_i T A_i, the second
+    /// derivative of E along T.
     #[inline(always)]
     pub fn derivatives(&self, log_stress: &Symmetric<V>) -> ([Symmetric<V>; 6], [Symmetric<V>; 6]) {
         let mut first = [[V::splat(0.0); 6]; 6];

@@ -1,0 +1,309 @@
+//! Finite strain: internal force and tangent of the body in logarithmic strain.
+//!
+//! Total Lagrangian. The strain is Hencky's E = ½ ln C, in which elasticity, plasticity and their
+//! history are those of small strain (additive: Miehe, Apel & Lambrecht 2002, Comput. Methods Appl.
+//! Mech. Engrg 191, 5383): the deviator of E at each point, and ln J̄ in place of the dilatation, J̄
+//! the mean of J = det F over the element and angle (mean dilatation: Simo, Taylor & Pister 1985,
+//! Comput. Methods Appl. Mech. Engrg 51, 177). For small strain this is B̄. The elastic energy is
+//!
+//! ```text
+//! ψ = ∫ G |dev(E − E_p)|² dV + V ½K (ln J̄ − 3∫α dθ̄)²,
+//! ```
+//!
+//! from which force and tangent derive where nothing flows; where a point does, the tangent is made of that of
+//! [`Solid::flow`](crate::material::Solid::flow), and symmetric as that is. Stress
+//! deviator and mean stress in [`BodyState`] are those that work on E per undeformed volume:
+//! where the principal axes do not turn, Kirchhoff's.
+
+use super::temperature::ElementHeat;
+use super::{Body, TENSOR};
+use crate::discretisation::elastic;
+use crate::discretisation::element::{CORNERS, POINTS, VALUES};
+use crate::material::lanes::{Lanes, Pack, lanes_of};
+use crate::material::log_moduli::{self, ENTRIES, LogModuli, add_volume_curvature, symmetric_product};
+use crate::material::log_strain::{Rules, first_piola};
+use crate::material::tensor::{
+    Symmetric, TwoPoint, cauchy_green_excess, cofactors, deformation_gradient, volume_excess,
+};
+use gradient::{PackedShape, add_stress_force, displacement_gradient, packed_shape};
+use packing::{pack, packed_values, spread, summed, unpack};
+
+mod gradient;
+mod packing;
+
+/// Largest component of the displacement gradient up to which the moduli of small strain are used.
+const SMALL: f64 = 1e-2;
+
+/// Values per point: ∂P/∂F and ∂J/∂F, times the point's weight.
+const POINT_VALUES: usize = ENTRIES + 9;
+
+/// Tangent at the last internal force.
+#[derive(Clone, Debug)]
+pub struct FiniteTangent {
+    /// Point by point, value by value, angles as lanes. In single precision: the products are bound by memory, and the
+    /// convergence of Newton's method is the same.
+    point: Vec<f32>,
+    /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of small strain are
+    /// used. Their relative error is the size of the gradient, which leaves the convergence of Newton's method as it is.
+    small: Vec<bool>,
+    /// ψ'' over ∫J dV of each element: (K − p)/(V J̄²), p the mean stress.
+    volumetric: Vec<f64>,
+    /// For the logarithm.
+    rules: Rules,
+}
+
+/// Gauss points of an element from `chunk` on, and a group of angles.
+#[derive(Clone, Copy)]
+struct Points {
+    e: usize,
+    chunk: usize,
+    first: usize,
+}
+
+/// Displacement gradients of an element.
+struct Kinematics<const W: usize, V> {
+    gradients: [TwoPoint<V>; POINTS],
+    /// J̄ − 1; not a number where a point is turned inside out.
+    excess: Lanes<W>,
+    /// Largest component of h.
+    largest: f64,
+}
+
+impl FiniteTangent {
+    /// Whether the moduli of small strain are used for the element and group of angles at `at`.
+    pub(super) fn is_small(&self, at: usize) -> bool {
+        self.small[at]
+    }
+
+    pub fn new(elements: usize, lanes: usize) -> Self {
+        Self {
+            point: vec![0.0; elements * POINTS * POINT_VALUES * lanes],
+            small: vec![false; elements * lanes],
+            volumetric: vec![0.0; elements * lanes],
+            rules: Rules::new(),
+        }
+    }
+}
+
+impl Body {
+    /// Forces on the corners; W angles at a time, which fill A, and P points of them, which fill V.
+    #[inline(always)]
+    pub(super) fn finite_strain_force<const W: usize, const P: usize, A: Pack, V: Pack>(
+        &mut self,
+        e: usize,
+        first: usize,
+        displacement: &[[A; VALUES]; CORNERS],
+        rise: Option<&[f64]>,
+        tangent: &mut FiniteTangent,
+    ) -> [[A; VALUES]; CORNERS] {
+        let at = e * self.mesh.sectors.columns() + first;
+        let heat = self.element_heat::<W>(e, first, rise, self.solid.stiffness_varies());
+        let kinematics = self.kinematics::<W, P, V>(e, &packed_values::<W, P, A, V>(displacement));
+        tangent.small[at] = kinematics.largest <= SMALL;
+        let pressure = self.volumetric_stress(e, first, &kinematics.excess, &heat, tangent);
+        let pressure = pack::<W, P, V>(|_| &pressure);
+        let mut any_flows = false;
+        let mut force = [[V::splat(0.0); VALUES]; CORNERS];
+        for (chunk, gradient) in kinematics.gradients[..POINTS / P].iter().enumerate() {
+            let points = Points { e, chunk: chunk * P, first };
+            let (stress, flows) =
+                self.weighted_stress::<W, P, A, V>(points, gradient, pressure, &heat, tangent);
+            any_flows |= flows;
+            add_stress_force(&self.shapes_at::<W, P, V>(points), &stress, &mut force);
+        }
+        self.tangent.flows[at] = any_flows;
+        summed::<W, P, A, V>(&force)
+    }
+
+    /// Shape functions at P points.
+    #[inline(always)]
+    fn shapes_at<const W: usize, const P: usize, V: Pack>(&self, points: Points) -> PackedShape<V> {
+        let of_points = std::array::from_fn(|p| &self.mesh.elements[points.e].shape[points.chunk + p]);
+        packed_shape::<P, V>(of_points, spread::<W, P, V>)
+    }
+
+    /// h at all points, and J̄ − 1.
+    #[inline(always)]
+    fn kinematics<const W: usize, const P: usize, V: Pack>(
+        &self,
+        e: usize,
+        values: &[[V; VALUES]; CORNERS],
+    ) -> Kinematics<W, V> {
+        let (volume, weight) = (self.mesh.elements[e].volume, self.mesh.elements[e].weight);
+        let zero = V::splat(0.0);
+        let mut gradients = [[[zero; 3]; 3]; POINTS];
+        let mut excess = [0.0; W];
+        let mut largest = zero;
+        for (chunk, gradient) in gradients[..POINTS / P].iter_mut().enumerate() {
+            let chunk = chunk * P;
+            *gradient =
+                displacement_gradient(&self.shapes_at::<W, P, V>(Points { e, chunk, first: 0 }), values);
+            largest = gradient.as_flattened().iter().fold(largest, |largest, &h| h.larger(largest));
+            let of_points = volume_excess(gradient);
+            for p in 0..P {
+                let (point, share) = (unpack::<W, V>(of_points, p), weight[chunk + p] / volume);
+                for l in 0..W {
+                    let inverted = point[l] <= -1.0;
+                    excess[l] += if inverted { f64::NAN } else { share * point[l] };
+                }
+            }
+        }
+        Kinematics { gradients, excess, largest: largest.largest() }
+    }
+
+    /// Sets the mean stress p = K(ln J̄ − 3∫α dθ̄) and its derivative; returns p/J̄, by which ∂J/∂F gives the stress.
+    #[inline(always)]
+    fn volumetric_stress<const W: usize>(
+        &mut self,
+        e: usize,
+        first: usize,
+        excess: &Lanes<W>,
+        heat: &ElementHeat<W>,
+        tangent: &mut FiniteTangent,
+    ) -> Lanes<W> {
+        let (at, volume) = (e * self.mesh.sectors.columns() + first, self.mesh.elements[e].volume);
+        let mut pressure = [0.0; W];
+        // To all digits for small excesses.
+        let ln_ratio = excess.map(f64::ln_1p);
+        for l in 0..W {
+            let stiffness = heat.stiffness.map_or(1.0, |factor| factor[l]);
+            let bulk = stiffness * self.solid.moduli.bulk;
+            let mean = bulk * (ln_ratio[l] - heat.thermal[l]);
+            let ratio = 1.0 + excess[l];
+            self.trial.mean_stress[at + l] = mean;
+            self.trial.rise[at + l] = heat.mean_rise[l];
+            pressure[l] = mean / ratio;
+            tangent.volumetric[at + l] = (bulk - mean) / (volume * ratio * ratio);
+        }
+        if let Some(stiffness) = &heat.stiffness {
+            self.tangent.stiffness[at..at + W].copy_from_slice(stiffness);
+        }
+        pressure
+    }
+
+    /// First Piola-Kirchhoff stress times the weights at P points, and whether any flows; sets the tangent where the
+    /// displacement gradient is not small.
+    #[inline(always)]
+    fn weighted_stress<const W: usize, const P: usize, A: Pack, V: Pack>(
+        &mut self,
+        points: Points,
+        gradient: &TwoPoint<V>,
+        pressure: V,
+        heat: &ElementHeat<W>,
+        tangent: &mut FiniteTangent,
+    ) -> (TwoPoint<V>, bool) {
+        let Points { e, chunk, first } = points;
+        let lanes = self.mesh.sectors.columns();
+        let weight = self.mesh.elements[e].weight;
+        let f = deformation_gradient(gradient);
+        let cofactors = cofactors(&f);
+        let log = tangent.rules.log(&cauchy_green_excess(gradient));
+        let (log_stress, flows) = self.log_stress::<W, P, A, V>(points, &log.strain(), heat);
+        let second = log.second_piola(&log_stress);
+        if !tangent.small[e * lanes + first] {
+            let moduli = self.log_moduli::<W, P, V>(points, flows, heat.stiffness.as_ref());
+            let mut moduli = log_moduli::tangent(&log, &f, &log_stress, &second, &moduli);
+            add_volume_curvature(pressure, &f, &mut moduli);
+            let values = moduli.iter().chain(cofactors.as_flattened());
+            for p in 0..P {
+                let q = chunk + p;
+                let place = (e * POINTS + q) * POINT_VALUES * lanes + first;
+                for (target, &value) in tangent.point[place..].chunks_mut(lanes).zip(values.clone()) {
+                    let value = unpack::<W, V>(value, p);
+                    (0..W).for_each(|l| target[l] = (weight[q] * value[l]) as f32);
+                }
+            }
+        }
+        let mut stress = first_piola(&f, &second);
+        let weight = spread::<W, P, V>(std::array::from_fn(|p| weight[chunk + p]));
+        for (stress, cofactor) in stress.as_flattened_mut().iter_mut().zip(cofactors.as_flattened()) {
+            *stress = weight * pressure.mul_add(*cofactor, *stress);
+        }
+        (stress, flows)
+    }
+
+    /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.
+    #[inline(always)]
+    fn log_stress<const W: usize, const P: usize, A: Pack, V: Pack>(
+        &mut self,
+        Points { e, chunk, first }: Points,
+        log_strain: &Symmetric<V>,
+        heat: &ElementHeat<W>,
+    ) -> (Symmetric<V>, bool) {
+        let third = V::splat(1.0 / 3.0) * (log_strain[0] + log_strain[1] + log_strain[2]);
+        let deviator: Symmetric<V> =
+            std::array::from_fn(|v| if v < 3 { log_strain[v] - third } else { log_strain[v] });
+        let stale = self.tangent.flows[e * self.mesh.sectors.columns() + first];
+        let mut flows = false;
+        let of_points: [[Lanes<W>; TENSOR]; P] = std::array::from_fn(|p| {
+            let of_point = deviator.map(|component| A::load(&unpack::<W, V>(component, p)));
+            let (stress, flowing) =
+                self.point_stress::<W, A>(e, chunk + p, first, &of_point, heat.at_point(chunk + p), stale);
+            flows |= flowing;
+            stress.map(lanes_of)
+        });
+        (std::array::from_fn(|v| pack::<W, P, V>(|p| &of_points[p][v])), flows)
+    }
+
+    /// Moduli in logarithmic strain after [`Body::log_stress`].
+    #[inline(always)]
+    fn log_moduli<const W: usize, const P: usize, V: Pack>(
+        &self,
+        Points { e, chunk, first }: Points,
+        flows: bool,
+        stiffness: Option<&Lanes<W>>,
+    ) -> LogModuli<V> {
+        let coefficient = |i: usize| pack::<W, P, V>(|p| self.coefficient::<W>(e, chunk + p, i, first));
+        let stiffness = stiffness.map_or(V::splat(1.0), |factor| pack::<W, P, V>(|_| factor));
+        LogModuli {
+            shear: stiffness * coefficient(0),
+            radial: stiffness * coefficient(1),
+            // Stale where nothing flows, and its factor zero.
+            direction: flows.then(|| std::array::from_fn(|i| coefficient(2 + i))),
+        }
+    }
+
+    /// Contribution to [`Body::stiffness_loss`] of an element with large displacement gradients.
+    #[inline(always)]
+    pub(super) fn finite_loss<V: Pack>(
+        &self,
+        e: usize,
+        first: usize,
+        displacement: &[[V; VALUES]; CORNERS],
+    ) -> [[V; VALUES]; CORNERS] {
+        let element = &self.mesh.elements[e];
+        let lanes = self.mesh.sectors.columns();
+        let tangent = self.finite_strain.as_ref().expect("of a body at finite strain");
+        let value = |q: usize, i: usize| {
+            V::load_single(&tangent.point[((e * POINTS + q) * POINT_VALUES + i) * lanes + first..])
+        };
+        let zero = V::splat(0.0);
+        let shape = |q: usize| packed_shape([&element.shape[q]], |[x]| V::splat(x));
+        let mut stresses = [[[zero; 3]; 3]; POINTS];
+        // Change of ∫J dV.
+        let mut growth = zero;
+        for q in 0..POINTS {
+            let gradient = displacement_gradient(&shape(q), displacement);
+            stresses[q] = symmetric_product(|i| value(q, i), &gradient);
+            for (i, component) in gradient.as_flattened().iter().enumerate() {
+                growth = value(q, ENTRIES + i).mul_add(*component, growth);
+            }
+        }
+        growth = growth * V::load(&tangent.volumetric[e * lanes + first..]);
+        let mut nodal_force = [[zero; VALUES]; CORNERS];
+        for q in 0..POINTS {
+            for (i, component) in stresses[q].as_flattened_mut().iter_mut().enumerate() {
+                *component = value(q, ENTRIES + i).mul_add(growth, *component);
+            }
+            add_stress_force(&shape(q), &stresses[q], &mut nodal_force);
+        }
+        let mut loss = elastic::element_force(element, self.solid.moduli, displacement);
+        for (loss, force) in loss.as_flattened_mut().iter_mut().zip(nodal_force.as_flattened()) {
+            *loss = *loss - *force;
+        }
+        loss
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,134 @@
+//! One step of the time integration, and the matrix that its stages share.
+
+use faer::linalg::solvers::{Llt, SolveCore};
+use faer::{Mat, MatMut, Side};
+
+use super::{Conduction, ContactHeat, HeatBalance, HeatError};
+use crate::discretisation::collocation::Parity;
+use crate::solver::harmonic::HarmonicFactors;
+
+/// γ = 1 − 1/√2.
+pub(super) const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+
+/// M + γΔt K.
+pub(super) struct StepMatrix {
+    pub(super) factors: HarmonicFactors,
+    /// Schur complement of the contact, dense over (ring, harmonic).
+    contact: Mat<f64>,
+}
+
+impl StepMatrix {
+    pub(super) fn new(factors: HarmonicFactors) -> Self {
+        let (rings, harmonics) = (factors.contact_unknowns(), factors.harmonics());
+        let mut contact = Mat::zeros(rings * harmonics, rings * harmonics);
+        for m in 0..harmonics {
+            let schur = factors.contact_stiffness(m);
+            for i in 0..rings {
+                for j in 0..rings {
+                    contact[(i * harmonics + m, j * harmonics + m)] = schur[i * rings + j];
+                }
+            }
+        }
+        Self { factors, contact }
+    }
+}
+
+/// A step of Δt and what drives it.
+pub(super) struct Step<'a> {
+    pub(super) conduction: &'a Conduction,
+    pub(super) matrix: &'a StepMatrix,
+    pub(super) dt: f64,
+    /// Heat given to each node over the step.
+    pub(super) body: &'a [f64],
+    pub(super) heat: &'a dyn ContactHeat,
+}
+
+/// Solution of a stage.
+pub(super) struct Stage {
+    pub(super) potential: Vec<f64>,
+    pub(super) rise: Vec<f64>,
+}
+
+/// Solves the stages of a step: M H(Θ) + γΔt K Θ = rhs + γΔt q(θ).
+pub(super) trait StageSolver {
+    /// H at a rise, in kelvin at c₀.
+    fn enthalpy(&self, rise: f64) -> f64;
+
+    /// `guess`: temperature rises to start from.
+    fn solve(&mut self, step: &Step<'_>, rhs: &[f64], guess: &[f64]) -> Result<Stage, HeatError>;
+}
+
+impl Step<'_> {
+    /// γΔt.
+    pub(super) fn scale(&self) -> f64 {
+        GAMMA * self.dt
+    }
+
+    /// H₁ = H₀ + γΔt Ḣ₁, H₂ = H₀ + (1 − γ)Δt Ḣ₁ + γΔt Ḣ₂: the rise at the end, and the heat exchanged.
+    pub(super) fn integrate(
+        &self,
+        solver: &mut impl StageSolver,
+    ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
+        let (conduction, n) = (self.conduction, self.body.len());
+        let start: Vec<f64> = conduction.committed.iter().map(|&rise| solver.enthalpy(rise)).collect();
+        let right = |content: &dyn Fn(usize) -> f64| -> Vec<f64> {
+            (0..n).map(|i| conduction.mass[i] * content(i) + GAMMA * self.body[i]).collect()
+        };
+        let first = solver.solve(self, &right(&|i| start[i]), &conduction.committed)?;
+        let reached: Vec<f64> = first.rise.iter().map(|&rise| solver.enthalpy(rise)).collect();
+        let ratio = (1.0 - GAMMA) / GAMMA;
+        let last =
+            solver.solve(self, &right(&|i| start[i] + ratio * (reached[i] - start[i])), &first.rise)?;
+
+        let weighted = |a: f64, b: f64| self.dt * ((1.0 - GAMMA) * a + GAMMA * b);
+        let [(net_first, lost_first), (net_last, lost_last)] = [&first, &last].map(|stage| self.flows(stage));
+        let balance = HeatBalance {
+            contact: weighted(net_first + lost_first, net_last + lost_last),
+            gap: weighted(lost_first, lost_last),
+            body: (0..n).filter(|&i| !conduction.on_base(i)).map(|i| self.body[i]).sum(),
+            base: weighted(conduction.base_flow(&first.potential), conduction.base_flow(&last.potential)),
+        };
+        Ok((last.rise, balance))
+    }
+
+    /// Heat per time through the contact, net, and the part lost to the flat.
+    fn flows(&self, stage: &Stage) -> (f64, f64) {
+        let places = self.conduction.contact_places.iter().enumerate();
+        places.fold((0.0, 0.0), |(net, lost), (i, &place)| {
+            let rise = stage.rise[place];
+            (net + self.heat.flow(i, rise).0, lost + self.heat.loss(i, rise))
+        })
+    }
+
+    /// Cholesky factor of the Schur complement of the contact less γΔt times the `slope` of the heat flow at each
+    /// point. It is positive definite, as heat flows fall with temperature, unless a step that is too long has turned
+    /// the contact inside out.
+    pub(super) fn contact_factor(&self, slope: impl Fn(usize) -> f64) -> Result<Llt<f64>, HeatError> {
+        let columns = self.matrix.factors.harmonics();
+        let table = self.matrix.factors.transform.of(Parity::Even);
+        let mut jacobian = self.matrix.contact.clone();
+        for ring in 0..self.conduction.mesh.meridian.contact.len() {
+            let slopes: Vec<f64> = (0..columns).map(|j| slope(ring * columns + j)).collect();
+            for m in 0..self.harmonics_of(ring) {
+                for k in 0..self.harmonics_of(ring) {
+                    let slope: f64 = (0..columns)
+                        .map(|j| table[m * columns + j] * slopes[j] * table[k * columns + j])
+                        .sum();
+                    jacobian[(ring * columns + m, ring * columns + k)] -= self.scale() * slope;
+                }
+            }
+        }
+        jacobian.llt(Side::Lower).map_err(|_| HeatError::NotConverged { residual: f64::NAN })
+    }
+
+    /// Harmonics of a contact ring: the apex has the mean alone.
+    pub(super) fn harmonics_of(&self, ring: usize) -> usize {
+        if self.conduction.is_apex(ring) { 1 } else { self.matrix.factors.harmonics() }
+    }
+}
+
+/// Solves the dense system of the contact in place.
+pub(super) fn solve_contact(factor: &Llt<f64>, contact: &mut [f64]) {
+    let size = contact.len();
+    factor.solve_in_place_with_conj(faer::Conj::No, MatMut::from_column_major_slice_mut(contact, size, 1));
+}

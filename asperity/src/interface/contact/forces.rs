@@ -1,0 +1,62 @@
+//! Nodal forces of the contact and products with its stiffness.
+
+use super::{Contact, Status};
+
+impl Contact {
+    /// Subtracts the forces of the flat on the asperity from a residual.
+    pub fn subtract_force(&self, residual: &mut [f64]) {
+        for i in 0..self.len() {
+            if self.trial.status[i] == Status::Open {
+                continue;
+            }
+            let [radial, hoop] = self.trial.traction[i];
+            residual[self.place(i, 0)] -= self.areas[i] * radial;
+            residual[self.place(i, 1)] -= self.areas[i] * hoop;
+            residual[self.place(i, 2)] += self.areas[i] * self.trial.pressure[i];
+        }
+    }
+
+    /// Work of the forces of the flat on a displacement of the asperity.
+    pub fn work_on(&self, u: &[f64]) -> f64 {
+        (0..self.len())
+            .filter(|&i| self.trial.status[i] != Status::Open)
+            .map(|i| {
+                let [radial, hoop] = self.trial.traction[i];
+                let at = |c: usize| u[self.place(i, c)];
+                self.areas[i] * (radial * at(0) + hoop * at(1) - self.trial.pressure[i] * at(2))
+            })
+            .sum()
+    }
+
+    /// Derivative of [`Contact::load`] of the half body with the interference: Σ area·spring.
+    pub fn height_stiffness(&self) -> f64 {
+        self.stiffness.iter().map(|stiffness| stiffness[2][2]).sum()
+    }
+
+    /// Adds to a force what `height` more of interference changes in it.
+    pub fn add_height_product(&self, height: f64, force: &mut [f64]) {
+        for (i, stiffness) in self.stiffness.iter().enumerate() {
+            force[self.place(i, 2)] += stiffness[2][2] * height;
+        }
+    }
+
+    /// Change of the load of the half body with a displacement.
+    pub fn load_product(&self, u: &[f64]) -> f64 {
+        (0..self.len()).map(|i| self.stiffness[i][2][2] * u[self.place(i, 2)]).sum()
+    }
+
+    /// Adds the product of the contact stiffness with a displacement to a force.
+    #[cfg(test)]
+    pub fn add_tangent_product(&self, u: &[f64], force: &mut [f64]) {
+        for i in 0..self.len() {
+            if self.trial.status[i] == Status::Open {
+                continue;
+            }
+            let local: [f64; 3] = std::array::from_fn(|c| u[self.place(i, c)]);
+            for c in 0..3 {
+                let sum: f64 = (0..3).map(|d| self.stiffness[i][c][d] * local[d]).sum();
+                force[self.place(i, c)] += sum;
+            }
+        }
+    }
+}

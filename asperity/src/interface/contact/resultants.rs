@@ -1,0 +1,81 @@
+//! Forces, areas and work of the contact.
+
+use super::{Contact, ContactState, FlatPosition, Status};
+
+impl Contact {
+    /// Normal force of the whole asperity.
+    pub fn load(&self, state: &ContactState) -> f64 {
+        2.0 * (0..self.len()).map(|i| self.areas[i] * state.pressure[i]).sum::<f64>()
+    }
+
+    /// Friction force along +x of the whole asperity.
+    pub fn friction(&self, state: &ContactState) -> f64 {
+        2.0 * (0..self.len()).map(|i| self.areas[i] * self.along_x(i, state.traction[i])).sum::<f64>()
+    }
+
+    /// Component along +x of a vector (r, θ) at a contact point.
+    pub fn along_x(&self, point: usize, v: [f64; 2]) -> f64 {
+        let (sin, cos) = self.angles[point % self.columns].sin_cos();
+        v[0] * cos - v[1] * sin
+    }
+
+    /// Contact area of the whole asperity.
+    pub fn area(&self, state: &ContactState) -> f64 {
+        2.0 * self.sum_where(state, |s| s != Status::Open)
+    }
+
+    /// Radius of the circle of the same area.
+    pub fn radius(&self, state: &ContactState) -> f64 {
+        (self.area(state) / std::f64::consts::PI).sqrt()
+    }
+
+    /// Share of the contact area that sticks.
+    pub fn stick_fraction(&self, state: &ContactState) -> f64 {
+        let area = self.sum_where(state, |s| s != Status::Open);
+        if area > 0.0 { self.sum_where(state, |s| s == Status::Stick) / area } else { 0.0 }
+    }
+
+    fn sum_where(&self, state: &ContactState, pick: impl Fn(Status) -> bool) -> f64 {
+        (0..self.len())
+            .filter(|&i| pick(state.status[i]))
+            .map(|i| self.areas[i] * self.contact_fraction[i])
+            .fold(0.0, |a, b| a + b)
+    }
+
+    /// Work of the flat and dissipation at the interface over the step, by the trapezoidal rule.
+    pub fn step_work(&self, from: FlatPosition, to: FlatPosition) -> InterfaceWork {
+        let mut work = InterfaceWork::default();
+        for i in 0..self.len() {
+            // Forces: the area of a point may change.
+            let (before, after) = (0.5 * self.committed_areas[i], 0.5 * self.areas[i]);
+            let pressure = before * self.committed.pressure[i] + after * self.trial.pressure[i];
+            let traction: [f64; 2] = std::array::from_fn(|c| {
+                before * self.committed.traction[i][c] + after * self.trial.traction[i][c]
+            });
+            let displacement = to.displacement - from.displacement;
+            work.of_flat +=
+                pressure * (to.interference - from.interference) + self.along_x(i, traction) * displacement;
+            work.friction += (0..2)
+                .map(|c| traction[c] * (self.trial.relative[i][c] - self.committed.relative[i][c]))
+                .sum::<f64>();
+            work.springs += pressure * (self.committed.gap[i] - self.trial.gap[i]);
+        }
+        work
+    }
+
+    /// Slip of the step at a point: length of the path.
+    pub fn point_slip(&self, point: usize) -> f64 {
+        self.trial.slip[point] - self.committed.slip[point]
+    }
+}
+
+/// Work at the interface, half body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InterfaceWork {
+    /// Of the flat on the asperity.
+    pub of_flat: f64,
+    /// Of the shear traction on the slip.
+    pub friction: f64,
+    /// Of the pressure on the normal springs; vanishes with them.
+    pub springs: f64,
+}

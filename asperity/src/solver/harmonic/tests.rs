@@ -1,0 +1,107 @@
+//! The factors of all harmonics against a sparse factorisation of the whole problem.
+
+use super::*;
+use crate::discretisation::elastic::{element_force, element_stiffness};
+use crate::discretisation::element::{Element, RevolvedMesh};
+use crate::discretisation::mesh::{MeridianMesh, MeshSize};
+use crate::material::elasticity::Moduli;
+use faer::linalg::solvers::Solve;
+use faer::sparse::{SparseColMat, Triplet};
+
+/// Places of all columns of an element's displacement in a field.
+fn element_places(mesh: &RevolvedMesh, element: &Element) -> Vec<usize> {
+    let columns = mesh.sectors.columns();
+    let nodes = element.nodes.iter();
+    nodes.flat_map(|&n| (0..3 * columns).map(move |i| n as usize * 3 * columns + i)).collect()
+}
+
+/// Number of unknowns, and of each nodal value its unknown and factor: one Cartesian displacement on the axis, none on
+/// the base.
+fn unknowns(mesh: &RevolvedMesh) -> (usize, Vec<Option<(usize, f64)>>) {
+    let (count, angles) = (mesh.sectors.columns(), mesh.sectors.angles());
+    let mut number = std::collections::HashMap::new();
+    let mut expand = vec![None; mesh.field_length(3)];
+    for (i, entry) in expand.iter_mut().enumerate() {
+        let (node, c, j) = (i / (3 * count), i / count % 3, i % count);
+        if mesh.meridian.is_base[node] {
+            continue;
+        }
+        let (key, factor) = match (mesh.meridian.on_axis(node), c) {
+            (false, _) => (i, 1.0),
+            (true, 0) => (node * 3 * count, angles[j].cos()),
+            (true, 1) => (node * 3 * count, -angles[j].sin()),
+            (true, _) => ((node * 3 + 2) * count, 1.0),
+        };
+        let next = number.len();
+        *entry = Some((*number.entry(key).or_insert(next), factor));
+    }
+    (number.len(), expand)
+}
+
+/// The stiffness of the body in all unknowns at all angles, without any transform.
+fn plain_stiffness(
+    mesh: &RevolvedMesh,
+    moduli: Moduli,
+    n: usize,
+    expand: &[Option<(usize, f64)>],
+) -> SparseColMat<usize, f64> {
+    let mut triplets = Vec::new();
+    let [mut u, mut slope, mut force, mut on_slope] = [0; 4].map(|_| vec![0.0; expand.len()]);
+    for element in &mesh.elements {
+        let places = element_places(mesh, element);
+        for &j in &places {
+            u[j] = 1.0;
+            // Only the values of the element's nodes are needed; the rest of the fields stays zero.
+            mesh.sectors.differentiate(&VECTOR_PARITY, &u, &mut slope);
+            for first in 0..mesh.sectors.columns() {
+                let values = mesh.gather_vector::<f64>(&u, &slope, element, first);
+                let f = element_force(element, moduli, &values);
+                mesh.scatter_vector(&f, element, first, &mut force, &mut on_slope);
+            }
+            mesh.sectors.add_transposed(&VECTOR_PARITY, &on_slope, &mut force);
+            for &i in &places {
+                if let (Some((p, a)), Some((q, b))) = (expand[i], expand[j])
+                    && force[i] != 0.0
+                {
+                    triplets.push(Triplet::new(p, q, a * b * force[i]));
+                }
+            }
+            u[j] = 0.0;
+            force.fill(0.0);
+            on_slope.fill(0.0);
+        }
+    }
+    SparseColMat::try_new_from_triplets(n, n, &triplets).unwrap()
+}
+
+/// Against faer's sparse Cholesky factorisation of the plain stiffness.
+#[test]
+fn harmonic_solver_agrees_with_a_plain_sparse_factorisation() {
+    for count in [4, 8] {
+        let meridian = MeridianMesh::new(MeshSize::new(0.1, 4));
+        let mesh = RevolvedMesh::new(meridian, Collocation::full(count));
+        let moduli = Moduli::new(500.0, 0.3);
+        let (n, expand) = unknowns(&mesh);
+        let force: Vec<f64> = (0..expand.len()).map(|i| (i as f64 * 1.37).sin()).collect();
+        let mut rhs = faer::Mat::<f64>::zeros(n, 1);
+        for (i, entry) in expand.iter().enumerate() {
+            if let Some((p, factor)) = entry {
+                rhs[(*p, 0)] += factor * force[i];
+            }
+        }
+        let matrix = plain_stiffness(&mesh, moduli, n, &expand);
+        let exact = matrix.sp_cholesky(faer::Side::Lower).unwrap().solve(&rhs);
+
+        let pattern = HarmonicPattern::new(&mesh, FieldKind::Vector).unwrap();
+        let factors = pattern.factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m)).unwrap();
+        let mut solution = vec![0.0; expand.len()];
+        let mut modal = vec![0.0; factors.modal_length()];
+        factors.solve(&force, &mut solution, &mut modal);
+
+        let largest = (0..n).map(|i| exact[(i, 0)].abs()).fold(0.0, f64::max);
+        for (i, entry) in expand.iter().enumerate() {
+            let value = entry.map_or(0.0, |(p, factor)| factor * exact[(p, 0)]);
+            assert!((value - solution[i]).abs() < 1e-10 * largest, "{count} {i}: {value} {}", solution[i]);
+        }
+    }
+}
