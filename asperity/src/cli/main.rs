@@ -84,6 +84,11 @@ impl Display {
     }
 }
 
+/// Number of threads that a tabulation uses by default.
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
 /// The command as given, for the history of the files that it writes.
 fn command_line() -> String {
     let arguments = std::env::args_os().skip(1).map(|argument| {

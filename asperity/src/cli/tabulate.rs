@@ -24,7 +24,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     outputs::check_plot(arguments.plot.as_deref(), &arguments.request)?;
     let journal = journal_beside(&arguments.output);
     let options = Options {
-        jobs: arguments.jobs.map_or_else(processors, usize::from),
+        jobs: arguments.jobs.map_or_else(super::processors, usize::from),
         journal: &journal,
         resume: arguments.resume,
         shard: arguments.shard,
@@ -82,10 +82,6 @@ fn journal_beside(output: &Path) -> PathBuf {
     let mut name = output.file_name().unwrap_or_default().to_owned();
     name.push(".part");
     output.with_file_name(name)
-}
-
-fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArguments, display: &Display) {

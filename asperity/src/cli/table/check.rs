@@ -69,7 +69,7 @@ fn computed_again(
         }
     };
     let journal = std::env::temp_dir().join(format!("asperity-check-{}.part", std::process::id()));
-    let options = Options { jobs: processors(), journal: &journal, resume: false, shard: None };
+    let options = Options { jobs: crate::processors(), journal: &journal, resume: false, shard: None };
     let progress = Progress::new(display);
     let result = tabulate(&request, &options, &progress);
     progress.clear();
@@ -80,8 +80,4 @@ fn computed_again(
         return Err(Failure::Run("stopped on request".into()));
     }
     again.only().cloned().map_err(Failure::run)
-}
-
-fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
 }
