@@ -45,13 +45,20 @@ fn main() -> anyhow::Result<()> {
     println!("plastic limit   {plastic:.4}");
 
     let Some(path) = std::env::args().nth(1) else { return Ok(()) };
+    figure(&steel, elastic, plastic)?.save(Path::new(&path))?;
+    println!("written to {path}");
+    Ok(())
+}
+
+/// Friction, load and area over the interference, of 4340 steel at three slip rates and of all metals without heat.
+fn figure(steel: &Slice, elastic: impl Fn(f64) -> f64, plastic: f64) -> anyhow::Result<Figure> {
     let dense: Vec<f64> = (0..=60).map(|n| 10f64.powf(f64::from(n) / 20.0 - 1.0)).collect();
     let limits = [
         Curve::new("elastic limit", dense.clone(), dense.iter().map(|omega| elastic(*omega)).collect()),
         Curve::new("plastic limit", dense.clone(), vec![plastic; dense.len()]),
     ];
     let at_rates = |of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)| -> Vec<Curve> {
-        RATES.iter().map(|&rate| curve(&steel, rate, &format!("{rate} m/s"), of)).collect()
+        RATES.iter().map(|&rate| curve(steel, rate, &format!("{rate} m/s"), of)).collect()
     };
     let metals = shipped::names()
         .map(|name| Ok((name, shipped::table(name)?)))
@@ -69,7 +76,7 @@ fn main() -> anyhow::Result<()> {
     let load = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Load, Quantity::LoadPress);
     let area = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Area, Quantity::AreaPress);
     let fixed = &|table: &Slice, i, j| value(table, i, j, Quantity::MuStatic);
-    let figure = Figure {
+    Ok(Figure {
         title: "From elastic to plastic contact, at held interference".into(),
         panels: vec![
             panel(
@@ -87,10 +94,7 @@ fn main() -> anyhow::Result<()> {
             panel("Six metals, isothermal: static friction", Axis::logarithmic("µ_static"), of_metals(fixed)),
             panel("Six metals, isothermal: load after the slide", Axis::linear("P/P_press"), of_metals(load)),
         ],
-    };
-    figure.save(Path::new(&path))?;
-    println!("written to {path}");
-    Ok(())
+    })
 }
 
 /// A quantity over the interferences of a table, with its errors.
@@ -106,7 +110,7 @@ fn value(table: &Slice, i: usize, j: usize, quantity: Quantity) -> (f64, f64) {
     table.cell(i, j).map_or((f64::NAN, f64::NAN), |cell| (cell[quantity].value, cell[quantity].error))
 }
 
-/// The relative errors of both are added: much of either is common to both, so that this is too much.
+/// With the sum of both relative errors: an upper bound, as they are correlated.
 fn ratio(table: &Slice, i: usize, j: usize, above: Quantity, below: Quantity) -> (f64, f64) {
     let (a, b) = (value(table, i, j, above), value(table, i, j, below));
     let ratio = a.0 / b.0;

@@ -99,69 +99,90 @@ fn of(case: Case, omega: f64, elements: usize) -> anyhow::Result<Pressed> {
     })
 }
 
-/// Load and area over their Hertzian values, which spreads the curves; and what is off the fits.
+/// Of a press: P/P_c or A/A_c with its error.
+type Part = fn(&Pressed) -> (f64, f64);
+/// A fit over ω* at a yield strain.
+type Fit = fn(f64, f64) -> f64;
+
+/// Load or area, Hertz's power of ω*, and the two fits.
+struct Shown {
+    label: &'static str,
+    part: Part,
+    power: f64,
+    jackson: Fit,
+    kogut: Fit,
+}
+
+const SHOWN: [Shown; 2] = [
+    Shown {
+        label: "P/P_Hertz",
+        part: |pressed| pressed.load,
+        power: 1.5,
+        jackson: |omega, strain| jackson_green::load(omega, strain, ELASTIC.1),
+        kogut: |omega, _| kogut_etsion::load(omega, ELASTIC.1),
+    },
+    Shown {
+        label: "A/A_Hertz",
+        part: |pressed| pressed.area,
+        power: 1.0,
+        jackson: jackson_green::area,
+        kogut: |omega, _| kogut_etsion::area(omega),
+    },
+];
+
+/// Load and area over their Hertzian values, and their differences from the fits.
 fn figure(curves: &[(Case, Vec<Pressed>)]) -> Figure {
-    let dense: Vec<f64> = (0..=60).map(|n| 10f64.powf(f64::from(n) / 30.0)).collect();
-    let x = || Axis::logarithmic("interference ω₀/ω_c");
-    let points = |label: String, pressed: &[Pressed], value: &dyn Fn(&Pressed) -> (f64, f64)| {
-        let (values, errors): (Vec<f64>, Vec<f64>) = pressed.iter().map(value).unzip();
-        let omegas = pressed.iter().map(|pressed| pressed.omega).collect();
-        Curve::new(label, omegas, values).with_error(errors)
-    };
-    let scaled = |(value, error): (f64, f64), by: f64| (value / by, error / by);
-    let percent = |(value, error): (f64, f64), reference: f64| {
-        (100.0 * (value / reference - 1.0), 100.0 * error / reference)
-    };
-    type Part = fn(&Pressed) -> (f64, f64);
-    type Fit = fn(f64, f64) -> f64;
-    // Label, the part of a press, Hertz's power of ω*, the two fits.
-    let load: (&str, Part, f64, Fit, Fit) = (
-        "P/P_Hertz",
-        |pressed| pressed.load,
-        1.5,
-        |omega, strain| jackson_green::load(omega, strain, ELASTIC.1),
-        |omega, _| kogut_etsion::load(omega, ELASTIC.1),
-    );
-    let area: (&str, Part, f64, Fit, Fit) =
-        ("A/A_Hertz", |pressed| pressed.area, 1.0, jackson_green::area, |omega, _| kogut_etsion::area(omega));
-    let mut panels = Vec::new();
-    for (label, part, power, jackson, kogut) in [load, area] {
-        let mut shown = Vec::new();
-        for (style, (case, pressed)) in curves[..STRAINS.len()].iter().enumerate() {
-            let simulated = |p: &Pressed| scaled(part(p), p.omega.powf(power));
-            let name = format!("σ_Y/E* = {}", case.strain);
-            shown.push(points(name, pressed, &simulated).drawn_as(Drawn::Markers, style));
-            let fit = dense.iter().map(|omega| jackson(*omega, case.strain) / omega.powf(power)).collect();
-            shown.push(Curve::new("", dense.clone(), fit).drawn_as(Drawn::Line, style));
-        }
-        let fit = dense.iter().map(|omega| kogut(*omega, 0.0) / omega.powf(power)).collect();
-        shown.push(Curve { style: Some(7), ..Curve::new("Kogut–Etsion", dense.clone(), fit) });
-        panels.push(Panel {
-            title: format!("{label}: markers simulated, lines Jackson–Green"),
-            x: x(),
-            y: Axis::linear(label),
-            curves: shown,
-        });
-    }
-    for (label, part, _, jackson, _) in [load, area] {
-        let off = |case: &Case, pressed: &[Pressed], name: &str, style| {
-            let strain = case.strain;
-            let value = |p: &Pressed| percent(part(p), jackson(p.omega, strain));
-            Curve { style: Some(style), ..points(name.to_owned(), pressed, &value) }
-        };
-        let [_, (plain, pressed), _, (stick, stuck), (finite, strained)] = curves else {
-            unreachable!("as many cases as were made")
-        };
-        panels.push(Panel {
-            title: format!("{label} at σ_Y/E* = {}: off Jackson–Green", plain.strain),
-            x: x(),
-            y: Axis::linear("difference (%)"),
-            curves: vec![
-                off(plain, pressed, "as the fit", 1),
-                off(stick, stuck, "full stick", 4),
-                off(finite, strained, "finite strain", 5),
-            ],
-        });
-    }
+    let ratios = SHOWN.iter().map(|shown| over_hertz(shown, curves));
+    let panels = ratios.chain(SHOWN.iter().map(|shown| off_jackson(shown, curves))).collect();
     Figure { title: "Press of an elastic–plastic sphere without hardening".into(), panels }
+}
+
+fn panel(title: String, y: &str, curves: Vec<Curve>) -> Panel {
+    Panel { title, x: Axis::logarithmic("interference ω₀/ω_c"), y: Axis::linear(y), curves }
+}
+
+fn points(label: String, pressed: &[Pressed], value: impl Fn(&Pressed) -> (f64, f64)) -> Curve {
+    let (values, errors): (Vec<f64>, Vec<f64>) = pressed.iter().map(value).unzip();
+    let omegas = pressed.iter().map(|pressed| pressed.omega).collect();
+    Curve::new(label, omegas, values).with_error(errors)
+}
+
+/// The frictionless presses at small strain and the fits, over Hertz.
+fn over_hertz(shown: &Shown, curves: &[(Case, Vec<Pressed>)]) -> Panel {
+    let Shown { label, part, power, jackson, kogut } = shown;
+    let dense: Vec<f64> = (0..=60).map(|n| 10f64.powf(f64::from(n) / 30.0)).collect();
+    let of_fit = |fit: &Fit, strain: f64| -> Vec<f64> {
+        dense.iter().map(|omega| fit(*omega, strain) / omega.powf(*power)).collect()
+    };
+    let mut drawn = Vec::new();
+    for (style, (case, pressed)) in curves[..STRAINS.len()].iter().enumerate() {
+        let simulated = |p: &Pressed| {
+            let ((value, error), by) = (part(p), p.omega.powf(*power));
+            (value / by, error / by)
+        };
+        let name = format!("σ_Y/E* = {}", case.strain);
+        drawn.push(points(name, pressed, simulated).drawn_as(Drawn::Markers, style));
+        let fit = of_fit(jackson, case.strain);
+        drawn.push(Curve::new("", dense.clone(), fit).drawn_as(Drawn::Line, style));
+    }
+    let fit = of_fit(kogut, 0.0);
+    drawn.push(Curve { style: Some(7), ..Curve::new("Kogut–Etsion", dense.clone(), fit) });
+    panel(format!("{label}: markers simulated, lines Jackson–Green"), label, drawn)
+}
+
+/// Differences from Jackson & Green, as the fit is made, in full stick and at finite strain.
+fn off_jackson(shown: &Shown, curves: &[(Case, Vec<Pressed>)]) -> Panel {
+    let Shown { label, part, jackson, .. } = shown;
+    let off = |(case, pressed): &(Case, Vec<Pressed>), name: &str, style| {
+        let value = |p: &Pressed| {
+            let ((value, error), reference) = (part(p), jackson(p.omega, case.strain));
+            (100.0 * (value / reference - 1.0), 100.0 * error / reference)
+        };
+        Curve { style: Some(style), ..points(name.to_owned(), pressed, value) }
+    };
+    let [_, plain, _, stick, finite] = curves else { unreachable!("as many cases as were made") };
+    let drawn =
+        vec![off(plain, "as the fit", 1), off(stick, "full stick", 4), off(finite, "finite strain", 5)];
+    let title = format!("{label} at σ_Y/E* = {}: off Jackson–Green", plain.0.strain);
+    panel(title, "difference (%)", drawn)
 }

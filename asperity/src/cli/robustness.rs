@@ -2,7 +2,7 @@
 
 use asperity::output::provenance;
 use asperity::output::run_file::{self, About};
-use asperity::studies::robustness::{HardResult, RobustnessCase, Verdict};
+use asperity::studies::robustness::{CaseResult, RobustnessCase, Verdict};
 use serde_json::{Value, json};
 use tables::quantity::Quantity;
 
@@ -61,7 +61,7 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
     }
 }
 
-fn save(arguments: &VerifyArguments, case: &RobustnessCase, result: &HardResult) -> Result<(), Failure> {
+fn save(arguments: &VerifyArguments, case: &RobustnessCase, result: &CaseResult) -> Result<(), Failure> {
     let (Some(directory), Some(outcome)) = (&arguments.save, &result.outcome) else {
         return Ok(());
     };
@@ -89,7 +89,7 @@ fn word(verdict: &Verdict) -> &'static str {
     }
 }
 
-fn line(case: &RobustnessCase, result: &HardResult) -> String {
+fn line(case: &RobustnessCase, result: &CaseResult) -> String {
     let mut text = format!("{:40}{:>8}", case.name, word(&result.verdict));
     if let Some(outcome) = &result.outcome {
         let account = &outcome.account;
@@ -112,7 +112,7 @@ fn line(case: &RobustnessCase, result: &HardResult) -> String {
     text
 }
 
-fn as_json(case: &RobustnessCase, result: &HardResult) -> Value {
+fn as_json(case: &RobustnessCase, result: &CaseResult) -> Value {
     let reason = match &result.verdict {
         Verdict::Solved => None,
         Verdict::Refused(reason) | Verdict::Failed(reason) => Some(reason),

@@ -18,7 +18,7 @@ use crate::solver::timings::Timings;
 
 /// Rise that the conduction step and the internal force are given, K.
 const RISE: f64 = 50.0;
-/// Angles that flow together, and so many groups of them.
+/// Angles of one evaluation of plastic flow, and the number of evaluations.
 const LANES: usize = 8;
 const PATHS: usize = 1024;
 /// Deviators at the start of a strain path and, if it were elastic, at its end.
@@ -48,7 +48,7 @@ pub struct Kernels {
     steps: usize,
 }
 
-/// Turning by some tens of degrees, to one and a half to two times the strength.
+/// A strain path that rotates by some tens of degrees, to 1.5 to 2 times the strength.
 fn strain_path(n: usize) -> Ends {
     let lane = |l: usize, phase: f64| (0.7 * (n * LANES + l) as f64 + phase).sin();
     let start: Lanes<LANES> = std::array::from_fn(|l| 0.6 + 0.1 * lane(l, 0.0));

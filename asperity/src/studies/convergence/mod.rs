@@ -33,7 +33,7 @@ pub struct Run {
     pub elements_per_radius: usize,
     pub sectors: usize,
     pub steps: usize,
-    /// With its companions, s.
+    /// With its auxiliary runs, s.
     pub wall_time: f64,
     /// Of all threads, s.
     pub cpu_time: f64,
@@ -53,7 +53,7 @@ impl Run {
 pub struct Limit {
     pub value: f64,
     /// Of the limit itself: its distance from the finest run.
-    pub doubt: f64,
+    pub uncertainty: f64,
     /// Order in the element size that the runs at n/4, n/2 and n show, if they do.
     pub order: Option<f64>,
 }
@@ -142,21 +142,21 @@ fn limit([first, second, third]: [f64; 3]) -> Limit {
     let order = ((second - first) / (third - second)).log2();
     let shown = (ORDERS.0..=ORDERS.1).contains(&order).then_some(order);
     let change = (third - second) / (2f64.powf(shown.unwrap_or(EXPECTED)) - 1.0);
-    Limit { value: third + change, doubt: change.abs(), order: shown }
+    Limit { value: third + change, uncertainty: change.abs(), order: shown }
 }
 
 fn timed(
     chosen: bool,
     work: impl FnOnce() -> Result<crate::simulate::outcome::Outcome, SimulationError>,
 ) -> Result<Run, SimulationError> {
-    let (clock, cpu) = (Instant::now(), cpu_time());
+    let (begun, cpu) = (Instant::now(), cpu_time());
     let outcome = work()?;
     Ok(Run {
         chosen,
         elements_per_radius: outcome.account.elements_per_radius,
         sectors: outcome.account.sectors,
         steps: outcome.account.steps,
-        wall_time: clock.elapsed().as_secs_f64(),
+        wall_time: begun.elapsed().as_secs_f64(),
         cpu_time: cpu_time() - cpu,
         scalars: outcome.scalars,
     })
@@ -186,6 +186,6 @@ mod tests {
     fn a_sequence_that_shows_no_order_has_none() {
         assert_eq!(limit([1.0, 1.1, 1.05]).order, None);
         let constant = limit([298.0; 3]);
-        assert_eq!((constant.value, constant.doubt, constant.order), (298.0, 0.0, None));
+        assert_eq!((constant.value, constant.uncertainty, constant.order), (298.0, 0.0, None));
     }
 }

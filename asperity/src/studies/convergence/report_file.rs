@@ -30,8 +30,8 @@ pub fn write(
         ("elements_per_radius", "1", "elements per contact radius", |run| run.elements_per_radius as f64),
         ("sectors", "1", "angles over the half circle", |run| run.sectors as f64),
         ("steps", "1", "increments of the slide", |run| run.steps as f64),
-        ("wall_time", "s", "wall-clock time with companions", |run| run.wall_time),
-        ("cpu_time", "s", "processor time of all threads with companions", |run| run.cpu_time),
+        ("wall_time", "s", "wall-clock time with auxiliary runs", |run| run.wall_time),
+        ("cpu_time", "s", "processor time of all threads with auxiliary runs", |run| run.cpu_time),
     ];
     for (name, unit, long_name, of) in columns {
         let values: Vec<f64> = runs.iter().map(of).collect();
@@ -54,7 +54,7 @@ pub fn write(
         file.reals(&format!("{name}_error"), &["run"], &estimates, &described(unit, &long_name))?;
         let scalars = [
             ("limit", unit, limit.value, "limit for ever finer meshes"),
-            ("limit_doubt", unit, limit.doubt, "distance of the limit from the finest run"),
+            ("limit_doubt", unit, limit.uncertainty, "distance of the limit from the finest run"),
             ("order", "1", limit.order.unwrap_or(f64::NAN), "observed order in the element size"),
         ];
         for (suffix, unit, value, long_name) in scalars {

@@ -45,12 +45,12 @@ pub fn in_words(convergence: &Convergence) -> String {
         100.0 * accuracy
     );
     let sweep = &convergence.runs[..convergence.runs.len() - 1];
-    let cheapest = sweep
+    let least_expensive = sweep
         .iter()
         .filter(|run| ELEMENTS_PER_RADIUS.contains(&run.elements_per_radius))
         .filter(|run| convergence.worst_error(run) <= accuracy)
         .min_by(|a, b| a.cpu_time.total_cmp(&b.cpu_time));
-    let advice = match cheapest {
+    let advice = match least_expensive {
         Some(run) if run.cpu_time < 0.8 * chosen.cpu_time => format!(
             "A coarser choice pays: {} elements have {:.2} % for {:.2} times the processor time.\n",
             run.elements_per_radius,

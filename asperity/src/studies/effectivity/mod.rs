@@ -134,7 +134,7 @@ pub fn run(
             if watch.cancelled() {
                 return Ok(None);
             }
-            let clock = Instant::now();
+            let begun = Instant::now();
             let (preset, interference, slip_rate) = scenes::SCENES[scene];
             let definition = scenes::scene(preset, interference, slip_rate, WORKING_ELEMENTS);
             let resolution = role.resolution(&Resolution::choose(&definition.numerics));
@@ -144,7 +144,7 @@ pub fn run(
             if watch.cancelled() {
                 return Ok(None);
             }
-            let record = Record::new(scene, role, clock.elapsed().as_secs_f64(), result);
+            let record = Record::new(scene, role, begun.elapsed().as_secs_f64(), result);
             journal.append(&record)?;
             done(&record);
             Ok(Some(record))

@@ -1,10 +1,10 @@
-//! Cases at the edge of what can be simulated, run to see that each of them either converges to
-//! numbers that hold together, or says in a sentence why not.
+//! Robustness suite: cases at the limits of what can be simulated. Each either converges to consistent numbers (finite,
+//! ledgers closed, no contact above its melting point) or is refused with the reason (book, "Limits").
 //!
-//! The cases are data, `cases.toml`: what each changes of the scene `base.toml`. Nothing is tuned
-//! for any of them.
+//! The cases are data, `cases.toml`: what each changes of the scene `base.toml`. No setting of the program depends on
+//! them. Uses simulate like any caller.
 
-use std::time::{Duration, Instant as Clock};
+use std::time::{Duration, Instant};
 
 use serde::Deserialize;
 use tables::quantity::Quantity;
@@ -18,13 +18,12 @@ use crate::simulate::{SimulationError, Watch, simulate};
 const BASE: &str = include_str!("base.toml");
 const CASES: &str = include_str!("cases.toml");
 
-/// The two ledgers close to this, relative to their largest entry; the tests of the ledgers reach
-/// 1e-6 on ordinary scenes.
+/// Tolerance of the two ledgers, relative to their largest entry; on ordinary scenes they close to 1e-6.
 const LEDGER: f64 = 1e-3;
 /// Rise above the melting point, relative to the range of softening, that a step may overshoot by.
 const OVERSHOOT: f64 = 0.01;
 
-/// A case that is not done by then is stopped; those that converge take seconds.
+/// Longest run of a case; those that converge take seconds.
 const TIME_LIMIT: Duration = Duration::from_secs(300);
 
 /// One case.
@@ -40,7 +39,7 @@ pub struct RobustnessCase {
     pub quick: bool,
     /// Part of the message with which it has to be refused, if it is beyond the model.
     pub refused: Option<String>,
-    /// Temperature that the contact has to pass for the case to be what it says, K.
+    /// Temperature that the contact has to exceed, K.
     pub hotter_than: Option<f64>,
 }
 
@@ -52,17 +51,17 @@ struct Cases {
 /// How a case ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Solved, and the numbers hold together.
+    /// Solved with consistent numbers.
     Solved,
-    /// Beyond the model, and said so.
+    /// Beyond the model, with the reason.
     Refused(String),
-    /// Did not converge, or not to numbers that hold together: why.
+    /// Did not converge, or not to consistent numbers: the reason.
     Failed(String),
 }
 
 /// A case that was run.
 #[derive(Clone, Debug)]
-pub struct HardResult {
+pub struct CaseResult {
     /// What was run.
     pub scene: Scene,
     pub verdict: Verdict,
@@ -85,10 +84,10 @@ impl RobustnessCase {
     }
 
     /// Runs it; nothing if that was stopped on request.
-    pub fn run(&self, watch: &dyn Watch) -> Option<HardResult> {
-        let clock = Clock::now();
+    pub fn run(&self, watch: &dyn Watch) -> Option<CaseResult> {
+        let since = Instant::now();
         let scene = self.scene().expect("checked by the tests");
-        let (verdict, outcome) = match simulate(&scene, &Limited { watch, since: clock }) {
+        let (verdict, outcome) = match simulate(&scene, &Limited { watch, since }) {
             Ok(outcome) => {
                 let mut wrong = contradictions(&scene, &outcome);
                 wrong.extend(self.hotter_than.and_then(|least| colder(&outcome, least)));
@@ -116,14 +115,14 @@ impl RobustnessCase {
                 (verdict, partial)
             }
         };
-        Some(HardResult { scene, verdict, outcome, wall_time: clock.elapsed().as_secs_f64() })
+        Some(CaseResult { scene, verdict, outcome, wall_time: since.elapsed().as_secs_f64() })
     }
 }
 
 /// Stops what takes too long.
 struct Limited<'a> {
     watch: &'a dyn Watch,
-    since: Clock,
+    since: Instant,
 }
 
 impl Watch for Limited<'_> {
@@ -136,7 +135,7 @@ impl Watch for Limited<'_> {
     }
 }
 
-impl HardResult {
+impl CaseResult {
     /// The largest relative error of the quantities that an accuracy is asked of, but for the
     /// friction where there is none.
     pub fn error(&self) -> f64 {
@@ -152,7 +151,7 @@ impl HardResult {
     }
 }
 
-/// What cannot be right of an outcome, a sentence each.
+/// Contradictions in an outcome, a sentence each.
 pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
     let mut wrong = Vec::new();
     let mut check = |holds: bool, what: String| {
