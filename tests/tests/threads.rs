@@ -45,6 +45,6 @@ fn two_threads_give_the_numbers_of_one() {
             let bits = |x: &[f64]| x.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
             assert_eq!(bits(a.cell.history(quantity)), bits(b.cell.history(quantity)), "{quantity:?}");
         }
-        assert_eq!((&a.notes, &a.warnings), (&b.notes, &b.warnings));
+        assert_eq!((&a.notes, &a.cell.warnings), (&b.notes, &b.cell.warnings));
     }
 }
