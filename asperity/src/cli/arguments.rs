@@ -62,6 +62,9 @@ pub(super) enum Command {
     /// Compare the error estimates with true errors in a study of many scenes
     #[command(alias = "honesty", after_help = help::EFFECTIVITY)]
     Effectivity(EffectivityArguments),
+    /// Repeat the fits of constants and compare them with those in the program
+    #[command(hide = true)]
+    Calibrate,
     /// List the material presets, or print the constants of one with their sources
     Materials {
         /// Name of a preset

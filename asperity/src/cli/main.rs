@@ -1,6 +1,7 @@
 //! The program `asperity`: arguments, exit status, and one module per subcommand; see `asperity --help`.
 
 mod arguments;
+mod calibrate;
 mod convergence;
 mod effectivity;
 mod help;
@@ -55,6 +56,7 @@ fn main() -> ExitCode {
         Command::Convergence(arguments) => convergence::convergence(arguments, display),
         Command::Verify(arguments) => verify::verify(arguments, display),
         Command::Effectivity(arguments) => effectivity::effectivity(arguments, display),
+        Command::Calibrate => calibrate::calibrate(display),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
     let (status, reason) = match std::panic::catch_unwind(work) {

@@ -1,0 +1,20 @@
+//! `asperity calibrate`: fits of constants, repeated.
+
+use asperity::simulate::SimulationError;
+use asperity::studies::calibration::{fits, markdown};
+
+use super::progress::{Progress, watch_for_interrupt};
+use super::{Display, Failure, print};
+
+/// Repeat the fits and print constants and residuals.
+pub fn calibrate(display: &Display) -> Result<(), Failure> {
+    watch_for_interrupt();
+    let progress = Progress::new(display);
+    let fits = fits(&progress).map_err(|error| match error {
+        SimulationError::Cancelled { .. } => Failure::run("stopped on request"),
+        error => Failure::run(error),
+    })?;
+    progress.clear();
+    print(&markdown(&fits));
+    Ok(())
+}

@@ -1,0 +1,122 @@
+//! Fits of constants, repeated: each runs its data again, fits the constants anew, and compares them with those stored in
+//! `scene::fitted_constants` (book, "Errors"). Called by `asperity calibrate`. May use every room below it.
+
+mod contact_edge;
+mod orders;
+
+use std::fmt::Write;
+
+use crate::interface::contact::Contact;
+use crate::loading::press::{PressFailure, press_on};
+use crate::loading::problem::Problem;
+use crate::scene::{Numerics, Scene};
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::{SimulationError, Watch};
+
+/// A constant, as stored and as fitted anew.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedConstant {
+    pub name: &'static str,
+    pub stored: f64,
+    pub fitted: f64,
+}
+
+/// A residual of the stored constants, and of those fitted anew where they are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Residual {
+    /// Of which data, and in which unit.
+    pub of: String,
+    pub points: usize,
+    /// Root mean square.
+    pub stored: f64,
+    pub fitted: Option<f64>,
+}
+
+/// One fit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Fit {
+    pub name: &'static str,
+    /// What is fitted to what.
+    pub method: &'static str,
+    pub constants: Vec<FittedConstant>,
+    pub residuals: Vec<Residual>,
+}
+
+/// Repeats every fit; some minutes.
+pub fn fits(watch: &dyn Watch) -> Result<Vec<Fit>, SimulationError> {
+    Ok(vec![contact_edge::fit(watch)?, orders::elastic_load(watch)?, orders::elastic_friction(watch)?])
+}
+
+/// The fits as Markdown.
+pub fn markdown(fits: &[Fit]) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    for Fit { name, method, constants, residuals } in fits {
+        let _ = writeln!(text, "## {name}\n\n{method}\n\n| constant | stored | fitted |\n|---|---|---|");
+        for FittedConstant { name, stored, fitted } in constants {
+            let _ = writeln!(text, "| {name} | {stored:.4} | {fitted:.4} |");
+        }
+        text.push_str("\n| residual (rms) | points | stored | fitted |\n|---|---|---|---|\n");
+        for Residual { of, points, stored, fitted } in residuals {
+            let fitted = fitted.map_or("".to_owned(), |fitted| format!("{fitted:.4}"));
+            let _ = writeln!(text, "| {of} | {points} | {stored:.4} | {fitted} |");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Increments of a press.
+const INCREMENTS: usize = 40;
+
+/// The contact after a press on a mesh laid out for `contact_radius`, over R, whatever the radius that is reached.
+fn pressed(
+    scene: &Scene,
+    contact_radius: f64,
+    elements: usize,
+    watch: &dyn Watch,
+) -> Result<Contact, SimulationError> {
+    if watch.cancelled() {
+        return Err(SimulationError::Cancelled { partial: None });
+    }
+    let problem = Problem::new(scene);
+    let numerics = Numerics { elements_per_radius: Some(elements), ..scene.numerics.clone() };
+    let size = Resolution::choose(&numerics).mesh_size(contact_radius);
+    let failed = |error: PressFailure| SimulationError::NotConverged {
+        stage: "press",
+        at: format!("{elements} elements per contact radius"),
+        reason: error.to_string(),
+        partial: None,
+    };
+    let (mechanics, _) = press_on(&problem, size, INCREMENTS).map_err(failed)?;
+    Ok(mechanics.into_parts().1)
+}
+
+/// Root mean square.
+fn rms(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = values.len().max(1) as f64;
+    (values.map(|x| x * x).sum::<f64>() / count).sqrt()
+}
+
+/// Least squares of y = a f + b g over rows (f, g, y): (a, b).
+fn two_terms(rows: &[[f64; 3]]) -> [f64; 2] {
+    let sum = |of: fn(&[f64; 3]) -> f64| rows.iter().map(of).sum::<f64>();
+    let (ff, fg, gg) = (sum(|r| r[0] * r[0]), sum(|r| r[0] * r[1]), sum(|r| r[1] * r[1]));
+    let (fy, gy) = (sum(|r| r[0] * r[2]), sum(|r| r[1] * r[2]));
+    let determinant = ff * gg - fg * fg;
+    [(gg * fy - fg * gy) / determinant, (ff * gy - fg * fy) / determinant]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_terms_are_found() {
+        let rows: Vec<[f64; 3]> =
+            [0.1f64, 0.4, 0.8].iter().map(|t| [*t, t * t, 0.7 * t - 0.3 * t * t]).collect();
+        let [a, b] = two_terms(&rows);
+        assert!((a - 0.7).abs() < 1e-12 && (b + 0.3).abs() < 1e-12);
+        assert_eq!(rms([3.0, -4.0].into_iter()), 12.5f64.sqrt());
+    }
+}
