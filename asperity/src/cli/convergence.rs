@@ -40,7 +40,7 @@ fn as_json(sweep: &Convergence) -> serde_json::Value {
         .iter()
         .map(|&quantity| {
             let limit = sweep.limit(quantity);
-            let value = json!({ "limit": limit.value, "doubt": limit.doubt, "order": limit.order });
+            let value = json!({ "limit": limit.value, "doubt": limit.uncertainty, "order": limit.order });
             (quantity.descriptor().name.to_owned(), value)
         })
         .collect();
