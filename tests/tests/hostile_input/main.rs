@@ -6,6 +6,9 @@
 //! `HOSTILE_INPUTS=5000 cargo test -p tests --release --test hostile_input` tries as many of each kind.
 #![cfg(unix)]
 
+mod mutations;
+mod oversized;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -17,90 +20,11 @@ use tables::quantity::Quantity;
 use tables::table::{Axes, Cell, Metadata, Slice, Table};
 use tests::programs;
 
+use mutations::{Random, corrupt, mutate};
+use oversized::{asked_for_too_much, bombs};
+
 /// Of the process that reads, in kB; the inputs are below 200 kB.
 const MEMORY: usize = 1_000_000;
-
-/// splitmix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, limit: usize) -> usize {
-        (self.next() % limit.max(1) as u64) as usize
-    }
-}
-
-/// Numbers and words known for trouble, for text and in binary.
-const TROUBLE: [&[u8]; 22] = [
-    b"nan",
-    b"inf",
-    b"-inf",
-    b"0",
-    b"-1",
-    b"1e308",
-    b"-1e308",
-    b"1e-320",
-    b"9223372036854775807",
-    b"-9223372036854775808",
-    b"1e999",
-    b"[]",
-    b"{}",
-    b"[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",
-    b"\"\"\"",
-    b"a.b.c.d.e.f=1\n",
-    b"\xff\xfe\x00",
-    b"\x00\x00\x00\x00\x00\x00\x00\x00",
-    b"\xff\xff\xff\xff\xff\xff\xff\xff",
-    b"\xff\xff\xff\x7f",
-    b"\x00\x00\x00\x00\x00\x00\xf8\x7f",
-    b"\n",
-];
-
-fn mutate(seed: &[u8], random: &mut Random) -> Vec<u8> {
-    let mut bytes = seed.to_vec();
-    for _ in 0..1 + random.below(4) {
-        if bytes.is_empty() {
-            break;
-        }
-        let at = random.below(bytes.len());
-        match random.below(7) {
-            0 => bytes[at] ^= 1 << random.below(8),
-            1 => bytes.truncate(at),
-            2 => {
-                let end = (at + random.below(64)).min(bytes.len());
-                bytes.drain(at..end);
-            }
-            3 => {
-                let end = (at + random.below(200)).min(bytes.len());
-                let piece = bytes[at..end].to_vec();
-                let to = random.below(bytes.len());
-                bytes.splice(to..to, piece);
-            }
-            4 => {
-                let word = TROUBLE[random.below(TROUBLE.len())];
-                let end = (at + word.len()).min(bytes.len());
-                bytes.splice(at..end, word.iter().copied());
-            }
-            5 => bytes[at] = random.next() as u8,
-            // A number or word of a text.
-            _ => {
-                let ends = |byte: &u8| b" ,=[]{}\n\t\"".contains(byte);
-                let start = bytes[..at].iter().rposition(ends).map_or(0, |k| k + 1);
-                let end = at + bytes[at..].iter().position(ends).unwrap_or(0);
-                let word = TROUBLE[random.below(TROUBLE.len())];
-                bytes.splice(start..end.max(start), word.iter().copied());
-            }
-        }
-    }
-    bytes
-}
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -228,21 +152,6 @@ fn foreign(folder: &Path) -> Vec<(&'static str, &'static str, Vec<u8>)> {
     ]
 }
 
-/// Bytes changed where they stand, so that the length is the one that the file states.
-fn corrupt(seed: &[u8], random: &mut Random) -> Vec<u8> {
-    let mut bytes = seed.to_vec();
-    for _ in 0..1 + random.below(8) {
-        let word = TROUBLE[random.below(TROUBLE.len())];
-        let at = random.below(bytes.len() - word.len());
-        if random.below(2) == 0 {
-            bytes[at] = random.next() as u8;
-        } else {
-            bytes[at..at + word.len()].copy_from_slice(word);
-        }
-    }
-    bytes
-}
-
 /// What crashes the HDF5 library crashes a copy of the program, which says so.
 #[test]
 fn no_foreign_file_crashes_a_program() {
@@ -267,81 +176,6 @@ fn no_foreign_file_crashes_a_program() {
     }
     eprintln!("{refused} of {} crashed a copy", 2 * inputs);
     assert!(refused > 0, "no input crashed the library: the test shows nothing");
-}
-
-/// Texts that are small or at most some megabytes, and ask for much: deep nesting of every kind, long lists,
-/// huge counts, keys without end.
-fn bombs() -> Vec<(&'static str, String)> {
-    const DEEP: usize = 100_000;
-    let many = |item: &str, count: usize| item.repeat(count);
-    let digits = many("9", DEEP);
-    vec![
-        ("nested lists", format!("a = {}", many("[", DEEP))),
-        ("nested lists, closed", format!("a = {}{}", many("[", DEEP), many("]", DEEP))),
-        ("nested tables", format!("a = {}1{}", many("{ a = ", DEEP), many(" }", DEEP))),
-        ("a key of many parts", format!("{}a = 1", many("a.", DEEP))),
-        ("a section of many parts", format!("[{}a]", many("a.", DEEP))),
-        ("a section of lists of many parts", format!("[[{}a]]", many("a.", DEEP))),
-        ("many sections", (0..DEEP).map(|n| format!("[a{n}]\n")).collect()),
-        ("many lists of sections", many("[[a]]\n", DEEP)),
-        ("many keys", (0..DEEP).map(|n| format!("a{n} = 1\n")).collect()),
-        ("a long list", format!("a = [{}]", many("1.0,", 1_000_000))),
-        ("a long list of lists", format!("a = [{}]", many("[[]],", 300_000))),
-        ("an endless number", format!("a = {digits}")),
-        ("an endless fraction", format!("a = 0.{digits}e{digits}")),
-        ("an endless word", format!("a = \"{}\"", many("é", DEEP))),
-        ("an endless key", format!("\"{}\" = 1", many("a\\n", DEEP))),
-        ("an open text", format!("a = \"\"\"{}", many("\n", DEEP))),
-    ]
-}
-
-/// The same within input files that are good but for one value.
-fn asked_for_too_much(kind: &str) -> Vec<(&'static str, String)> {
-    let base = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
-    let scene = format!("{base}[loading]\ninterference = 5\nslip_rate = 1\n");
-    let rising = |count: usize| (0..count).map(|n| format!("{n}.0,")).collect::<String>();
-    match kind {
-        "scene" => vec![
-            ("a fine mesh", format!("{scene}[numerics]\nelements_per_radius = 1000000000000\n")),
-            ("many angles", format!("{scene}[numerics]\nsectors = 9223372036854775807\n")),
-            (
-                "a long table",
-                scene.replace(
-                    "preset = \"copper\"\n",
-                    &format!(
-                        "preset = \"copper\"\nhardening = {{ law = \"table\", plastic_strain = [{0}], factor = [{0}] }}\n",
-                        rising(300_000)
-                    ),
-                ),
-            ),
-        ],
-        "request" => vec![
-            (
-                "many points",
-                format!(
-                    "{base}[table]\nslip_rate = [1]\n\
-                     interference = {{ from = 0.1, to = 100, points = 9223372036854775807 }}\n"
-                ),
-            ),
-            (
-                "many cells",
-                format!(
-                    "{base}[table]\ninterference = [1, 2]\nslip_rate = [1]\ntolerance = 0.1\n\
-                     max_cells = 9223372036854775807\n"
-                ),
-            ),
-            ("a long axis", format!("{base}[table]\ninterference = [1]\nslip_rate = [{}]\n", rising(300_000))),
-        ],
-        _ => vec![(
-            "many pressures",
-            format!(
-                "[surface]\nasperity_density = 1e10\nasperity_radius = 1e-4\n\
-                 heights = {{ distribution = \"gaussian\", std = 1e-6 }}\n\
-                 [query]\npressure = [{}]\nslip_rate = [1.0]\n",
-                (1..300_000).map(|n| format!("{n}.0,")).collect::<String>()
-            ),
-        )],
-    }
 }
 
 /// Of each reader of text; what is too much is answered in a line, not in megabytes.
