@@ -10,7 +10,7 @@ use super::setup::{largest, last, mesh, plain_material, pressed, scene, steel_43
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{Control, FrictionLaw, Hardening, InterfaceStrength};
 use crate::simulate::outcome::Outcome;
-use crate::simulate::{SimulationError, Watch, simulate};
+use crate::simulate::{Watch, simulate};
 
 const BRISCOE: &str = "Briscoe & Tabor 1975, doi 10.1016/0043-1648(75)90306-3";
 const STRENGTH: &str = "tau_c = f_tau sigma_y(eps_p)/sqrt(3)";
@@ -165,12 +165,10 @@ fn constant_load(watch: &dyn Watch) -> Rows {
 }
 
 fn frictionless_load(watch: &dyn Watch) -> Rows {
-    let outcome = || -> Result<Outcome, SimulationError> {
-        let mut scene = scene(plain_material(0.3), FrictionLaw::Frictionless, 0.3, mesh(6, 4));
-        scene.loading.control = Control::Load;
-        scene.loading.slip_distance = 0.05;
-        simulate(&scene, watch)
-    }()?;
+    let mut scene = scene(plain_material(0.3), FrictionLaw::Frictionless, 0.3, mesh(6, 4));
+    scene.loading.control = Control::Load;
+    scene.loading.slip_distance = 0.05;
+    let outcome = simulate(&scene, watch)?;
     Ok(vec![Row::new(
         "largest relative change of interference at constant load without friction",
         largest(&outcome, |step| (step[Quantity::Interference] / 0.3 - 1.0).abs()),
