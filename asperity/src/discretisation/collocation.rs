@@ -52,7 +52,7 @@ impl Collocation {
         Self { count, derivative, transpose }
     }
 
-    /// Nothing depends on θ.
+    /// One angle, for fields that do not depend on θ.
     pub fn axisymmetric() -> Self {
         Self::full(1)
     }
@@ -92,7 +92,8 @@ impl Collocation {
         }
     }
 
-    /// Adds to `force` the transpose of [`Self::differentiate`] applied to the force `on_derivative` conjugate to ∂u/∂θ.
+    /// Adds to `force` the transpose of [`Self::differentiate`] applied to the force `on_derivative` conjugate to
+    /// ∂u/∂θ.
     pub fn add_transposed(&self, parities: &[Parity], on_derivative: &[f64], force: &mut [f64]) {
         let n = self.count;
         if n == 1 {

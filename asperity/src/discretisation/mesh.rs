@@ -100,7 +100,7 @@ impl MeridianMesh {
             }
         }
 
-        // Outline of the block, from the axis below the contact to the surface beside it.
+        // Outline of the block, from the axis below the contact to the surface outside of it.
         let mut outline: Vec<u32> = (0..=columns).map(|i| block(i, layers)).collect();
         outline.extend((0..layers).rev().map(|k| block(columns, k)));
         let growth = 1.0 + 3.0 / size.elements_per_radius as f64;
@@ -126,7 +126,7 @@ impl MeridianMesh {
         for &node in &previous {
             is_base[node as usize] = true;
         }
-        // Exactly on the axis, whatever the trigonometry left.
+        // Exactly on the axis: removes the rounding error of the trigonometry.
         for node in &mut nodes {
             if node[0] < 1e-12 {
                 node[0] = 0.0;
@@ -310,7 +310,7 @@ mod tests {
         assert!(error(16) / error(32) > 3.0, "{} {}", error(16), error(32));
     }
 
-    /// Finer at the surface only: the layers below are those of the mesh without, a little shifted.
+    /// Finer at the surface only: the layers below are those of the mesh without refinement, slightly shifted.
     #[test]
     fn halvings_add_few_layers() {
         for n in [4, 8, 16] {
@@ -321,7 +321,7 @@ mod tests {
                 assert!(
                     (depths[1] / usual[1] * 2f64.powi(thermal_layer_refinements as i32) - 1.0).abs() < 1e-12
                 );
-                // As many as it takes to grow back by that factor, one to spare.
+                // The number of layers over which the thickness grows back by that factor, and one more.
                 let most =
                     (thermal_layer_refinements as f64 * 2f64.ln() / (1.0 + 4.8 / n as f64).ln()).ceil();
                 assert!(depths.len() <= usual.len() + most as usize + 1, "{n} {thermal_layer_refinements}");

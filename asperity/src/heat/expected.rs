@@ -1,8 +1,8 @@
-//! Expected effect of heat on friction, by which a slide is simulated with heat or without.
+//! Expected effect of heat on friction; it decides whether a slide is simulated with heat.
 //!
 //! Rise of temperature in the middle of a disc source, f_h τ₀ V a/k (Carslaw & Jaeger, Conduction of
-//! Heat in Solids, 1959, §10.5), and what it changes: the strength by softening, the load at a held
-//! interference by thermal expansion and softer moduli.
+//! Heat in Solids, 1959, §10.5), and its effects: softening changes the strength; thermal expansion and
+//! softer moduli change the load at constant interference.
 
 use tables::closed_forms::hertz;
 
@@ -10,10 +10,10 @@ use crate::material::{SHEAR_RATIO, Solid};
 use crate::scene::fitted_constants::heat_effect::LOAD_OF_EXPANSION;
 use crate::scene::{Scene, Switch};
 
-/// Heat is left out where its expected effect on friction is below this share of the asked accuracy.
+/// Heat is left out where its expected effect on friction is below this share of the required accuracy.
 const NEGLIGIBLE_SHARE: f64 = 1e-3;
 
-/// What is done about heat.
+/// Treatment of heat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HeatChoice {
     /// Temperatures soften and expand the contact.
@@ -21,7 +21,7 @@ pub enum HeatChoice {
     Off(NoHeat),
 }
 
-/// Why there is no heat.
+/// Reason for leaving heat out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoHeat {
     SwitchedOff,
@@ -45,7 +45,7 @@ pub struct HeatEffect {
     pub rise: f64,
     /// Share of the strength, and with it of friction, that is lost at this rise.
     pub softening: f64,
-    /// Share by which expansion and softening moduli change the load at a held interference.
+    /// Share by which expansion and softening moduli change the load at constant interference.
     pub load: f64,
 }
 
@@ -104,7 +104,7 @@ mod tests {
         parse_scene(&text, "this test", &[]).unwrap()
     }
 
-    /// The strength that is lost is that of the law of softening, however steeply it begins.
+    /// The loss of strength is that of the softening law, also where its initial slope is infinite.
     #[test]
     fn softening_is_that_of_the_law() {
         let mut scene = scene("steel-4340", 20.0, 1.0);

@@ -18,7 +18,7 @@ use crate::scene::fitted_constants::contact_edge::{
     Blunt, FIRST_PLACE, FULL_LOAD, GAP_CURVATURE, LOAD_CURVATURE, OPEN_GAP,
 };
 
-/// Difference of the two values of t that counts as none.
+/// Tolerance of the difference of the two values of t.
 const ROUNDING: f64 = 1e-9;
 
 fn at(constant: Blunt, bluntness: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use crate::scene::FrictionLaw;
 
-/// What a law may depend on at a contact point; tractions in units of `unit`.
+/// Arguments of a friction law at a contact point; tractions in units of `unit`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactPoint {
     /// p.

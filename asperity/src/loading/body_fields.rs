@@ -8,7 +8,7 @@ use crate::loading::problem::Units;
 use crate::loading::slide::SlideState;
 use crate::solver::newton::Mechanics;
 
-/// Fields of the body at chosen instants.
+/// Fields of the body in chosen states.
 ///
 /// A value stands at `[(node*components + component)*angles.len() + j]`. Between the angles fields
 /// are trigonometric polynomials, even in θ but for u_θ, σ_rθ and σ_θz, which are odd.
@@ -23,7 +23,7 @@ pub struct BodyFields {
     pub snapshots: Vec<BodySnapshot>,
 }
 
-/// The fields at one instant.
+/// The fields in one state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodySnapshot {
     /// m.
@@ -42,7 +42,7 @@ pub struct BodySnapshot {
     pub temperature: Vec<f64>,
 }
 
-/// The fields at one instant of a slide, dimensionless.
+/// The fields in one state of a slide, dimensionless.
 #[derive(Clone, Debug)]
 pub struct RecordedBody {
     slip: f64,
@@ -87,7 +87,7 @@ impl RecordedBody {
 }
 
 impl BodyFields {
-    /// In SI units; none if no states were kept.
+    /// In SI units; none if no states were recorded.
     pub(crate) fn new(mesh: &RevolvedMesh, states: &[RecordedBody], units: &Units) -> Option<Self> {
         let scale = |&[r, z]: &[f64; 2]| [r * units.length, z * units.length];
         (!states.is_empty()).then(|| Self {

@@ -35,7 +35,7 @@ pub struct Inception {
     pub energy_bracket: f64,
 }
 
-/// Where the sticking share of the contact falls to nothing, or the secant stiffness over the last
+/// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
 /// [`STIFFNESS_SPAN`] of the slip falls below the given share of the first; both interpolated between states.
 pub fn inception(history: &[SlideState]) -> Inception {
     let secant = |from: &SlideState, to: &SlideState| (to.friction - from.friction) / (to.slip - from.slip);
@@ -65,7 +65,7 @@ pub fn inception(history: &[SlideState]) -> Inception {
 }
 
 impl Inception {
-    /// Of what does not slide, or without friction.
+    /// Of a run without a slide or without friction.
     pub fn none(history: &[SlideState]) -> Self {
         let load = history.last().map_or(0.0, |state| state.load);
         Self {

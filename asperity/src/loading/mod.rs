@@ -2,11 +2,11 @@
 //!
 //! Here: the scene in dimensionless form ([`problem`]), the press and the slide with their step
 //! control, the bracket of sliding inception, the coupling of mechanics, contact edge and heat within
-//! a step, the states of a slide and the fields that are kept of them ([`recording`],
+//! a step, the states of a slide and their recorded fields ([`recording`],
 //! [`body_fields`]). One run at one resolution; resolutions and errors are chosen in
 //! [`crate::simulate`].
 //!
-//! May use: solver, interface, heat, discretisation, material, scene. Book: "One asperity", loading,
+//! Depends on solver, interface, heat, discretisation, material, scene. Book: "One asperity", loading,
 //! coupling and step control.
 
 pub mod body_fields;

@@ -1,4 +1,4 @@
-//! States of a slide that are kept as fields: over the contact, and of the body if asked for.
+//! States of a slide recorded as fields: over the contact and, if chosen, in the body.
 //!
 //! Recording does not influence the increments of the slide.
 
@@ -8,8 +8,8 @@ use crate::loading::body_fields::RecordedBody;
 use crate::loading::slide::SlideState;
 use crate::solver::newton::Mechanics;
 
-/// Which states of a run are kept as fields. Always kept: before the slide, when half of the contact
-/// slips, at full slip and at the end.
+/// States of a run recorded as fields. Always recorded: the start of the slide, slip of half of the
+/// contact, full slip and the end.
 ///
 /// ```
 /// use asperity::loading::recording::Recording;
@@ -19,9 +19,9 @@ use crate::solver::newton::Mechanics;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recording {
-    /// Slips in units of a₀; kept is the first state that has slipped as far.
+    /// Slips in units of a₀; the first state at or beyond each of them is recorded.
     pub slips: Vec<f64>,
-    /// Whether displacement, stress, plastic strain and temperature of the body are kept as well.
+    /// Whether displacement, stress, plastic strain and temperature of the body are recorded as well.
     pub body: bool,
 }
 
@@ -36,12 +36,12 @@ pub struct Fields {
     pub path: Vec<f64>,
 }
 
-/// Keeps states of one slide.
+/// Records states of one slide.
 #[derive(Clone, Debug, Default)]
 pub struct Recorder {
-    /// Slips still to come, over R, falling.
+    /// Slips not yet reached, over R, in descending order.
     slips: Vec<f64>,
-    /// Shares of the contact that sticks, still to come, rising.
+    /// Stick area fractions not yet reached, in ascending order.
     stick_fractions: Vec<f64>,
     body: bool,
     pub contact: Vec<Fields>,
@@ -57,7 +57,7 @@ impl Recorder {
         Self { slips, stick_fractions, body: recording.body, ..Self::default() }
     }
 
-    /// Whether the state `now` is one to keep.
+    /// Whether the state `now` is to be recorded.
     pub fn is_due(&mut self, now: &SlideState) -> bool {
         let before = (self.slips.len(), self.stick_fractions.len());
         let slipped = now.slip * (1.0 + 1e-12);
@@ -66,7 +66,7 @@ impl Recorder {
         before != (self.slips.len(), self.stick_fractions.len())
     }
 
-    /// Keeps the committed state, unless it is the one kept last.
+    /// Records the committed state, unless it is already recorded.
     pub fn keep(&mut self, now: &SlideState, mechanics: &Mechanics, conduction: Option<&Conduction>) {
         if self.contact.last().is_some_and(|last| last.slip == now.slip) {
             return;

@@ -1,4 +1,4 @@
-//! Arithmetic on lanes: W angles computed together in vector registers.
+//! Arithmetic on lanes: values at W angles, computed together in vector registers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,7 +6,7 @@ use wide::{f64x4, f64x8};
 
 pub type Lanes<const W: usize> = [f64; W];
 
-/// a·b + c, fused where the machine does that in one instruction.
+/// a·b + c, fused if the target has that instruction.
 #[inline(always)]
 pub fn fma(a: f64, b: f64, c: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
@@ -20,30 +20,30 @@ pub fn add_scaled<const W: usize>(c: &mut Lanes<W>, a: f64, b: &Lanes<W>) {
     }
 }
 
-/// The numbers of a vector register. Long loops over lanes with many values are split and spilled by the compiler: the
-/// logarithm at finite strain takes half the time with these.
+/// The values of one vector register. The compiler splits long loops over lanes and spills their values to memory; with
+/// explicit registers the logarithm at finite strain takes half the time.
 pub trait Pack:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The same number throughout.
+    /// The same value in all lanes.
     fn splat(x: f64) -> Self;
 
-    /// The first numbers of a slice.
+    /// The first values of a slice.
     fn load(from: &[f64]) -> Self;
 
-    /// The first numbers of a slice in single precision.
+    /// The first values of a slice in single precision.
     fn load_single(from: &[f32]) -> Self;
 
-    /// To the first places of a slice.
+    /// Writes the values to the start of a slice.
     fn store(self, to: &mut [f64]);
 
-    /// self·a + b, fused where the machine does that in one instruction.
+    /// self·a + b, fused if the target has that instruction.
     fn mul_add(self, a: Self, b: Self) -> Self;
 
-    /// The larger of each two absolute values.
+    /// Lane by lane, the larger of the two absolute values.
     fn larger(self, other: Self) -> Self;
 
-    /// The largest of the numbers.
+    /// The largest value.
     fn largest(self) -> f64;
 }
 
@@ -130,7 +130,7 @@ macro_rules! pack {
 pack!(f64x4, 4);
 pack!(f64x8, 8);
 
-/// The numbers of a pack.
+/// The values of a pack.
 #[inline(always)]
 pub fn lanes_of<const W: usize, V: Pack>(pack: V) -> Lanes<W> {
     let mut lanes = [0.0; W];
@@ -138,7 +138,7 @@ pub fn lanes_of<const W: usize, V: Pack>(pack: V) -> Lanes<W> {
     lanes
 }
 
-/// A method of packs, and of single numbers, applied to each lane.
+/// Applies a method of packs to all lanes that fill one, and that of single values to the rest.
 macro_rules! lane_by_lane {
     ($x:ident, $pack:ident => $packed:expr, $single:expr) => {{
         let mut y = [0.0; W];
@@ -161,13 +161,13 @@ macro_rules! lane_by_lane {
     }};
 }
 
-/// Each lane, not negative, to the power n.
+/// x^n of each lane, x ≥ 0.
 #[inline(always)]
 pub fn powers<const W: usize>(x: &Lanes<W>, n: f64) -> Lanes<W> {
     lane_by_lane!(x, P => |x: P| x.powf_simd(P::splat(n)), |x: f64| x.powf(n))
 }
 
-/// e to the power of each lane.
+/// e^x of each lane.
 #[inline(always)]
 pub fn exponentials<const W: usize>(x: &Lanes<W>) -> Lanes<W> {
     lane_by_lane!(x, P => |x: P| x.exp(), f64::exp)

@@ -2,9 +2,9 @@
 //!
 //! With X = C − 1, E = ½ ln(1 + X) = ½ ∫₀¹ X(1 + tX)⁻¹ dt. Gauss quadrature with m points t_i makes of that a Padé
 //! approximant of the logarithm (Dieci, Morini & Papini 1996, SIAM J. Matrix Anal. Appl. 17, 570), which for an
-//! eigenvalue λ of C is wrong by about ρ^2m of the strain, ρ = (√λ − 1)/(√λ + 1). With A_i = (1 + t_iX)⁻¹ the
+//! eigenvalue λ of C has a relative error of about ρ^2m, ρ = (√λ − 1)/(√λ + 1). With A_i = (1 + t_iX)⁻¹ the
 //! derivative is ½ Σ w_i A_i dX A_i, so that a stress T on E is the second Piola-Kirchhoff stress S = Σ w_i A_i T A_i.
-//! Force and tangent are the exact derivatives of the approximant: its truncation disturbs no balance.
+//! Force and tangent are the exact derivatives of the approximant: its truncation error does not enter any balance.
 
 use gauss_quad::GaussLegendre;
 

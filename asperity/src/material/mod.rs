@@ -98,7 +98,7 @@ impl Solid {
         softening_of(&self.softening, &temperature).map(|factor| factor / self.initial_factor)
     }
 
-    /// Lower bound of the softening factor for rises between `coldest`, evaluated only where it matters, and `hottest`.
+    /// Lower bound of the softening factor for rises between `coldest`, evaluated only near yield, and `hottest`.
     pub fn lowest_softening_factor(&self, coldest: impl Fn() -> f64, hottest: f64) -> f64 {
         match &self.softening {
             // These do not rise.

@@ -27,8 +27,8 @@ fn solid(hardening: Hardening) -> Solid {
     Solid::new(&Material { softening, ..material }, 298.0)
 }
 
-/// (increment, strength, slope) of one lane; the others, of points that do not flow or do so otherwise, shall
-/// make no difference.
+/// (increment, strength, slope) of one lane; the other lanes, of points that do not flow or flow differently, must
+/// have no effect on it.
 fn returned(solid: &Solid, trial: f64, strain: f64, factor: f64, guess: f64) -> [f64; 3] {
     let strength = solid.yield_strength(strain, 0.0);
     let of = |value: f64, other: f64| [value, value, other, value];

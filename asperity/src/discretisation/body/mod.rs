@@ -1,13 +1,13 @@
 //! The elastic-plastic body: history at the Gauss points, internal forces, consistent tangent and mechanical energies.
 //!
 //! The strain measure is a property of the element kernel: [`small_strain`] or [`finite_strain`], with the same
-//! history. How stress and plastic strain evolve over a step is the material's: [`Solid::flow`], called in
+//! history. Stress and plastic strain at the end of a step follow from the material, [`Solid::flow`], called in
 //! [`point_stress`]. Moduli are f = E(T)/E(T₀) times those at T₀, f at the mean temperature of the element; stresses
 //! over f are those of the moduli at T₀ with a yield strength over f.
 //!
 //! The derivative of the stress is not symmetric where the stress turns; the tangent is symmetric. It is exact in short
 //! steps and along proportional paths, where it is the consistent tangent of the radial return (de Souza Neto, Perić &
-//! Owen, Computational Methods for Plasticity (2008), eq. (7.120)), and a few per cent off in long steps.
+//! Owen, Computational Methods for Plasticity (2008), eq. (7.120)), in long steps its error is a few per cent.
 
 use crate::discretisation::collocation::VECTOR_PARITY;
 use crate::discretisation::element::{CORNERS, POINTS, RevolvedMesh, VALUES, shape_at_points};
@@ -37,8 +37,8 @@ struct Tangent {
     /// Per element and group of lanes: whether any point flows. Where none does, trial and committed plastic strains
     /// are equal.
     flows: Vec<bool>,
-    /// (2G-factor, radial factor, n) per point, 8 values; relative to E(T)/E(T₀). Where nothing flows
-    /// the first two are 2G and 0, and n is stale or zero.
+    /// (2G-factor, radial factor, n) per point, 8 values; relative to E(T)/E(T₀). At elastic
+    /// points the first two are 2G and 0, and n is not updated.
     coefficients: Vec<f64>,
     /// E(T)/E(T₀) per element; empty if constant.
     stiffness: Vec<f64>,
@@ -130,9 +130,9 @@ impl Body {
     }
 
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
-    /// sets the trial state and the tangent. Where a point is turned inside out, the force is not a number.
+    /// sets the trial state and the tangent. The force of an inverted element is NaN.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        // At finite strain, points beside angles where these alone do not fill a vector register.
+        // At finite strain several points share a vector register where the angles alone do not fill it.
         match self.mesh.sectors.columns() {
             1 => self.force_by_lanes::<1, 4, f64, f64x4>(u, rise, force),
             n if n.is_multiple_of(8) => self.force_by_lanes::<8, 1, f64x8, f64x8>(u, rise, force),

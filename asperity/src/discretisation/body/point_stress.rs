@@ -63,7 +63,7 @@ impl Body {
         });
         let yielding = self.yielding(at, &lanes_of(squared), &heat);
         let any = yielding.any;
-        // The increment of the iteration before is a good first guess.
+        // First guess: the increment of the previous iteration.
         let guess = if any || stale { self.reset_history(at) } else { [0.0; W] };
         if stale && !any {
             self.tangent.coefficients[at.coefficient(0)..][..W].fill(two_shear);
@@ -160,7 +160,7 @@ impl Body {
         let end = self.solid.flow(&path);
         let two_shear = 2.0 * self.solid.moduli.shear;
         let stiffness = 3.0 * self.solid.moduli.shear;
-        // Elastic where nothing flows: what follows is for all lanes at once.
+        // Elastic values in the lanes that do not flow; the loops below act on all lanes.
         let (mut across, mut radial) = ([two_shear; W], [0.0; W]);
         for l in (0..W).filter(|&l| flowing[l]) {
             self.trial.accumulated[at.scalar() + l] = path.strain[l] + end.increment[l];
@@ -182,7 +182,7 @@ impl Body {
                 let flown = end.radius[l] * end.direction[i][l];
                 direction[l] = if flows { end.direction[i][l] } else { 0.0 };
                 at_end[l] = if flows { flown } else { at_end[l] };
-                // The part of the strain that is not elastic.
+                // Δε_p = Δs/2G at constant strain.
                 plastic[l] += (elastic[i][l] - at_end[l]) / two_shear;
             }
             *stress = V::load(&at_end);

@@ -52,7 +52,7 @@ mod tests {
     use crate::discretisation::collocation::Collocation;
     use crate::scene::Hardening;
 
-    /// A strain that is uniform is found as it is; one in a single deep element is not seen.
+    /// A uniform strain is reproduced; the strain of a single deep element has no effect.
     #[test]
     fn surface_strain_is_that_of_the_top_layer() {
         for sectors in [Collocation::axisymmetric(), Collocation::full(4)] {

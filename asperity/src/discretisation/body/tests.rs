@@ -138,7 +138,7 @@ fn expansion(rise: f64) -> f64 {
     }
 }
 
-/// Heated uniformly and free to expand a body is free of stress, whatever its modulus; held, its
+/// A uniformly heated body that is free to expand has no stress, whatever its modulus; clamped, its
 /// mean stress is −3K(T)∫α dT.
 #[test]
 fn uniform_heat_stresses_only_what_is_held() {

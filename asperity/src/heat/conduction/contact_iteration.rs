@@ -2,7 +2,7 @@
 //!
 //! With the interior eliminated, S θ = f + γΔt q(θ) remains for the contact, S its Schur complement. Newton's method
 //! with slopes q′ of an earlier iterate solves (S − γΔt q′)θ = f + γΔt (q − q′θ). The dense factor takes most of the
-//! time, so it is kept from iteration to iteration and from stage to stage while the iteration contracts.
+//! time, so it is reused in later iterations and stages while the iteration contracts.
 
 use faer::linalg::solvers::Llt;
 

@@ -1,8 +1,8 @@
 //! A stage with properties that depend on temperature.
 //!
-//! H rises and the heat of the contact falls with Θ, so the stage minimises a convex function of Θ: Newton's method
-//! with a line search always finds it. Its linear systems are solved by conjugate gradients with the matrix of the
-//! initial properties as preconditioner.
+//! H increases and the heat flow at the contact decreases with Θ, so a stage is the minimum of a convex function of Θ,
+//! and Newton's method with a line search converges from any start. Its linear systems are solved by conjugate
+//! gradients with the matrix of the initial properties as preconditioner.
 
 use faer::linalg::solvers::Llt;
 
@@ -14,9 +14,9 @@ use crate::material::lanes::{add_scaled, dot};
 
 const NEWTON_LIMIT: usize = 60;
 const KRYLOV_LIMIT: usize = 200;
-/// Residual that counts as none, in the energy norm, relative to that of the temperature.
+/// Tolerance of the residual in the energy norm, relative to the norm of the temperature.
 const TOLERANCE: f64 = 1e-13;
-/// Residual that is accepted once rounding keeps it from falling further.
+/// Residual accepted at stagnation by rounding.
 const ROUNDING: f64 = 1e-11;
 
 /// Properties, and the conduction matrices of the elements at k₀, 4 × 4: in the meridian, and along θ.
@@ -85,7 +85,7 @@ impl StageProblem<'_> {
                 break;
             }
             last = norm;
-            // No more accuracy than the next Newton step can use.
+            // Forcing term: no more accuracy than the next Newton step can use.
             let forcing = (0.1 * TOLERANCE * reference / norm).max((norm / reference).clamp(1e-6, 1e-2));
             self.conjugate_gradients(&factor, &now, &mut direction, forcing);
             now = self.line_search(&now, &direction);
@@ -148,7 +148,7 @@ impl StageProblem<'_> {
         })
     }
 
-    /// Divides by the matrix of the initial properties.
+    /// Applies the inverse of the matrix of the initial properties.
     fn precondition(&self, factor: &Llt<f64>, residual: &[f64], solution: &mut [f64]) {
         let factors = &self.step.matrix.factors;
         let mut modal = vec![0.0; factors.modal_length()];

@@ -1,6 +1,6 @@
 //! Transient heat conduction in the body, heated at the contact and by plastic work.
 //!
-//! ρcθ̇ = ∇·(k∇θ) + sources for the rise θ above the initial temperature, which the base and the flat keep. In terms
+//! ρcθ̇ = ∇·(k∇θ) + sources for the rise θ above the initial temperature, at which base and flat are held. In terms
 //! of the enthalpy H = ∫c/c₀ dθ and the potential Θ = ∫k/k₀ dθ (Kirchhoff) that is
 //!
 //! ```text
@@ -14,7 +14,7 @@
 //! doi:10.1137/0714068), whose stages share the matrix M + γΔt K. Heat that depends on the temperature of the contact
 //! (softening friction, gap conductance) is implicit. A stage is solved by one of two methods: at constant properties
 //! only the contact is nonlinear, and its Schur complement is iterated ([`contact_iteration`]); otherwise, and where
-//! that fails to converge, a convex function of Θ is minimised ([`kirchhoff`]).
+//! that fails to converge, a convex function of Θ is minimised ([`kirchhoff`]). Chapter "Heat" of the book.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ mod contact_iteration;
 mod kirchhoff;
 mod step;
 
-/// Step sizes whose factors are kept.
+/// Number of step sizes whose factors are stored.
 const KEPT_FACTORS: usize = 3;
 
 /// Why a step of conduction was not solved.
@@ -156,7 +156,7 @@ impl Conduction {
             return step.integrate(&mut &*varying);
         }
         match step.integrate(&mut ContactIteration::default()) {
-            // At kinks of the heat flow Newton's method may cycle; minimisation is slower and cannot.
+            // At kinks of the heat flow Newton's method may cycle; minimisation is slower and always converges.
             Err(HeatError::NotConverged { .. }) => {
                 let constant = Kirchhoff::new(&self.mesh, self.capacity, ThermalProperties::constant());
                 step.integrate(&mut &constant)

@@ -33,7 +33,7 @@ impl StepMatrix {
     }
 }
 
-/// A step of Δt and what drives it.
+/// A step of Δt with its heat sources.
 pub(super) struct Step<'a> {
     pub(super) conduction: &'a Conduction,
     pub(super) matrix: &'a StepMatrix,
@@ -101,8 +101,8 @@ impl Step<'_> {
     }
 
     /// Cholesky factor of the Schur complement of the contact less γΔt times the `slope` of the heat flow at each
-    /// point. It is positive definite, as heat flows fall with temperature, unless a step that is too long has turned
-    /// the contact inside out.
+    /// point. It is positive definite, as heat flows fall with temperature, unless too long a step has inverted
+    /// elements of the contact.
     pub(super) fn contact_factor(&self, slope: impl Fn(usize) -> f64) -> Result<Llt<f64>, HeatError> {
         let columns = self.matrix.factors.harmonics();
         let table = self.matrix.factors.transform.of(Parity::Even);

@@ -75,7 +75,7 @@ fn disc_source_follows_carslaw_and_jaeger() {
     }
 }
 
-/// 1 + θ up to 10 K: strong over the rise of 1 K in the tests.
+/// 1 + θ up to 10 K: doubles over the rise of 1 K in the tests.
 fn growing() -> Curve {
     Curve::new(vec![0.0, 10.0], vec![1.0, 11.0])
 }
@@ -90,7 +90,7 @@ fn constant_diffusivity_follows_kirchhoff_and_carslaw_and_jaeger() {
     }
 }
 
-/// Constant properties given as tables are solved by the other method, with the same temperatures.
+/// Constant properties given as tables are solved by the minimisation, with the same temperatures.
 #[test]
 fn constant_tables_agree_with_constant_properties() {
     let (mesh, heat) = (small_mesh(), |mesh: &RevolvedMesh| Softening::new(mesh, 1.0, 3.0));
@@ -112,8 +112,8 @@ fn small_mesh() -> RevolvedMesh {
     RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(4))
 }
 
-/// Heat that falls as (1 − θ^m) where the metal softens, over part of the contact and unevenly in
-/// θ, less what a gap takes.
+/// Frictional heat with the softening factor 1 − rise^m, over part of the contact and not uniform in the
+/// angle, less the heat that the gap conducts to the flat.
 struct Softening<'a> {
     areas: Vec<f64>,
     strength: Box<dyn Fn(f64) -> f64 + 'a>,
@@ -141,7 +141,7 @@ impl<'a> Softening<'a> {
 }
 
 impl ContactHeat for Softening<'_> {
-    // The slope by differences, as the friction heat has it.
+    // The slope by central differences, as in the frictional heat of the slide.
     fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
         let (power, gap, h) = (self.power(point), self.gap * self.areas[point], 1e-5);
         let slope = ((self.strength)(rise + h) - (self.strength)(rise - h)) / (2.0 * h);
@@ -153,9 +153,9 @@ impl ContactHeat for Softening<'_> {
     }
 }
 
-/// Steps of `dt`, each twice the one before; returns the mismatch of the heat balance over the heat
-/// given. The flows of the balance are evaluated at the temperatures found, so that it closes only
-/// if these solve the nonlinear equations.
+/// Steps from `dt` on, each twice the one before; returns the error of the heat balance over the heat
+/// input. The heat flows of the balance are evaluated at the computed temperatures, so that the balance closes
+/// only if these solve the nonlinear equations.
 fn march(conduction: &mut Conduction, heat: &dyn ContactHeat, mut dt: f64, steps: usize) -> f64 {
     let none = vec![0.0; conduction.committed.len()];
     let (mut given, mut lost) = (0.0, 0.0);
@@ -171,7 +171,7 @@ fn march(conduction: &mut Conduction, heat: &dyn ContactHeat, mut dt: f64, steps
 }
 
 /// Johnson–Cook exponents below one (infinite slope where softening begins), near a step, and so
-/// much power that the contact stands at the melting point.
+/// much power that the contact is at the melting point.
 #[test]
 fn steep_softening_is_solved() {
     for exponent in [0.2, 0.5, 0.8, 1.0, 4.0, 40.0] {
@@ -179,7 +179,7 @@ fn steep_softening_is_solved() {
             let mesh = small_mesh();
             let mut conduction = Conduction::new(&mesh, 1.0).unwrap();
             let off = march(&mut conduction, &Softening::new(&mesh, exponent, flux), 1e-7, 24);
-            // Temperatures are solved to 1e-11, which the slope of the flow magnifies.
+            // The temperatures have a tolerance of 1e-11, which the slope of the heat flow multiplies.
             assert!(off < 1e-10 * (exponent * flux).max(1.0), "exponent {exponent}, flux {flux}: {off:e}");
             let hottest = conduction.committed.iter().fold(0.0f64, |m, t| m.max(*t));
             // Friction alone does not heat beyond the melting point.
@@ -203,7 +203,7 @@ fn kinks_of_tabulated_softening_are_solved() {
 }
 
 /// Carbon steel of EN 1993-1-2 (peak of c at 735 °C, jumps of c and k) and a jump of c by ten, the
-/// latter standing for a latent heat: the balance closes to 1e-10.
+/// latter as a latent heat: the balance closes to 1e-10.
 #[test]
 fn heat_balance_closes_across_peaks_and_jumps() {
     let steel = crate::scene::presets::tests::carbon_steel().dependence;
@@ -231,8 +231,8 @@ fn heat_balance_closes_across_peaks_and_jumps() {
     }
 }
 
-/// Heated in its volume, far from the base and in a short time, each point takes up its own heat:
-/// θ = H⁻¹(heat), here across the EN 1993-1-2 peak in steps of hundreds of kelvin.
+/// Volume heating over a time too short for conduction: each point stores the heat supplied to it,
+/// θ = H⁻¹(heat), across the peak of c in EN 1993-1-2 in steps of hundreds of kelvin.
 #[test]
 fn volume_heating_follows_the_enthalpy() {
     let steel = crate::scene::presets::tests::carbon_steel().dependence.specific_heat.unwrap();
@@ -278,7 +278,7 @@ fn isothermal_disc_conducts_four_k_a() {
         let none = vec![0.0; mesh.field_length(1)];
         let mut flow = 0.0;
         for _ in 0..12 {
-            // L-stable: steps far longer than any time of the body end in its steady state.
+            // L-stable: steps far longer than the diffusion time of the body end in its steady state.
             let (rise, balance) = conduction.advance(1e4, &none, &Held(source.clone())).unwrap();
             conduction.committed = rise;
             flow = balance.base / 1e4;

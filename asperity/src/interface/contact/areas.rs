@@ -1,6 +1,7 @@
 //! Areas of the contact points on the flat as the surface stretches.
 //!
-//! In contact the surface is plane: areas grow by det ∂x/∂X of its in-plane deformation, taken midway between two rings.
+//! In contact the surface is plane: areas grow by det ∂x/∂X of its in-plane deformation, taken midway between two
+//! rings.
 
 use super::{Contact, ContactState};
 use crate::discretisation::collocation::Parity;
@@ -75,7 +76,7 @@ mod tests {
         for (area, before) in contact.areas.iter().zip(mesh.contact_areas()) {
             assert!((area / before - stretch_x * stretch_y).abs() < 1e-12);
         }
-        // A step that fails leaves nothing behind.
+        // A failed step leaves the areas unchanged.
         contact.update_areas(true);
         for (area, before) in contact.areas.iter().zip(mesh.contact_areas()) {
             assert!((area / before - 1.0).abs() < 1e-14);

@@ -51,7 +51,7 @@ impl Contact {
             for ring in 0..self.radii.len() {
                 self.contact_fraction[ring * self.columns + j] = match last {
                     Some(last) if ring == last => (edge - ring as f64).clamp(0.0, LARGEST_FRACTION),
-                    // A ring that touches before the edge is evaluated again has no share yet.
+                    // A ring that touches before the edge is evaluated again has no contact fraction yet.
                     Some(last) if ring > last => 0.0,
                     _ => 1.0,
                 };

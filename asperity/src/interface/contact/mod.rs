@@ -22,12 +22,12 @@ mod state;
 /// Stiffness of the penalty springs in units of E*/(ring spacing): normal, and tangential in the press.
 const NORMAL_SPRING: f64 = 50.0;
 const PRESS_SPRING: f64 = 50.0;
-/// Tangential spring of the slide. Beside slipping points a stiffer one costs iterations, a softer one saves none.
+/// Tangential spring of the slide. Near slipping points a stiffer one costs iterations; a softer one saves none.
 const SLIDE_SPRING: f64 = 10.0;
 /// Tangential spring in the step in which a point touches: it touches somewhere in the step, moves freely until then
-/// and is held from then on. A spring about as stiff as the body lets it go half-way, so that the load of a full-stick
-/// press hardly depends on the increments: at ν = 0 and n_c = 16 it is 1.0542 times that without friction with 32
-/// increments and 1.0535 with 300, where the limit is 1.0529.
+/// and is held from then on. With a spring about as stiff as the body the point moves half-way, so that the load of a
+/// full-stick press hardly depends on the increments: at ν = 0 and n_c = 16 it is 1.0542 times that without friction
+/// with 32 increments and 1.0535 with 300, where the limit is 1.0529.
 const TOUCH_SPRING: f64 = 0.5;
 
 /// Position of the flat: interference and displacement along +x, in units of R.

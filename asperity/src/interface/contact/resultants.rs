@@ -29,7 +29,7 @@ impl Contact {
         (self.area(state) / std::f64::consts::PI).sqrt()
     }
 
-    /// Share of the contact area that sticks.
+    /// Stick area fraction.
     pub fn stick_fraction(&self, state: &ContactState) -> f64 {
         let area = self.sum_where(state, |s| s != Status::Open);
         if area > 0.0 { self.sum_where(state, |s| s == Status::Stick) / area } else { 0.0 }

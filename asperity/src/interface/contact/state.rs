@@ -3,7 +3,7 @@
 /// State of a contact point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// Carries nothing.
+    /// Open: no traction.
     Open,
     Stick,
     Slip,

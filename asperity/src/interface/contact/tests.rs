@@ -61,11 +61,11 @@ fn slip_keeps_the_traction_at_the_limit_and_along_the_motion() {
         assert_eq!(contact.trial.status[i], Status::Slip);
         assert!((contact.along_x(i, contact.trial.traction[i]) - 0.3).abs() < 1e-12);
     }
-    // The work of the flat is what friction takes, but for what the springs hold.
+    // The work of the flat is the frictional dissipation plus the energy of the springs.
     let work = contact.step_work(FlatPosition { interference: 1e-3, displacement: 0.0 }, flat);
     assert!((work.of_flat - work.friction).abs() < 1e-12 * work.of_flat);
     contact.commit();
-    // Reversal: sticks until the spring has turned round.
+    // Reversal: stick until the spring force is reversed.
     contact.evaluate(|p| u[p], FlatPosition { interference: 1e-3, displacement: 1e-2 - 1e-8 }, &limit);
     assert!(contact.trial.status.contains(&Status::Stick));
 }

@@ -15,9 +15,9 @@ use crate::loading::problem::Problem;
 use crate::solver::newton::CouplingData;
 use crate::solver::timings::Kernel;
 
-/// Change of the shear limits between iterations, relative to the strength, that counts as none.
+/// Tolerance of the change of the shear limits between iterations, relative to the strength.
 const LIMIT_TOLERANCE: f64 = 3e-5;
-/// Change of the areas of the contact points between iterations, relative, that counts as none.
+/// Tolerance of the relative change of the areas of the contact points between iterations.
 const AREA_TOLERANCE: f64 = 1e-4;
 
 /// A solved increment; the state itself is the trial state of the mechanics.
@@ -33,13 +33,13 @@ struct Coupling<'a> {
     problem: &'a Problem,
     conduction: Option<&'a mut Conduction>,
     dt: f64,
-    /// Of the increment before, by which the first guess is heated.
+    /// Heat sources of the previous increment, used for the first iterate.
     sources_before: &'a HeatSources,
     edge: EdgeSearch,
     limit: Option<Vec<f64>>,
-    /// Updates left until the coupled quantities are held.
+    /// Updates left until the coupled quantities are held constant.
     updates_left: usize,
-    /// Once they no longer change they are held, and Newton's method converges fast.
+    /// Whether they are held constant: converged, or no updates left. Newton's method then converges fast.
     held: bool,
     sources: HeatSources,
     heated: Option<(Vec<f64>, HeatBalance)>,
@@ -58,7 +58,7 @@ impl Coupling<'_> {
             contact.set_edges(&edges);
         }
         let stretched = if self.problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
-        // A step that failed may have left any trial state.
+        // A failed step may have left a meaningless trial state.
         let state = if iteration == 0 { &body.committed } else { &body.trial };
         let hardened = interface_hardening(self.problem, body, contact, state);
         let rise = self.temperature(body, contact, &hardened, iteration);
@@ -66,7 +66,7 @@ impl Coupling<'_> {
         self.held = (self.agrees(&limit) && stretched <= AREA_TOLERANCE) || self.updates_left == 0;
         self.updates_left = self.updates_left.saturating_sub(1);
         self.limit = Some(limit.clone());
-        Some(CouplingData { limit, rise, settled: self.held })
+        Some(CouplingData { limit, rise, converged: self.held })
     }
 
     /// Temperature rise at the end of the increment with the heat sources of the trial state.
@@ -79,7 +79,7 @@ impl Coupling<'_> {
     ) -> Option<Vec<f64>> {
         let conduction = self.conduction.as_mut()?;
         let clock = Instant::now();
-        // The first guess heats as the step before did.
+        // The first iterate takes the heat sources of the previous step.
         self.sources = match iteration {
             0 => self.sources_before.clone(),
             _ => HeatSources::of(self.problem, body, contact, self.dt),
@@ -117,7 +117,7 @@ impl Slide<'_> {
     ) -> Result<Equilibrium, SlideFailure> {
         let Predictor { displacement: start, interference, edges } = guess;
         let flat = FlatPosition { interference, displacement: to };
-        // The first guess decides which points touch; the shear limits do not matter for that.
+        // The predictor determines the points in contact, which do not depend on the shear limits.
         let contact = &mut self.mechanics.contact;
         contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
         contact.set_edges(&edges);

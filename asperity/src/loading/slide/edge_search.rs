@@ -1,29 +1,34 @@
-//! The contact edge that the shear limits are computed with, and the one that the state shows under them.
+//! Fixed-point iteration for the contact edge: the shear limits take an assumed edge, and the state under these limits
+//! has a computed edge. Both agree in equilibrium.
 
-/// Where the shown edge answers a change of the assumed one by more than this, the other way, assuming what was
-/// shown last goes back and forth: on coarse meshes by nine tenths of the change before.
-const SWINGING: f64 = -0.4;
-/// Beyond that the answer is taken for noise.
-const MOST: f64 = -2.0;
+/// d(computed)/d(assumed) below which the fixed-point iteration oscillates so slowly decaying that a secant step is
+/// taken; on coarse meshes the slope is down to −0.9.
+const OSCILLATION_SLOPE: f64 = -0.4;
+/// Steeper slopes are limited to this value.
+const STEEPEST_SLOPE: f64 = -2.0;
 
-/// Looks for the edge along each angle that the state shows if it is assumed.
+/// Search for the fixed point at each angle.
 #[derive(Default)]
 pub struct EdgeSearch {
     last: Option<(Vec<f64>, Vec<f64>)>,
 }
 
 impl EdgeSearch {
-    /// What to assume next: what was shown, or where it swings the root of the line through the last two.
-    pub fn next(&mut self, assumed: Vec<f64>, shown: Vec<f64>) -> Vec<f64> {
+    /// The next assumed edge: the computed one, or the secant step of the last two where the iteration oscillates.
+    pub fn next(&mut self, assumed: Vec<f64>, computed: Vec<f64>) -> Vec<f64> {
         let step = |i: usize| {
-            let off = shown[i] - assumed[i];
-            let Some((assumed_last, shown_last)) = &self.last else { return off };
-            let slope = (shown[i] - shown_last[i]) / (assumed[i] - assumed_last[i]);
-            let back = off * (shown_last[i] - assumed_last[i]) < 0.0;
-            if back && slope < SWINGING { off / (1.0 - slope.max(MOST)) } else { off }
+            let off = computed[i] - assumed[i];
+            let Some((assumed_last, computed_last)) = &self.last else { return off };
+            let slope = (computed[i] - computed_last[i]) / (assumed[i] - assumed_last[i]);
+            let oscillates = off * (computed_last[i] - assumed_last[i]) < 0.0;
+            if oscillates && slope < OSCILLATION_SLOPE {
+                off / (1.0 - slope.max(STEEPEST_SLOPE))
+            } else {
+                off
+            }
         };
         let next = (0..assumed.len()).map(|i| assumed[i] + step(i)).collect();
-        self.last = Some((assumed, shown));
+        self.last = Some((assumed, computed));
         next
     }
 }
@@ -32,22 +37,24 @@ impl EdgeSearch {
 mod tests {
     use super::*;
 
-    /// Edges that answer by little are followed; one that oscillates is found at once.
+    /// Small slopes converge by the fixed-point iteration, an oscillating linear one in a single secant step.
     #[test]
-    fn edges_that_swing_are_found() {
+    fn oscillating_edges_converge() {
         let slopes = [0.3, -0.2, -1.0];
-        let show =
+        let compute =
             |x: &[f64]| -> Vec<f64> { x.iter().zip(slopes).map(|(x, slope)| 1.0 + slope * x).collect() };
         let mut search = EdgeSearch::default();
         let mut x = vec![0.0; 3];
         for _ in 0..3 {
-            let shown = show(&x);
-            x = search.next(x, shown);
+            let computed = compute(&x);
+            x = search.next(x, computed);
         }
         assert!((x[2] - 0.5).abs() < 1e-14, "{x:?}");
         for i in [0, 1] {
             let exact = 1.0 / (1.0 - slopes[i]);
-            assert!((x[i] - exact).abs() < 0.04 && x[i] == show(&[1.0 + slopes[i], 1.0 + slopes[i], 0.0])[i]);
+            assert!(
+                (x[i] - exact).abs() < 0.04 && x[i] == compute(&[1.0 + slopes[i], 1.0 + slopes[i], 0.0])[i]
+            );
         }
     }
 }

@@ -9,16 +9,16 @@ use crate::loading::press::extrapolate;
 
 /// First increment in units of the elastic displacement at gross slip, for [`REFERENCE_GROWTH`].
 const FIRST_INCREMENT: f64 = 0.1;
-/// Number of increments at least, for [`REFERENCE_GROWTH`]. From 24 to 12 of them mu changed by 0.003, 0.01, 0.02,
-/// 0.27 and 0.48 per cent in five slides between 10 and 100 omega_c.
+/// Number of increments at least, for [`REFERENCE_GROWTH`]. With 12 instead of 24 of them μ changes by at most
+/// 0.48 % in slides between 10 and 100 ω_c.
 const LEAST_INCREMENTS: f64 = 16.0;
 /// Growth of the increments that the numbers above are for.
 const REFERENCE_GROWTH: f64 = 0.15;
-/// Growth of the increments once the contact slides, over that before: changes friction by less than 0.08 per cent and
-/// the rise of temperature by 0.02 in ten slides between 0.1 and 100 omega_c.
+/// Growth of the increments once the contact slides, over that before. The effect is less than 0.08 % on friction and
+/// 0.02 % on the temperature rise in slides between 0.1 and 100 ω_c.
 const WHILE_SLIDING: f64 = 2.0;
-/// Width of the increment in which sliding begins, relative to the slip. In shorter ones the last points
-/// slip so suddenly that their temperature has a peak where heat spreads at once (Fo = 1e6).
+/// Width of the increment in which sliding begins, relative to the slip. In shorter ones the last
+/// points slip so fast that their temperature peaks even where conduction is fast (Fo = 1e6).
 pub const INCEPTION_WIDTH: f64 = 0.01;
 /// Shortest increment, in units of the elastic displacement at gross slip.
 const SHORTEST: f64 = 1e-6;
@@ -33,7 +33,7 @@ pub struct Increments {
     pub coupling_limit: usize,
 }
 
-/// First guess of a step, and what it is extrapolated from.
+/// Predictor of a step, extrapolated from the last states.
 #[derive(Clone)]
 pub struct Predictor {
     pub displacement: Vec<f64>,
@@ -77,8 +77,8 @@ pub struct StepControl {
     pub finest: f64,
     /// The next increment.
     advance: f64,
-    /// The increment tried last.
-    tried: f64,
+    /// The last increment attempted.
+    attempted: f64,
     /// Increment taken up again after sliding inception.
     usual: f64,
     bracket: Option<InceptionBracket>,
@@ -89,8 +89,8 @@ impl StepControl {
         let least = FIRST_INCREMENT * growth / REFERENCE_GROWTH * elastic;
         let advance = least.min(distance / LEAST_INCREMENTS);
         let finest = (0.1 * least).min(0.1 * advance);
-        let (tried, usual) = (advance, advance);
-        Self { distance, elastic, growth, least, finest, advance, tried, usual, bracket: None }
+        let (attempted, usual) = (advance, advance);
+        Self { distance, elastic, growth, least, finest, advance, attempted, usual, bracket: None }
     }
 
     pub fn bracket(&self) -> Option<&InceptionBracket> {
@@ -100,9 +100,9 @@ impl StepControl {
     /// Slip at the end of the next increment; the last two are of one length.
     pub fn next(&mut self, slip: f64) -> f64 {
         let (left, advance) = (self.distance - slip, self.advance);
-        self.tried =
+        self.attempted =
             if left < 1.5 * advance { if left <= advance { left } else { 0.5 * left } } else { advance };
-        if left <= self.tried { self.distance } else { slip + self.tried }
+        if left <= self.attempted { self.distance } else { slip + self.attempted }
     }
 
     /// The increment to `slip` was taken.
@@ -123,16 +123,16 @@ impl StepControl {
     /// The contact slides at the end of the increment from `slip`.
     pub fn past_inception(&mut self, slip: f64, bracket: InceptionBracket) {
         if self.bracket.is_none() {
-            self.usual = 0.5 * self.tried;
+            self.usual = 0.5 * self.attempted;
         }
         self.advance = self.bisect(slip, &bracket);
         self.bracket = Some(bracket);
     }
 
-    /// Halves the increment after a failure; false where it is too short already.
+    /// Halves the increment after a failure; false if it is already at its lower limit.
     pub fn cut_back(&mut self) -> bool {
         self.usual = 0.0;
-        self.advance = 0.5 * self.tried;
+        self.advance = 0.5 * self.attempted;
         self.advance >= SHORTEST * self.elastic
     }
 

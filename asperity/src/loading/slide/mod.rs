@@ -21,13 +21,13 @@ pub use increments::Increments;
 use increments::{InceptionBracket, Predictor, StepControl};
 pub use state::SlideState;
 
-/// Sticking share of the contact that counts as none: points that have just touched stick until
+/// Stick area fraction below which the contact slips fully: points that have just touched stick until
 /// they have slipped once.
 pub const NO_STICK: f64 = 0.01;
-/// Plastic strain at which the body is taken to shear in place of the interface, if so large a share of
-/// the contact still sticks. Interfaces no stronger than the body stick to that share up to a strain of
-/// 0.03 (20 omega_c); under stronger ones a layer of elements shears without limit.
-const MOST_STRAIN_IN_STICK: f64 = 0.5;
+/// Plastic strain above which the body shears in place of the interface, if the stick area fraction is above
+/// [`STILL_STICKING`]. Under interfaces no stronger than the body that fraction is reached at strains up to 0.03
+/// (20 ω_c); under stronger ones a layer of elements shears without limit.
+const LARGEST_STRAIN_IN_STICK: f64 = 0.5;
 const STILL_STICKING: f64 = 0.5;
 
 #[derive(Debug, thiserror::Error)]
@@ -51,7 +51,7 @@ pub enum SlideFailure {
 
 impl SlideFailure {
     /// Whether a shorter increment may succeed.
-    fn asks_for_cut_back(&self) -> bool {
+    fn allows_cut_back(&self) -> bool {
         matches!(self, Self::Step(_) | Self::Heat(HeatError::NotConverged { .. }))
     }
 }
@@ -59,7 +59,7 @@ impl SlideFailure {
 /// Result of the attempt at an increment.
 enum Attempt {
     Taken,
-    /// Solved, but sliding begins within the increment: nothing of it is kept but the bracket.
+    /// Solved, but sliding begins within the increment: only the bracket is used.
     PastInception(InceptionBracket),
 }
 
@@ -81,7 +81,7 @@ pub struct Slide<'a> {
     pub recorder: Recorder,
     pub cutbacks: usize,
     increments: Increments,
-    /// The number of attempts at a step still to be counted; every other one of them is rejected.
+    /// Number of further attempts of which every other one is rejected.
     #[cfg(test)]
     rejecting: usize,
 }
@@ -157,7 +157,7 @@ impl<'a> Slide<'a> {
                     self.mechanics.restore(committed.displacement, cover);
                     control.past_inception(slip, bracket);
                 }
-                Err(failure) if failure.asks_for_cut_back() => {
+                Err(failure) if failure.allows_cut_back() => {
                     self.mechanics.restore(committed.displacement, cover);
                     self.cutbacks += 1;
                     if !control.cut_back() {
@@ -200,7 +200,8 @@ impl<'a> Slide<'a> {
         let state = self.present_state(to, *self.last());
         self.check(&state)?;
         let begins = !self.has_begun && state.stick_fraction < NO_STICK;
-        // What has not stuck after the press, or lets go at once, begins to slide at no slip.
+        // A contact without stick after the press, or with full slip in the first increment, has its inception at s =
+        // 0.
         let stuck = self.last().stick_fraction >= NO_STICK;
         if begins && stuck && to - from > increments::bracket_width(to, self.finest) * (1.0 + 1e-9) {
             let predictor = Predictor { interference: equilibrium.flat.interference, ..self.predictor() };
@@ -219,7 +220,7 @@ impl<'a> Slide<'a> {
             return Err(SlideFailure::OutgrewMesh { growth: contact.radius(&contact.trial) / start });
         }
         let (strain, stick_fraction) = (state.plastic_strain_max, state.stick_fraction);
-        if strain > MOST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
+        if strain > LARGEST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
             return Err(SlideFailure::Distorted { strain, stick_fraction });
         }
         Ok(())

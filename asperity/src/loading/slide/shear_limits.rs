@@ -1,4 +1,4 @@
-//! What shear traction the interface takes at each contact point.
+//! Limit of the shear traction at each contact point.
 
 use crate::discretisation::body::{Body, BodyState};
 use crate::interface::contact::Contact;
@@ -6,7 +6,7 @@ use crate::interface::friction_law::{ContactPoint, shear_limit};
 use crate::loading::problem::{Problem, SHEAR_RATIO};
 use crate::scene::InterfaceStrength;
 
-/// f_τ σ_Y(T)/√3 times what hardening adds.
+/// f_τ σ_Y(T)/√3 times the hardening factor.
 pub fn shear_strength(problem: &Problem, hardened: f64, rise: f64) -> f64 {
     problem.strength_factor * SHEAR_RATIO * (hardened * problem.solid.softening_factor(rise))
 }

@@ -34,14 +34,14 @@ fn problem_of(changes: &[&str]) -> Problem {
     Problem::new(&parse_scene(text, "this test", &set).unwrap())
 }
 
-/// Forty steps are cut back once after it was solved; the same small steps without any cut-back give
-/// the same numbers to the last bit.
+/// Each of forty steps is rejected once after its solution and repeated at half the length; the same short steps
+/// without rejection give identical numbers.
 #[test]
 fn a_cut_back_restores_the_history_completely() {
     let problem = problem_of(&[]);
     let mut forced = ready(&problem);
     forced.rejecting = 80;
-    // Its search would start steps elsewhere.
+    // The bracketing of inception would change the steps.
     forced.has_begun = true;
     let distance = 0.05 * problem.expected_contact_radius();
     forced.run(distance, |_, _| true).unwrap();
@@ -63,8 +63,8 @@ fn a_cut_back_restores_the_history_completely() {
     assert_eq!(forced.mechanics.displacement, direct.mechanics.displacement);
 }
 
-/// The state before and the one after sliding inception are as close as they shall be, and
-/// no attempt that leapt it leaves anything behind: work and energies still balance.
+/// The states before and after sliding inception are within the width of the bracket, and attempts beyond
+/// inception leave the totals unchanged: work and energies balance.
 #[test]
 fn sliding_inception_is_enclosed() {
     let problem = problem_of(&[]);
@@ -86,7 +86,7 @@ fn sliding_inception_is_enclosed() {
 
 /// Steps to each of the slips in turn, forwards or backwards.
 fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
-    // Its search would ask for other increments.
+    // The bracketing of inception would change the increments.
     slide.has_begun = true;
     for to in slips {
         let from = slide.history.last().unwrap().slip;
@@ -95,9 +95,9 @@ fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
     }
 }
 
-/// To and fro in elastic contact, at a shear limit that does not change: friction turns round in full, and
-/// the second half of the loop is the first with the sign changed. (The first loading is not: the press
-/// has left shear at the edge.)
+/// Reversed sliding in elastic contact at a constant shear limit: friction reverses fully, and the second half
+/// of the loop is the first with the sign changed. The first loading differs: shear of the press remains at
+/// the edge.
 #[test]
 fn a_reversed_slide_closes_its_loop() {
     const STEPS: u32 = 20;
@@ -126,8 +126,8 @@ fn a_reversed_slide_closes_its_loop() {
     assert!(lost[0] > 0.0 && lost[1] > 2.0 * lost[0] && lost[2] > lost[1] + lost[0], "{lost:?}");
 }
 
-/// Slides, almost stops for a thousand times as long, and slides on: it cools and sticks, is stronger
-/// when it slips again, heats up as before, and the energies balance.
+/// Slide, near-stop for a thousand times as long, slide: the contact cools and sticks, has a higher static
+/// friction, reaches the same temperature again, and the energies balance.
 #[test]
 fn a_slide_that_stops_cools_and_restarts() {
     let problem = problem_of(&[]);

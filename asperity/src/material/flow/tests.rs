@@ -38,7 +38,7 @@ fn distance(a: &Tensor, b: &Tensor) -> f64 {
     inner(&apart, &apart).sqrt()
 }
 
-/// The path 2GΔe = `change` in so many steps; `step` finds the state at the end of each.
+/// The path 2GΔe = `change` in a number of equal steps; `step` gives the state at the end of each.
 fn walk(from: Point, change: &Tensor, steps: usize, step: impl Fn(Point, &Tensor) -> Point) -> Point {
     (0..steps).fold(from, |point, _| {
         let elastic = plus(&point.stress, 1.0 / steps as f64, change);
@@ -171,7 +171,7 @@ fn softening_pulls_the_stress_along() {
                 assert!((inner(&direction, &direction) - 1.0).abs() < 1e-9, "{softening} {change:?}");
                 assert!((0.0..=1.0).contains(&end.across[0]) && end.increment[0] >= 0.0);
             }
-            // As much turned as if the surface had shrunk little by little.
+            // The rotation is that of a yield surface that shrinks continuously.
             let many = 1000;
             let slowly = (1..=many).fold(yielded, |point, n| {
                 let share = n as f64 / many as f64;

@@ -21,7 +21,7 @@ fn excess(values: [f64; 3]) -> Symmetric<f64> {
     symmetric(&(frame() * Matrix3::from_diagonal(&values.into()) * frame().transpose()))
 }
 
-/// E in the frame that X was built from: next to nothing, equal eigenvalues, and strains of 0.3, 1 and 2.
+/// E in the frame that X was built from: near zero, equal eigenvalues, and strains of 0.3, 1 and 2.
 #[test]
 fn strain_is_the_logarithm() {
     let rules = Rules::new();
@@ -46,7 +46,7 @@ fn strain_is_the_logarithm() {
 }
 
 /// The first derivative is that of the strain and gives the stress, the second is that of the stress under a T
-/// that does not change, all to rounding: the truncation disturbs no balance.
+/// that does not change, all to rounding: the truncation error does not enter any balance.
 #[test]
 fn derivatives_are_those_of_the_approximant() {
     let rules = Rules::new();

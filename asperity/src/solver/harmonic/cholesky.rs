@@ -1,33 +1,36 @@
 //! Numeric Cholesky factorisation of several harmonics together.
 //!
-//! They share one pattern, so each operation acts on lanes of them. Consecutive columns with the same rows below form a
-//! panel, at least the components of a node. The factorisation is left-looking by panels (Ng & Peyton 1993, SIAM J.
-//! Sci. Comput. 14, 1034, doi:10.1137/0914063): earlier columns are read once per panel instead of once per column.
+//! The harmonics share one sparsity pattern, so each operation acts on all of them as lanes. Consecutive columns with
+//! the same rows below form a panel, at least the components of a node. The factorisation is left-looking by panels
+//! (Ng & Peyton 1993, SIAM J. Sci. Comput. 14, 1034, doi:10.1137/0914063): earlier columns are read once per panel
+//! instead of once per column.
 
 use std::ops::Range;
 
 use crate::material::lanes::{Lanes, fma};
 
-/// Columns of a panel at most: the operands of an update stay in registers.
+/// Largest number of columns of a panel: the operands of an update fit into the registers.
 const WIDEST: usize = 3;
 
-/// Pattern of a factor L, by columns as they are stored.
+/// Sparsity pattern of a factor L, stored by columns.
 #[derive(Debug)]
 pub struct FactorPattern {
-    /// Of each column, diagonal first, rows rising.
+    /// Start of each column; in a column the diagonal is first and the rows are in ascending order.
     column_start: Vec<usize>,
     row: Vec<u32>,
-    /// Place in L of each entry of the upper triangle that is factorised.
+    /// Position in L of each entry of the upper triangle of the matrix.
     place: Vec<u32>,
     /// First column of each panel.
     panel_start: Vec<usize>,
-    /// Of each panel: the earlier panels that update it, and the first of their rows below that lies in it.
+    /// For each panel: the earlier panels that update it, and for each of these the offset of its first row inside
+    /// the updated panel.
     update_start: Vec<usize>,
     update: Vec<(u32, u32)>,
 }
 
 impl FactorPattern {
-    /// From the columns of L, with the diagonal first and rows rising, and those of the upper triangle of a matrix.
+    /// From the columns of L, diagonal first and rows in ascending order, and the columns of the upper triangle of a
+    /// matrix.
     pub fn new(column_start: &[usize], row: &[usize], upper_start: &[usize], upper_row: &[usize]) -> Self {
         let n = column_start.len() - 1;
         let rows = |j: usize| &row[column_start[j]..column_start[j + 1]];
@@ -80,7 +83,7 @@ impl FactorPattern {
         self.panel_start[panel]..self.panel_start[panel + 1]
     }
 
-    /// Entries of the last column of a panel below its diagonal: their rows are those of the whole panel.
+    /// Entries of the last column of a panel below its diagonal; all columns of the panel have these rows.
     fn below(&self, panel: usize) -> Range<usize> {
         let last = self.panel_start[panel + 1];
         self.column_start[last - 1] + 1..self.column_start[last]
@@ -96,7 +99,7 @@ impl FactorPattern {
         for (k, &place) in self.place.iter().enumerate() {
             lower[place as usize] = value(k);
         }
-        // Place of each row in the panel, and the panel, row by row.
+        // Position of each row in the panel, and the dense panel, row by row.
         let mut local = vec![0; self.column_start.len() - 1];
         let mut panel = Vec::new();
         for p in 0..self.panel_start.len() - 1 {
@@ -129,7 +132,7 @@ impl FactorPattern {
         Ok(lower)
     }
 
-    /// Runs through the entries of a panel: row and column in it, and place after the begin of its first column.
+    /// Calls `copy` for each entry of a panel: row and column in the panel, and position relative to its first column.
     fn copy_panel(&self, columns: Range<usize>, mut copy: impl FnMut(usize, usize, usize)) {
         let first = self.column_start[columns.start];
         for (q, j) in columns.enumerate() {
@@ -143,14 +146,15 @@ impl FactorPattern {
 struct Update<'a, const M: usize> {
     lower: &'a [Lanes<M>],
     columns: Range<usize>,
-    /// Rows from the first one on that lies in the panel.
+    /// Rows of the earlier panel from the first one inside the updated panel on.
     rows: &'a [u32],
     column_start: &'a [usize],
     local: &'a [u32],
 }
 
 impl<const M: usize> Update<'_, M> {
-    /// S columns, of which `target` is updated. Where a row of `target` is missing, its column takes zeros.
+    /// Subtracts the contribution of S columns from the columns `target`. Rows of `target` that the pattern of the
+    /// earlier panel lacks contribute zero.
     #[inline(always)]
     fn subtract<const S: usize>(&self, target: Range<usize>, panel: &mut [[Lanes<M>; WIDEST]]) {
         let columns: [&[Lanes<M>]; S] = std::array::from_fn(|s| {
@@ -176,7 +180,7 @@ impl<const M: usize> Update<'_, M> {
     }
 }
 
-/// Cholesky factor of the square on top of a panel, and what is below divided by it.
+/// Cholesky factor of the square at the top of a panel, and the rows below divided by its transpose.
 fn factorise_panel<const M: usize>(width: usize, panel: &mut [[Lanes<M>; WIDEST]]) -> Result<(), usize> {
     let mut inverse = [[0.0; M]; WIDEST];
     for at in 0..panel.len() {
@@ -189,7 +193,7 @@ fn factorise_panel<const M: usize>(width: usize, panel: &mut [[Lanes<M>; WIDEST]
                 }
             }
             if at == q {
-                // NaN is not positive either.
+                // NaN counts as not positive.
                 if let Some(lane) = sum.iter().position(|d| d.is_nan() || *d <= 0.0) {
                     return Err(lane);
                 }

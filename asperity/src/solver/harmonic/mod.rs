@@ -7,6 +7,8 @@
 //! The unknowns of the contact nodes come last. Elimination of the rest leaves, exactly, their
 //! Schur complement: the dense stiffness of the body at the contact. A solve is a forward sweep, the
 //! solution of that dense system with the contact springs or the heat exchange, and a backward sweep.
+//!
+//! Depends on `crate::discretisation`. Chapter "The exact elastic solver" of the book.
 
 mod cholesky;
 mod in_plane;

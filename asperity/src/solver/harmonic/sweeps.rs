@@ -28,7 +28,7 @@ impl Real for f64 {
     }
 }
 
-/// c − a·b, fused where the machine does that in one instruction.
+/// c − a·b, fused if the target has that instruction.
 #[inline(always)]
 fn subtract_product<T: Real>(c: T, a: T, b: T) -> T {
     if cfg!(target_feature = "fma") { (-a).fused(b, c) } else { c - a * b }

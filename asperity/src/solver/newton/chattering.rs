@@ -1,26 +1,26 @@
 //! Contact chattering: points that touch and lift off in turn.
 //!
 //! The limit of the shear traction does not vanish with the pressure, so the traction jumps when a point lifts off, and
-//! Newton's method can alternate over the jump indefinitely. Such a point is at the very edge and carries next to no
-//! pressure. It goes without friction for the rest of the step.
+//! Newton's method can alternate over the jump indefinitely. Such a point is at the contact edge and has almost no
+//! pressure. Its friction is set to zero for the rest of the step.
 
 use super::StepFailure;
 use crate::interface::contact::{Contact, ContactState, FlatPosition, Status};
 
-/// Changes of status in one step after which a point goes without friction.
+/// Number of changes of status in one step after which the friction of a point is set to zero.
 const STATUS_CHANGES: u8 = 2;
-/// Share of the friction up to which points of a stagnant step go without: that of a point at the edge of a fine mesh.
-/// Ordinary slides lose less.
+/// Largest share of the friction removed from points of a stagnant step: that of a point at the edge of a fine mesh.
+/// Ordinary slides stay below it.
 const LARGEST_RELEASED: f64 = 0.02;
-/// Share of the friction without which a step does not count as solved: more than the outermost ring of the coarsest
-/// mesh has is another problem than the one posed. Ordinary slides stay below 0.02.
+/// Share of removed friction above which a step fails: that of the outermost ring of the coarsest mesh. Ordinary slides
+/// stay below 0.02.
 const LARGEST_SHARE: f64 = 0.2;
 
 /// Points that chatter in a step.
 pub struct Chattering {
     open: Vec<bool>,
     changes: Vec<u8>,
-    /// Shear limits that the points without friction would have.
+    /// Shear limits of the points whose friction is set to zero.
     taken: Vec<f64>,
 }
 
@@ -29,7 +29,7 @@ impl Chattering {
         Self { open: Vec::new(), changes: vec![0; points], taken: vec![0.0; points] }
     }
 
-    /// Records the present state, and takes the friction from points that have changed too often.
+    /// Records the present state, and sets the friction of points that chatter to zero.
     pub fn damp(&mut self, contact: &Contact, limit: &mut [f64]) -> bool {
         let open: Vec<bool> = contact.trial.status.iter().map(|&s| s == Status::Open).collect();
         let mut damped = false;
@@ -46,9 +46,9 @@ impl Chattering {
         damped
     }
 
-    /// In a stagnant step, takes the friction from points that touch here but not further along: the body lifts them
-    /// off by their friction and presses them back without it. Returns whether that may help: a shorter increment is
-    /// better than much of the friction gone.
+    /// In a stagnant step, sets the friction to zero of points that touch here but not further along: with friction
+    /// they lift off, without it they touch. Returns whether the removed share is acceptable; otherwise a shorter
+    /// increment is better.
     pub fn release(
         &mut self,
         contact: &mut Contact,
@@ -73,14 +73,14 @@ impl Chattering {
         may_help
     }
 
-    /// Fails where too much of the friction was taken.
+    /// Fails if too large a share of the friction is removed.
     pub fn check(&self, contact: &Contact, limit: &[f64]) -> Result<(), StepFailure> {
         let (taken, left) = self.friction(contact, limit);
         let share = if taken > 0.0 { taken / (taken + left) } else { 0.0 };
         if share > LARGEST_SHARE { Err(StepFailure::Chattering { share }) } else { Ok(()) }
     }
 
-    /// Largest friction of the points in contact: taken from them and left to them.
+    /// Largest friction of the points in contact: removed, and remaining.
     fn friction(&self, contact: &Contact, limit: &[f64]) -> (f64, f64) {
         (0..limit.len()).filter(|&i| contact.trial.status[i] != Status::Open).fold(
             (0.0, 0.0),

@@ -7,7 +7,7 @@ use crate::material::lanes::dot;
 /// Share of the slope of the energy that a step may leave.
 const SUFFICIENT_DECREASE: f64 = 0.7;
 /// Longest step, as share of the interference, at whose end temperature and contact edge are evaluated before the
-/// stress of the body: a longer one may turn the surface inside out.
+/// stress of the body: a longer one may invert elements at the surface.
 const SHORT: f64 = 0.1;
 const TRIES: usize = 8;
 

@@ -12,11 +12,11 @@ use crate::solver::timings::Kernel;
 
 const KRYLOV_LIMIT: usize = 400;
 
-/// The interference as an unknown beside the displacements, in the preconditioner.
+/// The interference as an unknown in addition to the displacements, in the preconditioner.
 ///
 /// Block elimination would compute the load per interference as the small difference of two stiff springs. With the
-/// displacement that follows the flat as one more search direction nothing cancels, and the preconditioner is symmetric
-/// and positive at any precision of its sweeps.
+/// displacement that follows the flat as one more search direction there is no cancellation, and the preconditioner is
+/// symmetric and positive at any precision of its sweeps.
 pub(super) struct BorderedSystem {
     /// Displacement as the flat moves, then the interference itself.
     direction: Vec<f64>,
@@ -27,9 +27,10 @@ pub(super) struct BorderedSystem {
 impl Mechanics {
     /// Solves tangent·direction = −residual; `direction` holds M⁻¹·residual on entry.
     ///
-    /// The tangent is M minus the stiffness loss of the body, so the elastic solution leaves a residual in the inelastic
-    /// zone alone, and all further residuals stay there. As each z is M⁻¹r, the product of M with the search direction
-    /// p = z + βp' is r + β times the previous one: no product with the stiffness of the whole body is formed.
+    /// The tangent is M minus the stiffness loss of the body, so the elastic solution leaves a residual in the
+    /// inelastic zone alone, and all further residuals stay there. As each z is M⁻¹r, the product of M with the search
+    /// direction p = z + βp' is r + β times the previous one: no product with the stiffness of the whole body is
+    /// formed.
     pub(super) fn conjugate_gradients(&mut self, residual: &[f64], direction: &mut [f64], tolerance: f64) {
         let n = residual.len();
         let size = self.internal.len();
@@ -74,7 +75,7 @@ impl Mechanics {
             if n > size {
                 so_far += step * p[size];
             }
-            // Expected to be solved; certainty would take one more application of the preconditioner.
+            // Estimated convergence; its verification requires one more application of the preconditioner.
             if rate * rho <= target {
                 break;
             }

@@ -1,5 +1,7 @@
 //! Equilibrium of body and contact: Newton's method with line search, and conjugate gradients
 //! preconditioned by the exact elastic solver with the contact stiffness inside.
+//!
+//! Depends on `preconditioner`, `crate::interface` and `crate::discretisation`. Chapter "Equilibrium" of the book.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -23,12 +25,13 @@ const REFRESH: f64 = 3e-2;
 /// Where the shear strength is many times the pressure, the points that stick, slip and touch are found a few at a
 /// time: at 0.001 ω_c in up to 50 iterations, elsewhere in fewer than 30.
 const NEWTON_LIMIT: usize = 60;
-/// Share of a Newton step that counts as none, and the number of them in a row after which the step has stagnated: a
-/// point that touches sticks at once, and where that lifts it off again there is no equilibrium with this increment.
+/// Stagnation tolerance: share of a Newton step below which there is no progress, and the number of such steps in a row
+/// at which the solution has stagnated. A point that touches sticks at once; if stick lifts it off again there is no
+/// equilibrium with this increment.
 const STAGNATION_TOLERANCE: f64 = 1e-6;
 const STAGNATION_LIMIT: usize = 3;
 /// Forcing terms of the linear systems: no more accuracy than the next Newton step can use. While temperature and
-/// contact edge still change they undo most of it.
+/// contact edge still change, their update limits the accuracy.
 const FORCING: f64 = 3e-3;
 const COUPLED_FORCING: f64 = 0.05;
 const LARGEST_FORCING: f64 = 0.1;
@@ -42,7 +45,7 @@ pub enum StepFailure {
     NotFinite,
     #[error("the contact stiffness is not positive definite")]
     ContactStiffness,
-    #[error("nothing is in contact to hold the load")]
+    #[error("no point is in contact, so the load has no reaction")]
     NoContact,
     #[error(
         "points of the contact with {:.0} % of its friction neither touch nor lift off: the shear strength \
@@ -110,8 +113,8 @@ impl Mechanics {
     /// its residual. The system stays symmetric.
     ///
     /// `coupling` gives temperature and shear limits. It is called in each iteration with the trial state of the one
-    /// before, but with the contact at the end of a full step if that is short, and returns nothing when its data stay
-    /// as they are. The step is solved when the residual is small and the data are settled. `predictor` is the first
+    /// before, but with the contact at the end of a full step if that is short, and returns nothing when its data do
+    /// not change. The step is solved when the residual is small and the data are converged. `predictor` is the first
     /// iterate.
     pub fn solve(
         &mut self,
@@ -142,7 +145,7 @@ impl Mechanics {
                 return Err(StepFailure::NotFinite);
             }
             let scale = reference.max(f64::MIN_POSITIVE);
-            if norm <= self.tolerance * scale && now.data.settled {
+            if norm <= self.tolerance * scale && now.data.converged {
                 now.chattering.check(&self.contact, &now.data.limit)?;
                 now.u.truncate(size);
                 self.displacement = now.u;
@@ -150,7 +153,7 @@ impl Mechanics {
             }
             last = norm / scale;
             self.effort.newton += 1;
-            let least = if now.data.settled { FORCING } else { COUPLED_FORCING };
+            let least = if now.data.converged { FORCING } else { COUPLED_FORCING };
             let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, LARGEST_FORCING);
             self.conjugate_gradients(&residual, &mut direction, forcing);
             let line = Line { direction: &direction, residual: &residual, flat, control };
@@ -236,8 +239,8 @@ impl Mechanics {
         self.timings.since(Kernel::InternalForce, start);
     }
 
-    /// Back to the state before a failed step, with its displacement and contact fractions: nothing of the attempt
-    /// guides the next one.
+    /// Back to the state before a failed step, with its displacement and contact fractions: the failed
+    /// attempt has no effect on the next one.
     pub fn restore(&mut self, displacement: Vec<f64>, contact_fraction: Vec<f64>) {
         self.body.restore();
         self.contact.trial.clone_from(&self.contact.committed);
@@ -258,7 +261,7 @@ pub struct CouplingData {
     /// Temperature rise, if there is any.
     pub rise: Option<Vec<f64>>,
     /// Whether they agree with the state that they depend on.
-    pub settled: bool,
+    pub converged: bool,
 }
 
 /// Iterate of Newton's method.

@@ -1,8 +1,9 @@
 //! Inverse of the elastic stiffness of the body with the contact stiffness: preconditioner of Newton's method and of
 //! conjugate gradients.
 //!
-//! Only rings in contact enter the dense system over harmonics; the free ones further out are
-//! eliminated with the body, harmonic by harmonic.
+//! Only the contact rings that touch enter the dense system, which couples the harmonics. Rings outside of the contact
+//! are eliminated with the body, harmonic by harmonic. Depends on `crate::solver::harmonic` and `crate::interface`.
+//! Chapter "The exact elastic solver" of the book.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -26,7 +27,7 @@ pub struct Preconditioner {
     factors: Arc<HarmonicFactors>,
     single: SingleFactors,
     sweep: Vec<f32>,
-    /// Places in the sweeps outside the dense system.
+    /// Positions in the sweeps outside of the dense system.
     places: Vec<u32>,
     /// Number of rings in the dense system, its elastic part, and the Cholesky factor of the whole; index (ring,
     /// component, harmonic), rings from the outside in, as the sweeps have them.

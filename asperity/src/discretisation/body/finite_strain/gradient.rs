@@ -4,7 +4,7 @@ use crate::discretisation::element::{CORNERS, ShapeAtPoint, VALUES};
 use crate::material::lanes::Pack;
 use crate::material::tensor::TwoPoint;
 
-/// Derivatives of a corner's shape function at as many Gauss points as fit beside the angles.
+/// Derivatives of a corner's shape function at the Gauss points that share a vector register.
 pub type PackedShape<V> = [[V; 3]; CORNERS];
 
 /// (∂/∂r, 1/r, ∂/∂z) of each corner at the points that `of_points` gives.

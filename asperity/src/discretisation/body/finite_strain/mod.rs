@@ -10,10 +10,10 @@
 //! ψ = ∫ G |dev(E − E_p)|² dV + V ½K (ln J̄ − 3∫α dθ̄)²,
 //! ```
 //!
-//! from which force and tangent derive where nothing flows; where a point does, the tangent is made of that of
-//! [`Solid::flow`](crate::material::Solid::flow), and symmetric as that is. Stress
-//! deviator and mean stress in [`BodyState`] are those that work on E per undeformed volume:
-//! where the principal axes do not turn, Kirchhoff's.
+//! Force and tangent of elastic points are its derivatives. The tangent of points that flow is built from that of
+//! [`Solid::flow`](crate::material::Solid::flow) and is symmetric as well. Stress deviator and mean stress in
+//! [`BodyState`] are conjugate to E per undeformed volume: they equal Kirchhoff's stress where the principal axes do
+//! not rotate.
 
 use super::temperature::ElementHeat;
 use super::{Body, TENSOR};
@@ -43,8 +43,9 @@ pub struct FiniteTangent {
     /// Point by point, value by value, angles as lanes. In single precision: the products are bound by memory, and the
     /// convergence of Newton's method is the same.
     point: Vec<f32>,
-    /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of small strain are
-    /// used. Their relative error is the size of the gradient, which leaves the convergence of Newton's method as it is.
+    /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of small strain
+    /// are used. Their relative error is the size of the gradient, which leaves the convergence of Newton's method as
+    /// it is.
     small: Vec<bool>,
     /// ψ'' over ∫J dV of each element: (K − p)/(V J̄²), p the mean stress.
     volumetric: Vec<f64>,
@@ -63,7 +64,7 @@ struct Points {
 /// Displacement gradients of an element.
 struct Kinematics<const W: usize, V> {
     gradients: [TwoPoint<V>; POINTS],
-    /// J̄ − 1; not a number where a point is turned inside out.
+    /// J̄ − 1; NaN where a point is inverted.
     excess: Lanes<W>,
     /// Largest component of h.
     largest: f64,
@@ -163,7 +164,7 @@ impl Body {
     ) -> Lanes<W> {
         let (at, volume) = (e * self.mesh.sectors.columns() + first, self.mesh.elements[e].volume);
         let mut pressure = [0.0; W];
-        // To all digits for small excesses.
+        // Without cancellation for small J̄ − 1.
         let ln_ratio = excess.map(f64::ln_1p);
         for l in 0..W {
             let stiffness = heat.stiffness.map_or(1.0, |factor| factor[l]);
@@ -258,7 +259,7 @@ impl Body {
         LogModuli {
             shear: stiffness * coefficient(0),
             radial: stiffness * coefficient(1),
-            // Stale where nothing flows, and its factor zero.
+            // Not updated at elastic points, where its factor is zero.
             direction: flows.then(|| std::array::from_fn(|i| coefficient(2 + i))),
         }
     }

@@ -68,7 +68,7 @@ fn smooth(body: &Body, scale: f64) -> Vec<f64> {
     })
 }
 
-/// Where hardly anything deforms, the moduli of small strain are as wrong as the gradient is large.
+/// The relative error of the small-strain moduli is of the order of the displacement gradient.
 #[test]
 fn moduli_of_small_strain_are_near_the_tangent_where_they_stand_for_it() {
     let mut body = finite_body(POWER, 4);
@@ -125,7 +125,7 @@ fn tangent_agrees_with_finite_differences_and_is_symmetric() {
 fn small_strain_is_the_limit() {
     let mut off = Vec::new();
     for scale in [1e-5, 1e-6, 1e-7] {
-        // Strains, and with them the yield strength, fall alike.
+        // The yield strain is scaled with the strains.
         let [mut small, mut finite] = [false, true].map(|finite| {
             let mut body = body(POWER, Collocation::full(8));
             body.solid.moduli.bulk *= 1e-2 / scale;
@@ -141,15 +141,15 @@ fn small_strain_is_the_limit() {
         assert!(of_forces < 3.0 * scale && of_strain.abs() < 3.0 * scale, "{scale}: {of_forces} {of_strain}");
         off.push(of_forces);
     }
-    // First order: not by accident, and down to rounding.
+    // First order over all scales, down to rounding.
     for pair in off.windows(2) {
         assert!((pair[0] / pair[1] - 10.0).abs() < 0.5, "{off:?}");
     }
 }
 
-/// A rigid rotation stresses nothing, and turns nothing but the forces of a strained body.
+/// A rigid rotation causes no stress and rotates the nodal forces of a strained body.
 #[test]
-fn rotation_is_not_seen_by_the_material() {
+fn response_is_objective() {
     for hardening in [Hardening::None, POWER] {
         for angle in [0.3, 0.5 * PI, 2.8] {
             let turn = rotation(angle);
@@ -181,7 +181,7 @@ fn rotation_is_not_seen_by_the_material() {
             for (a, b) in still.trial.plastic_strain.iter().zip(&turned.trial.plastic_strain) {
                 assert!((a - b).abs() < 1e-11, "{a} {b}");
             }
-            // The forces work on the turned displacement as before on the one that is not.
+            // The rotated forces do the same work on the rotated displacement.
             let probe = smooth(&still, 1.0);
             let work = dot(&f, &probe);
             let of_turned = dot(&g, &rotate_field(&turned, &turn, &probe));
@@ -244,7 +244,7 @@ fn uniaxial_stress_follows_henckys_law() {
 #[test]
 fn simple_shear_follows_henckys_law_and_turns_soft() {
     let mut body = finite_body(Hardening::None, 8);
-    // Not to yield, the moduli are low.
+    // The moduli are so low that the stress stays below yield.
     body.solid.moduli.bulk *= 1e-4;
     body.solid.moduli.shear *= 1e-4;
     let shear = 1e-4 * SHEAR;
@@ -272,7 +272,7 @@ fn simple_shear_follows_henckys_law_and_turns_soft() {
     assert!(stress_at(peak).0 > stress_at(peak - 0.01).0 && stress_at(peak).0 > stress_at(peak + 0.01).0);
 }
 
-/// An element that is turned inside out has no force that is a number, so that no step ends there.
+/// The force of an inverted element is NaN, so that no step ends in such a state.
 #[test]
 fn inverted_elements_are_refused() {
     let mut body = finite_body(Hardening::None, 4);
@@ -280,8 +280,8 @@ fn inverted_elements_are_refused() {
     assert!(force(&mut body, &u).iter().any(|f| f.is_nan()));
 }
 
-/// The trapezoidal work of the forces is stored or dissipated but for what the forces curve within a
-/// step: over a given path that falls with the square of the increments.
+/// The trapezoidal work of the forces is stored or dissipated up to the curvature of the forces within a
+/// step; over a given path the difference is of second order in the increments.
 #[test]
 fn internal_work_is_stored_or_dissipated() {
     let balance = |increments: usize| {

@@ -1,4 +1,4 @@
-//! Sweeps in single precision beside those in double, and over a part of the body.
+//! Sweeps in single precision against those in double precision, and sweeps over a part of the body.
 
 use super::*;
 use crate::discretisation::collocation::Collocation;

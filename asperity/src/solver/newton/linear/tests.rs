@@ -42,7 +42,7 @@ fn sheared(interference: f64, finite_strain: bool) -> Mechanics {
         let flat = FlatPosition { interference: interference * next * next, displacement: 0.0 };
         let start = press.displacement.clone();
         let held = |_: &mut Body, contact: &mut Contact, _| {
-            Some(CouplingData { limit: stick(contact), rise: None, settled: true })
+            Some(CouplingData { limit: stick(contact), rise: None, converged: true })
         };
         match press.solve(flat, LoadingControl::Interference, start.clone(), held) {
             Ok(_) => {
@@ -73,7 +73,7 @@ fn sheared(interference: f64, finite_strain: bool) -> Mechanics {
     mechanics
 }
 
-/// Energy of what a direction leaves of the residual.
+/// Energy norm of the residual after a step along a direction.
 fn left(mechanics: &mut Mechanics, residual: &[f64], direction: &[f64]) -> f64 {
     let size = mechanics.internal.len();
     let field = &direction[..size];
