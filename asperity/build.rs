@@ -17,7 +17,7 @@ const NOT_HASHED: [&str; 8] = [
     "studies",
 ];
 
-/// Sources of the crate `tables` that influence results of runs. The crate lies beside this one in the
+/// Sources of the crate `tables` that influence results of runs. The crate is next to this one in the
 /// repository; a published one has the same version number.
 const OF_TABLES: [&str; 2] = ["../tables/src/interpolation/steffen.rs", "../tables/src/closed_forms"];
 

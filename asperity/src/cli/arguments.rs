@@ -26,7 +26,7 @@ pub(super) struct Display {
     /// Print the summary as JSON
     #[arg(long, global = true)]
     pub(super) json: bool,
-    /// Print errors only (and the JSON, if asked for)
+    /// Print errors only (and the JSON with --json)
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub(super) quiet: bool,
     /// Print also the choices of the program, their reasons and their cost

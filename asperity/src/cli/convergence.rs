@@ -9,7 +9,7 @@ use serde_json::json;
 use super::progress::{Progress, watch_for_interrupt};
 use super::{ConvergenceArguments, Display, Failure, command_line, outputs};
 
-/// Sweep, save, say where a coarser or finer choice pays.
+/// Runs the sequence of meshes, writes the file and prints the least expensive mesh that meets the accuracy.
 pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
     outputs::check_output(&arguments.output, &arguments.scene)?;

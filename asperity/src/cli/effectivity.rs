@@ -1,4 +1,4 @@
-//! `asperity effectivity`: true errors beside the estimates.
+//! `asperity effectivity`: true errors against their estimates.
 
 use std::io::Write;
 
@@ -44,7 +44,7 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
     Ok(())
 }
 
-/// Hides the progress of single runs, of which several are under way at a time.
+/// Hides the progress of single runs: several are in progress at a time.
 struct Silent<'a>(&'a Progress);
 
 impl Watch for Silent<'_> {

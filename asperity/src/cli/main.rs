@@ -26,11 +26,11 @@ use arguments::{
     TabulateArguments, VerifyArguments,
 };
 
-/// Why a command did not do all that was asked.
+/// Reason of a failed command.
 enum Failure {
-    /// Bad input or usage: nothing was done.
+    /// Bad input or usage; no computation was started.
     Input(String),
-    /// A run failed: what could be saved is saved.
+    /// A run failed; the results up to the failure are written.
     Run(String),
 }
 
@@ -76,7 +76,7 @@ fn print(text: &str) {
 }
 
 impl Display {
-    /// Write the result of a command to stdout: the JSON if asked for, the text otherwise.
+    /// Write the result of a command to stdout: JSON with `--json`, text otherwise.
     fn print(&self, json: impl FnOnce() -> Value, text: impl FnOnce() -> String) {
         if self.json {
             print(&format!("{:#}\n", json()));

@@ -41,7 +41,7 @@ pub fn check_plot(plot: Option<&Path>, input: &Path) -> Result<(), Failure> {
     check_output(plot, input)
 }
 
-/// The figure of a table; of several temperatures one for each, NAME-500K.svg beside NAME.svg.
+/// File of the figure of a table; with several initial temperatures one file each, NAME-500K.svg for NAME.svg.
 pub fn plot(table: &Table, plot: &Path) -> Result<(), Failure> {
     if let Ok(slice) = table.only() {
         return slice.figure().save(plot).map_err(Failure::run);
@@ -56,7 +56,7 @@ pub fn plot(table: &Table, plot: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Whether files can be written into a directory, which is made if it is not there.
+/// Whether files can be written into a directory, which is created if it does not exist.
 pub fn check_directory(directory: Option<&Path>) -> Result<(), Failure> {
     let Some(directory) = directory else { return Ok(()) };
     std::fs::create_dir_all(directory)

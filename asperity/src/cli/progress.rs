@@ -53,7 +53,7 @@ const LENGTH: u64 = 1000;
 const FIRST_ESTIMATE: f64 = 0.05;
 
 impl Progress {
-    /// As the options ask; by default only on a terminal.
+    /// According to the options; by default on a terminal only.
     pub fn new(display: &Display) -> Self {
         Self { shown: Shown::new(display), stage: Mutex::new(("", Instant::now())) }
     }
@@ -81,7 +81,7 @@ impl Progress {
         }
     }
 
-    /// Take the bar away, before results are printed.
+    /// Removes the bar before results are printed.
     pub fn clear(&self) {
         if let Shown::Bar(bar) = &self.shown {
             bar.finish_and_clear();

@@ -46,8 +46,8 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
                 SimulationError::NotConverged { partial: Some(outcome), .. }
                 | SimulationError::Cancelled { partial: Some(outcome) } => (*outcome, Some(reason)),
                 _ => {
-                    let nothing = "the slide had not begun, there is nothing to save";
-                    return Err(Failure::Run(format!("{reason}; {nothing}")));
+                    let no_file = "the slide had not begun; no file is written";
+                    return Err(Failure::Run(format!("{reason}; {no_file}")));
                 }
             }
         }

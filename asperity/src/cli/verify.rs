@@ -21,7 +21,7 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
         let rows = match group.rows(most, &progress) {
             Ok(rows) => rows,
             Err(SimulationError::Cancelled { .. }) => return Err(Failure::run("stopped on request")),
-            // The other groups are run all the same.
+            // The other groups are run nevertheless.
             Err(error) => {
                 failed.push(format!("{}: {error}", group.name));
                 continue;

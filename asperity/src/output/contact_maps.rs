@@ -110,8 +110,8 @@ impl<'a> Plane<'a> {
         self.cells(format!("{name}, s = {slip:.3} a₀"), count, &values, scale)
     }
 
-    /// Values at enough angles for a picture, and their number. What is open counts as zero, unless
-    /// there is nothing else.
+    /// Values at enough angles for a picture, and their number. Open points have the value zero, unless
+    /// all are open.
     fn finer(&self, values: &[f64]) -> (usize, Vec<f64>) {
         let ContactGrid { r, theta } = &self.outcome.grid;
         let (rings, coarse) = (r.len(), theta.len());
@@ -213,7 +213,7 @@ mod tests {
         let status = &maps[0];
         assert!(status.title.starts_with("s = 0.500 a₀"));
         assert_eq!(status.scale, Scale::Classes(vec!["slips".into(), "sticks".into()]));
-        // Two rings at two angles and their mirror images; nothing of what is open.
+        // Two rings at two angles and their mirror images; no open points.
         assert_eq!(status.cells.len(), 8);
         for cell in &status.cells {
             let ahead = if centre(cell).0 > 0.0 { 0.0 } else { 1.0 };
@@ -241,7 +241,7 @@ mod tests {
             .collect();
         assert_eq!((ring.len(), ring[0], ring[15]), (16, 2.0, 1.0));
         assert!(ring.windows(2).all(|pair| pair[0] >= pair[1]));
-        // Temperature is known beside the contact as well.
+        // Temperature is defined outside of the contact as well.
         let Scale::Shades { from, to, .. } = maps[3].scale else { panic!() };
         assert_eq!((from, to), (310.0, 400.0));
         assert!(maps[3].cells.len() > first.cells.len());

@@ -1,5 +1,5 @@
-//! Journal of a long computation: one line of JSON with a checksum for each result, written through to the disk, so that a
-//! crash loses only what is under way. A damaged or incomplete line is passed over.
+//! Journal of a long computation: one line of JSON with a checksum for each result, written through to the disk, so
+//! that a crash loses only unfinished results. A damaged or incomplete line is skipped.
 //!
 //! A line is the CRC-32 of the rest, a space, and JSON. The file is locked while it is open: one program writes it.
 
@@ -18,8 +18,8 @@ pub struct JournalFile {
 }
 
 impl JournalFile {
-    /// Opens or makes the journal; the text that it holds is returned. The error is of kind `WouldBlock` if another program
-    /// has it open.
+    /// Opens or makes the journal; the text that it holds is returned. The error is of kind `WouldBlock` if another
+    /// program has it open.
     pub fn open(path: &Path) -> io::Result<(Self, String)> {
         let mut file = open_locked(path)?;
         let mut bytes = Vec::new();
@@ -71,7 +71,7 @@ impl JournalFile {
         }
     }
 
-    /// Nothing is reserved on this system.
+    /// This system has no reservation.
     #[cfg(not(target_os = "linux"))]
     pub fn reserve(&self, _bytes: usize) -> io::Result<()> {
         Ok(())

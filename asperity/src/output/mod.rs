@@ -1,6 +1,6 @@
 //! Files and figures of a run: `run.nc`, the figure, the body for ParaView, numbers as text and JSON.
 //!
-//! Reads outcomes and decides nothing; loops over the list of [`tables::quantity`]. May use: simulate
+//! Writes outcomes without changing them; loops over the list of [`tables::quantity`]. Depends on simulate
 //! and the rooms below it. Book: "run.nc".
 
 mod contact_maps;

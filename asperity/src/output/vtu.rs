@@ -1,4 +1,4 @@
-//! The body for ParaView: one file of an unstructured grid (`.vtu`) an instant, and `body.pvd`, the
+//! The body for ParaView: one file of an unstructured grid (`.vtu`) per state, and `body.pvd`, the
 //! collection of them over slip in units of a₀.
 
 use std::fmt::Write as _;
@@ -29,7 +29,7 @@ pub enum VtuError {
 /// Of zlib: half of what there is to gain, in a tenth of the time.
 const COMPRESSION: u32 = 3;
 
-/// Write the recorded fields of the body into a directory, which is made if it is not there; yields
+/// Write the recorded fields of the body into a directory, which is created if it does not exist; yields
 /// the collection's path.
 ///
 /// Points lie where they were before deformation, with the apex at the origin, z upwards and x along

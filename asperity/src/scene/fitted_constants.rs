@@ -9,7 +9,7 @@
 /// - Fitted: ADDED (1 + ω₀/ω_c)^GROWTH (2f − 1)³ over the yield strain σ_Y/E, as an upper bound, with f the shear
 ///   strength of the interface over that of the body.
 /// - Data: 60 slides by two contact radii at V = 0, 0.05 to 5 ω_c, f = 0.2 to 1, five presets, 6 elements; sixteen of
-///   them stand in the test beside the formula.
+///   them are in the test of the formula.
 /// - Residual: bound over measured strain 1.0 to 6 at f = 1; no strain was measured at f = 0.5 and below.
 pub(crate) mod plastic_strain_of_slide {
     pub const ADDED: f64 = 0.8;
@@ -18,7 +18,7 @@ pub(crate) mod plastic_strain_of_slide {
 
 /// Effect of heat on the load, see `heat::expected`.
 ///
-/// - Fitted: change of the load at a held interference over (1 + ν)α Δθ a/ω.
+/// - Fitted: change of the load at constant interference over (1 + ν)α Δθ a/ω.
 /// - Data: 4340 and 1045 steel and copper at 0.5, 5 and 40 ω_c: 2.1, 2.9 and 3.3.
 pub(crate) mod heat_effect {
     pub const LOAD_OF_EXPANSION: f64 = 3.0;
@@ -36,7 +36,7 @@ pub(crate) mod sliding_inception {
 /// Error estimates, see `simulate::accuracy::error_budget`.
 ///
 /// - Fitted: order of convergence in the elements, and the share of the ring spacing that the place of the contact
-///   edge leaves open of the contact radius.
+///   edge contributes to the uncertainty of the contact radius.
 /// - Data: the 21 first scenes of `studies::effectivity`; static μ at 0.1 ω_c with 4, 8, 16 and 32 elements (1.612,
 ///   1.698, 1.727, 1.767) for elastic friction; elastic and full-stick presses for the edge. Half the share leaves
 ///   more true errors above 1.5 times the estimate, 2.5 times makes estimates three times the errors.
@@ -44,7 +44,7 @@ pub(crate) mod sliding_inception {
 pub(crate) mod error_estimates {
     /// Of the square-root edge of the pressure.
     pub const ORDER: f64 = 1.5;
-    /// Of friction of elastic contacts, where traction and pressure fall to nothing in steps at the edge.
+    /// Of friction of elastic contacts, where traction and pressure fall to zero in steps at the edge.
     pub const ORDER_OF_ELASTIC_FRICTION: f64 = 1.0;
     pub const EDGE_OF_SPACING: f64 = 0.06;
 }

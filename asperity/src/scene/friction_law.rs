@@ -1,16 +1,16 @@
 //! Laws of the tangential traction on the contact, as data.
 //!
 //! To add a law: its variant here, its parameters in the list of keys (`file/keys.rs`), and its
-//! limit of the shear traction, which the compiler asks for (`interface/friction_law.rs`).
+//! limit of the shear traction, which the compiler requires (`interface/friction_law.rs`).
 
 use serde::{Deserialize, Serialize};
 
 /// Law of the tangential traction on the contact; the key `law` of the section `[interface]`, with
-/// the parameters beside it.
+/// its parameters.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "law", rename_all = "kebab-case")]
 pub enum FrictionLaw {
-    /// Slip at τ_c = f_τ σ/√3, with the strength σ that [`super::InterfaceStrength`] says.
+    /// Slip at τ_c = f_τ σ/√3, with the strength σ chosen by [`super::InterfaceStrength`].
     #[default]
     ShearStrength,
     /// Slip at τ_c = friction·p, with `cap` no more than f_τ σ/√3.
@@ -44,7 +44,7 @@ fn capped() -> bool {
 }
 
 impl FrictionLaw {
-    /// Whether the shear strength of the material is the limit, and nothing else.
+    /// Whether the shear strength of the material alone is the limit.
     pub(crate) fn is_material_strength(&self) -> bool {
         *self == Self::ShearStrength
     }

@@ -116,7 +116,7 @@ pub struct Material {
     /// Coefficient dε/dT at the initial temperature, 1/K.
     pub thermal_expansion: f64,
     pub softening: Softening,
-    /// What is known of its fracture in shear.
+    /// Fracture data in shear.
     pub fracture: Option<FractureData>,
     pub dependence: TemperatureDependence,
 }

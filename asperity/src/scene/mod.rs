@@ -122,7 +122,7 @@ pub struct Model {
     pub kinematics: Kinematics,
 }
 
-/// n_c that a scene may ask for. The upper limit catches misprints before they exhaust the memory.
+/// Range of n_c. The upper limit catches misprints before they exhaust the memory.
 pub const ELEMENTS_PER_RADIUS: std::ops::RangeInclusive<usize> = 4..=256;
 
 /// Section `[numerics]`.
@@ -181,7 +181,7 @@ impl Scene {
     /// moduli are multiplied by the ratio of the softening factors (a table of hardening factors stays),
     /// properties with a table take their value there. Both softening factors must be above 0.
     ///
-    /// All else stays, the fracture data and the strength of a film included.
+    /// Everything else is unchanged, including the fracture data and the strength of a film.
     ///
     /// ```
     /// use asperity::scene::file::parse_scene;

@@ -53,7 +53,7 @@ impl Conditions {
         if self.heat == HeatChoice::Off(NoHeat::Negligible) { self.effect.rise } else { 0.0 }
     }
 
-    /// What the scene did not ask to leave out; `strain` is the largest plastic strain of the run.
+    /// Effects neglected other than by choice of the scene; `strain` is the largest plastic strain of the run.
     pub fn modelling_error(&self, pressed: &Pressed, strain: f64) -> ModellingError {
         let small = pressed.scene.model.kinematics == Kinematics::Auto && !pressed.problem.finite_strain;
         ModellingError {

@@ -1,10 +1,10 @@
 //! Shear fracture energy of the material, against which the energy that sliding releases is held.
 //!
 //! Given as such; or from the mode-II toughness in plane strain, G_IIc = K_IIc²(1 − ν²)/E (Irwin
-//! 1957, J. Appl. Mech. 24, 361); or, where nothing but a tensile test is known, estimated after
+//! 1957, J. Appl. Mech. 24, 361); or, where only a tensile test is available, estimated after
 //! Griffith (1921, Phil. Trans. R. Soc. A 221, 163): a crack as large as the contact,
 //! G_C = πσ_c²a/E, at the true stress where the tensile specimen begins to neck, σ_c = σ_u(1 + ε_u).
-//! The estimate grows with the contact and is no more than that. E is that at the initial
+//! The estimate is proportional to the contact radius. E is that at the initial
 //! temperature.
 
 use std::f64::consts::PI;
@@ -47,7 +47,7 @@ pub fn fracture_energy(material: &Material) -> Option<FractureEnergy> {
 /// A scalar that follows from others: name, unit, long name, value.
 pub type Derived = (&'static str, &'static str, &'static str, Estimate);
 
-/// G_IIc and G/G_IIc of a run; nothing where the material does not say.
+/// G_IIc and G/G_IIc of a run; empty without fracture data.
 pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
     let Some(law) = fracture_energy(&scene.material) else {
         return Vec::new();

@@ -115,10 +115,10 @@ impl Display for HeatEffect {
     }
 }
 
-/// What the reader must know before trusting the numbers.
+/// Limitations of the results.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
-    /// Relative error of a quantity above the accuracy asked for.
+    /// Relative error of a quantity above the accuracy of the scene.
     ErrorAboveAccuracy {
         quantity: Quantity,
         error: f64,

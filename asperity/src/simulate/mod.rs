@@ -8,7 +8,7 @@
 //! [`accuracy`] from the values of the runs; outcome, notes and warnings are put together in `report`
 //! and put into sentences in [`messages`].
 //!
-//! May use: loading and the rooms below it. Book: "One asperity", "Errors".
+//! Depends on `loading` and the rooms below it. Book: "One asperity", "Errors".
 
 pub mod accuracy;
 mod conditions;
@@ -78,7 +78,7 @@ pub trait Watch: Sync {
     }
 }
 
-/// Watches nothing.
+/// No observer: never cancels.
 pub struct Unwatched;
 impl Watch for Unwatched {}
 
@@ -98,12 +98,12 @@ pub enum SimulationError {
     Unsupported(String),
 }
 
-/// Press and slide as the scene says.
+/// Press and slide of a scene.
 pub fn simulate(scene: &Scene, watch: &dyn Watch) -> Result<Outcome, SimulationError> {
     simulate_recorded(scene, &Recording::default(), watch)
 }
 
-/// Press and slide as the scene says, keeping fields as `recording` says.
+/// Press and slide of a scene, with the fields chosen by `recording`.
 pub fn simulate_recorded(
     scene: &Scene,
     recording: &Recording,

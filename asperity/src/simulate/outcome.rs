@@ -20,7 +20,7 @@ pub const MAIN: [Quantity; 7] = [
     Quantity::TemperatureMax,
 ];
 
-/// Fields over the contact plane at one instant, over (theta, r) in row-major order.
+/// Fields over the contact plane in one state, over (theta, r) in row-major order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub slip: f64,
@@ -59,7 +59,7 @@ pub struct Account {
     pub timings: Timings,
     /// What was chosen or left out and why.
     pub notes: Vec<Note>,
-    /// What the reader must know before trusting the numbers.
+    /// Limitations of the results.
     pub warnings: Vec<Warning>,
 }
 
@@ -80,7 +80,7 @@ pub struct Outcome {
     pub slide: History,
     pub grid: ContactGrid,
     pub snapshots: Vec<Snapshot>,
-    /// If they were asked for.
+    /// If recorded.
     pub body: Option<BodyFields>,
     pub account: Account,
 }

@@ -191,14 +191,14 @@ impl Pressed {
         [0, 1].map(|i| self.meshes[i].body.largest_mises(&self.meshes[i].body.committed))
     }
 
-    /// The same, with slides that keep fields as `recording` says.
+    /// The same, with the fields chosen by `recording`.
     pub fn recording(self, recording: Recording) -> Self {
         Self { recording, ..self }
     }
 }
 
 /// Presses on a mesh laid out for the contact radius, and again on one laid out for the radius that
-/// was reached, so that the edge lies close to where the mesh expects it. Always twice, so
+/// was reached, so that the edge is close to its position in the layout of the mesh. Always twice, so
 /// that results change smoothly with the scene.
 fn press_mesh(
     problem: &Problem,

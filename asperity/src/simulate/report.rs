@@ -1,4 +1,4 @@
-//! What is reported of a run: its histories, scalars and fields in SI units, account and warnings.
+//! Report of a run: its histories, scalars and fields in SI units, account and warnings.
 
 use tables::quantity::{Estimate, History, Quantity, Scalars};
 
@@ -15,7 +15,7 @@ use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
 
-/// Plastic strain beyond which small-strain kinematics is in doubt.
+/// Plastic strain beyond which small-strain kinematics is inaccurate.
 const LARGE_STRAIN: f64 = 0.2;
 
 /// The outcome of the finest main run, with the errors of `budget` (none: unknown); in the error where
@@ -72,7 +72,7 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     }
 }
 
-/// What the reader must know.
+/// Warnings.
 fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stopped: bool) -> Vec<Warning> {
     let scene = &runner.pressed.scene;
     let mut warnings = Vec::new();

@@ -27,7 +27,7 @@ use crate::solver::timings::{Kernel, Timings};
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
 
-/// One slide at one resolution, as far as it came, and the press that it started from.
+/// One slide at one resolution, up to its end or failure, and the press that it started from.
 pub(super) struct Run {
     pub resolution: Resolution,
     pub press: Arc<PressedMesh>,
@@ -87,7 +87,7 @@ impl Ladder {
         self.main.last().expect("there is a main run")
     }
 
-    /// The next finer resolution, if the accuracy asks for one.
+    /// The next finer resolution, if the accuracy requires one.
     pub fn finer(&self, budget: &ErrorBudget, numerics: &Numerics) -> Option<Resolution> {
         let (_, parts) = budget.worst(&self.result().values);
         self.result().resolution.refine(numerics, &parts)
@@ -119,7 +119,7 @@ impl<'a> Runner<'a> {
         Self { pressed, conditions, watch, presses: pressed.meshes.clone() }
     }
 
-    /// The auxiliary runs, then the main run in as many sectors and increments as they ask for. Where a
+    /// The auxiliary runs, then the main run with the sectors and increments that they require. Where a
     /// contact outgrows its mesh, all is repeated on wider ones as long as there is room.
     pub fn ladder(&mut self) -> Result<Ladder, SimulationError> {
         let mut start = self.pressed.resolution;
@@ -169,7 +169,7 @@ impl<'a> Runner<'a> {
     }
 
     /// The resolution of the main run: that of the start, with more sectors and shorter increments where
-    /// the auxiliary runs ask for them.
+    /// the auxiliary runs require them.
     fn main_resolution(&self, start: &Resolution, auxiliary: &[Run]) -> Resolution {
         let Some(values) = auxiliary_values(auxiliary) else { return *start };
         let (_, parts) = ErrorBudget::other_than_mesh(&values, start).worst(values.coarse);

@@ -19,11 +19,11 @@ use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, GROWTH};
 use crate::scene::{Hardening, InterfaceStrength, Scene};
 use crate::simulate::messages::StrainChoice;
 
-/// Plastic strain over the asked accuracy up to which strain is taken to be small. At twice or four times this a
+/// Plastic strain over the required accuracy up to which strain is taken to be small. At twice or four times this a
 /// table of 4340 steel takes 1.2 and 2.3 times as long, as the modelling error makes runs be repeated.
 const SMALL_SHARE: f64 = 0.05;
 
-/// The choice for a scene that leaves it, from the press on the coarse mesh at small strain.
+/// The choice for a scene with `kinematics = "auto"`, from the press on the coarse mesh at small strain.
 pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Contact) -> StrainChoice {
     let strength = strength_ratio(scene, problem, contact);
     let equal = problem.strength == InterfaceStrength::Current || scene.material.hardening == Hardening::None;

@@ -7,8 +7,8 @@ use crate::heat::expected::HeatEffect;
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 
-/// A point at the edge that its own friction lifts off the flat, and that returns without it: there is no equilibrium
-/// between the two for any increment, and without damping steps are cut back indefinitely.
+/// An edge point that lifts off with friction and touches without it has no equilibrium for any increment. Without
+/// removal of its friction the steps would be cut back indefinitely.
 #[test]
 fn chattering_points_do_not_cut_steps_back() {
     let text = "[material]\npreset = \"steel-304\"\n[asperity]\nradius = 1e-3\n\
@@ -17,7 +17,7 @@ fn chattering_points_do_not_cut_steps_back() {
     let scene = parse_scene(text, "this test", &[]).unwrap();
     let outcome = simulate(&scene, &Unwatched).unwrap();
     assert_eq!(outcome.account.cutbacks, 0);
-    // What such a point loses is far below what the mesh leaves open.
+    // The friction of such a point is far below the mesh error.
     let finer = parse_scene(text, "this test", &["numerics.elements_per_radius=12".into()]).unwrap();
     let finer = simulate(&finer, &Unwatched).unwrap().scalars[Quantity::Mu];
     let mu = outcome.scalars[Quantity::Mu];
@@ -34,7 +34,7 @@ fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Sce
     parse_scene(&text, "this test", &[]).unwrap()
 }
 
-/// On one mesh heat changes load and friction by about the expected effect, by which it is left out or not.
+/// On one mesh heat changes load and friction by about the expected effect, which decides whether it is neglected.
 #[test]
 fn the_expected_effect_of_heat_is_that_of_the_simulation() {
     for (preset, interference, slip_rate) in

@@ -34,7 +34,7 @@ impl Values {
         let units = problem.units;
         let last = history.last().expect("a history starts with the press");
         let pressed = press.last().expect("a press has increments");
-        // Of a press alone, or without friction, there is nothing but rounding.
+        // Without a slide or friction the values are rounding errors.
         let has_friction = problem.law.has_friction() && history.len() > 1;
         let inception = if has_friction { inception(history) } else { Inception::none(history) };
         let friction = if has_friction { last.friction } else { 0.0 };

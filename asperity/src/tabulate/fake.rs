@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, fake};
 
-/// Counts its presses and fails where told.
+/// Counts its presses and fails at the given cells.
 #[derive(Default)]
 pub struct Fake {
     /// Interferences in the order in which they were pressed.

@@ -34,7 +34,7 @@ pub struct Point {
     pub slip_rate: f64,
 }
 
-/// What became of a cell: its result, or why there is none.
+/// Result of a cell, or the reason of its failure.
 pub type CellResult = Result<Finished, String>;
 
 /// Why a journal cannot be used.
@@ -69,7 +69,7 @@ impl JournalError {
         Self { path: path.to_owned(), fault: fault.into() }
     }
 
-    /// Whether the system failed; otherwise the journal is not the one asked for.
+    /// Whether the system failed; otherwise the journal belongs to another request.
     pub fn is_of_the_system(&self) -> bool {
         matches!(self.fault, Fault::Vanished | Fault::NoRoom { .. } | Fault::Io(_))
     }

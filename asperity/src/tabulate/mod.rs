@@ -91,9 +91,9 @@ pub enum TabulateError {
     /// The threads could not be started.
     #[error("cannot start {jobs} threads: {reason}")]
     Threads {
-        /// As asked.
+        /// As requested.
         jobs: usize,
-        /// What the system said.
+        /// Message of the system.
         reason: String,
     },
 }

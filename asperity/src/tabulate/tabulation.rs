@@ -18,13 +18,13 @@ use crate::solver::timings::Timings;
 /// Results of a grid of runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tabulation {
-    /// What was asked.
+    /// The request.
     pub request: Request,
     /// The part of it that was to be run.
     pub shard: Option<Shard>,
-    /// ω₀/ω_c, rising: those asked for and those added.
+    /// ω₀/ω_c, rising: those requested and those added.
     pub interferences: Vec<f64>,
-    /// V, m/s, rising: those asked for and those added.
+    /// V, m/s, rising: those requested and those added.
     pub slip_rates: Vec<f64>,
     /// Slips s/a₀ of the histories.
     pub slips: Vec<f64>,
@@ -98,7 +98,7 @@ impl Tabulation {
         Ok(table)
     }
 
-    /// The results as they are.
+    /// The results without interpolation errors.
     fn filled(&self) -> Result<Table, TableError> {
         let templates = self.request.templates();
         let slices = templates.iter().enumerate().map(|(n, scene)| self.slice(n, scene));

@@ -116,7 +116,7 @@ fn a_run_says_what_its_numbers_are_not() {
     assert!(run(&["loading.temperature=700"]).1.contains("yield_strength is taken to hold at"));
 }
 
-/// `-v` tells the notes of cells whether or not the table is a resumed one; tables without a common cell differ.
+/// `-v` prints the notes of cells whether or not the table is a resumed one; tables without a common cell differ.
 #[test]
 fn tables_tell_notes_and_differ_in_their_cells() {
     let _alone = alone();

@@ -134,7 +134,7 @@ fn in_namespace(directory: &Path, script: &str) -> Option<Output> {
     Some(command.output().unwrap())
 }
 
-/// A disk with so many kilobytes left: a table, or a clear error and then, with room, the same table.
+/// A disk with a given number of kilobytes left: a table, or an error and then, with room, the same table.
 #[test]
 fn a_full_disk_loses_nothing() {
     let _alone = alone();
@@ -193,7 +193,7 @@ fn a_directory_that_vanishes_ends_the_run() {
     assert!(message(&output).contains("table.nc"), "{}", message(&output));
 }
 
-/// Two programs at one table: one makes it, the other is told so.
+/// Two programs at one table: one makes it, the other ends with a message.
 #[test]
 fn two_programs_do_not_disturb_each_other() {
     let _alone = alone();

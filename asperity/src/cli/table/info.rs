@@ -11,13 +11,13 @@ use tables::table::{Axes, Metadata, Slice, Table};
 
 use crate::{Display, Failure};
 
-/// Print what a table holds.
-pub fn info(table: &Table, asked: &str, display: &Display) {
+/// Print the contents of a table.
+pub fn info(table: &Table, table_name: &str, display: &Display) {
     let json = || match table.only() {
-        Ok(slice) => as_json(table, slice, asked),
-        Err(_) => by_temperature(table, asked),
+        Ok(slice) => as_json(table, slice, table_name),
+        Err(_) => by_temperature(table, table_name),
     };
-    display.print(json, || text(table, asked, display.verbose));
+    display.print(json, || text(table, table_name, display.verbose));
 }
 
 /// Print the shipped tables, a line each.
@@ -54,7 +54,7 @@ pub fn list(display: &Display) -> Result<(), Failure> {
     Ok(())
 }
 
-fn text(table: &Table, asked: &str, verbose: bool) -> String {
+fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     let (slices, axes, metadata) = (table.slices(), table.axes(), table.metadata());
     let sum = |of: fn(&Counts) -> usize| slices.iter().map(|slice| of(&slice.counts())).sum::<usize>();
     let mut text = String::new();
@@ -62,7 +62,7 @@ fn text(table: &Table, asked: &str, verbose: bool) -> String {
     let mut line = |name: &str, value: String| {
         let _ = writeln!(text, "{name:13} {value}");
     };
-    line("table", asked.to_owned());
+    line("table", table_name.to_owned());
     line("title", metadata.title.clone());
     if slices.len() > 1 {
         line("temperature", range(&table.temperatures(), "K"));
@@ -77,7 +77,7 @@ fn text(table: &Table, asked: &str, verbose: bool) -> String {
     if !metadata.shard.is_empty() {
         line("shard", metadata.shard.clone());
     }
-    // From +0: the sum of nothing is −0.
+    // Starts at +0: the sum of an empty list is −0.
     let cost = slices.iter().map(Slice::cost).fold(0.0, |sum, cost| sum + cost);
     line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
     line("made by", format!("{}, fingerprint {}", metadata.source, or_none(&metadata.fingerprint)));
@@ -124,7 +124,7 @@ fn range(axis: &[f64], unit: &str) -> String {
 fn errors(table: &Slice) -> String {
     let interpolated = match table.metadata().interpolation_tolerance {
         Some(_) => "(part of the errors)",
-        None => "(comes on top)",
+        None => "(not part of the errors)",
     };
     let mut text = format!(
         "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {:24}   interpolation {interpolated}\n",
@@ -157,7 +157,7 @@ fn percent(share: f64) -> String {
     }
 }
 
-fn as_json(table: &Table, slice: &Slice, asked: &str) -> Value {
+fn as_json(table: &Table, slice: &Slice, table_name: &str) -> Value {
     let (axes, metadata) = (slice.axes(), slice.metadata());
     let counts = slice.counts();
     let quantity = |statistics: ErrorStatistics| {
@@ -177,7 +177,7 @@ fn as_json(table: &Table, slice: &Slice, asked: &str) -> Value {
     let failures: Vec<Value> =
         slice.failures().map(|(at, reason)| json!({ "at": at, "reason": reason })).collect();
     json!({
-        "table": asked.to_owned(),
+        "table": table_name.to_owned(),
         "title": metadata.title,
         "schema_version": table.schema_version(),
         "checksum": slice.checksum(),
@@ -198,18 +198,18 @@ fn as_json(table: &Table, slice: &Slice, asked: &str) -> Value {
     })
 }
 
-/// What the slices have in common, and each by its initial temperature.
-fn by_temperature(table: &Table, asked: &str) -> Value {
+/// Metadata common to all slices, then each slice by its initial temperature.
+fn by_temperature(table: &Table, table_name: &str) -> Value {
     let slice = |slice: &Slice| {
         let metadata = slice.metadata();
-        let mut json = as_json(table, slice, asked);
+        let mut json = as_json(table, slice, table_name);
         json["temperature"] = metadata.temperature.into();
         json["yield_strength"] = metadata.yield_strength.into();
         json["critical_interference"] = metadata.critical_interference.into();
         json
     };
     json!({
-        "table": asked.to_owned(),
+        "table": table_name.to_owned(),
         "title": table.metadata().title,
         "schema_version": table.schema_version(),
         "checksum": table.checksum(),

@@ -132,16 +132,16 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
     }
 }
 
-/// The table at the temperature asked for, which must be given where it has several.
-fn read(asked: &str, at: &At) -> Result<InterpolatedTable, Failure> {
-    shipped::open(asked, at.temperature).map_err(Failure::input)
+/// The table at the given initial temperature, which is required if the table has several.
+fn read(table_name: &str, at: &At) -> Result<InterpolatedTable, Failure> {
+    shipped::open(table_name, at.temperature).map_err(Failure::input)
 }
 
-/// The same, or the whole table if no temperature is asked for.
-fn read_all(asked: &str, at: &At) -> Result<Table, Failure> {
+/// The same, or the whole table if no temperature is given.
+fn read_all(table_name: &str, at: &At) -> Result<Table, Failure> {
     match at.temperature {
-        Some(_) => read(asked, at).map(|table| Table::from(table.into_slice())),
-        None => shipped::load(asked).map_err(Failure::input),
+        Some(_) => read(table_name, at).map(|table| Table::from(table.into_slice())),
+        None => shipped::load(table_name).map_err(Failure::input),
     }
 }
 

@@ -29,7 +29,7 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
             && !key.laws.is_empty()
             && !key.laws.contains(&law)
         {
-            // Ignored without a word it would look as if it had been used.
+            // Ignoring the key without a message would suggest that it is used.
             let takers: Vec<String> = key.laws.iter().map(|law| format!("law = {law:?}")).collect();
             return Err(source.invalid(&full, value, format!("left out unless {}", takers.join(" or "))));
         }

@@ -26,7 +26,7 @@ pub fn read<T: DeserializeOwned>(
     })
 }
 
-/// What serde says of the section at `path`, at the key `inner` of it.
+/// serde's message for the key `inner` of the section at `path`.
 fn explain<T: DeserializeOwned>(
     (path, inner): (&str, &str),
     message: &str,

@@ -20,7 +20,7 @@ pub struct Document {
 
 /// The text of a file.
 pub fn text_of(path: &Path) -> Result<String, SceneFileError> {
-    /// Far more than anyone writes, and less than a device that never ends.
+    /// Above the size of any scene file; bounds the read from an endless device.
     const LONGEST: u64 = 16 << 20;
     let unreadable = |reason: String| SceneFileError::Unreadable { file: path.display().to_string(), reason };
     let mut text = String::new();
@@ -103,7 +103,7 @@ fn lay_over_preset(material: &mut Table, source: &Source) -> Result<(), SceneFil
     Ok(())
 }
 
-/// Lays one override over the sections; returns the path that it sets.
+/// Applies one override to the sections; returns the path that it sets.
 ///
 /// The value is read as TOML (`1e-3`, `[1, 2]`, `{ law = "none" }`, `"on"`); what is not
 /// TOML is taken as text, so that `--set model.heat=on` needs no quotes.

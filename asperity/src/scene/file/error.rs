@@ -30,7 +30,7 @@ pub enum SceneFileError {
         /// What is expected.
         reason: String,
     },
-    /// A key or section that nothing reads.
+    /// An unknown key or section.
     #[error("{}: unknown key {}; {hint}", short(.place), short(.key))]
     UnknownKey {
         /// File or override.

@@ -1,7 +1,7 @@
 //! The keys of scene and request files: unit and range of every number, and the laws that take a key.
 //!
-//! Names, defaults and which keys are required stand in the types of [`crate::scene`], which serde
-//! reads; this list says what serde cannot.
+//! Names, defaults and required keys are defined by the types of [`crate::scene`] through serde; this list adds what
+//! serde cannot express.
 
 use std::collections::BTreeSet;
 

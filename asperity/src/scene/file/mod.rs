@@ -1,10 +1,10 @@
 //! Scenes and table requests as TOML: overrides, presets, checks, reading and writing by serde.
 //!
 //! The types of [`crate::scene`] are the format: names, defaults, required keys. `keys.rs` adds unit and
-//! range of each number. Below the keys of the file lie those of the preset, above them the overrides.
+//! range of each number. Overrides replace keys of the file, keys of the file replace those of the preset.
 //!
 //! A message about bad input is one line that names the file and the line (or the `--set`), the key, the
-//! value and what is allowed. Nothing is guessed: an unknown key is an error.
+//! value and what is allowed. An unknown key is an error.
 
 mod check;
 mod deserialise;

@@ -70,7 +70,7 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
     Ok(())
 }
 
-/// That the material of a scene has strength at the initial temperature that `key` says.
+/// Checks that the material of a scene has strength at the initial temperature given by `key`.
 pub fn check_temperature(
     scene: &Scene,
     key: &str,
@@ -90,7 +90,7 @@ pub fn check_temperature(
     Err(source.invalid(key, format!("{temperature:?}"), allowed))
 }
 
-/// That heat is not switched on in the isothermal limit.
+/// Checks that heat is not switched on in the isothermal limit.
 pub fn check_heat(scene: &Scene, slip_rates: &[f64], source: &Source) -> Result<(), SceneFileError> {
     match scene.model.heat == Switch::On && slip_rates.contains(&0.0) {
         true => {

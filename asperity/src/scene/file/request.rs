@@ -121,7 +121,7 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
     })
 }
 
-/// A grid that is to be refined may have this many cells unless `max_cells` says otherwise.
+/// A grid that is to be refined has at most this number of cells by default; `max_cells` overrides it.
 const MOST_CELLS: usize = 400;
 
 fn goal(section: &TableSection) -> Option<Goal> {

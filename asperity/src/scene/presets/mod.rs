@@ -1,6 +1,6 @@
 //! Materials with published constants: every constant with its unit and its source.
 //!
-//! One file per material beside this one. To add a material, add its file; the tests check that it
+//! One file per material in this folder. To add a material, add its file; the tests check that it
 //! is complete and that every constant names a source.
 
 use std::sync::OnceLock;
@@ -240,7 +240,7 @@ pub(crate) mod tests {
         assert!((steel.thermal_expansion - 1.216e-5).abs() < 1e-12);
     }
 
-    /// The standard's formulas, 3.4.1.1 to 3.4.1.3, beside the tables of the preset.
+    /// The standard's formulas, 3.4.1.1 to 3.4.1.3, against the tables of the preset.
     #[test]
     fn carbon_steel_follows_the_formulas_of_en_1993_1_2() {
         let tables = carbon_steel().dependence;

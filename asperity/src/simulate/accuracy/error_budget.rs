@@ -4,7 +4,7 @@
 //! with increments twice as large and with a larger solver tolerance. The mesh error follows from the
 //! difference between the run and the first of them by the order of convergence, 1.5 for the
 //! square-root edge of the pressure, 1 for friction of elastic contacts; quantities that depend on the
-//! place of that edge have a floor besides, as two meshes may place it wrongly by the same amount. The
+//! position of that edge also have a lower bound of the error, since two meshes may misplace it by the same amount. The
 //! differences among the auxiliary runs are the errors of the other three sources, less where the run
 //! is finer than they are. All of this is a function of the values of the runs: [`estimate`].
 //!
@@ -59,7 +59,7 @@ const QUANTITIES: usize = Quantity::SCALARS.len();
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
-    /// What the increment in which sliding begins leaves open: of the steps, too.
+    /// Uncertainty by the width of the inception bracket, a part of the error of the increments.
     brackets: [f64; QUANTITIES],
 }
 
@@ -69,7 +69,7 @@ impl Default for ErrorBudget {
     }
 }
 
-/// Parts of the error of the worst of the quantities that the accuracy is asked of, relative to it.
+/// Relative parts of the error of the worst of the quantities controlled by the accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RelativeParts {
     pub mesh: f64,
@@ -85,7 +85,7 @@ impl RelativeParts {
     }
 }
 
-/// Quantities that the asked accuracy is about.
+/// Quantities controlled by the accuracy of the scene.
 pub const CONTROLLED: [Quantity; 5] =
     [Quantity::Mu, Quantity::MuStatic, Quantity::Friction, Quantity::Load, Quantity::Area];
 
@@ -181,7 +181,7 @@ impl ErrorBudget {
             Quantity::SCALARS.map(|quantity| modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
-    /// Nothing is known: errors as large as the values.
+    /// Unknown errors: as large as the values.
     pub fn unknown(values: &Values, modelling_error: &ModellingError) -> Self {
         let mut budget = Self::default();
         budget.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|q| values.value(q).abs());
@@ -308,8 +308,8 @@ mod tests {
         assert!((with_edge - mesh - edge).abs() < 1e-12);
     }
 
-    /// 3 + 2 n^-1.5 + 0.4 g + 0.5/N_θ² with n elements, slip increments g and N_θ angles: each part of the error is found,
-    /// of a main run and of a finer one.
+    /// 3 + 2 n^-1.5 + 0.4 g + 0.5/N_θ² with n elements, slip increments g and N_θ angles: each part of the error is
+    /// found, of a main run and of a finer one.
     #[test]
     fn errors_of_runs_of_known_orders_are_found() {
         let parts = |r: &Resolution| {
@@ -349,7 +349,7 @@ mod tests {
         assert_eq!(mesh_share(1.01, 1.5), 2.0);
     }
 
-    /// 3 + 2 n^-1.5 on every mesh that a scene may ask for: the error is found whichever of the two is the finer.
+    /// 3 + 2 n^-1.5 on every mesh in the range of n_c: the estimate is exact whichever of the two meshes is the finer.
     #[test]
     fn every_mesh_has_an_auxiliary_one() {
         let value = |elements: usize| 3.0 + 2.0 * (elements as f64).powf(-1.5);

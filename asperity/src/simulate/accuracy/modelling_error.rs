@@ -1,10 +1,10 @@
-//! Modelling error: what the model of a run leaves out, and by how much that may change its numbers.
+//! Modelling error: effects that the model of a run neglects, and bounds of their influence on its results.
 
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
 
-/// Effects that a run does without.
+/// Effects neglected in a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ModellingError {
     /// Heat, where its effect is negligible.
@@ -16,9 +16,10 @@ pub struct ModellingError {
 impl ModellingError {
     /// Change of a quantity relative to its value (to its rise, for temperatures).
     ///
-    /// By heat only while it slides, as at inception nothing is warm yet. Finite strain changes friction and area by
-    /// about the largest plastic strain: mu by 0.3, 1.1, 0.3, 0.3 and 0.2 of it at strains of 0.004 to 0.014 (between
-    /// 0.5 and 3 omega_c), by 0.79, 0.75 and 0.72 of it at 0.028, 0.051 and 0.083 (4340 steel at 20, 50 and 100 omega_c).
+    /// Heat changes quantities of the slide only: at inception the temperature has hardly risen. Finite strain changes
+    /// friction and area by about the largest plastic strain: mu by 0.3, 1.1, 0.3, 0.3 and 0.2 of it at strains of
+    /// 0.004 to 0.014 (between 0.5 and 3 omega_c), by 0.79, 0.75 and 0.72 of it at 0.028, 0.051 and 0.083 (4340 steel
+    /// at 20, 50 and 100 omega_c).
     pub fn share(&self, quantity: Quantity) -> f64 {
         use Quantity::*;
         let (softening, load) = self.heat.map_or((0.0, 0.0), |effect| (effect.softening, effect.load));

@@ -1,4 +1,4 @@
-//! Resolutions: mesh, collocation angles and increments by the accuracy asked for, and those of the
+//! Resolutions: mesh, collocation angles and increments by the accuracy of the scene, and those of the
 //! auxiliary runs.
 
 use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize};
@@ -12,7 +12,7 @@ const COUPLING_LIMIT: usize = 4;
 /// Increments of the press times the growth of those of the slide. From growths of 0.3 to 0.6 friction changes by 0.03
 /// and 0.06 per cent at 2 and 20 omega_c, and by 0.15 to 0.3 at 50 and 100 (8 elements, slip rate 0).
 const PRESS_INCREMENTS: f64 = 18.0;
-/// Finest resolution that an accuracy can ask for.
+/// Finest resolution chosen by an accuracy.
 const MOST_ELEMENTS: usize = 48;
 const MOST_SECTORS: usize = 16;
 const LEAST_GROWTH: f64 = 0.05;
@@ -162,7 +162,7 @@ impl Resolution {
         let mut elements = self.elements_per_radius;
         let allowed = (accuracy - others).max(0.4 * accuracy);
         if parts.mesh > allowed && numerics.elements_per_radius.is_none() {
-            // A little more than order 1.5 asks for, to be sure.
+            // Slightly finer than order 1.5 requires, as a margin.
             let wanted = 1.1 * elements as f64 * (parts.mesh / allowed).powf(1.0 / 1.5);
             elements = (wanted.ceil() as usize).clamp(elements + 2, 2 * elements).next_multiple_of(2);
             elements = elements.min(MOST_ELEMENTS).max(self.elements_per_radius);

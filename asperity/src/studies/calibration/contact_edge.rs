@@ -1,10 +1,10 @@
-//! The place of the contact edge between two rings of nodes from the pressures and gaps beside it, see
+//! The place of the contact edge between two rings of nodes from the pressures and gaps near it, see
 //! `interface::contact_edge`.
 //!
 //! Elastic presses: edges at a of Hertz, moved over more than a ring spacing by the interference on a fixed mesh; the
 //! constants of bluntness 0 are fitted anew, in ring spacings t from where the last ring touches,
-//! ρ = F((1 + p)t − pt²), γ = G(1 − (1 − q)t − qt²). Plastic presses: edges on meshes four times as fine; the residual of
-//! the stored constants.
+//! ρ = F((1 + p)t − pt²), γ = G(1 − (1 − q)t − qt²). Plastic presses: edges on meshes four times as fine; the residual
+//! of the stored constants.
 
 use super::{Fit, FittedConstant, Residual, pressed, rms, two_terms};
 use crate::interface::contact::{Contact, Status};

@@ -1,4 +1,5 @@
-//! Speed against error: one scene on ever finer meshes, its errors against the limit that they show.
+//! Speed against error: one scene on a sequence of meshes, its errors relative to the extrapolated limit. Uses
+//! simulate like any caller. Book: "Speed against error".
 
 mod figure;
 mod report_file;
@@ -22,7 +23,7 @@ use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined};
 pub const SHOWN: [Quantity; 7] = MAIN;
 /// n_c of the finest mesh is a multiple of this: the others are 1/4, 1/3, 1/2 and 2/3 of it.
 pub const DIVISOR: usize = 12;
-/// Finest n_c unless asked otherwise.
+/// Default of the finest n_c.
 pub const FINEST: usize = 24;
 
 /// One run with what it cost.
@@ -61,7 +62,7 @@ pub struct Limit {
 /// The sweep, coarsest first, the chosen resolution last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Convergence {
-    /// Relative, asked by the scene.
+    /// Relative, of the scene.
     pub accuracy: f64,
     /// Initial, K: errors of temperatures are relative to their rise.
     pub temperature: f64,
@@ -123,7 +124,7 @@ impl Convergence {
         (relative((value - limit).abs()), relative(error))
     }
 
-    /// Largest error of what the accuracy is asked of.
+    /// Largest error of the quantities controlled by the accuracy.
     pub fn worst_error(&self, run: &Run) -> f64 {
         CONTROLLED.iter().map(|&quantity| self.errors(run, quantity).0).fold(0.0, f64::max)
     }

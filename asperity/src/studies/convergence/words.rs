@@ -1,4 +1,4 @@
-//! The sweep for people: a table, and what it advises.
+//! The sweep as text: a table, and the recommended mesh.
 
 use std::fmt::Write;
 
@@ -31,14 +31,14 @@ pub fn table(convergence: &Convergence) -> String {
     text
 }
 
-/// Where a coarser or a finer mesh pays.
+/// Compares the chosen mesh with the least expensive one that meets the accuracy.
 pub fn in_words(convergence: &Convergence) -> String {
     let chosen = convergence.chosen();
     let accuracy = convergence.accuracy;
     let of = |run: &Run| 100.0 * convergence.worst_error(run);
     let mut text = format!(
         "As chosen, {} elements per contact radius: errors of mu, mu_static, Q, P and area are at most \
-         {:.2} % for {:.1} s of processor time; {:.2} % are asked.\n",
+         {:.2} % for {:.1} s of processor time; the accuracy is {:.2} %.\n",
         chosen.elements_per_radius,
         of(chosen),
         chosen.cpu_time,
@@ -52,13 +52,13 @@ pub fn in_words(convergence: &Convergence) -> String {
         .min_by(|a, b| a.cpu_time.total_cmp(&b.cpu_time));
     let advice = match least_expensive {
         Some(run) if run.cpu_time < 0.8 * chosen.cpu_time => format!(
-            "A coarser choice pays: {} elements have {:.2} % for {:.2} times the processor time.\n",
+            "A coarser mesh suffices: {} elements have {:.2} % for {:.2} times the processor time.\n",
             run.elements_per_radius,
             of(run),
             run.cpu_time / chosen.cpu_time
         ),
         Some(run) if convergence.worst_error(chosen) > accuracy => format!(
-            "A finer choice is needed: {} elements have {:.2} % for {:.1} times the processor time.\n",
+            "A finer mesh is required: {} elements have {:.2} % for {:.1} times the processor time.\n",
             run.elements_per_radius,
             of(run),
             run.cpu_time / chosen.cpu_time

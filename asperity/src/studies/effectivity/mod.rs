@@ -1,5 +1,6 @@
-//! Effectivity of the error estimates: scenes are run as usual and far more finely, and the true errors compared with the
-//! estimates (book, "Estimated and true errors"). Uses simulate as any caller, and the rooms below it for single runs.
+//! Effectivity of the error estimates: scenes are run as usual and far more finely, and the true errors compared with
+//! the estimates (book, "Estimated and true errors"). Uses simulate as any caller, and the rooms below it for single
+//! runs.
 //!
 //! The sources of error are taken one at a time, each against a run in which it alone is several
 //! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the
@@ -49,7 +50,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// What the judgement of a scene needs; the long runs first.
+    /// Runs required for the evaluation of a scene; the long ones first.
     pub const NEEDED: [Role; 8] = [
         Role::FourTimesElements,
         Role::MoreSectors,
@@ -80,8 +81,8 @@ impl Role {
     }
 }
 
-/// Runs what the journal lacks of the given scenes (positions in [`scenes::SCENES`]); `done` is
-/// called after each run. Ends early, without error, once the watch says so.
+/// Runs the missing runs of the given scenes (positions in [`scenes::SCENES`]); `done` is
+/// called after each run. Ends early, without error, if cancelled by the watch.
 ///
 /// A scene takes minutes; `asperity effectivity` runs them all.
 ///
@@ -103,7 +104,7 @@ impl Role {
 ///
 /// let path = std::env::temp_dir().join(format!("effectivity-example-{}.jsonl", std::process::id()));
 /// let report = Report::new(&run(&path, &[], false, &Unwatched, &|_| ())?);
-/// // Nothing was run, so no scene can be judged, and each says why.
+/// // Without runs no scene is evaluated, and each has a reason.
 /// assert!(report.scenes.is_empty());
 /// assert_eq!(report.missing.len(), scenes::SCENES.len());
 /// assert!(report.missing[0].1.contains("not run"));

@@ -1,5 +1,5 @@
-//! What is kept of each run of the study, so that it can be interrupted, and its estimates be judged anew without running
-//! anything again.
+//! Record of each run of the study: the study can be interrupted, and its estimates can be evaluated again without
+//! repeating runs.
 
 use std::io;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! True errors beside the estimates.
+//! True errors against their estimates.
 
 use std::collections::HashMap;
 
@@ -86,8 +86,8 @@ pub struct SceneReport {
 }
 
 impl SceneReport {
-    /// Largest relative true error over the largest relative estimate among the quantities that an accuracy is asked of. The
-    /// two need not be of the same quantity.
+    /// Largest relative true error over the largest relative estimate among the quantities that an accuracy is asked
+    /// of. The two need not be of the same quantity.
     pub fn worst_ratio(&self) -> f64 {
         let largest = |of: fn(&Judged) -> f64| {
             let asked = self.judged.iter().filter(|judged| CONTROLLED.contains(&judged.quantity));

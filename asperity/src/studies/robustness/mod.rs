@@ -203,7 +203,7 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
     wrong
 }
 
-/// That the contact does not get as hot as the case is about, if so.
+/// The contradiction that the contact stays below the temperature required by the case, if so.
 fn colder(outcome: &Outcome, least: f64) -> Option<String> {
     let hottest = outcome.slide.states().map(|step| step[Quantity::TemperatureMax]).fold(0.0, f64::max);
     (hottest <= least).then(|| format!("the contact reaches {hottest:.0} K and was to pass {least:.0} K"))
@@ -267,7 +267,7 @@ mod tests {
         assert_eq!(why, "the contact reaches 298 K and was to pass 298 K");
     }
 
-    /// The checks find what they are there for.
+    /// Each check detects its contradiction.
     #[test]
     fn contradictions_are_found() {
         let case = all().into_iter().find(|case| case.name == "slide-0").unwrap();

@@ -106,7 +106,7 @@ fn scale(watch: &dyn Watch) -> Rows {
     Ok(rows)
 }
 
-/// Nothing depends on θ in a press.
+/// A press does not depend on θ.
 fn angles(watch: &dyn Watch) -> Rows {
     const SOURCE: &str = "axial symmetry";
     let hertz = |sectors: usize| scene(plain_material(0.3), FrictionLaw::Frictionless, 0.3, mesh(8, sectors));

@@ -127,7 +127,7 @@ fn a_journal_cut_anywhere_loses_no_whole_line() {
         let cut = &whole[..length];
         std::fs::write(&path, cut).unwrap();
         let (mut journal, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
-        // A line may lack nothing but its end.
+        // A line may lack its line end alone.
         let complete = cut.iter().chain(whole.get(length)).filter(|&&byte| byte == b'\n').count();
         assert_eq!(found.len(), complete.saturating_sub(1), "cut at {length}");
         journal.record(at(9.0, 0.0), &Err("next".into())).unwrap();
@@ -138,7 +138,7 @@ fn a_journal_cut_anywhere_loses_no_whole_line() {
     }
 }
 
-/// Without the request nobody knows what the results are of, but they are not thrown away.
+/// Without the request the results cannot be assigned; they are not deleted.
 #[test]
 fn results_below_a_damaged_request_are_kept() {
     let directory = tempfile::tempdir().unwrap();
