@@ -5,7 +5,7 @@ use roots::{Convergency, find_root_brent};
 /// Halving alone reaches any accuracy of double precision in some sixty steps.
 const MOST_STEPS: usize = 200;
 
-/// When a root is near enough.
+/// Tolerances of a root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Accuracy {
     /// Largest magnitude of the function at the root.
@@ -35,7 +35,7 @@ pub(crate) fn root_between<E>(
     mut function: impl FnMut(f64) -> Result<f64, E>,
 ) -> Result<Option<f64>, E> {
     let mut failure = None;
-    // The library asks again for the ends of the bracket.
+    // The library evaluates the ends of the bracket again.
     let mut known: Vec<(f64, f64)> = Vec::new();
     let value = |x: f64| {
         if let Some((_, value)) = known.iter().rev().find(|(place, _)| *place == x) {
@@ -64,7 +64,7 @@ mod tests {
         let accuracy = Accuracy { value: 0.0, width: 1e-15 };
         let root = |from, to, f: fn(f64) -> Result<f64, &'static str>| root_between(from, to, accuracy, f);
         assert!((root(0.0, 2.0, |x| Ok(x * x - 2.0)).unwrap().unwrap() - 2f64.sqrt()).abs() < 1e-14);
-        // A step, and a value that is next to infinite on one side.
+        // A step, and a function that is almost infinite on one side.
         assert!(
             (root(0.0, 1.0, |x| Ok(if x < 0.3 { 1e3 } else { -1.0 })).unwrap().unwrap() - 0.3).abs() < 1e-14
         );

@@ -58,7 +58,7 @@ pub struct Characterize {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
-    /// Print errors only (and the JSON, if asked for)
+    /// Print errors only (and the JSON with --json)
     #[arg(short, long)]
     quiet: bool,
 }

@@ -20,7 +20,7 @@ pub struct RunOptions {
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
-    /// Print errors only (and the JSON, if asked for)
+    /// Print errors only (and the JSON with --json)
     #[arg(short, long)]
     pub quiet: bool,
     /// Show progress even if stderr is not a terminal
@@ -61,7 +61,7 @@ impl InputOptions {
     }
 }
 
-/// Why a command ends, by exit status.
+/// Failure of a command, by exit status.
 pub enum Failure {
     /// Bad input: exit status 2.
     Input(anyhow::Error),

@@ -1,4 +1,4 @@
-//! Help texts beside the options: examples, and the surface file.
+//! Help texts in addition to the options: examples, and the surface file.
 
 use roughsurface::surface::heights::{DISTRIBUTIONS, Entry};
 

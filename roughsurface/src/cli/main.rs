@@ -1,4 +1,4 @@
-//! Command line of the friction of rough surfaces.
+//! The program `roughsurface`: command line of the friction of rough surfaces, one module per subcommand.
 
 mod characterize;
 mod common;

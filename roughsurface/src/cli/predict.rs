@@ -91,7 +91,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 pub fn run(options: &Predict) -> Result<(), Failure> {
     let (file, source, missing) = options.input.read()?;
     let models = models(&options.compare)?;
-    // Before the computation, not after it.
+    // Checked before the computation.
     for path in std::iter::once(&options.output).chain(&options.plot).chain(&options.report) {
         check_folder(path)?;
     }

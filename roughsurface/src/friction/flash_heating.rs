@@ -30,7 +30,7 @@ impl FlashHeating {
     }
 }
 
-/// Why there are no parameters.
+/// Reason of a failed fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoFit {
     #[error("at least three slip rates above zero are needed")]

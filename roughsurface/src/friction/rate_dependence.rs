@@ -7,7 +7,7 @@ use tables::law::Estimate;
 /// second positive rate.
 ///
 /// The error is half the difference between the slopes to both sides, at the ends the curvature
-/// seen beside them, and the difference of the errors of μ over the interval: errors of
+/// of the adjacent interval, and the difference of the errors of μ over the interval: errors of
 /// neighbouring rates come from the same asperities and have the same sign.
 pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate]) -> Vec<Estimate> {
     let unknown = Estimate { value: f64::NAN, error: f64::NAN };

@@ -29,9 +29,9 @@ pub fn regime(plasticity_index: f64) -> &'static str {
 /// Shares of the asperities in contact, together 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct RegimeShares {
-    /// Pressed less than first yield needs.
+    /// Interference below first yield.
     pub elastic: f64,
-    /// Pressed more, or as much, and not melting.
+    /// Interference of at least first yield, not melting.
     pub plastic: f64,
     /// Hottest point at the melting temperature; 0 where that is unknown.
     pub melting: f64,
@@ -65,11 +65,11 @@ impl RegimeShares {
 const SMALLEST: f64 = 1e-6;
 
 /// ω/ω_c at which the hottest point of the contact reaches the `melting` temperature (K); larger
-/// contacts are hotter. None where the law does not get there.
+/// contacts are hotter. None if the range of the law ends below it.
 fn melting_interference(asperity: &AsperityAtSlip, melting: f64) -> Option<f64> {
     let excess = |interference: f64| match asperity.response(interference) {
         Ok(state) => state.temperature_max.value - melting,
-        // Without an answer it does not count as melting.
+        // A contact without a response does not count as melting.
         Err(_) => -melting,
     };
     let limit = asperity.limit();

@@ -57,7 +57,7 @@ fn per_real_area(energy: Estimate, area_fraction: Estimate) -> Estimate {
     Estimate { value, error }
 }
 
-/// Answer to a query.
+/// Result of a query.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     pub query: Query,

@@ -1,4 +1,4 @@
-//! How a prediction is computed, and why there may be none.
+//! Settings of a prediction, and the reasons of its failure.
 
 use crate::integral::separation::SeparationError;
 use tables::law::LookupError;
@@ -23,7 +23,7 @@ impl Default for Settings {
     }
 }
 
-/// Why there is no prediction.
+/// Reason of a failed prediction.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum PredictionError {
     #[error(transparent)]

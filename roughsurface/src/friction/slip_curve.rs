@@ -30,7 +30,7 @@ pub struct SlipState {
 }
 
 impl SlipState {
-    /// State of a surface under the held pressure `asked` (Pa): the error of the law's load becomes one of the
+    /// State of a surface under the prescribed pressure `asked` (Pa): the error of the law's load becomes one of the
     /// separation, and through the sensitivities of all other quantities.
     pub fn at_pressure(equilibrium: &EquilibriumState, asked: f64) -> Self {
         let state = &equilibrium.state;
@@ -83,7 +83,7 @@ pub struct Inception {
 
 /// First slip at which the slope of the friction coefficient has fallen to
 /// [`INCEPTION_SLOPE`] of its initial value: the first maximum, or the knee of a
-/// curve that keeps creeping upwards.
+/// curve that rises slowly to its end.
 ///
 /// Errors include the difference from every second point of the curve. Up to there friction rises with the
 /// slip, so that the slip is uncertain in proportion, too.
@@ -154,7 +154,7 @@ pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
         .map(|point| point.error / point.value.abs().max(f64::MIN_POSITIVE))
         .filter(|relative| relative.is_finite())
         .fold(0.0, |largest: f64, relative| largest.max(relative.min(1.0)));
-    // The last point is kept: the energy is counted from the end value.
+    // The last point is included: the energy is relative to the end value.
     let kept = |i: &usize| i % 2 == (slip.len() - 1) % 2;
     let coarse_slip: Vec<f64> = (0..slip.len()).filter(kept).map(|i| slip[i]).collect();
     let coarse_shear: Vec<Estimate> = (0..slip.len()).filter(kept).map(|i| shear[i]).collect();
@@ -258,7 +258,7 @@ mod tests {
     fn exponential_weakening_releases_stress_drop_times_length() {
         let (slip, shear) = curve(|s| 1e6 + 2e6 * (-s / 0.1).exp());
         let energy = weakening_energy(&slip, &shear);
-        // ∫_0^4 (τ − τ_end) ds with e^{−40} left; trapezoids on 12 % steps are 1e-3 off.
+        // ∫_0^4 (τ − τ_end) ds with e^{−40} left; trapezoids on 12 % steps have an error of 1e-3.
         assert!((energy.value / 2e5 - 1.0).abs() < 5e-3, "{}", energy.value);
         assert!((energy.value - 2e5).abs() <= energy.error);
         // D_w = 2 L for a drop that is exponential over L.

@@ -12,7 +12,7 @@ fn surface(heights: Box<dyn Heights>) -> Surface {
     Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
 }
 
-fn ask(
+fn predicted(
     law: &dyn AsperityLaw,
     surface: &Surface,
     pressures: &[f64],
@@ -34,7 +34,7 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
     let critical = law.critical_interference(1e-4);
     let psi: f64 = 0.5;
     let surface = surface(Box::new(Exponential::new(critical * psi * psi)));
-    let found = ask(law.as_ref(), &surface, &[1e2, 1e3, 1e4], &[1.0], LoadingControl::Load).unwrap();
+    let found = predicted(law.as_ref(), &surface, &[1e2, 1e3, 1e4], &[1.0], LoadingControl::Load).unwrap();
     let c = hertz::yield_coefficient(0.3);
     let exact = 2.0 / ((3.0 * std::f64::consts::PI).sqrt() * c * psi);
     for row in &found.friction {
@@ -42,7 +42,7 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
         assert!((mu.value - exact).abs() < 1e-6 * exact, "{} {exact}", mu.value);
         assert!((mu.value - 0.4039 / psi).abs() < 1e-4 / psi);
         assert!(mu.error < 1e-5);
-        // Static friction of a surface that creeps to its final value is within a
+        // Static friction of a surface that slowly reaches its final value is within a
         // few per cent of it.
         assert!((row[0].mu_static.value / exact - 1.0).abs() < 0.03);
         assert_eq!(row[0].weakening_energy.value, 0.0);
@@ -64,8 +64,8 @@ fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
     };
     let peak = PowerLaw::hertz();
     let surface = surface(Box::new(Gaussian::new(1e-6)));
-    let found = ask(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
-    let bound = ask(&peak, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+    let found = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+    let bound = predicted(&peak, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
     let (found, bound) = (&found.friction[0][0], &bound.friction[0][0]);
     let ratio = found.mu_static.value / bound.sliding.mu.value;
     assert!(ratio < 0.97 && ratio > 0.7, "{ratio}");
@@ -75,11 +75,11 @@ fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
 
 #[test]
 fn held_load_closes_the_gap_that_a_held_separation_keeps() {
-    // Nothing of the load changes with slip here, so both holds agree.
+    // The load does not change with slip here, so load and displacement control agree.
     let law = PowerLaw::hertz();
     let surface = surface(Box::new(Gaussian::new(1e-6)));
-    let load = ask(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
-    let separation = ask(&law, &surface, &[1e6], &[1.0], LoadingControl::Separation).unwrap();
+    let load = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+    let separation = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Separation).unwrap();
     let (load, separation) = (&load.friction[0][0], &separation.friction[0][0]);
     assert!((load.sliding.mu.value - separation.sliding.mu.value).abs() < 1e-6);
     assert!((separation.sliding.pressure.value - 1e6).abs() < 2.0);
@@ -90,7 +90,7 @@ fn held_load_closes_the_gap_that_a_held_separation_keeps() {
 fn errors_of_the_law_reach_every_result() {
     let law = PowerLaw { relative_error: 0.02, ..PowerLaw::hertz() };
     let surface = surface(Box::new(Exponential::new(1e-6)));
-    let found = ask(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+    let found = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
     let sliding = found.friction[0][0].sliding;
     // Q and P wrong by 2 % in opposite directions; μ does not depend on separation here.
     assert!((sliding.mu.error / sliding.mu.value - 0.04).abs() < 1e-4);
@@ -104,7 +104,7 @@ fn errors_of_the_law_reach_every_result() {
 fn load_beyond_the_table_is_refused_unless_extrapolation_is_asked() {
     let law = PowerLaw { limit: 20.0, ..PowerLaw::hertz() };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
-    let error = ask(&law, &surface, &[1e3, 1e8], &[1.0], LoadingControl::Load).unwrap_err();
+    let error = predicted(&law, &surface, &[1e3, 1e8], &[1.0], LoadingControl::Load).unwrap_err();
     let message = error.to_string();
     assert!(
         message.starts_with("at 1e8 Pa and 1 m/s asperities pressed beyond 20.0000 omega_c"),
@@ -130,7 +130,7 @@ fn flash_heating_of_the_asperities_is_that_of_the_surface() {
     };
     let surface = surface(Box::new(Exponential::new(1e-6)));
     let rates = [0.01, 0.05, 0.2, 0.5, 2.0];
-    let found = ask(&law, &surface, &[1e6], &rates, LoadingControl::Load).unwrap();
+    let found = predicted(&law, &surface, &[1e6], &rates, LoadingControl::Load).unwrap();
     let fitted = found.flash_heating[0].unwrap();
     assert!((fitted.v_w.value - 0.2).abs() < 1e-5);
     assert!((fitted.mu_w.value / fitted.mu_0.value - 0.25).abs() < 1e-5);
@@ -142,7 +142,9 @@ fn threads_do_not_change_a_bit() {
     let surface = surface(Box::new(Gaussian::new(0.5e-6)));
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| ask(law.as_ref(), &surface, &[1e5, 1e7], &[0.1, 1.0], LoadingControl::Load).unwrap())
+        pool.install(|| {
+            predicted(law.as_ref(), &surface, &[1e5, 1e7], &[0.1, 1.0], LoadingControl::Load).unwrap()
+        })
     };
     let (one, three) = (with(1), with(3));
     for (a, b) in one.friction.iter().flatten().zip(three.friction.iter().flatten()) {
@@ -156,7 +158,7 @@ fn threads_do_not_change_a_bit() {
 fn rates_outside_the_table_and_empty_gaps_are_refused() {
     let law = PowerLaw::hertz();
     let surface = surface(Box::new(Uniform::new(1e-6)));
-    let error = ask(&law, &surface, &[1e6], &[1e3], LoadingControl::Load).unwrap_err();
+    let error = predicted(&law, &surface, &[1e6], &[1e3], LoadingControl::Load).unwrap_err();
     assert!(error.to_string().contains("outside the table"));
     let query = Query {
         loading: NormalLoading::Separation(vec![2e-6]),

@@ -53,7 +53,7 @@ impl<'a> AsperityAtSlip<'a> {
         Self { has_energy: matches!(answer, Ok(Some(_))), ..self.clone() }
     }
 
-    /// Whether [`energy_release`](Self::energy_release) has an answer.
+    /// Whether [`energy_release`](Self::energy_release) is available.
     pub fn has_energy(&self) -> bool {
         self.has_energy
     }

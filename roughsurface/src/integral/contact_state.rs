@@ -35,13 +35,13 @@ pub struct ContactState {
     /// Real over nominal contact area, 1.
     pub area_fraction: Integral,
     /// Energy released from full stick to full slip per nominal area, J/m², where the
-    /// law states it and it was asked for.
+    /// law states it and it was requested.
     pub energy: Option<Integral>,
     /// Contacts per nominal area, 1/m².
     pub contact_density: f64,
     /// Contact radius averaged over the load, m.
     pub loaded_radius: f64,
-    /// Share of the load that asperities beyond the limit of the law carry, 1.
+    /// Share of the load on asperities beyond the limit of the law, 1.
     pub outside: f64,
     /// ω/ω_c that the law would have to reach for that share to be negligible.
     pub reach: f64,
@@ -65,8 +65,8 @@ impl ContactState {
         }
     }
 
-    /// Friction over load, with its error if `shear` and `pressure` err in
-    /// opposite directions.
+    /// Friction over load, with its error if the errors of `shear` and `pressure` have
+    /// opposite signs.
     pub fn friction_coefficient(&self) -> Estimate {
         let (shear, pressure) = (self.shear.estimate(), self.pressure.estimate());
         let value = shear.value / pressure.value;

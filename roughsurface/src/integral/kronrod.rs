@@ -1,4 +1,4 @@
-//! Gauss–Kronrod rules on (−1, 1): few points first, many where they do not do.
+//! Gauss–Kronrod rules on (−1, 1): few points first, many where these are not accurate enough.
 
 /// A Kronrod rule with a Gauss rule inside, which gives its error.
 #[derive(Debug)]

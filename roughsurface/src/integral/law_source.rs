@@ -1,10 +1,10 @@
-//! The response of one asperity, by the name that `--table` gives it.
+//! The response of one asperity, by the name given with `--table`.
 
 use tables::closed_forms::{ElasticPlastic, UnknownClosedForm, closed_form};
 use tables::law::AsperityLaw;
 use tables::shipped::{self, TableSourceError};
 
-/// Why there is no such law.
+/// Reason why a law cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum LawSourceError {
     #[error("--table model:{name}: {reason}")]

@@ -5,7 +5,7 @@
 //!
 //! - [`law_source`]: the single-asperity response, a table or a closed form; [`asperity_at_slip`]: the response at
 //!   a fixed slip rate and slip, continued beyond the table;
-//! - `kronrod`, `panels`, [`height_integral`]: adaptive Gauss–Kronrod panels in √(ω/ω_c), kept for all separations;
+//! - `kronrod`, `panels`, [`height_integral`]: adaptive Gauss–Kronrod panels in √(ω/ω_c), stored for all separations;
 //! - [`surface_integral`]: the sum over radii; [`contact_state`]: its result;
 //! - [`separation`], [`predictor`]: the separation in equilibrium with a pressure.
 //!

@@ -1,4 +1,4 @@
-//! Gauss–Kronrod panels in the root of the interference, sampled once and kept.
+//! Gauss–Kronrod panels in the root of the interference, sampled once and stored.
 //!
 //! With ω = u² the 3/2 power of the start of contact becomes a polynomial, and
 //! because the panels divide the interference, not the height, the same samples of
@@ -27,7 +27,7 @@ pub const FRICTION_ERROR: usize = 5;
 pub const AREA_ERROR: usize = 6;
 /// Load of asperities beyond the limit of the law.
 pub const LOAD_OUTSIDE: usize = 7;
-/// Energy released from full stick to full slip, last because it is often not asked for.
+/// Energy released from full stick to full slip, last because it is often not required.
 pub const ENERGY: usize = 8;
 pub const ENERGY_ERROR: usize = 9;
 
@@ -158,7 +158,7 @@ impl PanelTree {
 
     /// Integral over a panel with summits of density `heights` above a flat at `separation`,
     /// and its error, an upper bound: the difference from the Gauss rule within.
-    /// Energies stay zero unless asked for `with_energy`.
+    /// Energies are zero unless `with_energy` is set.
     pub fn integral(
         &self,
         index: usize,

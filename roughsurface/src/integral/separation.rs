@@ -1,4 +1,4 @@
-//! Equilibrium states: the separation at which a surface carries a nominal pressure.
+//! Equilibrium states: the separation at which a surface has a given nominal pressure.
 
 use crate::integral::contact_state::ContactState;
 use crate::integral::predictor::{Predictor, SHARED_UNCERTAINTY, Sensitivity};
@@ -7,7 +7,7 @@ use crate::root_finding::{Accuracy, root_between};
 use crate::surface::heights::Heights;
 use tables::law::LookupError;
 
-/// Why no separation carries the pressure.
+/// Reason why no separation has the given pressure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SeparationError {
     #[error(transparent)]
@@ -72,14 +72,15 @@ impl EquilibriumState {
 /// against the rounding of the integrals and short against their curvature.
 const SENSITIVITY_STEP: std::ops::Range<f64> = 1e-5..0.02;
 
-/// Steps after which the secant gives way to the bracket.
+/// Number of secant steps after which the bracketing method is used.
 const SECANT_STEPS: usize = 8;
 
 /// Finds the separation at which the nominal pressure is `pressure` (Pa) to a relative `tolerance`,
 /// starting from a predictor.
 ///
 /// ln p falls almost linearly with separation, so that a secant in ln p from a neighbouring state takes a
-/// step or two. Where it does not converge, at the ends of the heights, a bracket does.
+/// step or two. Where it does not converge, at the ends of the heights, a
+/// bracketing method is used.
 pub fn separation_for(
     integral: &mut impl ContactIntegral,
     heights: &dyn Heights,

@@ -58,7 +58,7 @@ pub fn figure(results: &Results) -> Figure {
     Figure { title: title(&prediction.law), panels }
 }
 
-/// Sliding friction of the slowest rate beside that of the models.
+/// Sliding friction at the lowest rate in comparison with that of the models.
 fn compared(results: &Results) -> Panel {
     let prediction = &results.prediction;
     let values = prediction.query.loading.values();

@@ -1,6 +1,6 @@
 //! Results as files, text and pictures: friction.nc, the file of samples, figures, the HTML report, the
 //! summary as text and JSON. Every one loops over [`QUANTITIES`](crate::friction::quantities::QUANTITIES).
-//! Depends on `sampling` and `friction`; decides nothing.
+//! Depends on `sampling` and `friction`; results are written unchanged.
 
 pub mod figure;
 pub mod friction_file;

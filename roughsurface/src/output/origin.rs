@@ -9,7 +9,7 @@ use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
 pub struct Origin<'a> {
     /// Text of the surface file.
     pub surface: &'a str,
-    /// The table as asked for: file, shipped name or `model:NAME`.
+    /// The table as given: file, shipped name or `model:NAME`.
     pub table: &'a str,
     /// The command that made the result.
     pub command: &'a str,

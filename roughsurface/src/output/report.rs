@@ -1,7 +1,7 @@
 //! A prediction as one HTML file: figures, numbers, parameters, errors and warnings.
 //!
-//! Without script, style sheet, font or picture from elsewhere: the file can be sent, kept and opened
-//! anywhere.
+//! Without script, style sheet, font or picture from elsewhere: the file is
+//! self-contained.
 
 use crate::friction::regime::regime;
 use crate::output::figure::figure;
@@ -119,7 +119,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A table under a title and a line of HTML; nothing without rows.
+/// A table under a title and a line of HTML; empty without rows.
 fn table(page: &mut String, title: &str, note: &str, rows: &Rows) {
     let Some((head, rows)) = rows.split_first() else { return };
     let line = |cells: &[String], tag: &str| {

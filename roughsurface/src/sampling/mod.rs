@@ -1,4 +1,4 @@
-//! Many surfaces in place of one.
+//! Samples of surfaces in place of a single one.
 //!
 //! - [`finite_surface`]: surfaces of a given number of asperities, heights and radii drawn at random, and the
 //!   [`scatter`] of their friction;

@@ -52,7 +52,7 @@ impl Propagated {
     }
 }
 
-/// Why there is no propagation.
+/// Reason of a failed propagation.
 #[derive(Debug, thiserror::Error)]
 pub enum UncertaintyError {
     #[error(

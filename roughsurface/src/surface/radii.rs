@@ -32,7 +32,7 @@ const CLASSES: usize = 16;
 const COARSE_CLASSES: usize = 10;
 
 /// Standard deviations of ln R at which the log-normal distribution is cut: beyond lie 0.27 % of
-/// the summits, at radii for which a table of finite slip rates would have no answer.
+/// the summits, at radii outside the range of a table with a finite range of slip rates.
 const CUT: f64 = 3.0;
 
 /// Largest ratio of standard deviation to mean.

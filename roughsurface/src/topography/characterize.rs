@@ -28,7 +28,7 @@ pub struct Characterization {
     /// Cut-off used, m, and whether it was asked for.
     pub cutoff: f64,
     pub cutoff_asked: bool,
-    /// Shortest wavelength that the measurement can be trusted at, m, and why.
+    /// Shortest wavelength resolved by the measurement, m, and its reason.
     pub reliability_limit: f64,
     pub limited_by: Limit,
     /// Root mean square height without trend and unfiltered (Sq, Rq), m.

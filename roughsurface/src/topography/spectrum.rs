@@ -19,7 +19,7 @@ pub struct Moments {
     pub m2_directions: (f64, f64),
 }
 
-/// Whether the edges of a topography that does not continue are faded out.
+/// Taper at the edges of a topography that is not periodic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Window {
     /// Hann's, scaled to keep the mean square; none for periodic maps.
@@ -30,10 +30,10 @@ pub enum Window {
 
 impl Window {
     fn weight(self, topography: &Topography) -> impl Fn(usize, usize) -> f64 + use<> {
-        let faded = self == Self::Hann && !topography.periodic;
+        let tapered = self == Self::Hann && !topography.periodic;
         let (rows, columns) = (topography.rows, topography.columns);
         // ⟨sin⁴⟩ = 3/8.
-        let hann = move |index: usize, count: usize| match faded && count > 1 {
+        let hann = move |index: usize, count: usize| match tapered && count > 1 {
             true => (8.0f64 / 3.0).sqrt() * (PI * (index as f64 + 0.5) / count as f64).sin().powi(2),
             false => 1.0,
         };
@@ -105,7 +105,7 @@ impl Spectrum {
         filled.map(|(count, ln_q, power)| ((ln_q / count).exp(), power / count)).collect()
     }
 
-    /// Shortest wavelength (m) that the measurement can be trusted at, and why.
+    /// Shortest wavelength (m) resolved by the measurement, and its reason.
     pub fn reliability_limit(&self) -> (f64, Limit) {
         let sampling = PIXELS_PER_WAVE * self.pixel;
         let radial = self.radial();
@@ -125,7 +125,7 @@ impl Spectrum {
     }
 }
 
-/// Why a measurement is not trusted at shorter wavelengths.
+/// Reason why shorter wavelengths are not resolved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Limit {
@@ -145,7 +145,7 @@ const BINS_PER_OCTAVE: f64 = 4.0;
 const FLAT_MAP: f64 = -1.0;
 const FLAT_PROFILE: f64 = -0.5;
 
-/// Ratio to the noise above which a spectrum is trusted.
+/// Ratio to the noise above which a spectrum is used.
 const ABOVE_NOISE: f64 = 4.0;
 
 /// Slope of the straight line through ln(power) against ln(q).
@@ -216,8 +216,8 @@ mod tests {
         // Without roll-off the long waves jump most at the edges, and a jump has curvature.
         let rolling = SelfAffine { roll_off_pixels: 1024.0, ..surface };
         let m4 = rolling.moment(4, cutoff);
-        let (faded, edges) = (mean(rolling, Window::Hann), mean(rolling, Window::None));
-        assert!((faded.1 / m4 - 1.0).abs() < 0.05, "{} {m4}", faded.1);
+        let (tapered, edges) = (mean(rolling, Window::Hann), mean(rolling, Window::None));
+        assert!((tapered.1 / m4 - 1.0).abs() < 0.05, "{} {m4}", tapered.1);
         assert!(edges.1 > 1.5 * m4, "the jumps at the edges count: {} {m4}", edges.1);
     }
 

@@ -1,5 +1,7 @@
 //! The response of single asperities integrated over their heights: η ∫ f(z − d) φ(z) dz for load, friction,
 //! area and number at once (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242).
+//!
+//! Depends on `panels`, `asperity_at_slip` and the heights of `crate::surface`. Chapter "Rough surfaces" of the book.
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::contact_state::{ContactState, Integral};
@@ -10,7 +12,7 @@ use tables::law::LookupError;
 /// Share of the load outside the range of a law that may be ignored.
 ///
 /// A tenth of a per cent is far below the errors of any table; more is refused
-/// unless the caller asks for extrapolation.
+/// unless extrapolation is enabled.
 pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
 
 /// Halvings after which a panel is left as it is, its error counted.
@@ -73,7 +75,7 @@ struct Leaf {
 }
 
 impl<'a> HeightIntegral<'a> {
-    /// `asperity_density` in 1/m²; `tolerance` is the relative error asked of
+    /// `asperity_density` in 1/m²; `tolerance` is the required relative error of
     /// load, friction and area.
     pub fn new(
         asperity: AsperityAtSlip<'a>,

@@ -92,7 +92,7 @@ fn moments_of_skewed_and_truncated_heights_in_closed_form() {
 
 #[test]
 fn ten_digits_at_gross_slip_and_at_the_end_of_a_slide() {
-    // Integrals at the asked tolerance against ones a thousand times sharper.
+    // Integrals at the given tolerance against ones at a thousandth of it.
     let heights = Gaussian::new(0.05e-6);
     for name in ["jackson-green", "brizmer", "kogut-etsion"] {
         let law = closed_form(name, &STEEL).unwrap();

@@ -24,7 +24,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AsperityLaw, LookupError};
 
-/// Finite surfaces asked for.
+/// Request of finite surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
     /// Asperities of one surface, in contact or not.
@@ -134,7 +134,7 @@ fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &S
                 SurfaceIntegral::new(asperities, heights, surface.asperity_density, settings.tolerance);
             predictor = match query.loading {
                 NormalLoading::Separation(_) => Predictor::at(value, heights),
-                // Without equilibrium of the infinite surface a drawn one may have it all the same.
+                // A drawn surface may have an equilibrium where the infinite one has none.
                 NormalLoading::Pressure(_) => {
                     separation_for(&mut integral, heights, value, predictor, settings.tolerance)
                         .map_or(predictor, |equilibrium| equilibrium.predictor())

@@ -45,7 +45,7 @@ type Expected = (&'static str, f64, fn(&SampledState) -> f64);
 
 #[test]
 fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
-    // At a held separation pressure, friction stress, area and number are means over the
+    // At constant separation pressure, friction stress, area and number are means over the
     // asperities: their averages over surfaces of any size are those of the integral.
     let law = closed_form("jackson-green", &STEEL).unwrap();
     for radii in [Radii::from(1e-4), Radii::counted(&[3e-5, 1e-4, 2e-4], &[1.0, 2.0, 1.0]).unwrap()] {
@@ -77,7 +77,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
                 // The intervals hold 95 %: of sixteen, none is expected beyond 1.5 times one.
                 let off = (scatter.mean - exact).abs() / scatter.mean_error;
                 assert!(off < 1.5, "{name} at {separation:e}: {off} intervals");
-                // Tight enough to mean something.
+                // The scatter is small enough for a meaningful comparison.
                 assert!(scatter.mean_error < 0.1 * exact, "{name}");
             }
         }

@@ -92,7 +92,7 @@ impl FileKeys {
         }
     }
 
-    /// The other tables of the section `uncertainty`, relative ones beside the surface file.
+    /// The other tables of the section `uncertainty`, relative paths in the folder of the surface file.
     pub(super) fn uncertain_tables(&self, folder: &Path) -> Vec<(String, PathBuf)> {
         let tables = self.uncertainty.iter().flat_map(|keys| &keys.tables);
         tables.map(|(key, file)| (key.clone(), folder.join(file))).collect()

@@ -21,7 +21,7 @@ pub struct SurfaceFile {
     pub uncertain: Vec<Uncertain>,
     /// Tables of a material of which one constant is raised by its standard deviation.
     pub uncertain_tables: Vec<(String, PathBuf)>,
-    /// The text of the file, kept with the results.
+    /// The text of the file, stored with the results.
     pub text: String,
     /// The file itself, named in errors.
     file: PathBuf,
@@ -41,7 +41,7 @@ impl SurfaceFile {
     pub fn read(file: &Path) -> Result<Self, SurfaceFileError> {
         use std::io::Read;
 
-        /// Far more than anyone writes, and less than a device that never ends.
+        /// Above the size of any surface file; bounds the read from an endless device.
         const MOST: u64 = 16 << 20;
         let unreadable = |reason: String| SurfaceFileError::Unreadable { file: file.to_path_buf(), reason };
         let mut text = String::new();
@@ -55,7 +55,7 @@ impl SurfaceFile {
     }
 
     /// Checks the `text` of a surface file; `file` is named in errors, and measured
-    /// heights are looked for beside it.
+    /// heights are looked for in its folder.
     pub fn parse(file: &Path, text: String) -> Result<Self, SurfaceFileError> {
         Self::parse_moved(file, text, None)
     }

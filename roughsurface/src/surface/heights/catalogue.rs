@@ -44,7 +44,7 @@ pub struct Entry {
     build: fn(&HeightsKeys, &Path) -> Built,
 }
 
-/// Every distribution that a surface file can ask for.
+/// Every distribution of a surface file.
 pub const DISTRIBUTIONS: &[Entry] = &[
     Entry { name: "gaussian", keys: &["std"], build: |keys, _| Ok(Box::new(Gaussian::new(std(keys)?))) },
     Entry {

@@ -3,7 +3,7 @@ use super::text_file::TextFile;
 use rand::RngExt;
 use std::path::Path;
 
-/// Measured heights, each standing for an equal share of the summits.
+/// Measured heights, each representing an equal share of the summits.
 #[derive(Clone, Debug)]
 pub struct Sample {
     /// Highest first, m.
