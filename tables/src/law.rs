@@ -2,7 +2,7 @@
 
 pub use crate::quantity::Estimate;
 
-/// State of one asperity at one instant of its slide: SI units, the whole asperity.
+/// State of one asperity after a slip: SI units, the whole asperity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Response {
     /// Normal force P, N.
@@ -15,7 +15,7 @@ pub struct Response {
     pub temperature_max: Estimate,
 }
 
-/// Why a law has no answer for a state.
+/// Reason why a law has no response for a state.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LookupError {
     #[error("interference {interference:.6} omega_c is above the table, which ends at {limit:.6} omega_c")]
@@ -85,12 +85,12 @@ pub trait AsperityLaw: Send + Sync {
     fn name(&self) -> String;
     /// ω_c in metres for a sphere of `radius` metres.
     fn critical_interference(&self, radius: f64) -> f64;
-    /// Largest ω/ω_c for which there is an answer; infinite for closed forms.
+    /// Largest ω/ω_c of the range of the law; infinite for closed forms.
     fn interference_limit(&self) -> f64;
     /// Values of ω/ω_c where the law or its derivatives have kinks: integrate between them.
     fn breaks(&self) -> Vec<f64>;
-    /// Further such values for a sphere of `radius` (m) that has slid by `slip` (m): where its
-    /// slide has come to an end, say.
+    /// Further such values for a sphere of `radius` (m) that has slid by `slip` (m): for example where
+    /// its histories end.
     fn breaks_after(&self, _radius: f64, _slip: f64) -> Vec<f64> {
         Vec::new()
     }
@@ -105,14 +105,14 @@ pub trait AsperityLaw: Send + Sync {
         slip_rate: f64,
         slip: f64,
     ) -> Result<Response, LookupError>;
-    /// [`response`](AsperityLaw::response) for many questions at one radius and slip rate, where
-    /// a law can prepare for them.
+    /// [`response`](AsperityLaw::response) for repeated evaluation at one radius and slip rate, for
+    /// which a law can precompute data.
     fn at_slip_rate(&self, radius: f64, slip_rate: f64) -> Result<SlidingResponse<'_>, LookupError> {
         Ok(Box::new(move |interference, slip| self.response(radius, interference, slip_rate, slip)))
     }
 
     /// Energy that one asperity releases from full stick to full slip, J: work of the flat less
-    /// the change of elastic energy, up to sliding inception; none where the law does not know it.
+    /// the change of elastic energy, up to sliding inception; none if the law does not define it.
     fn energy_release(
         &self,
         _radius: f64,

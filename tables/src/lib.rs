@@ -1,10 +1,10 @@
-//! The response of one asperity, as looked up: load, friction and contact area of a spherical asperity
+//! The single-asperity response: load, friction and contact area of a spherical asperity
 //! against interference, slip rate and slip.
 //!
 //! | room | content |
 //! |---|---|
 //! | [`quantity`] | the one list of quantities, values and histories keyed by it, numbers as text |
-//! | [`law`] | the question that every table and every closed form answers |
+//! | [`law`] | interface of the single-asperity response, of tables and closed forms |
 //! | [`closed_forms`] | models of the literature |
 //! | [`table`] | axes, cells and their state, merging, comparison |
 //! | [`interpolation`] | a table between its points, below and above them, at other radii and temperatures |

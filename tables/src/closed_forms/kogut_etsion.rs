@@ -1,4 +1,4 @@
-//! Elastic–plastic sphere, frictionless press and the static friction it carries afterwards.
+//! Elastic–plastic sphere, frictionless press and static friction.
 //!
 //! L. Kogut & I. Etsion, *Elastic-plastic contact analysis of a sphere and a rigid flat*,
 //! J. Appl. Mech. 69, 657 (2002), doi 10.1115/1.1490373 (load, area); *A semi-analytical

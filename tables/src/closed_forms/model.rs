@@ -17,7 +17,7 @@ enum NormalContact {
 
 impl NormalContact {
     /// Interference, in ω_c, and load, in P_c, by which the authors divide theirs: their first
-    /// yield is a fit, and that of Brizmer et al. happens in full stick.
+    /// yield is a fit, and that of Brizmer et al. is in full stick.
     fn units(self, poisson_ratio: f64) -> (f64, f64) {
         let (fit, interference, load) = match self {
             Self::Hertz | Self::KogutEtsion => return (1.0, 1.0),
@@ -57,7 +57,7 @@ pub const NAMES: [&str; 7] =
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no closed form is called \"{name}\"; there are {}", NAMES.join(", "))]
 pub struct UnknownClosedForm {
-    /// What was asked for.
+    /// The given name.
     pub name: String,
 }
 

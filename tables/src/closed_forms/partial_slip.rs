@@ -1,7 +1,7 @@
 //! Tangential loading of an elastic sphere on a rigid flat: stick, partial slip, gross slip.
 //!
-//! Normal and tangential problems are taken as uncoupled, which is exact for ν = ½ and a few
-//! per cent off for a rigid flat and ν = 0.3.
+//! Normal and tangential problems are taken as uncoupled, which is exact for ν = ½ and has
+//! an error of a few per cent for a rigid flat and ν = 0.3.
 //!
 //! Symbols: G* = G/(2−ν), Pa; a contact radius, m; u rigid tangential displacement of the flat
 //! relative to the far body, m; Q tangential force, N; c radius of the sticking core, m.
@@ -13,7 +13,7 @@
 //! let g_star = tangential_modulus(205e9, 0.29);
 //! let slip = constant_shear::gross_slip_displacement(457e6, g_star, 50e-6);
 //! assert!((slip - 457e6 * 50e-6 / (2.0 * g_star)).abs() < 1e-15);
-//! // Half of that carries more than half of the force.
+//! // At half of that displacement the force exceeds half of its final value.
 //! assert!((constant_shear::force_fraction(0.5) - 0.608998).abs() < 1e-6);
 //! ```
 

@@ -1,6 +1,6 @@
 //! A quantity over a plane, cell by cell: shades with their scale, or a few named classes.
 //!
-//! Shades grow darker evenly from low to high, so that they are told apart in grey as well.
+//! Shades grow darker evenly from low to high, so that they are distinct in grey as well.
 
 use kuva::plot::colormap::ColorMap;
 use kuva::plot::legend::{LegendEntry, LegendShape};
@@ -40,10 +40,10 @@ pub struct Cell {
     pub value: f64,
 }
 
-/// What the values stand for.
+/// Meaning of the values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Scale {
-    /// Shades between two values; the label, with the unit, stands beside the scale.
+    /// Shades between two values; the label, with the unit, is next to the scale.
     Shades { label: String, from: f64, to: f64 },
     /// The value is the place of a name in this list; shades go from light to dark.
     Classes(Vec<String>),
@@ -107,7 +107,7 @@ fn polygon(cell: &Cell, color: String) -> Plot {
     Plot::Line(line.with_fill().with_fill_opacity(1.0))
 }
 
-/// A plot that draws nothing but its scale of shades: a contour map without levels.
+/// A plot of the scale of shades only: a contour map without levels.
 fn scale(label: &str, from: f64, to: f64, colors: ColorMap) -> Plot {
     let plot = ContourPlot::new()
         .with_grid(vec![vec![from, to]; 2], vec![0.0, 1.0], vec![0.0, 1.0])

@@ -1,6 +1,6 @@
 //! A quantity over two axes, as bands of equal shade between black lines.
 //!
-//! The shades grow darker evenly from low to high, so that they are told apart in grey as well.
+//! The shades grow darker evenly from low to high, so that they are distinct in grey as well.
 
 use kuva::plot::ContourPlot;
 use kuva::plot::colormap::ColorMap;
@@ -15,7 +15,7 @@ use super::draw::{axes, styled};
 pub struct Map {
     /// Above the panel.
     pub title: String,
-    /// Of the values, with the unit; beside the scale of shades.
+    /// Of the values, with the unit; next to the scale of shades.
     pub label: String,
     /// Horizontal axis.
     pub x: Axis,

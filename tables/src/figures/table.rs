@@ -1,4 +1,4 @@
-//! A table at a glance.
+//! Summary figures of a table.
 
 use super::{Axis, Curve, Drawing, Figure, Map, Panel, Sheet};
 use crate::interpolation::InterpolatedTable;
@@ -34,7 +34,7 @@ const MAP_POINTS: usize = 6;
 
 impl Slice {
     /// Friction, friction stress, energy release and temperature: a map over slip rate and
-    /// interference beside curves against slip rate (or interference, where there are less than
+    /// interference next to curves against slip rate (or interference, where there are less than
     /// two positive slip rates, and no maps then).
     pub fn maps(&self) -> Sheet {
         let positive = self.axes().slip_rate.iter().filter(|rate| **rate > 0.0).count();
@@ -156,7 +156,7 @@ fn between(points: &[f64]) -> Vec<f64> {
     all
 }
 
-/// At most [`MOST_CURVES`] of so many, first and last among them.
+/// At most [`MOST_CURVES`] of the given number of curves, including the first and the last.
 fn selection(number: usize) -> impl Iterator<Item = usize> {
     let shown = number.min(MOST_CURVES);
     let last = number.saturating_sub(1);

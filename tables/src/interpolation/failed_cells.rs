@@ -11,8 +11,8 @@ impl Slice {
     ///
     /// Values are interpolated linearly in the logarithms (of quantities that are positive) between
     /// the nearest results, over the nearer of both pairs where there are two. The error is that of
-    /// the results at both ends and half their difference. Each such cell carries a warning. What
-    /// lies at the edge stays as it is: nothing is extrapolated.
+    /// the results at both ends and half their difference. Each such cell has a warning. Cells
+    /// at the edge of the grid stay without results: there is no extrapolation.
     pub fn with_failed_cells_interpolated(&self) -> (Slice, Vec<(usize, usize)>) {
         let mut table = self.clone();
         let mut filled = Vec::new();

@@ -12,8 +12,8 @@
 //!   (1968), doi 10.1098/rspa.1968.0105). Softening by heat changes Q/A; it is in proportion to the contact radius,
 //!   and w = √(ω/ω₁) for Q/A.
 //!
-//! The temperature rise is in proportion to the contact radius. Where the interface has no strength of its own, Q/P
-//! keeps the value of the first row.
+//! The temperature rise is in proportion to the contact radius. If the law of the interface has no shear strength, Q/P
+//! has the value of the first row.
 
 use super::nodes::{FIELDS, Field, Values};
 use crate::closed_forms::hertz;
@@ -25,7 +25,7 @@ use crate::table::Metadata;
 /// ω/ω_c = 0.5, 0.2, 0.1, 0.05 and 0.03. Half the strength gives a third of it, copper and aluminium 0.0016.
 const UPLIFT: f64 = 0.0022;
 
-/// Uncertainty of a ratio to the elastic sphere that is kept (w = 1), over its difference from 1. Thermal expansion
+/// Uncertainty of a constant ratio to the elastic sphere (w = 1), over its difference from 1. Thermal expansion
 /// raises the load of 4340 steel at 10 m/s to 1.42, 1.46, 1.49 and 1.53 times Hertz's at ω/ω_c = 0.1, 0.07, 0.05
 /// and 0.03; for titanium 0.3 does not cover the change.
 const UNCERTAINTY_OF_KEPT_RATIO: f64 = 0.6;
@@ -165,7 +165,7 @@ impl BelowFirstRow {
         self.first_row * self.log_ratio.exp()
     }
 
-    /// √(ω/ω₁): weight of the first row in what heat changes.
+    /// √(ω/ω₁): weight of the first row in quantities that depend on heat.
     pub(super) fn thermal_weight(self) -> f64 {
         (0.5 * self.log_ratio).exp()
     }
@@ -175,8 +175,8 @@ impl BelowFirstRow {
         if self.first_row <= 1.0 { 1.0 } else { self.thermal_weight() }
     }
 
-    /// Relative uncertainty of a ratio to the elastic sphere: all of the part that tends to 1, and a share of a ratio
-    /// that is kept.
+    /// Relative uncertainty of a ratio to the elastic sphere: all of the part that tends to 1, and a share of a
+    /// constant ratio.
     pub(super) fn ratio_uncertainty(self, ratio: f64) -> f64 {
         let share = if self.press_weight() < 1.0 { 1.0 } else { UNCERTAINTY_OF_KEPT_RATIO };
         let uncertainty = share * (ratio - 1.0).abs() * (1.0 - self.thermal_weight());

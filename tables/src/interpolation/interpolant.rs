@@ -23,7 +23,7 @@ pub(super) struct Interpolant {
     pub(super) sphere: ElasticSphere,
 }
 
-/// Why there is no result at a point: (row, column).
+/// Reason of a missing result at a point (row, column).
 pub(super) type Absent = (usize, usize);
 
 impl Interpolant {
@@ -86,7 +86,7 @@ impl Interpolant {
     pub(super) fn contact_radius(&self, place: Location) -> f64 {
         let Location { index, t } = place;
         let (y, slope) = (&self.log_contact_radius, &self.log_contact_radius_slope);
-        // On a row its neighbours do not matter, be they there or not.
+        // On a row the neighbouring rows have no weight and may be absent.
         if t == 0.0 {
             return y[index].exp();
         }

@@ -5,8 +5,7 @@
 //!   the last an error.
 //! - **Slip rate**: the same in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
-//!   and its derivative are continuous at V₁; heating of a resting source is linear in V at
-//!   small V.
+//!   and its derivative are continuous at V₁; heating is linear in V at small V.
 //! - **Slip**: monotone cubic in s/a₀ between the points of the histories, held after the last.
 //! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)².
 //! - **Initial temperature**: see [`temperature`].
@@ -15,7 +14,7 @@
 //!   interference and slip rate only if the errors of the points do not include it already (see
 //!   [`Slice::with_interpolation_errors`]).
 //!
-//! [`Table::at`](crate::table::Table::at) gives the [`InterpolatedTable`] at an initial temperature, which answers as
+//! [`Table::at`](crate::table::Table::at) gives the [`InterpolatedTable`] at an initial temperature, which is
 //! an [`AsperityLaw`]. Depends on `table`, `closed_forms` (the elastic limit) and `law`.
 
 mod extrapolation;
@@ -199,7 +198,7 @@ impl AsperityLaw for InterpolatedTable {
             self.check_interference(interference)?;
             let state = |slip| column.state(interference, only, slip);
             self.scaled(interference, ratio, slip, state)
-                // The general way gives the reason of an error.
+                // The general lookup gives the reason of an error.
                 .or_else(|_| self.response(radius, interference, slip_rate, slip))
         }))
     }
@@ -214,8 +213,8 @@ impl AsperityLaw for InterpolatedTable {
         if interference <= 0.0 {
             return Ok(Some(Estimate::default()));
         }
-        let ask = |quantity| self.estimate(quantity, radius, interference, slip_rate);
-        let (per_area, inception) = (ask(Quantity::EnergyRelease)?, ask(Quantity::InceptionSlip)?);
+        let lookup = |quantity| self.estimate(quantity, radius, interference, slip_rate);
+        let (per_area, inception) = (lookup(Quantity::EnergyRelease)?, lookup(Quantity::InceptionSlip)?);
         let area = self.response(radius, interference, slip_rate, inception.value)?.area;
         Ok(Some(Estimate {
             value: per_area.value * area.value,

@@ -1,10 +1,10 @@
 //! Histories of the points of a table with their slopes, and the error of interpolating between them.
 //!
 //! The interpolation error is estimated by leaving points out: each inner point of an axis is
-//! predicted from its neighbours, and the relative misfit stands for the error of intervals
-//! twice as long as those in use. Halving them halves the error at a kink, which is what is
-//! assumed (the cubic is of third order where the data are smooth, which makes this an upper
-//! estimate there). Between two points the estimate varies as 4t(1−t), being zero on them.
+//! predicted from its neighbours, and the relative misfit is the error of intervals
+//! twice as long as those in use. Half of it is taken as the error, which is correct at a kink
+//! and an upper bound for smooth data, where the cubic is of third order. Between two points the estimate varies as
+//! 4t(1−t), being zero on them.
 
 use super::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
 use crate::quantity::Quantity;
@@ -16,7 +16,7 @@ pub(super) enum Field {
     Load,
     Friction,
     Area,
-    /// T_max above the initial temperature: it follows power laws, T itself does not.
+    /// Rise of T_max above the initial temperature, which follows power laws.
     TemperatureRise,
 }
 
@@ -200,7 +200,7 @@ impl Nodes {
 /// Relative misfit of the point `own` of a line when predicted from the others.
 fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) -> Option<Values> {
     if axis.len() == 2 {
-        // Nothing to leave out: the two means that a middle could have.
+        // No inner point to leave out: the difference of the two possible means in the middle.
         let (a, b) = (line(0)?, line(1)?);
         return Some(std::array::from_fn(|f| {
             let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
@@ -315,7 +315,7 @@ fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Values> {
     let begins = if begins.is_finite() { begins } else { 0.0 };
     let ends = slips.last().copied().unwrap_or(0.0);
     let last = QUANTITIES.map(relative);
-    // Where nothing is known of the beginning, as of the end.
+    // Without errors at the start, those at the end.
     let first: Values = std::array::from_fn(|f| match relative(BEFORE_SLIDING[f]) {
         error if error.is_nan() => last[f],
         error => error,
@@ -341,7 +341,7 @@ pub(super) fn log_contact_radii(table: &Slice) -> Vec<f64> {
     (0..rows).map(radius).collect()
 }
 
-/// Why there is no response at a point.
+/// Reason of a missing response at a point.
 pub(super) fn reason(status: &Status) -> String {
     match status {
         Status::Done(_) => "the table has no complete results there".to_string(),

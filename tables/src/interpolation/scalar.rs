@@ -82,7 +82,7 @@ impl InterpolatedTable {
     }
 }
 
-/// The first row, which bears `load` on `area` while it slides, and an interference below it.
+/// The first row, with `load` and `area` while it slides, and an interference below it.
 struct FirstRow<'a> {
     sphere: &'a ElasticSphere,
     below: BelowFirstRow,
@@ -103,7 +103,7 @@ impl FirstRow<'_> {
             ElasticLimit::Load => pressed(&|at| sphere.load(at)),
             ElasticLimit::Area => pressed(&|at| sphere.area(at)),
             ElasticLimit::ContactRadius => pressed(&|at| sphere.contact_radius(at)),
-            // No strength of its own: friction coefficients stay, forces are in proportion to the load.
+            // No shear strength of the interface: friction coefficients are constant, forces proportional to the load.
             _ if !self.has_friction() => match quantity.descriptor().units {
                 "1" => row,
                 "N" => row * sphere.load(here) / sphere.load(first),
@@ -163,7 +163,7 @@ impl FirstRow<'_> {
         self.sphere.sliding_friction(interference).unwrap_or(f64::NAN)
     }
 
-    /// Q/A, from Q in the first row: what sliding friction has beside the area is changed by heat.
+    /// Q/A, from Q in the first row: heat changes sliding friction per area.
     fn strength(&self, friction: f64) -> f64 {
         let elastic = |at: f64| self.shear(at) / self.sphere.area(at);
         self.weighted(&elastic, friction / self.area, self.below.thermal_weight())

@@ -52,7 +52,7 @@ pub fn slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     slopes
 }
 
-/// Where a value lies on an axis: between the points `index` and `index + 1`, at the fraction
+/// Position of a value on an axis: between the points `index` and `index + 1`, at the fraction
 /// `t` of the way; `t` is 0 or 1 outside the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Location {

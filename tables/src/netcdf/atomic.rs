@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempPath;
 
-/// Writes a file under a temporary name beside `path`, and renames it once it is complete and on the disk.
+/// Writes a file under a temporary name in the folder of `path`, and renames it once it is complete and on the disk.
 /// A file of that name is replaced; symbolic links are followed.
 ///
 /// ```
@@ -16,7 +16,7 @@ use tempfile::TempPath;
 /// let path = std::env::temp_dir().join(format!("atomic-example-{}.txt", std::process::id()));
 /// write_atomically(&path, |file| writeln!(file, "whole"))?;
 /// assert_eq!(std::fs::read_to_string(&path)?, "whole\n");
-/// // Nothing of a file that could not be completed is left, and the one before it stays.
+/// // A file that could not be completed is removed, and the previous one is unchanged.
 /// assert!(write_atomically(&path, |_| Err(std::io::Error::other("no data"))).is_err());
 /// assert_eq!(std::fs::read_to_string(&path)?, "whole\n");
 /// # std::fs::remove_file(&path)?;
@@ -52,7 +52,7 @@ impl Temporary {
         // As for any new file: temporary files are for their owner only.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        // The message of the library names the temporary file instead of the one asked for.
+        // The message of the library names the temporary file instead of the requested one.
         let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
         Ok(Self { place: file.into_temp_path(), destination })
     }

@@ -2,7 +2,7 @@
 //!
 //! The checksum of the content of a table (see [`schema`](super::schema)) is an attribute, which can be read only
 //! once the HDF5 library has opened the file; some damage makes that library crash or write outside its memory. So
-//! every file ends with a line of its own, which is verified before the library sees any of it.
+//! every file ends with a line of its own, which is verified before the library opens it.
 //!
 //! HDF5 states in its first bytes where its data end, and ignores what follows: to other programs the file is an
 //! ordinary one. A program that changes the file drops the line, as HDF5 cuts the file off where its data end. A

@@ -1,7 +1,7 @@
-//! The header of a classic netCDF file, walked through before the netCDF library does.
+//! The header of a classic netCDF file, checked before the netCDF library reads it.
 //!
-//! The library allocates what the counts of a header ask for before it finds out whether the file
-//! holds it: gigabytes for a small file with a damaged count. The format: NetCDF Users Guide,
+//! The library allocates memory by the counts of a header before it checks whether the file
+//! contains the data: gigabytes for a small file with a damaged count. The format: NetCDF Users Guide,
 //! appendix "File Format Specifications" (CDF-1, CDF-2, CDF-5).
 
 const DIMENSIONS: u64 = 0x0A;

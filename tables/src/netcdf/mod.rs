@@ -1,10 +1,10 @@
-//! CF netCDF files, written whole or not at all and read with errors that say what is missing.
+//! CF netCDF files, written completely or not at all and read with errors that name what is missing.
 //!
 //! - [`DatasetWriter`] and [`DatasetReader`]: the files of the project (`run.nc`, `table.nc`, `friction.nc`);
 //!   equal content gives equal bytes.
 //! - [`Table::read`](crate::table::Table::read) and `write`: the schema of tables ([`schema`]) with a checksum of
 //!   their content; the same as comma-separated values.
-//! - A checksum of all bytes, verified before the netCDF library sees the file; a sandbox in which files of other
+//! - A checksum of all bytes, verified before the netCDF library opens the file; a sandbox in which files of other
 //!   programs are read first ([`enable_sandbox`]).
 //! - [`write_atomically`]: every file of the project appears whole or not at all.
 //!
@@ -32,7 +32,7 @@ pub use writer::DatasetWriter;
 /// CF version written to the attribute `Conventions`.
 pub const CONVENTIONS: &str = "CF-1.11";
 
-/// Stands for an unknown number in files; NaN in memory.
+/// Fill value of an unknown number in files; NaN in memory.
 pub const FILL_VALUE: f64 = 9.969_209_968_386_869e36;
 
 /// Compressed data are at most this many times larger than the file (the limit of deflate is 1032).

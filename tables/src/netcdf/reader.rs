@@ -33,7 +33,7 @@ impl DatasetReader {
     pub fn open(path: &Path) -> Result<Self, DatasetError> {
         let shown = path.display().to_string();
         let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };
-        // The library's own message for a missing file does not always say so.
+        // The library's message for a missing file does not always name the reason.
         let opened = std::fs::File::open(path).and_then(|mut file| {
             let damage = match checksum::inspect(&mut file)? {
                 Checksum::Agrees => None,
@@ -166,7 +166,7 @@ impl DatasetReader {
         let variable = self.variable(name)?;
         let lengths = variable.dimensions().iter().map(|dimension| dimension.len());
         let found: Vec<usize> = lengths.collect();
-        // Dimensions cost nothing in a file: they may promise more than any memory holds.
+        // Dimensions take no space in a file and may exceed any memory.
         let values = found.iter().try_fold(1usize, |product, length| product.checked_mul(*length));
         if values.is_none_or(|values| values > self.most_values) {
             let what = format!("variable \"{name}\" has shape {found:?}, more than the file can hold");

@@ -1,10 +1,10 @@
 //! netCDF-4 files of other programs are read in a separate process first.
 //!
-//! The HDF5 library trusts the files that it reads: of tables damaged at random it crashed on one in ten. The files
-//! of this project carry a checksum (see `checksum`), so that damage is found before the library sees the file.
-//! Other files carry none. A program that has called [`enable`] reads each of them in a copy of itself, with limited
-//! memory and time: where the copy crashes or panics, the file is refused with a message, even if the damaged part is
-//! one that the program would not have read. That takes some hundredths of a second a file.
+//! The HDF5 library does not validate the files that it reads and may crash on damaged ones. The files of this project
+//! have a checksum (see `checksum`), so that damage is found before the library opens the file. Other files have none.
+//! A program that has called [`enable`] reads each of them in a copy of itself, with limited memory and time: where
+//! the copy crashes or panics, the file is refused with a message, even if the damaged part is one that the program
+//! would not have read. That takes some hundredths of a second a file.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use super::{MOST_EXPANSION, indices};
 
 /// Path of the file that a copy of the program is to read; absent in the program itself.
 const FILE: &str = "ASPERITY_SANDBOX";
-/// Address space in bytes, beside that of the expanded file.
+/// Address space in bytes, in addition to that of the expanded file.
 const MEMORY: u64 = 1 << 30;
 const TIME: Duration = Duration::from_secs(60);
 /// Status of a copy that could not open the file; the reason is on its standard output.
@@ -27,8 +27,8 @@ const NOT_OPENED: i32 = 3;
 
 static ENABLED: OnceLock<()> = OnceLock::new();
 
-/// To be called first in `main`: from then on netCDF-4 files without a checksum are read in the sandbox first. In a copy
-/// of the program that was started for that, reads the file and ends the process.
+/// To be called first in `main`: from then on netCDF-4 files without a checksum are read in the sandbox first. In a
+/// copy of the program that was started for that, reads the file and ends the process.
 ///
 /// Without it they are read at once; damaged ones may then crash the process.
 pub fn enable() {

@@ -1,8 +1,8 @@
-//! What makes a file a table of this schema, and whether its content is as it was written.
+//! Schema of tables: kind and version of a file, and the checksum of its content.
 //!
 //! The checksum is the SHA-256 of all that a reader relies on: coordinates, numbers with their
 //! errors, histories, states, warnings, and the constants and the request that they hold for.
-//! Title, history and comment are left out, so that tools which add to them do no harm.
+//! Title, history and comment are left out, so that other tools may change them.
 
 use sha2::{Digest, Sha256};
 

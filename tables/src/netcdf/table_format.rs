@@ -30,7 +30,7 @@ pub(super) const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
 ];
 
 /// Numbers of the metadata that change with the initial temperature: at several they are variables over
-/// it, beside the attributes, which are those of the lowest. Name, unit, meaning.
+/// it, in addition to the attributes, which are those of the lowest. Name, unit, meaning.
 pub(super) const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
     ("critical_interference", "m", "interference of first yield"),
     ("contact_modulus", "Pa", "contact modulus E/(1-nu^2) at the initial temperature"),

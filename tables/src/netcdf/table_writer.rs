@@ -32,7 +32,7 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
     let mut file = DatasetWriter::create(path, &metadata.title)?;
     for (name, text) in TEXT_ATTRIBUTES.iter().skip(1) {
         let text = text(&mut metadata);
-        // CF wants no empty attributes.
+        // CF does not allow empty attributes.
         if !text.is_empty() {
             file.attribute(name, text.as_str())?;
         }

@@ -144,7 +144,7 @@ impl CrossValidation {
         &self.along[along as usize].coordinate
     }
 
-    /// Relative error of interpolating in the surroundings of a point: the larger of both sides
+    /// Relative error of interpolating next to a point: the larger of both sides
     /// along each axis, added.
     pub fn around(&self, i: usize, j: usize, quantity: Quantity) -> f64 {
         let side = |along: Along, point: usize, across: usize| {

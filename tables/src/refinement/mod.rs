@@ -108,7 +108,7 @@ impl Goal {
     ///
     /// let table = table("steel-304")?;
     /// let asked = |tolerance| Goal { tolerance, most_cells: 400 }.next_axes(&table);
-    /// // Good to 20 %, G included; for 2 % it wants more points.
+    /// // Good to 20 %, G included; 2 % requires more points.
     /// assert_eq!(asked(0.2), None);
     /// let more = asked(0.02).unwrap();
     /// assert!(more.interference.len() * more.slip_rate.len() > 56);

@@ -68,7 +68,7 @@ fn refined(tolerance: f64, most_cells: usize) -> (Slice, usize) {
 }
 
 /// Largest relative error between the points, on a fine grid that is independent of the points of the table, and
-/// the share of answers whose error estimate covers the true error.
+/// the coverage: the share of values whose error estimate covers the true error.
 fn actual(slice: &Slice) -> (f64, f64) {
     let table = slice.clone().interpolated();
     let (mut worst, mut covered, mut asked) = (0.0_f64, 0, 0);

@@ -13,7 +13,7 @@ pub struct Cell {
     pub scalars: Scalars,
     /// Values over the slip axis; a column that is not known is empty.
     pub histories: History,
-    /// Whether μ has levelled off at the end of the slide.
+    /// Whether μ is steady at the end of the slide.
     pub steady: bool,
     /// What the run took, s.
     pub wall_time: f64,

@@ -31,8 +31,8 @@ fn constant_shear_friction_of_the_plastic_sphere() {
 
 #[test]
 fn heat_aside_the_models_disagree_as_published() {
-    // Once it has yielded, a sphere of Chang et al. carries no friction and one of Kogut &
-    // Etsion little; full stick carries more than the shear strength of the body allows.
+    // Once it has yielded, a sphere of Chang et al. has no friction and one of Kogut &
+    // Etsion little; in full stick friction exceeds the shear strength of the body.
     let at = |name| friction_coefficient(name, 5.0);
     assert_eq!(at("chang-etsion-bogy"), 0.0);
     assert!(at("kogut-etsion") < 0.2 && at("constant-shear") > 0.28);

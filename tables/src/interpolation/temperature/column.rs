@@ -10,7 +10,7 @@ use crate::table::Cell;
 /// of the interval, fraction of it, outer and inner values.
 type Cubic = fn([Option<f64>; 2], f64, f64, [Option<f64>; 2], [f64; 2]) -> f64;
 
-/// A number at all temperatures `x`, NaN where it is not known, looked at between two of them.
+/// A number at all temperatures `x`, NaN where unknown, for interpolation between two of them.
 pub(super) struct Line<'a, F> {
     x: &'a [f64],
     place: Location,
@@ -39,11 +39,11 @@ impl<'a, F: Fn(usize) -> f64> Line<'a, F> {
     /// Error of the value.
     ///
     /// Each inner temperature next to the place is left out and predicted from the others; the larger
-    /// relative misfit is the error in the middle, though the gap that made it was wider. It falls to
-    /// zero at both ends as a square root, since softening laws may begin with an infinite slope. What
-    /// the cubic differs by from the straight line comes on top. Where nothing can be left out the error
-    /// in the middle is a quarter of the difference of both sides: as far as a parabola that is level at
-    /// one end departs from the straight line.
+    /// relative misfit, that of a wider interval, is taken as the error in the middle. It falls to zero at both
+    /// ends as a square root, since softening laws may begin with an infinite slope. The difference between
+    /// the cubic and the straight line is added. Where no temperature can be left out, the error in the middle
+    /// is a quarter of the difference of both sides: the distance of a parabola with zero slope at one end
+    /// from the straight line.
     pub(super) fn error(&self) -> f64 {
         let (x, value, found) = (self.x, &self.value, self.value());
         let Location { index, t } = self.place;
@@ -69,7 +69,7 @@ impl<'a, F: Fn(usize) -> f64> Line<'a, F> {
     }
 }
 
-/// What quantities are counted in: powers of yield strength and contact modulus, both in Pa.
+/// Units of the quantities: powers of yield strength and contact modulus, both in Pa.
 pub(super) struct Units {
     /// At the temperatures of the series.
     pub members: Vec<(f64, f64)>,
@@ -86,7 +86,7 @@ impl Units {
                 let (of_strength, of_modulus) = quantity.descriptor().material_exponents;
                 strength.powi(of_strength) * modulus.powi(of_modulus)
             }
-            // A table without these constants is read as it is.
+            // A table without these constants is interpolated in SI units.
             false => 1.0,
         }
     }

@@ -165,7 +165,7 @@ fn between_its_temperatures_it_is_smooth_and_meets_its_tables() {
     assert_eq!(ends[0], 700.0);
     assert!((ends[1] / numbers[2] - 1.0).abs() < 1e-12);
     assert!((strength / (INITIAL_STRENGTH * softening(700.0)) - 1.0).abs() < 2e-3, "{strength}");
-    // The table answers as any other does.
+    // The table is a law like any other.
     let table = several.at(700.0).unwrap();
     assert!(table.response(1e-3, 3.0, 0.5, 1e-6).unwrap().load.value > 0.0);
     // What is a power of ω_c at every temperature stays one.

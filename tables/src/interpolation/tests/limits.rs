@@ -14,7 +14,7 @@ fn continuous_and_elastic_below_the_first_row() {
         let (t_below, t_above) = (below.temperature_max.value, above.temperature_max.value);
         assert!((t_below - t_above).abs() < 1e-4);
     }
-    // Deep below, τ = τ_c(T₀) whatever the slip rate, and P is Hertz's but for what slip does to it in the row.
+    // Deep below, τ = τ_c(T₀) whatever the slip rate, and P is Hertz's times the change with slip in the row.
     let omega = 1e-9;
     let small = table.response(RADIUS, omega, 10.0, 1e-3).unwrap();
     let strength = small.friction.value / small.area.value;
@@ -52,17 +52,17 @@ fn last_slip_is_held() {
 #[test]
 fn outside_and_missing_are_refused_with_their_reason() {
     let table = table();
-    let ask = |table: &InterpolatedTable, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
-    assert!(matches!(ask(&table, 101.0, 1.0), Err(LookupError::InterferenceAbove { .. })));
-    assert!(ask(&table, 100.0, 10.0).is_ok());
-    assert!(matches!(ask(&table, 1.0, 11.0), Err(LookupError::SlipRateOutside { .. })));
+    let lookup = |table: &InterpolatedTable, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
+    assert!(matches!(lookup(&table, 101.0, 1.0), Err(LookupError::InterferenceAbove { .. })));
+    assert!(lookup(&table, 100.0, 10.0).is_ok());
+    assert!(matches!(lookup(&table, 1.0, 11.0), Err(LookupError::SlipRateOutside { .. })));
     let table = changed(|slice| slice.mark_failed(3, 2, "no convergence"));
     let omega = table.axes().interference[3];
-    let message = ask(&table, 1.01 * omega, 0.2).unwrap_err().to_string();
+    let message = lookup(&table, 1.01 * omega, 0.2).unwrap_err().to_string();
     assert!(message.ends_with("the run failed: no convergence"), "{message}");
     // A neighbour that is missing only makes the slopes one-sided.
-    assert!(ask(&table, 1.01 * omega, 5.0).is_ok());
-    assert!(ask(&table, 0.2, 0.2).is_ok());
+    assert!(lookup(&table, 1.01 * omega, 5.0).is_ok());
+    assert!(lookup(&table, 0.2, 0.2).is_ok());
 }
 
 #[test]
@@ -154,19 +154,19 @@ fn extrapolation_is_explicit_and_flagged() {
         table.set_cell(i, j, cell).unwrap();
     }
     let table = table.interpolated();
-    let ask = |omega, rate| table.extrapolate(Quantity::Load, RADIUS, omega, rate).unwrap();
+    let lookup = |omega, rate| table.extrapolate(Quantity::Load, RADIUS, omega, rate).unwrap();
     assert!(table.estimate(Quantity::Load, RADIUS, 20.0, 1.0).is_err());
-    let inside = ask(3.0, 0.3);
+    let inside = lookup(3.0, 0.3);
     assert!(!inside.outside && inside.estimate == table.estimate(Quantity::Load, RADIUS, 3.0, 0.3).unwrap());
     for (omega, rate) in [(20.0, 0.5), (5.0, 3.0), (30.0, 7.0)] {
-        let there = ask(omega, rate);
+        let there = lookup(omega, rate);
         assert!(there.outside);
         assert!(relative(there.estimate.value, power(omega, rate)) < 1e-9, "{omega} {rate}");
         let held = power(omega.min(10.0), rate.min(1.0));
         assert!(there.estimate.error >= 0.999 * (power(omega, rate) - held).abs());
     }
     // Towards rest it is held, and covers the power law.
-    let slow = ask(5.0, 0.01);
+    let slow = lookup(5.0, 0.01);
     assert!(slow.outside && relative(slow.estimate.value, power(5.0, 0.1)) < 1e-9);
     assert!(slow.estimate.error >= 0.999 * (power(5.0, 0.01) - power(5.0, 0.1)));
 }
