@@ -1,4 +1,4 @@
-//! From elastic to plastic contact: what the shipped tables say of static friction, of the load that an
+//! From elastic to plastic contact: results of the shipped tables on static friction, of the load that an
 //! asperity loses as it slides at a held interference, and of its growing contact.
 //!
 //! Nothing is simulated. Prints the isothermal column of the 4340 table beside two limits of a contact of

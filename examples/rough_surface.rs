@@ -42,7 +42,7 @@ fn main() -> anyhow::Result<()> {
     };
     let prediction = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ())?;
 
-    // 4. The answer: one row per pressure, one column per slip rate.
+    // 4. The result: one row per pressure, one column per slip rate.
     println!("pressure [MPa]   slip rate [m/s]   mu_static   mu       real area   outside the table");
     for (pressure, row) in query.loading.values().iter().zip(&prediction.friction) {
         for (rate, friction) in query.slip_rates.iter().zip(row) {

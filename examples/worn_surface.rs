@@ -1,4 +1,4 @@
-//! A full study: does a surface that has lost its peaks rub less than a fresh one of the same roughness?
+//! A full study: has a surface that has lost its peaks less friction than a fresh one of the same roughness?
 //!
 //! Simulates a table of one 4340 steel asperity over interference and slip rate, puts such asperities
 //! on a Gaussian surface and on one whose heights are skewed by wear, both with the same summits per

@@ -6,8 +6,8 @@
 //! | one asperity, pressed and slid, from Rust | `cargo run --release -p examples --example hertz_to_slide` |
 //! | friction of a Gaussian surface, from Rust | `cargo run --release -p examples --example rough_surface [table.nc]` |
 //! | from elastic to plastic contact, from the shipped tables | `cargo run --release -p examples --example elastic_to_plastic [figure.svg]` |
-//! | a press beside the fits of the literature | `cargo run --release -p examples --example press_curves [figure.svg]` |
-//! | a model without an end state, and what helps | `cargo run --release -p examples --example no_end_state [figure.svg]` |
+//! | a press in comparison with the fits of the literature | `cargo run --release -p examples --example press_curves [figure.svg]` |
+//! | a model without an end state, and its remedy | `cargo run --release -p examples --example no_end_state [figure.svg]` |
 //! | a study of fresh and worn surfaces, from Rust | `cargo run --release -p examples --example worn_surface` |
 //! | one asperity, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
 //! | a brake disc, bearing steel, a granite fault | `roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc` |

@@ -80,8 +80,8 @@ fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
     for row in rows.iter().filter(|row| number(row, 0) < 1.0) {
         let (friction, error, limit) = (number(row, 1), number(row, 3), number(row, 4));
         // The limit does not know that friction lifts the contact, see `tables::interpolation`.
-        let lifted = 0.0022 / number(row, 0) * limit;
-        assert!((friction - limit).abs() < error + lifted, "{row}");
+        let uplift = 0.0022 / number(row, 0) * limit;
+        assert!((friction - limit).abs() < error + uplift, "{row}");
     }
     let last = rows.last().unwrap();
     assert!((number(last, 1) - 0.206).abs() < 0.01 && number(last, 5) < 0.93, "{text}");

@@ -1,4 +1,4 @@
-//! What README and book say of the shipped tables is what the tables say of themselves.
+//! The numbers of README and book on the shipped tables agree with the tables.
 
 use std::path::Path;
 
@@ -50,8 +50,8 @@ fn stated_errors_are_those_of_the_tables() {
     assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
 
-/// Below their first row tables agree with runs within what both say of their errors, and that is not much. Titanium
-/// conducts badly: hot contacts are the hardest there.
+/// Below their first row tables agree with runs within the stated errors of both. Titanium
+/// has a low conductivity: its hot contacts are the most demanding case.
 #[test]
 fn below_their_first_row_tables_agree_with_runs() {
     use Quantity::*;
@@ -87,8 +87,8 @@ fn below_their_first_row_tables_agree_with_runs() {
     }
 }
 
-/// Friction of an elastic contact of copper, which slips all over at a thousandth of its radius, rises along the table as
-/// it does under a constant shear strength (Savkoor 1987).
+/// Friction of an elastic contact of copper, which slips all over at a thousandth of its radius, rises along the table
+/// as it does under a constant shear strength (Savkoor 1987).
 #[test]
 fn tables_show_partial_slip() {
     let table = shipped::table("copper").unwrap();

@@ -1,4 +1,4 @@
-//! A height map or profile of any format. What it is read from lies in memory.
+//! A height map or profile of any format. It is read from memory.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

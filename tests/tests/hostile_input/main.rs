@@ -1,4 +1,4 @@
-//! Every reader against damaged and malicious input: whatever the bytes, an answer or an error, but
+//! Every reader against damaged and malicious input: whatever the bytes, a result or an error, but
 //! no panic, no crash of a library, and no more memory than the limit set here.
 //!
 //! Inputs are mutations of good files by a fixed sequence of pseudo-random numbers: bits flipped,
@@ -121,19 +121,19 @@ fn no_input_breaks_a_reader() {
     survive(&["scene", "request", "surface", "topography"]);
 }
 
-/// The HDF5 library crashes on one damaged file in eight or so: it must not come to see them.
+/// The HDF5 library crashes on one damaged file in eight or so: such files must not reach it.
 #[test]
 fn no_damaged_table_breaks_a_reader() {
     survive(&["table"]);
 }
 
-/// netCDF-4 files without a seal, as other programs write them: a table, and a map of heights.
+/// netCDF-4 files without a checksum, as other programs write them: a table, and a map of heights.
 fn foreign(folder: &Path) -> Vec<(&'static str, &'static str, Vec<u8>)> {
     let path = folder.join("seed.nc");
     table().write(&path).unwrap();
     let mut bytes = std::fs::read(&path).unwrap();
-    let seal = bytes.windows(8).rposition(|end| end == b"\nsha256 ").unwrap();
-    bytes.truncate(seal);
+    let checksum = bytes.windows(8).rposition(|end| end == b"\nsha256 ").unwrap();
+    bytes.truncate(checksum);
 
     let path = folder.join("map.nc");
     let mut map = netcdf::create(&path).unwrap();
@@ -178,7 +178,7 @@ fn no_foreign_file_crashes_a_program() {
     assert!(refused > 0, "no input crashed the library: the test shows nothing");
 }
 
-/// Of each reader of text; what is too much is answered in a line, not in megabytes.
+/// Readers of text: oversized input ends with a message of one line.
 #[test]
 #[ignore = "run by the next test, in a process of its own with little memory"]
 fn reads_the_bombs() {

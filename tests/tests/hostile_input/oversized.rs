@@ -1,6 +1,6 @@
-//! Text inputs that ask for too much: deep nesting, long lists, huge counts, keys without end.
+//! Oversized text inputs: deep nesting, long lists, huge counts, keys without end.
 
-/// Texts that are small or at most some megabytes, and ask for much: deep nesting of every kind, long lists,
+/// Texts that are small or at most some megabytes, and require much work: deep nesting of every kind, long lists,
 /// huge counts, keys without end.
 pub fn bombs() -> Vec<(&'static str, String)> {
     const DEEP: usize = 100_000;
