@@ -156,7 +156,7 @@ impl Conduction {
             return step.integrate(&mut &*varying);
         }
         match step.integrate(&mut ContactIteration::default()) {
-            // At kinks of the heat flow Newton's method may cycle; minimisation is slower and always converges.
+            // At kinks of the heat flow Newton's method may cycle; minimisation is slower and does not cycle.
             Err(HeatError::NotConverged { .. }) => {
                 let constant = Kirchhoff::new(&self.mesh, self.capacity, ThermalProperties::constant());
                 step.integrate(&mut &constant)
