@@ -5,7 +5,7 @@ use crate::discretisation::body::NODAL;
 use crate::discretisation::element::RevolvedMesh;
 use crate::heat::conduction::Conduction;
 use crate::loading::problem::Units;
-use crate::loading::slide::SlideState;
+use crate::loading::state::SlideState;
 use crate::solver::newton::Mechanics;
 
 /// Fields of the body in chosen states.

@@ -4,7 +4,8 @@
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
 //! inception bracket Q is not smooth, as single points begin to slip.
 
-use super::slide::{NO_STICK, SlideState};
+use super::slide::NO_STICK;
+use super::state::SlideState;
 use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
 
 /// Sliding has begun when dQ/ds is below this share of its first value.

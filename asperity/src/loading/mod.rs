@@ -2,7 +2,7 @@
 //!
 //! Here: the scene in dimensionless form ([`problem`]), the press and the slide with their step
 //! control, the bracket of sliding inception, the coupling of mechanics, contact edge and heat within
-//! a step, the states of a slide and their recorded fields ([`recording`],
+//! a step, the states of a slide ([`state`]) and their recorded fields ([`recording`],
 //! [`body_fields`]). One run at one resolution; resolutions and errors are chosen in
 //! [`crate::simulate`].
 //!
@@ -15,6 +15,7 @@ pub(crate) mod press;
 pub(crate) mod problem;
 pub mod recording;
 pub(crate) mod slide;
+pub(crate) mod state;
 
 /// Relative residual at which a step counts as solved.
 pub(crate) const NEWTON_TOLERANCE: f64 = 2e-7;

@@ -5,7 +5,7 @@
 use crate::heat::conduction::Conduction;
 use crate::interface::contact::Status;
 use crate::loading::body_fields::RecordedBody;
-use crate::loading::slide::SlideState;
+use crate::loading::state::SlideState;
 use crate::solver::newton::Mechanics;
 
 /// States of a run recorded as fields. Always recorded: the start of the slide, slip of half of the

@@ -8,7 +8,7 @@ use tables::quantity::Quantity;
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::Units;
-use crate::loading::slide::SlideState;
+use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
 
 /// What was chosen for a run, and why.

@@ -27,7 +27,8 @@ use std::time::Instant;
 
 use crate::loading::press::Increment;
 use crate::loading::recording::Recording;
-use crate::loading::slide::{SlideFailure, SlideState};
+use crate::loading::slide::SlideFailure;
+use crate::loading::state::SlideState;
 use crate::scene::{Scene, Switch};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::outcome::Outcome;

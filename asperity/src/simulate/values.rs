@@ -7,7 +7,7 @@ use tables::quantity::Quantity;
 use crate::loading::inception::{Inception, InceptionCriterion, between, inception};
 use crate::loading::press::Increment;
 use crate::loading::problem::Problem;
-use crate::loading::slide::SlideState;
+use crate::loading::state::SlideState;
 
 /// Relative change of μ over the last quarter of the slide below which it is steady.
 const STEADY_CHANGE: f64 = 0.02;

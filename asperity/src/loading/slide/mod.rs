@@ -9,17 +9,17 @@ mod edge_search;
 mod friction_heat;
 pub mod increments;
 mod shear_limits;
-pub mod state;
+mod state;
 
 use crate::heat::conduction::{Conduction, HeatError};
 use crate::loading::problem::{Problem, SHEAR_RATIO};
 use crate::loading::recording::Recorder;
+use crate::loading::state::SlideState;
 use crate::scene::Control;
 use crate::solver::newton::{LoadingControl, Mechanics, StepFailure};
 use friction_heat::HeatSources;
 pub use increments::Increments;
 use increments::{InceptionBracket, Predictor, StepControl};
-pub use state::SlideState;
 
 /// Stick area fraction below which the contact slips fully: points that have just touched stick until
 /// they have slipped once.

@@ -15,7 +15,7 @@ use tables::quantity::Quantity;
 use crate::discretisation::mesh::EDGE_SIZE;
 use crate::scene::fitted_constants::error_estimates::{EDGE_OF_SPACING, ORDER, ORDER_OF_ELASTIC_FRICTION};
 use crate::simulate::accuracy::modelling_error::ModellingError;
-use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::accuracy::resolution::{RelativeParts, Resolution};
 use crate::simulate::values::Values;
 
 /// Where an error comes from.
@@ -66,22 +66,6 @@ pub struct ErrorBudget {
 impl Default for ErrorBudget {
     fn default() -> Self {
         Self { parts: [[0.0; QUANTITIES]; 5], brackets: [0.0; QUANTITIES] }
-    }
-}
-
-/// Relative parts of the error of the worst of the quantities controlled by the accuracy.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RelativeParts {
-    pub mesh: f64,
-    pub sectors: f64,
-    pub steps: f64,
-    pub solver: f64,
-    pub model: f64,
-}
-
-impl RelativeParts {
-    pub fn total(&self) -> f64 {
-        self.mesh + self.sectors + self.steps + self.solver + self.model
     }
 }
 

@@ -5,7 +5,6 @@ use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize};
 use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::slide::Increments;
 use crate::scene::Numerics;
-use crate::simulate::accuracy::error_budget::RelativeParts;
 
 /// Updates of temperature and contact edge in a step.
 const COUPLING_LIMIT: usize = 4;
@@ -18,6 +17,22 @@ const MOST_SECTORS: usize = 16;
 const LEAST_GROWTH: f64 = 0.05;
 /// Factor of the room for a contact that outgrows its mesh.
 const WIDER: f64 = 1.5;
+
+/// Relative parts of the error of the worst of the quantities controlled by the accuracy.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RelativeParts {
+    pub mesh: f64,
+    pub sectors: f64,
+    pub steps: f64,
+    pub solver: f64,
+    pub model: f64,
+}
+
+impl RelativeParts {
+    pub fn total(&self) -> f64 {
+        self.mesh + self.sectors + self.steps + self.solver + self.model
+    }
+}
 
 /// How finely a run is divided, in each direction.
 #[derive(Clone, Copy, Debug, PartialEq)]

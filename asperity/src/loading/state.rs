@@ -1,0 +1,34 @@
+//! What is known of a slide after each increment.
+
+/// State after one increment, dimensionless, energies of the half body since the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct SlideState {
+    pub slip: f64,
+    /// Over R.
+    pub interference: f64,
+    pub time: f64,
+    pub friction: f64,
+    pub load: f64,
+    pub area: f64,
+    pub stick_fraction: f64,
+    pub rise_max: f64,
+    pub rise_mean: f64,
+    pub plastic_strain_max: f64,
+    pub work: f64,
+    pub elastic: f64,
+    pub plastic: f64,
+    pub friction_work: f64,
+    pub springs: f64,
+    pub thermal_expansion: f64,
+    pub moduli_softening: f64,
+    pub heat_in: f64,
+    pub heat_stored: f64,
+    pub heat_out: f64,
+}
+
+impl SlideState {
+    /// Q/P; 0 without a load.
+    pub fn mu(&self) -> f64 {
+        if self.load > 0.0 { self.friction / self.load } else { 0.0 }
+    }
+}
