@@ -6,7 +6,8 @@
 //! - `body`: history at the Gauss points, ∫Bᵀσ dV, its derivative, energies, means at nodes and surface;
 //! - `runs`: vectors restricted to a part of the body.
 //!
-//! Depends on `crate::material` and `crate::scene` alone. Chapter "Mesh and elements" of the book.
+//! Depends on `crate::material` and `crate::scene` alone. Chapters "Mesh and elements" and "Integration of plastic
+//! flow" of the book.
 
 pub(crate) mod body;
 pub(crate) mod collocation;

@@ -1,11 +1,11 @@
-//! Heat: ρcθ̇ = ∇·(k∇θ) + sources.
+//! Heat conduction, ρcθ̇ = ∇·(k∇θ) + sources, for the temperature rise θ = T − T₀ (ϑ in the book).
 //!
 //! - `conduction`: transient conduction in the body, with heat flows at the contact that may depend on its
 //!   temperature;
-//! - `expected`: estimates of frictional heating.
+//! - `expected`: expected temperature rise and its effect on friction, by which heat is computed or neglected.
 //!
-//! Depends on `crate::solver::harmonic`, `crate::discretisation` and the rooms below them. Chapter "Heat" of the
-//! book.
+//! Depends on `crate::solver::harmonic`, `crate::discretisation` and the rooms below them. Chapters "Heat" and
+//! "Conduction" of the book.
 
 pub(crate) mod conduction;
 pub(crate) mod expected;

@@ -1,10 +1,10 @@
 //! The interface between asperity and flat: unilateral normal contact, stick and slip.
 //!
 //! - `contact`: pressure, shear traction, slip and stiffness of each contact node;
-//! - `contact_edge`: place of the contact edge between two rings of nodes;
+//! - `contact_edge`: position of the contact edge between two rings of nodes;
 //! - `friction_law`: limit of the shear traction, τ ≤ τ_c(p, T, ε_p).
 //!
-//! Depends on `crate::discretisation` and the rooms below it. Chapter "Interface" of the book.
+//! Depends on `crate::discretisation` and the rooms below it. Chapters "Interface" and "Contact" of the book.
 
 pub(crate) mod contact;
 pub(crate) mod contact_edge;

@@ -1,13 +1,11 @@
 //! The loading of one asperity: the normal loading (press), then the sliding (slide).
 //!
-//! Here: the scene in dimensionless form ([`problem`]), the press and the slide with their step
-//! control, the bracket of sliding inception, the coupling of mechanics, contact edge and heat within
-//! a step, the states of a slide ([`state`]) and their recorded fields ([`recording`],
-//! [`body_fields`]). One run at one resolution; resolutions and errors are chosen in
-//! [`crate::simulate`].
+//! Contains the scene in dimensionless form ([`problem`]), the press and the slide with their step control, the bracket
+//! of sliding inception, the coupling of mechanics, contact edge and heat within a step, the states of a slide ([`state`]) and
+//! their recorded fields ([`recording`], [`body_fields`]). It computes one run at one resolution; [`crate::simulate`] chooses
+//! resolutions and estimates errors.
 //!
-//! Depends on solver, interface, heat, discretisation, material, scene. Book: "One asperity", loading,
-//! coupling and step control.
+//! Depends on `crate::heat` and the rooms below it. Chapters "One asperity" and "Equilibrium" of the book.
 
 pub mod body_fields;
 pub(crate) mod inception;

@@ -1,14 +1,14 @@
 //! The material at a point: isotropic elasticity, J2 plasticity with isotropic hardening and thermal softening,
 //! thermal expansion; moduli and expansion may depend on temperature.
 //!
-//! - `Solid`: σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T), with h and f of the scene, E(T), ∫α dT;
+//! - `Solid`: σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T)/f(T₀), with h and f of the scene, E(T), ∫α dT;
 //! - `elasticity`: bulk and shear modulus; Poisson's ratio is constant;
 //! - `flow`, `return_map`: stress and plastic strain at the end of a step;
 //! - `tensor`, `log_strain`, `log_moduli`: finite strain, E = ½ ln C and its derivatives;
 //! - `lanes`: arithmetic on several angles at once.
 //!
 //! Depends on `crate::scene` alone. Stresses in units of σ_Y(T₀, ε_p = 0), temperatures as the rise θ = T − T₀ in
-//! kelvin. Chapter "One asperity" of the book.
+//! kelvin. Chapters "One asperity" and "Integration of plastic flow" of the book.
 
 pub(crate) mod elasticity;
 mod flow;

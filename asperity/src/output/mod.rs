@@ -1,7 +1,7 @@
 //! Files and figures of a run: `run.nc`, the figure, the body for ParaView, numbers as text and JSON.
 //!
-//! Writes outcomes without changing them; loops over the list of [`tables::quantity`]. Depends on simulate
-//! and the rooms below it. Book: "run.nc".
+//! Writes the results of [`crate::simulate`] without computing any; loops over the list of [`tables::quantity`]. Depends
+//! on `crate::simulate` and the rooms below it. Chapters "Run: run.nc" and "Other files" of the book.
 
 mod contact_maps;
 pub mod figures;

@@ -1,10 +1,10 @@
-//! What is simulated: material, asperity, interface, loading, model and numerics, as plain data.
+//! Input of a simulation: material, asperity, interface, loading, model and numerics, as plain data.
 //!
 //! - [`Scene`]: one run. SI units and kelvin throughout.
 //! - [`presets`]: materials with published constants and their sources.
 //! - [`file`]: scenes and table requests as TOML, read and written by serde.
 //!
-//! The room depends on no other room of the crate. Book: "Scene files", "Materials".
+//! Depends on no other room of the crate. Chapters "Scene" and "Request of a table" of the book.
 
 pub(crate) mod curve;
 pub mod file;

@@ -4,11 +4,10 @@
 //! resolution from the accuracy ─► press on the planned resolutions ─► strain measure
 //!   ─► heat ─► auxiliary runs ─► main run ─► scalars, error estimates ─► at most two finer runs ─► outcome
 //! ```
-//! One press ([`press`]) serves slides at any slip rate ([`slide`]). Errors are estimated in
-//! [`accuracy`] from the values of the runs; outcome, notes and warnings are put together in `report`
-//! and put into sentences in [`messages`].
+//! One press ([`press`]) serves slides at any slip rate ([`slide`]). [`accuracy`] estimates errors from the values of the
+//! runs; `report` collects outcome, notes and warnings; [`messages`] contains their sentences.
 //!
-//! Depends on `loading` and the rooms below it. Book: "One asperity", "Errors".
+//! Depends on `crate::loading` and the rooms below it. Chapters "What is reported" and "Errors of a run" of the book.
 
 pub mod accuracy;
 mod conditions;

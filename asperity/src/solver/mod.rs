@@ -7,7 +7,7 @@
 //! - `timings`: time by kernel.
 //!
 //! Depends on `crate::interface`, `crate::discretisation` and the rooms below them. Chapters "Equilibrium" and
-//! "The exact elastic solver" of the book.
+//! "Harmonic solver" of the book.
 
 pub(crate) mod harmonic;
 pub(crate) mod newton;

@@ -1,8 +1,9 @@
-//! Studies of the program by itself: the reference suite, the robustness suite, convergence of a scene, effectivity of
-//! the error estimates, repeated fits of constants, and the kernels for benchmarks.
+//! Studies of the program: the reference suite, the robustness suite, convergence of a scene, effectivity of the error
+//! estimates, repeated fits of constants, and the kernels for benchmarks.
 //!
-//! Callers of the simulation like any user's program; `effectivity`, `calibration` and `benchmark` also use single runs and
-//! presses of the rooms below. Book: "Verification", "Errors", "Estimated and true errors", "Speed against error".
+//! The studies call the public simulation; `effectivity`, `calibration` and `benchmark` also use single runs and presses of
+//! the rooms below. Chapters "Verification", "Effectivity of the error estimates", "Limits" and "Speed against error" of
+//! the book.
 
 pub mod benchmark;
 pub mod calibration;

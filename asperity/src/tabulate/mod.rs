@@ -2,13 +2,13 @@
 //!
 //! - `grid`: runs the cells; one press serves all slip rates of an interference. A result does not depend
 //!   on the other cells, nor on the number of threads.
-//! - `journal`: every finished cell is written at once; an interrupted tabulation continues from there and
-//!   ends with the same table.
-//! - `shard`: parts for separate machines. `cost`: run times, for shards and for the time left.
+//! - `journal`: every finished cell is written at once; an interrupted tabulation continues from the journal and
+//!   results in the same table.
+//! - `shard`: parts for separate machines. `cost`: expected run times, for shards and for the remaining time.
 //! - `cell`, `tabulation`: results as cells of a [`tables::table::Table`]. Points are added to a grid
 //!   by [`tables::refinement`].
 //!
-//! Uses `simulate`, `output` (provenance), `scene`. Book: "Tables".
+//! Depends on `crate::output` (provenance) and the rooms below it. Chapter "Tables" of the book.
 
 mod cell;
 mod cost;

@@ -1,16 +1,16 @@
 //! Friction of a rough surface: the friction–slip curve and the quantities that follow from it.
 //!
-//! For every pressure (or separation) and slip rate the surface is first pressed, then slid; after the
+//! For every pressure (or separation) and slip rate the surface is pressed, then slid; after the
 //! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict()`]). Static
 //! friction and the weakening energy follow from that curve ([`slip_curve`]), dμ/d ln V and the
 //! flash-heating parameters from its end at several slip rates ([`rate_dependence`], [`flash_heating`]).
 //! [`comparison`] repeats the prediction with closed forms, [`regime`] gives the shares of elastic,
 //! plastic and melting contacts, and [`quantities`] lists every result. Depends on `integral` and `surface`.
 //!
-//! Under load control the flat sinks as asperities lose load, so each asperity is pressed deeper as it
-//! slides. A table holds slides at constant interference only: the response of an asperity at ω after the
-//! slip s is taken from the slide at that ω throughout. Near static friction the flat has hardly moved and
-//! the approximation is good; the difference to `hold = "separation"` bounds it.
+//! Under load control the separation decreases as asperities lose load, so that the interference of each asperity grows
+//! during the slide. A table contains slides at constant interference only: the response of an asperity at ω after the
+//! slip s is taken from the slide at that ω throughout. At sliding inception the separation has hardly changed and the
+//! error is small; the difference from `hold = "separation"` bounds it. Chapter "Rough surfaces" of the book.
 
 pub mod comparison;
 pub mod flash_heating;

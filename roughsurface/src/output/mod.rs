@@ -1,6 +1,7 @@
-//! Results as files, text and pictures: friction.nc, the file of samples, figures, the HTML report, the
-//! summary as text and JSON. Every one loops over [`QUANTITIES`](crate::friction::quantities::QUANTITIES).
-//! Depends on `sampling` and `friction`; results are written unchanged.
+//! Results as files, text and figures: friction.nc, the file of samples, figures, the HTML report, the
+//! summary as text and JSON. All loop over [`QUANTITIES`](crate::friction::quantities::QUANTITIES).
+//! Computes no results. Depends on `sampling` and `friction`. Chapters "Friction: friction.nc" and "Other files" of the
+//! book.
 
 pub mod figure;
 pub mod friction_file;

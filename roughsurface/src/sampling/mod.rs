@@ -1,11 +1,11 @@
-//! Samples of surfaces in place of a single one.
+//! Predictions for many surfaces: random finite surfaces, and surfaces with changed parameters.
 //!
 //! - [`finite_surface`]: surfaces of a given number of asperities, heights and radii drawn at random, and the
 //!   [`scatter`] of their friction;
 //! - [`uncertainty`]: standard deviations of the parameters propagated to the results, (f(x + σ) − f(x − σ))/2 for
 //!   each parameter, squares added.
 //!
-//! Depends on `friction`, `integral` and `surface`.
+//! Depends on `friction`, `integral` and `surface`. Chapter "Rough surfaces" of the book, "Errors".
 
 pub mod finite_surface;
 pub mod scatter;

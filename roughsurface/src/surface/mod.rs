@@ -1,6 +1,6 @@
 //! The surface and the query (chapter "Rough surfaces" of the book, "Heights and radii").
 //!
-//! - [`heights`]: distributions φ(z) of the summit heights, one a file, and their catalogue;
+//! - [`heights`]: distributions φ(z) of the summit heights, each in its own file, and their catalogue;
 //! - [`radii`]: classes of summit radii;
 //! - [`query`]: loading, slip rates, loading control;
 //! - [`mod@file`]: the surface file (TOML), its keys, its uncertain parameters.

@@ -2,9 +2,9 @@
 //!
 //! Height maps and profiles are [read](readers::read), a trend is subtracted, and short wavelengths that the
 //! instrument did not resolve are filtered out ([`filter`], ISO 16610). The [`spectrum`] of the remainder
-//! gives the moments m0, m2, m4 and from them the summits of a Gaussian surface ([`nayak`]); a direct search
-//! for [`summits`] is made beside it. [`characterize`](characterize::characterize) does all of it.
-//! Depends on `surface` for the wording of messages only.
+//! gives the moments m0, m2, m4 (m², 1, 1/m²) and from them the summits of a Gaussian surface ([`nayak`]); the
+//! [`summits`] are also searched for directly. [`characterize`](characterize::characterize) performs all steps.
+//! Depends on `surface` for the wording of messages only. Chapter "Rough surfaces" of the book, "From topography".
 
 pub mod characterize;
 mod detrend;

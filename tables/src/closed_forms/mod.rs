@@ -4,7 +4,7 @@
 //! wraps them as an [`AsperityLaw`](crate::law::AsperityLaw). They are the references of the
 //! tests, the comparison models of `roughsurface`, and the elastic limit of a table below its first interference.
 //!
-//! Depends on `law`. Chapter "Verification" of the book.
+//! Depends on `law`. Chapter "Rough surfaces" of the book, "Closed forms".
 
 pub mod brizmer;
 pub mod chang_etsion_bogy;

@@ -1,8 +1,7 @@
 //! Figures of both programs: panels of curves, maps and cells, as SVG or PNG by the extension of the file.
 //!
-//! Curves differ in colour (Okabe & Ito's palette, distinct for colour-blind readers), dash
-//! and marker, so that they are distinct in grey as well. No fonts of the system are used;
-//! the same figure gives the same bytes.
+//! Curves differ in colour (palette of Okabe & Ito, for colour-blind readers), dash and marker, so that they are
+//! distinct in grey as well. No fonts of the system are used; equal figures give equal bytes.
 //!
 //! The sheet of a table is in `table.rs`. Depends on `interpolation`, `table`, `quantity`, and on `netcdf` for the
 //! atomic write.

@@ -1,21 +1,23 @@
-//! A table as a law of one asperity: between its points, below them, at other radii and initial temperatures.
+//! Interpolation in a table: its response between the points, below the first interference, at other radii and initial
+//! temperatures.
 //!
 //! - **Interference**: monotone cubic in ln ω, of the logarithm of positive quantities, hence
-//!   exact for power laws. Below the first point the elastic asymptote, see [`hertz_limit`]; above
-//!   the last an error.
+//!   exact for power laws. Below the first point extrapolation towards the Hertz limit, see [`hertz_limit`];
+//!   above the last an error.
 //! - **Slip rate**: the same in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
-//!   and its derivative are continuous at V₁; heating is linear in V at small V.
-//! - **Slip**: monotone cubic in s/a₀ between the points of the histories, held after the last.
+//!   and its derivative are continuous at V₁; heating of a resting source is linear in V at
+//!   small V.
+//! - **Slip**: monotone cubic in s/a₀ between the points of the histories, constant after the last.
 //! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)².
 //! - **Initial temperature**: see [`temperature`].
 //! - **Errors**: those of the points, interpolated linearly, plus an estimate of the
-//!   interpolation error: how well each point is predicted by the others (see [`nodes`]). Along
-//!   interference and slip rate only if the errors of the points do not include it already (see
+//!   interpolation error from the prediction of each point by the others (see [`nodes`]). Along
+//!   interference and slip rate it is added only if the errors of the points do not include it already (see
 //!   [`Slice::with_interpolation_errors`]).
 //!
-//! [`Table::at`](crate::table::Table::at) gives the [`InterpolatedTable`] at an initial temperature, which is
-//! an [`AsperityLaw`]. Depends on `table`, `closed_forms` (the elastic limit) and `law`.
+//! [`Table::at`](crate::table::Table::at) gives the [`InterpolatedTable`] at an initial temperature, an
+//! [`AsperityLaw`]. Depends on `table`, `closed_forms` (the elastic limit) and `law`. Chapter "Tables" of the book.
 
 mod extrapolation;
 mod failed_cells;

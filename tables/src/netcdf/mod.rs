@@ -1,4 +1,4 @@
-//! CF netCDF files, written completely or not at all and read with errors that name what is missing.
+//! CF netCDF files: written completely or not at all, read with errors that name the missing variable or attribute.
 //!
 //! - [`DatasetWriter`] and [`DatasetReader`]: the files of the project (`run.nc`, `table.nc`, `friction.nc`);
 //!   equal content gives equal bytes.
@@ -6,9 +6,9 @@
 //!   their content; the same as comma-separated values.
 //! - A checksum of all bytes, verified before the netCDF library opens the file; a sandbox in which files of other
 //!   programs are read first ([`enable_sandbox`]).
-//! - [`write_atomically`]: every file of the project appears whole or not at all.
+//! - [`write_atomically`]: every file of the project is written completely or not at all.
 //!
-//! Depends on `table` and `quantity`.
+//! Depends on `table` and `quantity`. Chapter "Table: table.nc" of the book.
 
 mod atomic;
 mod checksum;

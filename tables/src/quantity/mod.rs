@@ -1,13 +1,13 @@
-//! The one list of quantities, of runs and of tables.
+//! The list of quantities of runs and of tables.
 //!
 //! An entry of [`Quantity::LIST`] gives name, unit and meaning of a quantity, how it scales with the
-//! radius of the asperity and with the material, and where it is stored: as a scalar of a run and a
-//! table, as a history of the press, of the slide, of a table. Run file, summary, table, CSV and figures
+//! radius of the asperity and with the material, and how it is stored: as a scalar of a run and of a table, as a history
+//! of the press, of the slide or of a table. Run file, summary, table, CSV and figures
 //! loop over this list. To add an output, add an entry here and the formula that computes it in
 //! `asperity`.
 //!
-//! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. This
-//! room depends on no other.
+//! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. Depends on no
+//! other room. Chapter "What is reported" of the book.
 
 mod history;
 mod list;

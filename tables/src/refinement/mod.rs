@@ -1,11 +1,11 @@
-//! Refinement of a table: points are added where it interpolates badly.
+//! Refinement of a table: points are added where the error of interpolation exceeds a tolerance.
 //!
-//! The criterion is cross-validation against computed results (see [`cross_validation`]): a
-//! point is added in the middle of an interval, computed, and from then on one of those that
-//! are left out and predicted. The grid stays a product of its axes: a new interference is a row
+//! The criterion is cross-validation against computed results (see [`cross_validation`]): each inner point is left out
+//! in turn and predicted from the others. A point is added in the middle of an interval, computed, and takes part in the
+//! next cross-validation. The grid stays a product of its axes: a new interference is a row
 //! of runs, a new slip rate a column. [`statistics`] summarises the errors of a table.
 //!
-//! Depends on `interpolation` and `table`.
+//! Depends on `interpolation` and `table`. Chapter "Tables" of the book, "Errors of interpolation".
 
 pub mod cross_validation;
 pub mod statistics;

@@ -2,7 +2,7 @@
 //!
 //! Each was made by `asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc`; the file itself
 //! records request, version, cost and errors (`asperity table info NAME -v`), and `asperity table check
-//! NAME` computes some of its cells again. Depends on `netcdf` and `interpolation`.
+//! NAME` computes some of its cells again. Depends on `netcdf` and `interpolation`. Chapter "Shipped tables" of the book.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,11 +1,10 @@
 //! Tables in memory: axes, cells and their state, merging of parts, comparison.
 //!
 //! A [`Table`] is a grid over initial temperature, interference, slip rate and slip. At one initial temperature it
-//! is a [`Slice`], made of [`Cell`]s: scalars with errors, and histories over the slip axis. Where there is one
-//! temperature the table is one slice.
+//! is a [`Slice`], made of [`Cell`]s: scalars with errors, and histories over the slip axis. A table of one temperature
+//! is one slice.
 //!
-//! Depends on `quantity`. How a table is read between its points is the matter of `interpolation`, how it is
-//! stored of `netcdf`.
+//! Depends on `quantity`. `interpolation` reads a table between its points, `netcdf` stores it.
 
 mod axes;
 mod cell;
