@@ -1,7 +1,7 @@
 //! From elastic to plastic contact: results of the shipped tables on static friction, of the load that an
-//! asperity loses as it slides at a held interference, and of its growing contact.
+//! asperity loses as it slides at constant interference, and of its growing contact.
 //!
-//! Nothing is simulated. Prints the isothermal column of the 4340 table beside two limits of a contact of
+//! No simulation. Prints the isothermal column of the 4340 table and two limits of a contact of
 //! shear strength τ_c = σ_Y/√3 that neither grows nor loses load:
 //!
 //! - elastic, pressure of Hertz: μ = τ_c A/P = (√3/2)/(C √ω*), with C(ν) = p₀/σ_Y at first yield;

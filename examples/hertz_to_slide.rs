@@ -36,7 +36,7 @@ fn main() -> anyhow::Result<()> {
     let outcome = slide(&pressed, scene.loading.slip_rate, &Unwatched)?;
     let scalars = &outcome.scalars;
 
-    // 3. The press beside two closed forms at the same interference.
+    // 3. The press and two closed forms at the same interference.
     let material = ElasticPlastic {
         youngs_modulus: scene.material.youngs_modulus,
         poisson_ratio: scene.material.poisson_ratio,

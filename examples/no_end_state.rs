@@ -37,7 +37,7 @@ kinematics = "small"
 sectors = 4
 "#;
 
-/// What is changed of the scene, and how that is called.
+/// Changes of the scene, with a label.
 const CASES: [(&str, &[&str]); 6] = [
     ("f_τ = 1, no hardening", &[]),
     ("hardening of 0.2 % of E", &["material.hardening={law=\"linear\",modulus=400e6}"]),

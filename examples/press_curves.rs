@@ -1,4 +1,4 @@
-//! A sphere pressed from first yield to a hundred times as far, beside the fits of Jackson & Green 2005 and
+//! A sphere pressed from ω_c to 100 ω_c, in comparison with the fits of Jackson & Green 2005 and
 //! Kogut & Etsion 2002: load and contact area at three yield strains.
 //!
 //! Frictionless and at small strain, as the fits are; then, at one of the yield strains, in full stick and at
@@ -19,7 +19,7 @@ const ELASTIC: (f64, f64) = (200e9, 0.3);
 const STRAINS: [f64; 3] = [0.001, 0.002, 0.005];
 const INTERFERENCES: [f64; 7] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
 
-/// What is pressed: law of the interface, kinematics, σ_Y/E*.
+/// A case: law of the interface, kinematics, σ_Y/E*.
 #[derive(Clone, Copy)]
 struct Case {
     law: &'static str,
@@ -79,7 +79,7 @@ fn of(case: Case, omega: f64, elements: usize) -> anyhow::Result<Pressed> {
     let (youngs, poisson) = ELASTIC;
     let modulus = hertz::contact_modulus(youngs, poisson);
     let (strength, radius) = (case.strain * modulus, 1e-3);
-    // Nothing slides: slip rate, heat and the constants of heat play no part.
+    // Without a slide, slip rate, heat and thermal constants have no effect.
     let text = format!(
         "[material]\nyoungs_modulus = {youngs:?}\npoisson_ratio = {poisson}\nyield_strength = {strength:?}\n\
          hardening = {{ law = \"none\" }}\nsoftening = {{ law = \"none\" }}\ndensity = 7850.0\n\

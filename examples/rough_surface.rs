@@ -1,8 +1,8 @@
 //! Friction of a Gaussian rough surface, with the library `roughsurface`.
 //!
 //! The friction of one asperity comes from a closed form of the literature or, with an argument,
-//! from a table that `asperity tabulate` made; the surface does not know which. Closed forms know
-//! no slip rate, tables do.
+//! from a table that `asperity tabulate` made; the surface is independent of which. Closed forms do
+//! not depend on the slip rate, tables do.
 //!
 //!     cargo run --release -p examples --example rough_surface
 //!     cargo run --release -p examples --example rough_surface friction-of-steel/table.nc

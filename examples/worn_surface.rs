@@ -4,7 +4,7 @@
 //! on a Gaussian surface and on one whose heights are skewed by wear, both with the same summits per
 //! area and the same standard deviation, and compares their friction, its fall with the slip rate and
 //! the real area of contact. Writes table.nc, fresh.nc, worn.nc and figure.svg into the directory given
-//! as argument (default: worn-surface). Started again after an interrupt, it goes on where it was.
+//! as argument (default: worn-surface). Started again after an interrupt, it continues.
 //!
 //!     cargo run --release -p examples --example worn_surface [DIRECTORY]
 

@@ -2,7 +2,7 @@
 //! against, and slid along, a rigid flat.
 //!
 //! Friction is not put in: a contact point slips where its shear stress reaches the shear strength
-//! of the material at its own temperature. A [`scene::Scene`] says what is simulated (read from TOML
+//! of the material at its own temperature. A [`scene::Scene`] defines the simulation (read from TOML
 //! by [`scene::file`]), [`mod@simulate`] presses and slides it, an [`Outcome`] holds the histories
 //! and the scalars with their errors, [`output::run_file`] writes them. [`mod@tabulate`] runs a grid of
 //! interferences and slip rates into a [`tables::table::Table`], from which the crate `roughsurface`

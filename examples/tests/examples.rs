@@ -1,4 +1,4 @@
-//! Every example runs, and says what it is about to say.
+//! Every example runs and prints the expected results.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -42,7 +42,7 @@ fn printed(name: &str, folder: &Path, arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// The number that stands at a place of a line.
+/// The number at a position of a line.
 fn number(line: &str, place: usize) -> f64 {
     let word = line.split_whitespace().nth(place).unwrap_or_else(|| panic!("{line}"));
     word.parse().unwrap_or_else(|_| panic!("{word} in {line}"))
@@ -79,7 +79,7 @@ fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
     assert_eq!(rows.len(), 8, "{text}");
     for row in rows.iter().filter(|row| number(row, 0) < 1.0) {
         let (friction, error, limit) = (number(row, 1), number(row, 3), number(row, 4));
-        // The limit does not know that friction lifts the contact, see `tables::interpolation`.
+        // The limit excludes the friction-induced uplift, see `tables::interpolation::hertz_limit`.
         let uplift = 0.0022 / number(row, 0) * limit;
         assert!((friction - limit).abs() < error + uplift, "{row}");
     }

@@ -1,8 +1,8 @@
-//! What the tests of the whole programs share.
+//! Common parts of the tests of whole programs.
 //!
 //! References that others published are rows of `asperity verify`, which `tests/verify.rs` runs. The other tests here
 //! are of the programs from outside, of the book, and of input that is damaged. What can be tested on one module is
-//! tested beside it.
+//! tested in its own folder.
 
 pub mod programs;
 

@@ -39,7 +39,7 @@ pub fn execute(name: &str, folder: &Path, arguments: &str) -> Output {
         .unwrap()
 }
 
-/// What it says on standard error.
+/// Its standard error.
 pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }

@@ -1,4 +1,4 @@
-//! The book, the README and what stands beside them: links lead somewhere, input files are valid, keys,
+//! The book, the README and the files next to them: links have targets, input files are valid, keys,
 //! variables and options are those of the programs.
 
 use std::collections::BTreeSet;

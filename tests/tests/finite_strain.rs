@@ -1,7 +1,7 @@
 //! The choice between small and finite strain, and what small strain leaves out.
 //!
-//! Finite strain in the limit of small strains and its ledgers are rows of `asperity verify`; the constitutive law and the
-//! element are verified beside their code: closed forms of Hencky's law, rotation, an expanding tube.
+//! Finite strain in the limit of small strains and its ledgers are rows of `asperity verify`; the constitutive law and
+//! the element are verified next to their code: closed forms of Hencky's law, rotation, an expanding tube.
 
 use asperity::scene::{FrictionLaw, Hardening, Kinematics, Scene};
 use asperity::simulate::outcome::{ErrorSource, Outcome, Warning};
@@ -30,7 +30,7 @@ fn auto_stays_at_small_strain_where_strains_are_small() {
 }
 
 /// Under an interface that does not slip the surface shears far: `auto` takes finite strain, with the
-/// numbers that it has when asked for.
+/// results of the explicit choice.
 #[test]
 fn auto_takes_finite_strain_where_strains_are_large() {
     let mut scene = scene(steel_4340(), FrictionLaw::FullStick, 20.0, mesh(6, 4));
@@ -55,8 +55,8 @@ fn auto_takes_finite_strain_where_strains_are_large() {
     assert!(auto.scalars[Quantity::Mu].value != small.scalars[Quantity::Mu].value);
 }
 
-/// What small strain leaves out at 20 ω_c is about the largest plastic strain of mu, as the model's part of its error
-/// says; and `auto` takes finite strain where a strain above a twentieth of the accuracy is expected.
+/// The modelling error of μ at small strain is about the largest plastic strain at 20 ω_c, as its estimate
+/// states; and `auto` takes finite strain where a strain above a twentieth of the accuracy is expected.
 #[test]
 fn what_small_strain_leaves_out_is_in_the_error() {
     let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, 20.0, mesh(6, 4));

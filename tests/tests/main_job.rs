@@ -4,7 +4,7 @@
 //! spread over rough surfaces by `roughsurface predict`, both as programs.
 //!
 //! Sources: an exponential height distribution gives a friction coefficient that does not depend
-//! on load whatever one asperity does (J. A. Greenwood & J. B. P. Williamson, Proc. R. Soc. A 295,
+//! on load for any single-asperity response (J. A. Greenwood & J. B. P. Williamson, Proc. R. Soc. A 295,
 //! 300 (1966), doi 10.1098/rspa.1966.0242: the integrals over exp(−z/σ) all scale with
 //! exp(−d/σ)); otherwise the contract of the command line.
 

@@ -21,7 +21,7 @@ const QUANTITIES: [Quantity; 7] = [
     Quantity::TemperatureMax,
 ];
 
-/// Columns of what is said of each quantity, in per cent.
+/// Columns of the errors of each quantity, in per cent.
 fn row(name: &str, of: impl Fn(&ErrorStatistics) -> String) -> String {
     let statistics = shipped::table(name).unwrap().error_statistics();
     let columns = QUANTITIES.map(|quantity| {

@@ -1,7 +1,7 @@
 //! The same table, bit for bit, on one thread and on two.
 //!
 //! Problem: 4340 steel, 2 interferences × 2 slip rates on a coarse mesh, tabulated twice from
-//! nothing. Source: a cell depends on its scene alone; every sum has a fixed order.
+//! the start. Source: a cell depends on its scene alone; every sum has a fixed order.
 
 use asperity::scene::FrictionLaw;
 use asperity::scene::file::Request;

@@ -106,7 +106,7 @@ Example:
 
 pub(super) const CONVERGENCE: &str = "\
 The scene is run with 1/4, 1/3, 1/2, 2/3 and all of the elements per contact radius of --finest and the
-increments that its accuracy asks for, and once as it is. Errors are relative to the limit of this
+increments that its accuracy requires, and once unchanged. Errors are relative to the limit of this
 sequence (Richardson extrapolation with the observed order).
 
 Example:

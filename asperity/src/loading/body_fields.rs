@@ -10,7 +10,7 @@ use crate::solver::newton::Mechanics;
 
 /// Fields of the body in chosen states.
 ///
-/// A value stands at `[(node*components + component)*angles.len() + j]`. Between the angles fields
+/// Layout: `[(node*components + component)*angles.len() + j]`. Between the angles fields
 /// are trigonometric polynomials, even in θ but for u_θ, σ_rθ and σ_θz, which are odd.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyFields {

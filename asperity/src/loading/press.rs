@@ -27,7 +27,7 @@ pub struct Increment {
 }
 
 /// Presses to ω₀ on a given mesh in `count` increments (more where Newton's method fails), of equal
-/// length in √ω, which goes with the contact radius.
+/// length in √ω, which is proportional to the contact radius.
 pub fn press_on(
     problem: &Problem,
     size: MeshSize,

@@ -35,7 +35,7 @@ pub struct Problem {
     /// ω₀/R.
     pub interference: f64,
     pub law: FrictionLaw,
-    /// What is held while it slides.
+    /// Loading control of the slide.
     pub control: Control,
     pub strength: InterfaceStrength,
     pub strength_factor: f64,

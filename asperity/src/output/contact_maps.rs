@@ -234,7 +234,7 @@ mod tests {
         let (first, second) = (&maps[1], &maps[5]);
         assert_eq!(first.scale, second.scale);
         assert_eq!(first.scale, Scale::Shades { label: "pressure (10⁹ Pa)".into(), from: 0.0, to: 4.0 });
-        // The second ring goes from 2 ahead to 1 behind, and no further.
+        // The second ring extends from 2 ahead to 1 behind.
         let ring: Vec<f64> = (first.cells.iter().filter(|cell| centre(cell).1 > 0.0))
             .filter(|cell| cell.corners.iter().all(|(x, y)| x.hypot(*y) > 0.2))
             .map(|cell| cell.value)

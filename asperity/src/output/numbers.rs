@@ -1,10 +1,10 @@
-//! Numbers with their errors and units, for people and for programs.
+//! Numbers with their errors and units, as text and as JSON.
 
 use serde_json::{Value, json};
 pub use tables::numbers::{plain, with_error};
 use tables::quantity::Estimate;
 
-/// The same for programs: `null` for what is not a finite number.
+/// The same as JSON; `null` for numbers that are not finite.
 pub fn as_json(estimate: Estimate, unit: &str) -> Value {
     json!({ "value": estimate.value, "error": estimate.error, "unit": unit })
 }

@@ -91,7 +91,7 @@ fn columns(
 fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Result<(), DatasetError> {
     for (quantity, estimate) in outcome.scalars.iter() {
         let descriptor = quantity.descriptor();
-        // The bare name belongs to the history, where there is one.
+        // A history, where there is one, has the name of the quantity itself.
         let (name, long_name) = match descriptor.history {
             Stored::No => (descriptor.name.to_owned(), descriptor.long_name.to_owned()),
             _ => (
@@ -129,7 +129,7 @@ fn scalar(
     file.reals(error_name, &[], &[error], &attributes)
 }
 
-/// What was chosen and what it cost.
+/// Choices of the run and its cost.
 fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetError> {
     let account = &outcome.account;
     #[rustfmt::skip]

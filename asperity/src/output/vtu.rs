@@ -20,7 +20,7 @@ use crate::simulate::outcome::Outcome;
 /// Why files were not written.
 #[derive(Debug, thiserror::Error)]
 pub enum VtuError {
-    #[error("the fields of the body were not kept (see Recording)")]
+    #[error("the fields of the body were not recorded (see Recording)")]
     NotRecorded,
     #[error("cannot write {path}: {reason}")]
     Write { path: PathBuf, reason: String },

@@ -138,7 +138,7 @@ impl Material {
     }
 }
 
-/// The keys of the section as they stand in a file.
+/// The keys of the section as in a file.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct MaterialSection {

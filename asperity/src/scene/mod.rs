@@ -129,7 +129,7 @@ pub const ELEMENTS_PER_RADIUS: std::ops::RangeInclusive<usize> = 4..=256;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Numerics {
-    /// Relative; chooses what is not given.
+    /// Relative; determines the settings that are not given.
     pub accuracy: f64,
     /// n_c.
     pub elements_per_radius: Option<usize>,

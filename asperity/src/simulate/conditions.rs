@@ -1,4 +1,4 @@
-//! What all runs of one slip rate share: heat and the meshes that it needs, decided before the slide.
+//! Common conditions of all runs of one slip rate: heat and the meshes that it requires, chosen before the slide.
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat};
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics};

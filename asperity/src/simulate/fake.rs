@@ -1,4 +1,4 @@
-//! Outcomes for tests of what lies above the simulation: instantaneous, smooth, deterministic.
+//! Outcomes for tests of the callers of the simulation: without computation, smooth, deterministic.
 
 use std::f64::consts::PI;
 

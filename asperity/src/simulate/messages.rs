@@ -11,7 +11,7 @@ use crate::loading::problem::Units;
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
 
-/// What was chosen for a run, and why.
+/// Choices of a run, with their reasons.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
     Resolution {
@@ -180,13 +180,13 @@ impl Display for Warning {
             ),
             Self::LargeStrain { strain, limit } => write!(
                 f,
-                "plastic strain reaches {strain:.2}: beyond about {limit} small-strain kinematics is in doubt"
+                "plastic strain reaches {strain:.2}: beyond about {limit} small-strain kinematics is inaccurate"
             ),
             Self::ThinThermalLayer { share, elements } => {
                 write!(
                     f,
-                    "frictional heat stays in a layer of {share:.2} of the elements at the surface: mu may be off \
-                     by more than its error; "
+                    "frictional heat stays in a layer of {share:.2} of the elements at the surface: the error of mu \
+                     may exceed its estimate; "
                 )?;
                 match elements {
                     Some(elements) => write!(f, "elements_per_radius = {elements} would resolve it"),

@@ -1,4 +1,4 @@
-//! What a simulation yields. SI units; forces, areas and energies of the whole asperity.
+//! Outcome of a simulation. SI units; forces, areas and energies of the whole asperity.
 
 use tables::quantity::{History, Quantity, Scalars};
 
@@ -40,7 +40,7 @@ pub struct ContactGrid {
     pub r: Vec<f64>,
 }
 
-/// What was chosen for the run and what it cost.
+/// Choices of the run and its cost.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Account {
     pub elements_per_radius: usize,

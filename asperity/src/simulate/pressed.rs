@@ -229,8 +229,8 @@ fn press_mesh(
         }
         Err(too_deep(problem, contact_radius, |radius| size_for(radius).fits()))
     };
-    // In as many increments: a radius off by one per cent moves the edge by a twelfth of a ring at 8 elements, and
-    // the load at 100 omega_c by one per cent.
+    // In as many increments: an error of one per cent in the radius moves the edge by a twelfth of a ring at 8
+    // elements, and the load at 100 omega_c by one per cent.
     let (_, first, _) = on(expected_radius, press_increments)?;
     let radius = first.contact.radius(&first.contact.committed);
     let (size, mechanics, increments) = on(radius, press_increments)?;

@@ -73,7 +73,7 @@ impl Run {
 /// The main run and the auxiliary runs of the resolution `start`.
 pub(super) struct Ladder {
     start: Resolution,
-    /// On the coarse mesh: as it is, with another N_θ, with longer increments, with a looser solver.
+    /// On the coarse mesh: unchanged, with another N_θ, with longer increments, with a looser solver.
     pub auxiliary: Vec<Run>,
     /// Each finer than the one before.
     pub main: Vec<Run>,
@@ -290,7 +290,7 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Stopped before there was a main run: the coarse one stands in for it.
+/// Stopped before the main run: the coarse one replaces it.
 fn coarse_alone(auxiliary: &mut Vec<Run>) -> Run {
     let coarse = auxiliary.swap_remove(0);
     Run { failure: Some(SlideFailure::Cancelled), ..coarse }

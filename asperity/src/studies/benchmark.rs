@@ -1,4 +1,4 @@
-//! The kernels of a run one by one, in the state of a slide under way: for `benches/kernels.rs`
+//! The kernels of a run one by one, in the state of a running slide: for `benches/kernels.rs`
 //! alone, and no part of the interface.
 
 use crate::discretisation::body::Body;
@@ -164,7 +164,7 @@ impl Kernels {
     pub fn sweeps(&mut self) {
         self.single.forward(&mut self.sweep, &self.places);
         self.single.backward(&mut self.sweep, &self.places);
-        // Neither growing nor vanishing, whatever the number of calls.
+        // Bounded away from zero and infinity for any number of calls.
         self.sweep.iter_mut().enumerate().for_each(|(i, x)| *x = (0.1 * (i % 64) as f32) - 3.2);
     }
 

@@ -8,7 +8,7 @@ use tables::table::Cell;
 use crate::simulate::outcome::Outcome;
 use crate::solver::timings::Timings;
 
-/// Number of intervals between the slips at which histories are kept.
+/// Number of intervals between the slips at which histories are stored.
 const INTERVALS: usize = 72;
 /// First of these slips, over a₀. Elastic contacts slip fully at 2τ_c/(πG*), 0.0009 of copper and 0.005 of 4340 steel,
 /// and the friction of a surface rises up to there.
@@ -44,7 +44,7 @@ pub struct Finished {
 }
 
 impl Finished {
-    /// The part of `outcome` that a table keeps; `temperature` is that at the start, K.
+    /// The part of `outcome` that a table stores; `temperature` is that at the start, K.
     pub fn new(outcome: &Outcome, slips: &[f64], temperature: f64) -> Self {
         let mut cell = Cell {
             scalars: outcome.scalars,
@@ -114,7 +114,7 @@ mod tests {
             let slips = slip_grid(distance);
             assert_eq!((slips[0], slips[INTERVALS]), (0.0, distance));
             assert!(slips.windows(2).all(|pair| pair[1] > pair[0]));
-            // Weakening goes by the logarithm of slip.
+            // Weakening varies with the logarithm of slip.
             let late = slips[1..].windows(2).skip(INTERVALS / 2);
             assert!(late.map(|pair| pair[1] / pair[0]).fold(1.0, f64::max) < 1.2);
         }

@@ -1,5 +1,5 @@
 //! Journal of a tabulation: each finished cell is one line with a checksum, written through
-//! to the disk, so that a crash loses only the cells under way.
+//! to the disk, so that a crash loses unfinished cells only.
 //!
 //! A line is the CRC-32 of the rest, a space, and JSON. The first line is the request. A
 //! line that was cut off or damaged is passed over and its cell computed again.

@@ -249,7 +249,7 @@ fn points_are_added_for_a_tolerance() {
         // 1 % of the run, and the error of interpolation.
         assert!(estimate.error > 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");
     }
-    // The request is kept as it was asked.
+    // The request is stored unchanged.
     assert_eq!(parse_request(&table.metadata().scene, "attribute", &[]).unwrap(), one.request);
     assert_eq!(one.request.interferences, [1.0, 100.0]);
 

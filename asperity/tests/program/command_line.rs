@@ -1,4 +1,4 @@
-//! The program from outside: exit status, messages, and that nothing is left behind by a
+//! The program from outside: exit status, messages, and no files after a
 //! command that was refused.
 
 use std::path::Path;
@@ -85,7 +85,7 @@ fn materials_are_listed_with_units_and_sources() {
 }
 
 /// Where there is no friction the numbers are none, not rounding, and where sliding does not begin or the strength is
-/// that of another temperature, a warning says so.
+/// that of another temperature, there is a warning.
 #[test]
 fn a_run_says_what_its_numbers_are_not() {
     let _alone = alone();

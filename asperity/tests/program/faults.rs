@@ -1,6 +1,6 @@
-//! What may befall a long tabulation, done to the real program: killed at any moment, a journal cut
-//! anywhere, a full disk, a directory that goes away or cannot be written, a clock that is wrong, names that
-//! are links or no text, two programs at one table. What is finished is kept, and the table in the end is
+//! Faults of a long tabulation, tested on the program itself: killed at any moment, a journal cut
+//! anywhere, a full disk, a directory that is removed or cannot be written, a clock that is wrong, names that
+//! are links or no text, two programs at one table. Finished cells are preserved, and the final table is
 //! that of an undisturbed run.
 
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ fn content(table: &Path) -> String {
     text
 }
 
-/// Content of the table of a run that nothing disturbed.
+/// Content of the table of an undisturbed run.
 fn undisturbed() -> &'static str {
     static CONTENT: OnceLock<String> = OnceLock::new();
     CONTENT.get_or_init(|| {
@@ -86,7 +86,7 @@ fn killed_at_any_moment_it_continues() {
         // Later and later, so that there is an end to it.
         let longest = 200.0 + 100.0 * f64::from(kills);
         std::thread::sleep(Duration::from_millis(30 + (longest * share) as u64));
-        // Does nothing if it has ended.
+        // No effect if it has ended.
         child.kill().unwrap();
         let output = child.wait_with_output().unwrap();
         if output.status.code() == Some(0) {
@@ -232,7 +232,7 @@ fn a_cut_journal_continues_with_all_that_is_whole() {
         std::fs::write(&journal, &whole[..cut]).unwrap();
         let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "cut at {cut}: {}", message(&output));
-        // A line may lack nothing but its end.
+        // A line may lack its line end alone.
         let kept = ends.iter().filter(|end| **end <= cut).count().saturating_sub(1);
         let taken = format!("{kept} cells were taken from the interrupted run");
         assert!(message(&output).contains(&taken), "cut at {cut}: {}", message(&output));
@@ -250,7 +250,7 @@ fn a_cut_journal_continues_with_all_that_is_whole() {
     assert_undisturbed(folder.path());
 }
 
-/// Files from the future, and before the beginning of time: nothing depends on what a clock says.
+/// File times in the future and before 1970: results do not depend on the clock.
 #[test]
 fn files_may_be_of_any_date() {
     let _alone = alone();

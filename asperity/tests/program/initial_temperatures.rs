@@ -42,7 +42,7 @@ fn made() -> PathBuf {
     folder.path().to_path_buf()
 }
 
-/// Cells of all temperatures, without what the clock says.
+/// Cells of all temperatures, without times.
 fn cells(folder: &Path, name: &str) -> Vec<Cell> {
     let table = Table::read(&folder.join(name)).unwrap();
     let slices = table.slices().iter();

@@ -1,4 +1,4 @@
-//! An interrupt (Ctrl-C) from outside: what is there is saved, and the message says how to go on.
+//! An interrupt (Ctrl-C) from outside: results so far are saved, and the message names the command that continues.
 
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;

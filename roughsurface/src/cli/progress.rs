@@ -5,7 +5,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A bar on a terminal, a line per tenth in a log, or nothing.
+/// A bar on a terminal, a line per tenth in a log, or no output.
 pub enum Progress {
     Hidden,
     Bar(ProgressBar),

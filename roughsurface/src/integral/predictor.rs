@@ -108,7 +108,7 @@ impl PredictorHistory {
     pub(crate) fn add(&mut self, found: Predictor, own_sensitivity: bool) {
         let mut difference = found.separation - self.last.separation;
         for (order, known) in self.differences.iter_mut().enumerate() {
-            // The first predictor belongs to another slip and takes no part in differences.
+            // The first predictor is for another slip and does not enter the differences.
             let next = difference - *known;
             *known = if order < self.steps { difference } else { 0.0 };
             difference = next;

@@ -12,7 +12,7 @@ use tables::law::LookupError;
 pub enum SeparationError {
     #[error(transparent)]
     Lookup(#[from] LookupError),
-    #[error("no separation between {from:e} and {to:e} m carries a nominal pressure of {pressure:e} Pa")]
+    #[error("no separation between {from:e} and {to:e} m has a nominal pressure of {pressure:e} Pa")]
     NotFound { pressure: f64, from: f64, to: f64 },
 }
 

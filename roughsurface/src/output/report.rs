@@ -80,7 +80,7 @@ pub fn html(results: &Results, origin: &Origin) -> String {
         let _ = writeln!(page, "<p class=\"warning\">Warning: {}</p>", escaped(&warning.to_string()));
     }
     let svg = figure(results).svg();
-    // A declaration before the picture is for a file of its own.
+    // The XML declaration is for a separate file only.
     let picture = svg.find("<svg").map_or("", |start| &svg[start..]);
     let _ = writeln!(page, "<h2>Figures</h2>\n<div>{picture}</div>");
     let note = "<p>Value ± estimated absolute error.</p>\n";

@@ -49,7 +49,7 @@ impl NormalLoading {
     }
 }
 
-/// What is held during the slide: the nominal load, or the separation.
+/// Loading control of the slide: constant nominal load or constant separation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LoadingControl {

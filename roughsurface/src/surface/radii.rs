@@ -1,4 +1,4 @@
-//! Distribution of the summit radii beside that of their heights.
+//! Distribution of the summit radii.
 //!
 //! Radii and heights are independent: a summit of every radius is as likely at one height as at
 //! another. The laws of single asperities scale to any radius, so a surface is the sum of
@@ -115,7 +115,7 @@ impl Radii {
     }
 }
 
-/// Shares that sum to one and radii of the asked mean (m).
+/// Shares that sum to one and radii of the given mean (m).
 fn normalised(classes: Vec<RadiusClass>, mean: f64) -> Vec<RadiusClass> {
     let total: f64 = classes.iter().map(|class| class.share).sum();
     let first: f64 = classes.iter().map(|class| class.share * class.radius).sum();

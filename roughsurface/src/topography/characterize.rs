@@ -1,4 +1,4 @@
-//! A topography in the numbers that a rough surface is made of.
+//! Parameters of a rough surface from a topography.
 
 use super::nayak::{Nayak, SMALLEST_ALPHA};
 use super::spectrum::{Limit, Moments, Spectrum, Window};
@@ -7,7 +7,7 @@ use super::{Topography, detrend};
 
 pub use detrend::Detrend;
 
-/// How a topography is looked at.
+/// Settings of a characterisation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
     /// Short-wavelength cut-off, m; the reliability limit unless given.
@@ -25,7 +25,7 @@ pub struct Characterization {
     pub pixel: f64,
     /// Extent across and along rows, m.
     pub size: (f64, f64),
-    /// Cut-off used, m, and whether it was asked for.
+    /// Cut-off used, m, and whether it was given.
     pub cutoff: f64,
     pub cutoff_asked: bool,
     /// Shortest wavelength resolved by the measurement, m, and its reason.

@@ -1,4 +1,4 @@
-//! Summits of a random surface from its spectral moments.
+//! Summits of a random surface from its spectral moments m0, m2, m4.
 
 use super::spectrum::Moments;
 use std::f64::consts::PI;

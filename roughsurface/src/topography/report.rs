@@ -1,4 +1,4 @@
-//! A characterisation for people, for programs, and as a surface file.
+//! A characterisation as text, as JSON, and as a surface file.
 
 use super::characterize::Characterization;
 use serde_json::{Value, json};
@@ -11,7 +11,7 @@ pub enum WhichSummits {
     /// Those of the moments, with Gaussian heights.
     #[default]
     Moments,
-    /// Those found one by one, their heights in a file beside.
+    /// Those found one by one, with their heights in a separate file.
     Found,
 }
 
@@ -69,7 +69,7 @@ pub fn json(found: &Characterization) -> Value {
 }
 
 /// A surface file with the summits, ready for `roughsurface predict`; `heights` is the name of the
-/// file of the heights of the summits found, where those are asked for.
+/// file of the heights of the summits found, where these are chosen.
 pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str>) -> String {
     let (density, radius, distribution, mean) = match heights {
         Some(file) => (
@@ -128,7 +128,7 @@ pub fn heights_file(found: &Characterization) -> String {
     text
 }
 
-/// Spectrum, and the distribution of the summit heights beside the Gaussian one of the moments.
+/// Spectrum, and the distribution of the summit heights in comparison with the Gaussian one of the moments.
 pub fn figure(found: &Characterization) -> Figure {
     let (q, power): (Vec<f64>, Vec<f64>) = found.spectrum.iter().copied().unzip();
     let wavelength: Vec<f64> = q.iter().map(|q| 2.0 * std::f64::consts::PI / q).collect();

@@ -1,4 +1,4 @@
-//! Summits found one by one, beside those of the moments.
+//! Summits found one by one, in addition to those of the moments.
 
 use super::Topography;
 use super::fft::Waves;
@@ -77,7 +77,7 @@ pub fn find(topography: &Topography, cutoff: f64) -> Summits {
     statistics(heights, curvatures, extent)
 }
 
-/// How much higher than the point itself the paraboloid through its neighbourhood gets.
+/// Height of the maximum of the paraboloid through the neighbourhood above the point itself.
 fn rise(at: &impl Fn(isize, isize) -> f64, r: isize, c: isize, profile: bool) -> f64 {
     let here = at(r, c);
     let second = |before: f64, after: f64| before - 2.0 * here + after;

@@ -36,7 +36,7 @@ pub fn egg_box(points: usize, waves: usize) -> (Topography, f64, f64) {
     (square(points, heights), q, amplitude)
 }
 
-/// Power of a wave: constant up to a roll-off, q^{−2−2H} to the shortest wavelength, then nothing.
+/// Power of a wave: constant up to a roll-off, q^{−2−2H} to the shortest wavelength, then zero.
 #[derive(Clone, Copy)]
 pub struct SelfAffine {
     pub points: usize,

@@ -76,7 +76,7 @@ mod tests {
         close(where_equal(|x| 3.0 * x.sqrt(), 6.0, &[], 1), &[4.0]);
         // x/(1 + x²) = 0.3 at 1/3 and 3.
         close(where_equal(|x| x / (1.0 + x * x), 0.3, &[1.0], 8), &[1.0 / 3.0, 3.0]);
-        // Nothing above a break.
+        // None above a break.
         close(where_equal(|x| if x < 2.0 { x } else { 0.0 }, 1.5, &[2.0], 8), &[1.5]);
         close(where_equal(|x| x, 1e9, &[], 8), &[]);
     }

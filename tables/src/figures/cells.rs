@@ -91,7 +91,7 @@ impl Cells {
         (plots, layout)
     }
 
-    /// Where a value lies on the scale, 0 to 1.
+    /// Position of a value on the scale, 0 to 1.
     fn shade(&self, value: f64) -> f64 {
         let (from, to) = match &self.scale {
             Scale::Shades { from, to, .. } => (*from, *to),

@@ -63,7 +63,7 @@ impl Temporary {
     }
 }
 
-/// The place that a file called `path` is written to: links are followed, that to nothing as well.
+/// The path that a file called `path` is written to: links are followed, also those without a target.
 ///
 /// A file gets its name by being renamed, which would put the file in place of the link, on the disk of
 /// the link, and leave the target of the link unchanged.

@@ -39,7 +39,7 @@ pub(super) fn append(path: &Path) -> io::Result<()> {
 #[derive(Debug, PartialEq)]
 pub(super) enum Checksum {
     Agrees,
-    /// What is wrong.
+    /// Description of the damage.
     Damaged(String),
     /// There is none, and the file is as long as it states if it does.
     Absent,
@@ -120,8 +120,8 @@ mod tests {
         DatasetReader::open(path).err().map(|error| error.to_string())
     }
 
-    /// Whatever bit is changed, and wherever the file is cut off: but for the cut that takes the
-    /// whole line, and no more, after which it is a file like any other.
+    /// Detects any changed bit and any truncation, except the one that removes exactly the whole line, after
+    /// which the file is one without a checksum.
     #[test]
     fn any_single_damage_is_found_before_the_library_sees_it() {
         let directory = std::env::temp_dir().join(format!("checksum-{}", std::process::id()));

@@ -10,7 +10,7 @@ const ATTRIBUTES: u64 = 0x0C;
 /// Bytes of the external types byte, char, short, int, float, double and, of CDF-5, ubyte to uint64.
 const TYPE_SIZES: [u64; 11] = [1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8];
 
-/// What is wrong with the header of a classic file; nothing if it is none.
+/// Error in the header of a classic file; none for other files.
 pub(super) fn damage(bytes: &[u8]) -> Option<&'static str> {
     let version = bytes.strip_prefix(b"CDF").and_then(|rest| rest.first())?;
     let wide = match version {

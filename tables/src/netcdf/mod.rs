@@ -38,7 +38,7 @@ pub const FILL_VALUE: f64 = 9.969_209_968_386_869e36;
 /// Compressed data are at most this many times larger than the file (the limit of deflate is 1032).
 const MOST_EXPANSION: u64 = 1100;
 
-/// What is wrong with a file.
+/// Error of a file.
 #[derive(Debug, thiserror::Error)]
 pub enum DatasetError {
     /// It cannot be opened.
@@ -78,7 +78,7 @@ pub enum DatasetError {
     Content {
         /// The file.
         path: String,
-        /// What is wrong.
+        /// Description of the error.
         what: String,
     },
 }

@@ -16,7 +16,7 @@ pub struct DatasetReader {
     most_values: usize,
 }
 
-/// What is wrong with a file without a checksum: other programs write topographies, too.
+/// Message for a file without a checksum; other programs write topographies, too.
 fn foreign_damage(path: &Path) -> std::io::Result<Option<String>> {
     let mut file = std::fs::File::open(path)?;
     let mut bytes = Vec::new();

@@ -129,7 +129,7 @@ pub(super) fn checksum_of_several(slices: &[Slice]) -> String {
     content.finish()
 }
 
-/// Lengths go before texts and lists, so that nothing can move from one to the next unseen.
+/// Lengths go before texts and lists, so that the division into items is covered as well.
 struct Content(Sha256);
 
 impl Content {
@@ -139,7 +139,7 @@ impl Content {
     }
 
     fn real(&mut self, value: f64) {
-        // One pattern for all NaN: a file keeps only that there was one.
+        // One bit pattern for all NaN: a file does not store their payload.
         let value = if value.is_nan() { f64::NAN } else { value };
         self.0.update(value.to_bits().to_le_bytes());
     }

@@ -44,7 +44,7 @@ impl Table {
         if !several {
             shape.remove(0);
         }
-        // Checks also that the file can hold so many.
+        // Checks also that the file can hold this number.
         let status = file.flags("status", &shape)?;
         let slices = metadata.into_iter().map(|metadata| Slice::new(axes.clone(), metadata));
         let mut slices = slices.collect::<Result<Vec<Slice>, TableError>>().map_err(wrong)?;

@@ -63,7 +63,7 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
     file.finish()
 }
 
-/// What is written; slices at several temperatures have a leading dimension.
+/// The slices to write; those at several temperatures have a leading dimension.
 struct Content<'a> {
     slices: &'a [Slice],
     several: bool,

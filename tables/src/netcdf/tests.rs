@@ -1,4 +1,4 @@
-//! Writing and reading back, and what is refused.
+//! Writing, reading back, and refused files.
 
 use std::path::Path;
 

@@ -28,7 +28,7 @@ const DEFLATE_LEVEL: i32 = 4;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct DatasetWriter {
-    /// As asked for.
+    /// Path as given.
     path: String,
     /// Closed before the temporary file is removed.
     file: Option<FileMut>,

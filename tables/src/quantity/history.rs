@@ -53,7 +53,7 @@ impl History {
         }
     }
 
-    /// Keeps a number of rows from the first.
+    /// Truncates to a number of rows.
     pub fn truncate(&mut self, rows: usize) {
         self.columns.iter_mut().for_each(|column| column.truncate(rows));
     }

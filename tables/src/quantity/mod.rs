@@ -58,7 +58,7 @@ pub enum Quantity {
     InterferencePress,
     /// s: displacement of the flat.
     Slip,
-    /// ω/ω_c during the slide; it changes where the load is held.
+    /// ω/ω_c during the slide; it changes under load control.
     Interference,
     /// t since the start of the slide.
     Time,
@@ -194,7 +194,7 @@ impl Quantity {
     }
 
     /// Origin from which its relative error and its logarithm are taken: the initial `temperature` (K) for
-    /// temperatures, of which the rise matters, 0 for the others.
+    /// temperatures, 0 for other quantities.
     pub fn origin(self, temperature: f64) -> f64 {
         if self.is_temperature() { temperature } else { 0.0 }
     }

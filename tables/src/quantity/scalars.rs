@@ -58,7 +58,7 @@ impl Scalars {
     }
 }
 
-/// Nothing is known.
+/// All unknown.
 impl Default for Scalars {
     fn default() -> Self {
         Self([Estimate::UNKNOWN; Quantity::SCALARS.len()])

@@ -112,8 +112,8 @@ impl Slice {
 
 impl CrossValidation {
     /// Relative error between the points `index` and `index + 1` of an axis, at the point `across`
-    /// of the other. Zero on an axis of one point, infinite on one of two: there is nothing to
-    /// learn from.
+    /// of the other. Zero on an axis of one point, infinite on one of two, which has
+    /// no inner point.
     pub fn interval(&self, along: Along, index: usize, across: usize, quantity: Quantity) -> f64 {
         let misfits = &self.along[along as usize];
         let x = &misfits.coordinate;
@@ -130,7 +130,7 @@ impl CrossValidation {
         error
     }
 
-    /// Relative misfit of a point of an axis; none where nothing was left out or nothing is known.
+    /// Relative misfit of a point of an axis; none at end points and where a value is unknown.
     pub fn misfit(&self, along: Along, point: usize, across: usize, quantity: Quantity) -> Option<f64> {
         let position = match along {
             Along::Interference => point * self.shape.1 + across,

@@ -1,4 +1,4 @@
-//! Refinement of tables of closed-form laws, which stand in for the simulation.
+//! Refinement of tables of closed-form laws in place of simulations.
 
 use super::*;
 use crate::table::{Cell, Status};

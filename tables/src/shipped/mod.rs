@@ -109,7 +109,7 @@ fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Table, TableSourceError>
 mod tests {
     use super::*;
 
-    /// Each is whole, of default accuracy, and of the material that its name says.
+    /// Each is complete, of default accuracy, and of the material of its name.
     #[test]
     fn shipped_tables_are_whole() {
         for name in names() {

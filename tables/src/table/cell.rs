@@ -17,7 +17,7 @@ pub struct Cell {
     pub steady: bool,
     /// What the run took, s.
     pub wall_time: f64,
-    /// What a reader must know before trusting the numbers of this cell.
+    /// Limitations of the results of this cell.
     pub warnings: Vec<String>,
 }
 
@@ -34,7 +34,7 @@ impl Default for Cell {
 }
 
 impl Cell {
-    /// A cell in which nothing is known yet: set values by `cell[Quantity::Mu] = …` and
+    /// A cell without values: set values by `cell[Quantity::Mu] = …` and
     /// histories by [`Cell::with_history`].
     pub fn new() -> Self {
         Self::default()
@@ -89,7 +89,7 @@ impl PartialEq for Cell {
     }
 }
 
-/// What became of one point of the grid.
+/// State of one point of the grid.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Status {
     Done(Box<Cell>),

@@ -6,7 +6,7 @@ use crate::table::{Slice, Status};
 /// Coordinates closer than this, relatively, are the same.
 const SAME: f64 = 1e-9;
 
-/// What is smaller than this share of the largest value of a quantity is rounding.
+/// Values below this share of the largest value of a quantity are rounding errors.
 const NEGLIGIBLE: f64 = 1e-9;
 
 /// The indices of a point in both tables.

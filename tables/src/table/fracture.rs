@@ -1,4 +1,4 @@
-//! Energy released by the asperity against what shear fracture of its material takes.
+//! Energy released by the asperity over the shear fracture energy of its material.
 
 use crate::quantity::Estimate;
 

@@ -17,7 +17,7 @@ impl Slice {
         })
     }
 
-    /// Takes over from `other` what is done there and not here, or failed there and not run
+    /// Takes from `other` the cells done there and not here, or failed there and not run
     /// here. Request, axes and program must be the same, and so must be what both have done,
     /// but for the wall times.
     pub fn merge(&mut self, other: &Slice) -> Result<(), TableError> {

@@ -15,7 +15,7 @@ pub struct Metadata {
     pub fingerprint: String,
     /// `K/N` where the table is one of N parts of the request; empty for a whole one.
     pub shard: String,
-    /// What a reader must know before trusting the numbers; may be empty.
+    /// Limitations of the results; may be empty.
     pub comment: String,
     /// The request as TOML.
     pub scene: String,
@@ -29,7 +29,7 @@ pub struct Metadata {
     pub poisson_ratio: f64,
     /// σ_Y at the initial temperature, Pa.
     pub yield_strength: f64,
-    /// f_τ; none where the interface has no strength of its own (Coulomb, full stick, frictionless).
+    /// f_τ; none where the law has no shear strength (Coulomb, full stick, frictionless).
     pub strength_factor: Option<f64>,
     /// Initial temperature of body and flat, K.
     pub temperature: f64,

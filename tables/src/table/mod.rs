@@ -25,7 +25,7 @@ use merge::first_difference;
 
 use crate::numbers::plain;
 
-/// Why parts do not make a table.
+/// Reason why parts do not form a table.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TableError {
     #[error("axis \"{axis}\" must {rule}, but has {value} at position {position}")]
@@ -42,7 +42,7 @@ pub enum TableError {
     Temperature(#[from] TemperatureError),
 }
 
-/// Why there is no table at an initial temperature.
+/// Reason why there is no table at an initial temperature.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TemperatureError {
     /// The tables are several.
@@ -56,7 +56,7 @@ pub enum TemperatureError {
         /// The highest, K.
         to: f64,
     },
-    /// Nothing is extrapolated.
+    /// Outside the range: there is no extrapolation.
     #[error("initial temperature {asked} K is outside the table, which goes from {from} to {to} K")]
     Outside {
         /// K.
@@ -141,7 +141,7 @@ impl Table {
         }
     }
 
-    /// Takes over what is done in `other`, as [`Slice::merge`] does at each temperature.
+    /// Takes the cells done in `other`, as [`Slice::merge`] does at each temperature.
     pub fn merge(&mut self, other: &Self) -> Result<(), TableError> {
         let (here, there) = (self.temperatures(), other.temperatures());
         if here.len() != there.len() {

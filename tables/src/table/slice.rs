@@ -49,7 +49,7 @@ pub struct Slice {
 }
 
 impl Slice {
-    /// A slice in which nothing has been run.
+    /// A slice of cells that are not run.
     pub fn new(axes: Axes, metadata: Metadata) -> Result<Self, TableError> {
         check_axis("interference", &axes.interference, true)?;
         check_axis("slip_rate", &axes.slip_rate, false)?;
@@ -68,7 +68,7 @@ impl Slice {
         &self.metadata
     }
 
-    /// Changes the metadata; results are kept.
+    /// Changes the metadata; results are unchanged.
     pub fn set_metadata(&mut self, metadata: Metadata) {
         self.metadata = metadata;
     }
@@ -113,7 +113,7 @@ impl Slice {
         self.set_status(i, j, Status::Failed(reason.into()));
     }
 
-    /// Enters what became of a point.
+    /// Sets the state of a point.
     pub(crate) fn set_status(&mut self, i: usize, j: usize, status: Status) {
         let position = self.position(i, j);
         self.cells[position] = status;

@@ -2,7 +2,7 @@
 //! no panic, no crash of a library, and no more memory than the limit set here.
 //!
 //! Inputs are mutations of good files by a fixed sequence of pseudo-random numbers: bits flipped,
-//! cut off, pieces doubled or taken out, numbers and words put in that are known for trouble.
+//! cut off, pieces doubled or taken out, numbers and words inserted that are critical for parsers.
 //! `HOSTILE_INPUTS=5000 cargo test -p tests --release --test hostile_input` tries as many of each kind.
 #![cfg(unix)]
 
@@ -98,7 +98,7 @@ fn read(kind: &str, bytes: &[u8], folder: &Path) -> bool {
 }
 
 /// What the parent starts: inputs from HOSTILE_FIRST on, of HOSTILE_KIND; the number of the one being
-/// read stands in the file `at`, so that it is known after a crash.
+/// read is written to the file `at`, so that it is available after a crash.
 #[test]
 #[ignore = "run by the other test, in a process of its own with little memory"]
 fn reads_a_batch() {
@@ -152,7 +152,7 @@ fn foreign(folder: &Path) -> Vec<(&'static str, &'static str, Vec<u8>)> {
     ]
 }
 
-/// What crashes the HDF5 library crashes a copy of the program, which says so.
+/// Files that crash the HDF5 library crash a copy of the program, and the program reports that.
 #[test]
 fn no_foreign_file_crashes_a_program() {
     let inputs: u64 = std::env::var("HOSTILE_INPUTS").map_or(150, |text| text.parse().unwrap());

@@ -100,7 +100,7 @@ impl Contact {
     }
 
     /// The contact of an axisymmetric press, at all angles, ready to slide: tractions and
-    /// displacements are kept, the anchors moved to where the springs of the slide hold them.
+    /// displacements are unchanged; the anchors are moved so that the springs of the slide have the same force.
     pub fn revolve(axisymmetric: &Contact, mesh: &RevolvedMesh, modulus: f64) -> Self {
         let mut contact = Self::with_springs(mesh, modulus, SLIDE_SPRING);
         contact.committed = axisymmetric.committed.spread(contact.columns);

@@ -6,7 +6,7 @@ use crate::heat::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::interface::contact::{Contact, Status};
 use crate::loading::problem::Problem;
 
-/// Heat of friction: flow f_h τ_c(θ) v where the contact slips, less what the gap takes.
+/// Heat of friction: flow f_h τ_c(θ) v where the contact slips, less the heat conducted through the gap.
 struct FrictionHeat<'a> {
     problem: &'a Problem,
     contact: &'a Contact,
@@ -54,7 +54,7 @@ impl FrictionHeat<'_> {
     }
 }
 
-/// What heats the body over a step: slip speeds at the contact points, plastic power at the nodes.
+/// Heat sources of the body over a step: slip speeds at the contact points, plastic power at the nodes.
 #[derive(Clone, Debug, Default)]
 pub struct HeatSources {
     speed: Vec<f64>,

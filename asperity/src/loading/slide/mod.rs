@@ -39,9 +39,9 @@ pub enum SlideFailure {
     #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
     OutgrewMesh { growth: f64 },
     #[error(
-        "the interface holds where the asperity does not: {:.0} % of the contact stick, while the elements \
-         below have sheared by a plastic strain of {strain:.2}, where the mesh decides what comes next. To \
-         slide, the interface has to be weaker than the metal below it",
+        "the body shears below a sticking interface: {:.0} % of the contact stick, and the elements below \
+         have a plastic strain of {strain:.2}, beyond which the result depends on the mesh. Sliding requires \
+         an interface weaker than the metal below it",
         100.0 * .stick_fraction
     )]
     Distorted { strain: f64, stick_fraction: f64 },
@@ -231,7 +231,7 @@ impl<'a> Slide<'a> {
         self.history.last().expect("starts with the press")
     }
 
-    /// Keeps the fields of the present state.
+    /// Records the fields of the present state.
     pub fn record_fields(&mut self) {
         let now = self.history.last().expect("starts with the press");
         self.recorder.keep(now, &self.mechanics, self.heat.as_ref());

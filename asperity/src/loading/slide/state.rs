@@ -27,7 +27,7 @@ impl Slide<'_> {
         }
     }
 
-    /// Commits the solved increment: adds its work and heat to the totals and keeps the state.
+    /// Commits the solved increment: adds its work and heat to the totals and appends the state.
     pub(super) fn commit(&mut self, from: f64, dt: f64, mut state: SlideState, solved: Equilibrium) {
         let Equilibrium { flat, sources, heated } = solved;
         state.interference = flat.interference;

@@ -110,7 +110,7 @@ fn a_proportional_path_ends_where_the_radial_return_does() {
     }
 }
 
-/// Of a yield surface that keeps its size the solution is exact: a path may be cut anywhere. From the virgin
+/// For a yield surface of constant size the solution is exact: a path may be divided anywhere. From the virgin
 /// state, from yield, and from yield back through the elastic inside.
 #[test]
 fn without_hardening_one_step_is_as_good_as_many() {

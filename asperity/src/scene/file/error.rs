@@ -1,4 +1,4 @@
-//! What can be wrong with a scene, a request or an override: one line each.
+//! Errors of a scene, a request or an override: one line each.
 
 /// Why a scene or a request was refused; the message is one line that names the place
 /// (a file or a `--set`), the key, the value and what is allowed.

@@ -181,7 +181,7 @@ pub const fn range_keys(unit: &'static str, range: Range) -> [Key; 4] {
 }
 
 impl Kind {
-    /// As in "must be …"; of names the type of the key knows more.
+    /// As in "must be …"; the names of a choice are listed by the type of the key.
     pub fn allowed(&self) -> String {
         match self {
             Number(unit, range) => range.with_unit(unit),

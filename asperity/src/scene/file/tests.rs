@@ -1,4 +1,4 @@
-//! What is accepted, what is refused and with which words.
+//! Accepted and refused input, and the messages.
 
 use tables::refinement::Goal;
 

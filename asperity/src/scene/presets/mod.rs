@@ -53,7 +53,7 @@ pub struct Preset {
 }
 
 impl Preset {
-    /// The section `[material]` that this preset stands for.
+    /// The section `[material]` of this preset.
     pub fn section(&self) -> Table {
         let mut section = Table::new();
         for (group, law) in &self.laws {

@@ -1,6 +1,6 @@
 //! Error estimates by source: mesh, collocation angles, increments, solver, model.
 //!
-//! Every run has auxiliary runs on a mesh half as fine: one as it is, and one each with another N_θ,
+//! Every run has auxiliary runs on a mesh half as fine: one unchanged, and one each with another N_θ,
 //! with increments twice as large and with a larger solver tolerance. The mesh error follows from the
 //! difference between the run and the first of them by the order of convergence, 1.5 for the
 //! square-root edge of the pressure, 1 for friction of elastic contacts; quantities that depend on the
@@ -230,7 +230,7 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
     match quantity {
         // Friction is strength times area.
         Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area | AreaPress => 2.0 * edge,
-        // The rise goes with the radius of the source.
+        // The rise is proportional to the radius of the source.
         ContactRadius | InceptionSlip | EnergyRelease | EnergyWeakening | TemperatureMax
         | TemperatureMean => edge,
         // The pressure vanishes at the edge.

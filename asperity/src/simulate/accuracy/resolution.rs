@@ -99,7 +99,7 @@ impl Resolution {
         Self { growth_zone: self.growth_zone, ..coarse }
     }
 
-    /// Those of the auxiliary runs: on the coarse mesh as it is, with another N_θ, with longer increments, with a
+    /// Those of the auxiliary runs: on the coarse mesh unchanged, with another N_θ, with longer increments, with a
     /// looser solver.
     pub fn auxiliary(&self) -> [Self; 4] {
         let coarse = self.coarse();
@@ -158,7 +158,7 @@ impl Resolution {
     }
 
     /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
-    /// nothing if that is met or the scene and the limits leave no choice.
+    /// none if that is met, or fixed by the scene or the limits.
     pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
         let accuracy = numerics.accuracy;
         if parts.total() <= accuracy {

@@ -58,7 +58,7 @@ pub enum FactorError {
     Memory,
 }
 
-/// Cosine and sine transforms in θ, orthonormal, so that energies keep their value.
+/// Cosine and sine transforms in θ, orthonormal, so that energies are invariant.
 #[derive(Clone, Debug)]
 pub struct ThetaTransform {
     pub columns: usize,

@@ -110,7 +110,7 @@ impl HarmonicPattern {
     }
 
     /// Whether the axis has component c in harmonic m: u_z (and T) of m = 0, and the translation
-    /// u_r = −u_θ of m = 1, which is kept as u_r. Off the axis all components are kept.
+    /// u_r = −u_θ of m = 1, which is stored as u_r. Off the axis all components exist.
     fn exists_on_axis(&self, component: usize, m: usize) -> bool {
         match (self.kind, component) {
             (FieldKind::Vector, 0) => m == 1,
@@ -197,7 +197,7 @@ impl HarmonicPattern {
             for l in 0..M {
                 factors.triangle.diagonal[j * lanes + first + l] = 1.0 / own[l];
             }
-            // Diagonals are kept apart: j + 1 of them come before.
+            // Diagonals are stored separately: j + 1 of them come before.
             for at in columns[j] + 1..columns[j + 1] {
                 let place = (at - j - 1) * lanes + first;
                 factors.triangle.block[place..place + M].copy_from_slice(&lower[at]);

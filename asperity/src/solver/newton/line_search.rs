@@ -77,10 +77,10 @@ impl Mechanics {
         enough
     }
 
-    /// Goes along a line until the slope of the energy has fallen enough; leaves `u` there, with
-    /// the internal force of that point. Returns how far that is.
+    /// Advances along a line until the slope of the energy has fallen enough; leaves `u` there, with
+    /// the internal force of that point. Returns the step length.
     ///
-    /// Where a full step goes too far, points of the contact mostly touch, lift off or begin to slip on the way. So the
+    /// Where a full step is too long, this is mostly because contact points touch, lift off or begin to slip. So the
     /// next try is the root of the slope of the body, taken as linear, plus the exact slope of the contact.
     pub(super) fn line_search(
         &mut self,

@@ -64,7 +64,7 @@ pub struct Effort {
     pub krylov: usize,
 }
 
-/// What is prescribed in a step: the interference (displacement control) or the load.
+/// Loading control of a step: the interference (displacement control) or the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LoadingControl {
     Interference,
@@ -232,7 +232,7 @@ impl Mechanics {
         true
     }
 
-    /// Internal force of the body at displacement `u`, kept for the residual.
+    /// Internal force of the body at displacement `u`, stored for the residual.
     fn internal_force(&mut self, u: &[f64], data: &CouplingData) {
         let start = Instant::now();
         self.body.internal_force(u, data.rise.as_deref(), &mut self.internal);

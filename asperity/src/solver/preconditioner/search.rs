@@ -26,7 +26,7 @@ pub struct Search {
 }
 
 impl Search {
-    /// With forces on `nodes` alone; contact is taken as it is in the preconditioner.
+    /// With forces on `nodes` alone; the contact stiffness is that of the preconditioner.
     pub fn new(preconditioner: &Preconditioner, nodes: Vec<usize>) -> Self {
         let Preconditioner { single, places, .. } = preconditioner;
         let mut marked = vec![false; single.places_before(0).len()];

@@ -1,5 +1,6 @@
-//! Fits of constants, repeated: each runs its data again, fits the constants anew, and compares them with those stored in
-//! `scene::fitted_constants` (book, "Errors"). Called by `asperity calibrate`. May use every room below it.
+//! Fits of constants, repeated: each runs its data again, fits the constants anew, and compares them with those stored
+//! in
+//! `scene::fitted_constants` (book, "Errors"). Called by `asperity calibrate`. Depends on every room below it.
 
 mod contact_edge;
 mod orders;
@@ -36,7 +37,7 @@ pub struct Residual {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fit {
     pub name: &'static str,
-    /// What is fitted to what.
+    /// Method: fitted quantity and data.
     pub method: &'static str,
     pub constants: Vec<FittedConstant>,
     pub residuals: Vec<Residual>,

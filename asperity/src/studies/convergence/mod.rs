@@ -26,7 +26,7 @@ pub const DIVISOR: usize = 12;
 /// Default of the finest n_c.
 pub const FINEST: usize = 24;
 
-/// One run with what it cost.
+/// One run with its cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// Whether its resolution is what the scene chooses, and not one of the sweep.
@@ -73,7 +73,7 @@ pub struct Convergence {
 
 impl Convergence {
     /// Runs the scene on meshes up to `finest` elements per radius, a multiple of [`DIVISOR`], and
-    /// as it is.
+    /// at its chosen resolution.
     ///
     /// ```no_run
     /// use asperity::studies::convergence::{Convergence, FINEST, in_words};

@@ -97,7 +97,7 @@ impl SceneReport {
     }
 }
 
-/// What is known of one quantity over all scenes.
+/// Statistics of one quantity over all scenes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuantityReport {
     pub quantity: Quantity,
@@ -266,7 +266,7 @@ mod tests {
             judged: vec![
                 judged(Quantity::Mu, -0.03, 0.01),
                 judged(Quantity::Load, 0.001, 0.04),
-                // The accuracy is not asked of it.
+                // It is not controlled by the accuracy.
                 judged(Quantity::EnergyRelease, 0.5, 0.1),
             ],
         };

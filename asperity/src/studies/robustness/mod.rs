@@ -83,7 +83,7 @@ impl RobustnessCase {
         parse_scene(BASE, "base.toml", &self.set)
     }
 
-    /// Runs it; nothing if that was stopped on request.
+    /// Runs it; none if stopped on request.
     pub fn run(&self, watch: &dyn Watch) -> Option<CaseResult> {
         let since = Instant::now();
         let scene = self.scene().expect("checked by the tests");
@@ -193,12 +193,12 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
             end[Quantity::WorkThermalExpansion],
         ];
         let off = relative(end[Quantity::Work] - spent, &parts);
-        check(off <= LEDGER, format!("the energies of the slide miss the work of the flat by {off:.1e}"));
+        check(off <= LEDGER, format!("the energies of the slide differ from the work of the flat by {off:.1e}"));
         let off = relative(
             end[Quantity::HeatIn] - end[Quantity::HeatStored] - end[Quantity::HeatOut],
             &[end[Quantity::HeatIn]],
         );
-        check(off <= LEDGER, format!("the heat in the body misses what went in by {off:.1e}"));
+        check(off <= LEDGER, format!("the heat in the body differs from the heat input by {off:.1e}"));
     }
     wrong
 }

@@ -1,8 +1,8 @@
 //! Frictional heat of constant strength on an elastic sphere that is a half space to the contact.
 //!
 //! Disc source on an insulated half space, Fo = κt/a²: H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
-//! (1959), §10.5. Steady source that is cooled through the gap to the flat: the body conducts between (3π²/8)ka per mean
-//! rise (uniform flux) and 4ka (uniform temperature), §8.2 there.
+//! (1959), §10.5. Steady source that is cooled through the gap to the flat: the body conducts between (3π²/8)ka per
+//! mean rise (uniform flux) and 4ka (uniform temperature), §8.2 there.
 
 use std::f64::consts::PI;
 
@@ -143,7 +143,7 @@ fn cooled(biot: f64, watch: &dyn Watch) -> Rows {
         Row::new(name, computed, reference, Tolerance::relative(share + 0.005, WHY))
     };
     let rise = end[Quantity::TemperatureMean] - START;
-    // Of the heat of the last step: the far body still warms up.
+    // Of the heat of the last step: the far field is not yet steady.
     let before = outcome.slide.state(outcome.slide.len() - 2);
     let share = (end[Quantity::HeatOut] - before[Quantity::HeatOut])
         / (end[Quantity::HeatIn] - before[Quantity::HeatIn]);

@@ -1,13 +1,13 @@
-//! The reference suite: what the model computes against closed forms, published fits, independent numbers, and what
-//! follows from its equations alone (book, chapter Verification).
+//! The reference suite: results of the model against closed forms, published fits, independent solutions, and
+//! consequences of its equations (book, chapter "Verification").
 //!
 //! One file per group. A [`Case`] runs a few simulations and yields [`Row`]s, each with its source and with a tolerance
 //! fixed before the run. `asperity verify` and `cargo test` run the same cases. The error that the program states for a
-//! value is judged in a second column of its own, see [`Row::covered`].
+//! value is evaluated in a separate column, see [`Row::covered`].
 //!
 //! Discretisation errors that the tolerances are made of, relative, with n_c elements per contact radius: forces
-//! 0.5 n_c^-1.5 (square-root edge of the pressure), 2.2 % at 8, 1.2 % at 12 and 0.8 % at 16; areas 0.09/n_c (edge of the
-//! contact placed to 0.07 ring spacings of a/(3 n_c) rms, twice that as the largest), 1.2, 0.8 and 0.6 %.
+//! 0.5 n_c^-1.5 (square-root edge of the pressure), 2.2 % at 8, 1.2 % at 12 and 0.8 % at 16; areas 0.09/n_c (edge of
+//! the contact placed to 0.07 ring spacings of a/(3 n_c) rms, twice that as the largest), 1.2, 0.8 and 0.6 %.
 
 mod elastic_plastic;
 mod full_stick;

@@ -43,8 +43,8 @@ const LIMITS: [Limits; 3] = [
         scene: ("aluminium-6061", 20.0, 10.0),
         mu: (0.2632, 0.0025),
         mu_static: (0.3087, 0.002),
-        // Mean of 16 runs between 16 and 48 elements, which scatter by 1.5 % with the slip at which the last points let go;
-        // the uncertainty is twice the standard error.
+        // Mean of 16 runs between 16 and 48 elements, which scatter by 1.5 % with the slip at which the last points
+        // begin to slip; the uncertainty is twice the standard error.
         energy: (260.5, 0.004),
         rise: (153.49, 0.0005),
     },

@@ -1,4 +1,4 @@
-//! Scenes of the cases, and what is read from their outcomes.
+//! Scenes of the cases, and the quantities read from their outcomes.
 
 use tables::closed_forms::{hertz, partial_slip};
 use tables::law::Estimate;

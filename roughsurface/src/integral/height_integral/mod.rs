@@ -15,7 +15,7 @@ use tables::law::LookupError;
 /// unless extrapolation is enabled.
 pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
 
-/// Halvings after which a panel is left as it is, its error counted.
+/// Largest number of halvings of a panel; its error then enters the estimate.
 const MOST_ROUNDS: usize = 60;
 
 /// Largest change of ln φ across a panel; its points resolve the exponential up to there, and beyond it the
@@ -40,7 +40,7 @@ pub struct HeightIntegral<'a> {
     passing: PanelTree,
     /// Panels that together cover ω from zero upwards.
     roots: Vec<Root>,
-    /// Panels of the present separation; the others are kept to avoid allocations.
+    /// Panels of the present separation; the others are stored to avoid allocations.
     leaves: Vec<Leaf>,
     finer: Vec<Leaf>,
     pending: Vec<(bool, usize)>,

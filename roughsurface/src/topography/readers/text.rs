@@ -22,7 +22,7 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
     let column = |index: usize| -> Vec<f64> { lines.iter().map(|line| unit * line[index]).collect() };
     let pixel = || {
         reading.pixel.ok_or_else(|| {
-            "the text does not say how far its points are apart; --pixel LENGTH does".to_string()
+            "the text does not state the distance of its points; give it with --pixel LENGTH".to_string()
         })
     };
     match columns {

@@ -1,4 +1,4 @@
-//! The table between temperatures, its errors against the truth, and what is refused.
+//! The table between temperatures, its errors against true errors, and refused requests.
 
 use super::*;
 use crate::law::AsperityLaw;
@@ -168,7 +168,7 @@ fn between_its_temperatures_it_is_smooth_and_meets_its_tables() {
     // The table is a law like any other.
     let table = several.at(700.0).unwrap();
     assert!(table.response(1e-3, 3.0, 0.5, 1e-6).unwrap().load.value > 0.0);
-    // What is a power of ω_c at every temperature stays one.
+    // A power of ω_c at every temperature is one in between.
     let expected = 0.7 * (10.0 * table.metadata().critical_interference / 1e-7).powf(1.5);
     assert!((numbers[1] / expected - 1.0).abs() < 1e-12);
 }

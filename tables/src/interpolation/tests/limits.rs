@@ -185,7 +185,7 @@ fn the_end_of_the_histories_is_a_break() {
             let friction = |interference: f64, slip: f64| {
                 table.response(radius, interference, 1.0, slip).unwrap().friction.value
             };
-            // Smaller contacts are held, larger ones still change.
+            // Smaller contacts have the last value, larger ones still change.
             assert_eq!(friction(0.999 * found, slip), friction(0.999 * found, 1.001 * slip));
             assert_ne!(friction(1.001 * found, slip), friction(1.001 * found, 0.999 * slip));
         }
