@@ -193,7 +193,7 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
             end[Quantity::WorkThermalExpansion],
         ];
         let off = relative(end[Quantity::Work] - spent, &parts);
-        check(off <= LEDGER, format!("the energies of the slide differ from the work of the flat by {off:.1e}"));
+        check(off <= LEDGER, format!("the energies of the slide miss the work of the flat by {off:.1e}"));
         let off = relative(
             end[Quantity::HeatIn] - end[Quantity::HeatStored] - end[Quantity::HeatOut],
             &[end[Quantity::HeatIn]],
