@@ -1,26 +1,25 @@
 //! Full 3-D thermomechanical simulation of one spherical asperity pressed
 //! against, and slid along, a rigid flat.
 //!
-//! Friction is not put in: a contact point slips where its shear stress reaches the shear strength
-//! of the material at its own temperature. A [`scene::Scene`] defines the simulation (read from TOML
-//! by [`scene::file`]), [`mod@simulate`] presses and slides it, an [`Outcome`] holds the histories
-//! and the scalars with their errors, [`output::run_file`] writes them. [`mod@tabulate`] runs a grid of
-//! interferences and slip rates into a [`tables::table::Table`], from which the crate `roughsurface`
-//! builds rough surfaces.
+//! Friction is a result: a contact point slips where its shear stress reaches the shear strength of the material at the
+//! temperature of the point. A [`scene::Scene`] is the input (read from TOML by [`scene::file`]), [`mod@simulate`] presses
+//! and slides it, an [`Outcome`] contains the histories and the scalars with their errors, [`output::run_file`] writes
+//! them. [`mod@tabulate`] computes a grid of interferences and slip rates as a [`tables::table::Table`], which the crate
+//! `roughsurface` integrates over the summits of a rough surface.
 //!
-//! SI units and kelvin throughout; forces, areas and energies of the whole asperity. Inside, the half
-//! y ≥ 0 is simulated, with lengths, stresses and temperatures made dimensionless, so that any radius
-//! takes the same path through the code.
+//! SI units and kelvin throughout; forces, areas and energies of the whole asperity. The half y ≥ 0 is simulated, with
+//! lengths in units of R, stresses in units of σ_Y and times in units of R²/κ, so that the computation does not depend on
+//! the radius. The origin of the coordinates is the apex of the undeformed sphere.
 //!
 //! ```text
 //!        z │     flat, moves along +x ──►
-//!   ═══════╪═══════════════════   z = R − ω
+//!   ═══════╪═══════════════════   z = −ω
 //!        ╭─┴─╮                    pressed: ω from 0 to ω₀
 //!      ╱   │   ╲                  slid: slip s = V t
 //!     │    │    │
-//!   ──┴────┴────┴──► x            base z = 0: clamped, at the initial temperature
+//!   ──┴────┴────┴──► x            base z = −R: clamped, at the initial temperature
 //! ```
-//! In the fewest lines:
+//! A minimal simulation:
 //!
 //! ```
 //! # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\

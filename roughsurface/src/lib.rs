@@ -3,8 +3,8 @@
 //! A rough surface is a population of spherical summits, their heights (and radii) spread over a
 //! distribution, against a smooth rigid flat (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242). The
 //! response of a single asperity, [`tables::law::AsperityLaw`], is integrated over the heights at each slip;
-//! the friction of the surface is read from that curve, not from the asperities' own peaks, because
-//! asperities at different interferences reach theirs at different slips.
+//! the static friction of the surface is read from the friction–slip curve of the surface, not from the static friction of
+//! its asperities, which begin to slide at different slips.
 //!
 //! Rooms, each depending only on those below it:
 //!

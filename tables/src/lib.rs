@@ -3,17 +3,17 @@
 //!
 //! | room | content |
 //! |---|---|
-//! | [`quantity`] | the one list of quantities, values and histories keyed by it, numbers as text |
+//! | [`quantity`] | the list of quantities, values and histories by quantity, numbers as text |
 //! | [`law`] | interface of the single-asperity response, of tables and closed forms |
 //! | [`closed_forms`] | models of the literature |
 //! | [`table`] | axes, cells and their state, merging, comparison |
-//! | [`interpolation`] | a table between its points, below and above them, at other radii and temperatures |
-//! | [`refinement`] | cross-validation, error statistics, points that a table lacks |
+//! | [`interpolation`] | interpolation between the points of a table, below the first interference, at other radii and temperatures |
+//! | [`refinement`] | cross-validation, error statistics, points to be added to a table |
 //! | [`netcdf`] | files: datasets, tables, checksums, comma-separated values |
 //! | [`figures`] | panels of curves, maps and cells |
 //! | [`shipped`] | tables that come with the crate |
 //!
-//! A room depends on those above it only. `asperity` computes the tables, `roughsurface` reads them.
+//! A room is one of these modules; it depends on those above it only. `asperity` computes the tables, `roughsurface` reads them.
 
 pub mod closed_forms;
 pub mod figures;

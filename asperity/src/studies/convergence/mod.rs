@@ -1,5 +1,5 @@
 //! Speed against error: one scene on a sequence of meshes, its errors relative to the extrapolated limit. Uses
-//! simulate like any caller. Book: "Speed against error".
+//! simulate like any caller. Chapter "Speed against error" of the book.
 
 mod figure;
 mod report_file;
