@@ -7,13 +7,13 @@
 //! | friction of a Gaussian surface, from Rust | `cargo run --release -p examples --example rough_surface [table.nc]` |
 //! | from elastic to plastic contact, from the shipped tables | `cargo run --release -p examples --example elastic_to_plastic [figure.svg]` |
 //! | a press in comparison with the fits of the literature | `cargo run --release -p examples --example press_curves [figure.svg]` |
-//! | a model without an end state, and its remedy | `cargo run --release -p examples --example no_end_state [figure.svg]` |
+//! | body and interface of equal strength: dependence on the mesh, and its remedies | `cargo run --release -p examples --example no_end_state [figure.svg]` |
 //! | a study of fresh and worn surfaces, from Rust | `cargo run --release -p examples --example worn_surface` |
 //! | one asperity, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
 //! | a brake disc, bearing steel, a granite fault | `roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc` |
 //! | a table in shards, with Snakemake or Slurm | `examples/snakemake/two-jobs.sh`, `slurm-array.sh` there |
 //! | 3-D fields of a run, in Python | `examples/read_body.py DIR/body.pvd`, after `asperity run … --vtu DIR` |
-//! | μ(V) from a table, in Python | `examples/friction_against_rate.py table.nc figure.png` |
+//! | sliding friction against slip rate from a table, in Python | `examples/friction_against_rate.py table.nc figure.png` |
 //! | material and roughness to friction, the main job | `examples/friction-of-steel.sh` |
 
 use std::path::PathBuf;
