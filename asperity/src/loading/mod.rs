@@ -1,8 +1,8 @@
 //! The loading of one asperity: the normal loading (press), then the sliding (slide).
 //!
-//! Contains the scene in dimensionless form ([`problem`]), the press and the slide with their step control, the bracket
-//! of sliding inception, the coupling of mechanics, contact edge and heat within a step, the states of a slide ([`state`]) and
-//! their recorded fields ([`recording`], [`body_fields`]). It computes one run at one resolution; [`crate::simulate`] chooses
+//! Contains the scene in dimensionless form (`problem`), the press and the slide with their step control, the bracket
+//! of sliding inception, the coupling of mechanics, contact edge and heat within a step, the states of a slide (`state`) and
+//! their recorded fields ([`recording`], [`body_fields`]). It computes one run at one resolution; [`simulate`](mod@crate::simulate) chooses
 //! resolutions and estimates errors.
 //!
 //! Depends on `crate::heat` and the rooms below it. Chapters "One asperity" and "Equilibrium" of the book.

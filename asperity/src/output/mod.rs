@@ -1,6 +1,6 @@
 //! Files and figures of a run: `run.nc`, the figure, the body for ParaView, numbers as text and JSON.
 //!
-//! Writes the results of [`crate::simulate`] without computing any; loops over the list of [`tables::quantity`]. Depends
+//! Writes the results of [`simulate`](mod@crate::simulate) without computing any; loops over the list of [`tables::quantity`]. Depends
 //! on `crate::simulate` and the rooms below it. Chapters "Run: run.nc" and "Other files" of the book.
 
 mod contact_maps;

@@ -2,7 +2,7 @@
 //!
 //! - [`Scene`]: one run. SI units and kelvin throughout.
 //! - [`presets`]: materials with published constants and their sources.
-//! - [`file`]: scenes and table requests as TOML, read and written by serde.
+//! - [`file`](mod@file): scenes and table requests as TOML, read and written by serde.
 //!
 //! Depends on no other room of the crate. Chapters "Scene" and "Request of a table" of the book.
 

@@ -2,7 +2,7 @@
 //! temperatures.
 //!
 //! - **Interference**: monotone cubic in ln ω, of the logarithm of positive quantities, hence
-//!   exact for power laws. Below the first point extrapolation towards the Hertz limit, see [`hertz_limit`];
+//!   exact for power laws. Below the first point extrapolation towards the Hertz limit, see `hertz_limit`;
 //!   above the last an error.
 //! - **Slip rate**: the same in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
@@ -10,9 +10,9 @@
 //!   small V.
 //! - **Slip**: monotone cubic in s/a₀ between the points of the histories, constant after the last.
 //! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)².
-//! - **Initial temperature**: see [`temperature`].
+//! - **Initial temperature**: see `temperature`.
 //! - **Errors**: those of the points, interpolated linearly, plus an estimate of the
-//!   interpolation error from the prediction of each point by the others (see [`nodes`]). Along
+//!   interpolation error from the prediction of each point by the others (see `nodes`). Along
 //!   interference and slip rate it is added only if the errors of the points do not include it already (see
 //!   [`Slice::with_interpolation_errors`]).
 //!

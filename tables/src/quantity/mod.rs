@@ -1,6 +1,6 @@
 //! The list of quantities of runs and of tables.
 //!
-//! An entry of [`Quantity::LIST`] gives name, unit and meaning of a quantity, how it scales with the
+//! An entry of `LIST` (file `list.rs`) gives name, unit and meaning of a quantity, how it scales with the
 //! radius of the asperity and with the material, and how it is stored: as a scalar of a run and of a table, as a history
 //! of the press, of the slide or of a table. Run file, summary, table, CSV and figures
 //! loop over this list. To add an output, add an entry here and the formula that computes it in

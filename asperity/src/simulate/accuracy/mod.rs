@@ -1,5 +1,5 @@
-//! Resolutions and errors: the ladder of resolutions of a run ([`resolution`]), and the error of every
-//! quantity as a function of the values of its runs ([`error_budget`], [`modelling_error`]).
+//! Resolutions and errors: the ladder of resolutions of a run (`resolution`), and the error of every
+//! quantity as a function of the values of its runs (`error_budget`, `modelling_error`).
 //!
 //! Does not depend on the computation of the runs. Chapter "Errors of a run" of the book.
 
