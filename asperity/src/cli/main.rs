@@ -1,4 +1,6 @@
 //! The program `asperity`: arguments, exit status, and one module per subcommand; see `asperity --help`.
+//!
+//! Depends on every room of the crate.
 
 mod arguments;
 mod calibrate;

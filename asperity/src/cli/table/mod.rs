@@ -1,4 +1,7 @@
 //! `asperity table`: contents, differences, cells computed again, figures, export.
+//!
+//! Depends on [`tables`] and, for cells computed again, on `tabulate`. Chapters "First steps" and "Shipped tables" of
+//! the book.
 
 mod check;
 mod diff;

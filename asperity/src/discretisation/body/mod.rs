@@ -8,6 +8,9 @@
 //! The derivative of the stress is not symmetric where the stress turns; the tangent is symmetric. It is exact in short
 //! steps and along proportional paths, where it is the consistent tangent of the radial return (de Souza Neto, Perić &
 //! Owen, Computational Methods for Plasticity (2008), eq. (7.120)), in long steps its error is a few per cent.
+//!
+//! Depends on `element`, `collocation` and `crate::material`. Chapters "Mesh and elements" and "Integration of plastic
+//! flow" of the book.
 
 use crate::discretisation::collocation::VECTOR_PARITY;
 use crate::discretisation::element::{CORNERS, POINTS, RevolvedMesh, VALUES, shape_at_points};

@@ -7,6 +7,8 @@
 //! Engng 15, 1413) is over the quadrilateral, angle by angle.
 //!
 //! Symmetric tensors are stored as (rr, θθ, zz, rθ, θz, zr), shear components unscaled.
+//!
+//! Depends on `mesh` and `collocation`. Chapter "Mesh and elements" of the book.
 
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::MeridianMesh;

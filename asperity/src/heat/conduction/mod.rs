@@ -14,7 +14,7 @@
 //! doi:10.1137/0714068), whose stages share the matrix M + γΔt K. Heat that depends on the temperature of the contact
 //! (softening friction, gap conductance) is implicit. A stage is solved by one of two methods: at constant properties
 //! only the contact is nonlinear, and its Schur complement is iterated ([`contact_iteration`]); otherwise, and where
-//! that fails to converge, a convex function of Θ is minimised ([`kirchhoff`]). Chapter "Heat" of the book.
+//! that fails to converge, a convex function of Θ is minimised ([`kirchhoff`]). Chapter "Conduction" of the book.
 
 use std::sync::Arc;
 

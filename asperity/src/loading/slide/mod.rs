@@ -3,6 +3,9 @@
 //! [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
 //! state after it with the totals of work and heat.
+//!
+//! Depends on `crate::solver::newton`, `crate::heat` and `crate::interface`. Chapters "One asperity" and "Equilibrium"
+//! of the book.
 
 mod coupling;
 mod edge_search;

@@ -3,6 +3,8 @@
 //!
 //! Displacement, temperature and stress between the angles of the simulation follow from their
 //! harmonics, plastic strain linearly, so that it stays within its values.
+//!
+//! Depends on `crate::loading::body_fields`. Chapter "Other files" of the book.
 
 use std::f64::consts::PI;
 

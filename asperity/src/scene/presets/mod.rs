@@ -2,6 +2,8 @@
 //!
 //! One file per material in this folder. To add a material, add its file; the tests check that it
 //! is complete and that every constant names a source.
+//!
+//! Depends on `crate::scene::file`, which reads them. Chapter "Scene" of the book.
 
 use std::sync::OnceLock;
 

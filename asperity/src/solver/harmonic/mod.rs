@@ -8,7 +8,7 @@
 //! Schur complement: the dense stiffness of the body at the contact. A solve is a forward sweep, the
 //! solution of that dense system with the contact springs or the heat exchange, and a backward sweep.
 //!
-//! Depends on `crate::discretisation`. Chapter "The exact elastic solver" of the book.
+//! Depends on `crate::discretisation`. Chapter "Harmonic solver" of the book.
 
 mod cholesky;
 mod in_plane;

@@ -3,7 +3,7 @@
 //!
 //! Only the contact rings that touch enter the dense system, which couples the harmonics. Rings outside of the contact
 //! are eliminated with the body, harmonic by harmonic. Depends on `crate::solver::harmonic` and `crate::interface`.
-//! Chapter "The exact elastic solver" of the book.
+//! Chapter "Harmonic solver" of the book.
 
 use std::sync::Arc;
 use std::time::Instant;

@@ -1,6 +1,6 @@
 //! Fits of constants, repeated: each runs its data again, fits the constants anew, and compares them with those stored
 //! in
-//! `scene::fitted_constants` (book, "Errors"). Called by `asperity calibrate`. Depends on every room below it.
+//! `scene::fitted_constants` (book, "Errors of a run"). Called by `asperity calibrate`. Depends on every room below it.
 
 mod contact_edge;
 mod orders;

@@ -1,6 +1,6 @@
 //! Effectivity of the error estimates: scenes are run as usual and far more finely, and the true errors compared with
-//! the estimates (book, "Estimated and true errors"). Uses simulate as any caller, and the rooms below it for single
-//! runs.
+//! the estimates (book, "Effectivity of the error estimates"). Uses simulate as any caller, and the rooms below it for
+//! single runs.
 //!
 //! The sources of error are taken one at a time, each against a run in which it alone is several
 //! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the

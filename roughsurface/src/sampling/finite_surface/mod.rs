@@ -3,6 +3,8 @@
 //!
 //! [`friction`](crate::friction) gives the mean of a surface of infinite extent; a specimen of a few hundred
 //! asperities, of which a dozen touch, is one draw.
+//!
+//! Depends on `friction`, `integral` and `surface`. Chapter "Rough surfaces" of the book.
 
 mod drawn;
 #[cfg(test)]

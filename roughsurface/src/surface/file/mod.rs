@@ -25,6 +25,8 @@
 //! tables = { conductivity = "table-conductivity.nc" }    # for tables: those of a material with one
 //!                                # constant raised by its standard deviation, under any name
 //! ```
+//!
+//! Depends on `heights`, `radii` and `query`. Chapter "Surface" of the book.
 
 mod keys;
 mod parameter;

@@ -1,4 +1,6 @@
 //! Reads a topography of any known format, recognised by content.
+//!
+//! Chapter "Rough surfaces" of the book, "From topography".
 
 mod gsf;
 pub mod length;

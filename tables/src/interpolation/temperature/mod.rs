@@ -6,6 +6,8 @@
 //! not at all); in these units they follow a monotone cubic of the logarithm. Of temperatures it is the
 //! rise above the initial one. Errors are those of the tables on both sides, interpolated linearly, and
 //! an estimate of that of interpolation, which is zero at the temperatures of the series.
+//!
+//! Depends on `table`, `closed_forms` and the cubic of `steffen`. Chapter "Tables" of the book.
 
 mod column;
 

@@ -14,6 +14,8 @@
 //! [`Solid::flow`](crate::material::Solid::flow) and is symmetric as well. Stress deviator and mean stress in
 //! [`BodyState`] are conjugate to E per undeformed volume: they equal Kirchhoff's stress where the principal axes do
 //! not rotate.
+//!
+//! Depends on `element` and `crate::material`. Chapter "Mesh and elements" of the book.
 
 use super::temperature::ElementHeat;
 use super::{Body, TENSOR};
