@@ -77,7 +77,7 @@ fn fields_are_those_of_the_run_and_lie_on_the_flat() {
     let scalar = |name: &str| run.reals(name, &[]).unwrap()[0];
     let (slips, interferences) = (of("slip"), of("interference"));
     let steps = collection("half");
-    // Before, half-way to full slip, full slip, two that were asked for, the end.
+    // Before, half-way to full slip, full slip, the two requested ones, the end.
     assert_eq!(steps.len(), 6);
     assert!(steps.windows(2).all(|pair| pair[0].0 < pair[1].0));
     for (slip, file) in &steps {
@@ -147,7 +147,7 @@ fn meshio_reads_the_files() {
     let output = python(&[script.to_str().unwrap(), folder.join("body.pvd").to_str().unwrap()]).unwrap();
     let (said, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{errors}");
-    // A line of titles and one for each instant.
+    // A line of titles and one for each state.
     assert_eq!(said.lines().count(), 7, "{said}");
     assert!(said.lines().last().unwrap().starts_with("0.200"), "{said}");
 }

@@ -183,7 +183,7 @@ pub(super) struct EffectivityArguments {
     /// Run also the meshes that show the orders of convergence
     #[arg(long)]
     pub(super) thorough: bool,
-    /// Run nothing; evaluate the runs of the journal
+    /// Evaluate the runs of the journal without further runs
     #[arg(long)]
     pub(super) judge_only: bool,
 }

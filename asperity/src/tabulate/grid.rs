@@ -21,7 +21,7 @@ pub struct Grid<'a, S> {
     simulator: &'a S,
     layout: Layout<'a>,
     slips: &'a [f64],
-    /// Row-major, as everything that is kept for each cell.
+    /// Row-major, like all data of the cells.
     wanted: &'a [bool],
     watch: &'a dyn TableWatch,
     clock: Instant,

@@ -128,8 +128,8 @@ impl Journal {
         if found.is_none() {
             if !cells.is_empty() {
                 let reason = format!(
-                    "its first line, the request, is damaged, and nothing else says what the {} results \
-                     below it are of; delete it to start anew",
+                    "its first line, the request, is damaged, so the cells of the {} results below it \
+                     are unknown; delete the file to start anew",
                     cells.len()
                 );
                 return Err(fault(Fault::Foreign(reason)));

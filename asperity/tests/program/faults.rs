@@ -121,7 +121,7 @@ fn only_cells_in_flight_are_done_again() {
     assert_undisturbed(folder.path());
 }
 
-/// Runs a shell script as root of a mount namespace of its own; nothing where that is not allowed.
+/// Runs a shell script as root of a mount namespace of its own; none where that is not allowed.
 fn in_namespace(directory: &Path, script: &str) -> Option<Output> {
     let allowed = Command::new("unshare").args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"]).output();
     if !allowed.is_ok_and(|output| output.status.success()) {

@@ -72,7 +72,7 @@ fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
 }
 
 /// As `timeout` ends a program: by a signal to it and, at once, another to its group. The run is then in its press at
-/// finite strain, after a coarse slide at small strain, and that is kept.
+/// finite strain, after a coarse slide at small strain, which is saved.
 #[test]
 fn two_signals_at_once_are_one_request_and_lose_nothing() {
     let _alone = alone();

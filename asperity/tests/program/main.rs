@@ -46,7 +46,7 @@ fn done(directory: &Path, line: &str) -> String {
     text(&output.stdout)
 }
 
-/// Exit status 2, nothing printed, and one line on stderr with all of `parts`.
+/// Exit status 2, an empty stdout, and one line on stderr with all of `parts`.
 fn refused(directory: &Path, line: &str, parts: &[&str]) {
     let output = asperity(directory, line);
     let message = message(&output);

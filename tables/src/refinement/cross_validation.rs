@@ -41,7 +41,7 @@ struct Misfits {
     /// Coordinate in which is interpolated.
     coordinate: Vec<f64>,
     /// Relative misfit of each point (row-major) in each quantity; none at the ends of the axis and
-    /// where there is nothing to compare.
+    /// without values to compare.
     points: Vec<[Option<f64>; Quantity::SCALARS.len()]>,
 }
 

@@ -7,7 +7,7 @@
 //!
 //! The derivative of the stress is not symmetric where the stress turns; the tangent is symmetric. It is exact in short
 //! steps and along proportional paths, where it is the consistent tangent of the radial return (de Souza Neto, Perić &
-//! Owen, Computational Methods for Plasticity (2008), eq. (7.120)), in long steps its error is a few per cent.
+//! Owen, Computational Methods for Plasticity (2008), eq. (7.120)), while its error in long steps is a few per cent.
 //!
 //! Depends on `element`, `collocation` and `crate::material`. Chapters "Mesh and elements" and "Integration of plastic
 //! flow" of the book.

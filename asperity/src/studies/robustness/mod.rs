@@ -136,7 +136,7 @@ impl Watch for Limited<'_> {
 }
 
 impl CaseResult {
-    /// The largest relative error of the quantities that an accuracy is asked of, but for the
+    /// The largest relative error of the quantities controlled by the accuracy, but for the
     /// friction where there is none.
     pub fn error(&self) -> f64 {
         let Some(outcome) = &self.outcome else { return 0.0 };

@@ -25,8 +25,8 @@ impl Reference {
     }
 }
 
-/// Largest difference from the reference with which a row passes: a number fixed before the run, from the uncertainty of
-/// the reference and the discretisation error to expect at the mesh of the row.
+/// Largest difference from the reference with which a row passes: a number fixed before the run, from the uncertainty
+/// of the reference and the discretisation error to expect at the mesh of the row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     bound: f64,
@@ -110,8 +110,8 @@ impl Row {
         self.deviation().abs() <= self.allowed()
     }
 
-    /// Whether the stated error, a finite one, covers the deviation up to the uncertainty of the reference; nothing where
-    /// the program states no error.
+    /// Whether the stated error, a finite one, covers the deviation up to the uncertainty of the reference; nothing
+    /// where the program states no error.
     pub fn covered(&self) -> Option<bool> {
         let stated = self.stated_error?;
         Some(stated.is_finite() && self.deviation().abs() <= stated + self.reference.uncertainty)
@@ -144,7 +144,7 @@ mod tests {
         assert_eq!(row(2.03, 0.02).covered(), Some(false));
         let uncertain = Row { reference: Reference::exact(2.0, "fit").known_to(0.01), ..row(2.03, 0.02) };
         assert_eq!(uncertain.covered(), Some(true));
-        // No estimate at all covers nothing, even of the exact value.
+        // A missing estimate does not cover any deviation, even of the exact value.
         for error in [f64::INFINITY, f64::NAN] {
             assert_eq!(row(2.0, error).covered(), Some(false));
         }

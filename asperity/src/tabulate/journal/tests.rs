@@ -112,7 +112,7 @@ fn resuming_without_a_journal_starts_one() {
     assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
 }
 
-/// Wherever a crash cuts the file, what is whole before the cut is found, and the next result is kept.
+/// Wherever a crash cuts the file, complete lines before the cut are found, and the next result is appended.
 #[test]
 fn a_journal_cut_anywhere_loses_no_whole_line() {
     let directory = tempfile::tempdir().unwrap();
