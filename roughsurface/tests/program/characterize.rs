@@ -122,7 +122,7 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
         ("text.txt", "text.txt: line 2: \"seven\" is not a number"),
         ("flat.txt --pixel 1um", "flat.txt: all heights are"),
         ("small.txt --pixel 1um", "small.txt: holds 2 x 4 points; at least 8"),
-        ("small.txt", "--pixel LENGTH does"),
+        ("small.txt", "give it with --pixel LENGTH"),
         (&format!("{map} --unit um"), "states its own lengths"),
         (&format!("{map} --cutoff 0.1um"), "cutoff = 1e-7 m: must lie between"),
         (&format!("{profile} --cutoff 1um --summits found"), "needs a map"),
