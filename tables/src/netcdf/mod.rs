@@ -6,7 +6,8 @@
 //!   their content; the same as comma-separated values.
 //! - A checksum of all bytes, verified before the netCDF library opens the file; a sandbox in which files of other
 //!   programs are read first ([`enable_sandbox`]).
-//! - [`write_atomically`]: every file of the project is written completely or not at all.
+//! - [`write_atomically`]: every file of the project is written completely or not at all; [`check_distinct`]: no
+//!   output replaces an input or another output.
 //!
 //! Depends on `table` and `quantity`. Chapter "Table: table.nc" of the book.
 
@@ -14,6 +15,7 @@ mod atomic;
 mod checksum;
 mod classic_header;
 mod csv;
+mod distinct;
 mod reader;
 mod sandbox;
 pub mod schema;
@@ -25,6 +27,7 @@ mod writer;
 pub use ::netcdf::AttributeValue;
 
 pub use atomic::{destination, write_atomically};
+pub use distinct::{SameFile, check_distinct};
 pub use reader::DatasetReader;
 pub use sandbox::enable as enable_sandbox;
 pub use writer::DatasetWriter;
