@@ -7,15 +7,27 @@ use crate::discretisation::mesh::MeshSize;
 use crate::interface::contact::{Contact, FlatPosition};
 use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::problem::{Discretisation, Problem};
+use crate::solver::StopRequest;
 use crate::solver::harmonic::FactorError;
 use crate::solver::newton::{CouplingData, LoadingControl, Mechanics, StepFailure};
 
 #[derive(Debug, thiserror::Error)]
 pub enum PressFailure {
     #[error(transparent)]
-    Factor(#[from] FactorError),
+    Factor(FactorError),
+    #[error("stopped on request")]
+    Stopped,
     #[error("interference {interference:.4} omega_c: {failure}")]
     Step { interference: f64, failure: StepFailure },
+}
+
+impl From<FactorError> for PressFailure {
+    fn from(error: FactorError) -> Self {
+        match error {
+            FactorError::Stopped => Self::Stopped,
+            error => Self::Factor(error),
+        }
+    }
 }
 
 /// One increment of the press, dimensionless.
@@ -32,10 +44,11 @@ pub fn press_on(
     problem: &Problem,
     size: MeshSize,
     count: usize,
+    stop: &StopRequest,
 ) -> Result<(Mechanics, Vec<Increment>), PressFailure> {
     /// Shortest increment, over the usual one.
     const SHORTEST: f64 = 1e-4;
-    let mut mechanics = unloaded(problem, size)?;
+    let mut mechanics = unloaded(problem, size, stop)?;
     let usual = 1.0 / count as f64;
     let mut increments = Vec::new();
     let mut before = (0.0, mechanics.displacement.clone());
@@ -48,7 +61,7 @@ pub fn press_on(
         let start = extrapolate(&before.1, &mechanics.displacement, before.0, done, interference);
         let committed = mechanics.displacement.clone();
         let cover = mechanics.contact.contact_fraction.clone();
-        match press_to(problem, &mut mechanics, interference, start) {
+        match press_to(problem, &mut mechanics, interference, start, stop) {
             Ok(increment) => {
                 increments.push(increment);
                 before = (done, committed);
@@ -56,6 +69,7 @@ pub fn press_on(
                 radius = next;
                 advance = (1.5 * advance).min(usual);
             }
+            Err(StepFailure::Stopped) => return Err(PressFailure::Stopped),
             Err(failure) => {
                 mechanics.restore(committed, cover);
                 advance *= 0.5;
@@ -70,8 +84,9 @@ pub fn press_on(
 }
 
 /// The unloaded asperity on a mesh.
-fn unloaded(problem: &Problem, size: MeshSize) -> Result<Mechanics, FactorError> {
-    let Discretisation { mesh, factors } = Discretisation::new(problem, size, Collocation::axisymmetric())?;
+fn unloaded(problem: &Problem, size: MeshSize, stop: &StopRequest) -> Result<Mechanics, FactorError> {
+    let Discretisation { mesh, factors } =
+        Discretisation::new(problem, size, Collocation::axisymmetric(), stop)?;
     let contact = Contact::new(&mesh, problem.contact_modulus);
     let displacement = vec![0.0; mesh.field_length(3)];
     let mut body = Body::new(mesh, problem.solid.clone());
@@ -87,10 +102,11 @@ fn press_to(
     mechanics: &mut Mechanics,
     interference: f64,
     start: Vec<f64>,
+    stop: &StopRequest,
 ) -> Result<Increment, StepFailure> {
     let limit = if problem.law.has_friction() { f64::INFINITY } else { 0.0 };
     let flat = FlatPosition { interference, displacement: 0.0 };
-    mechanics.solve(flat, LoadingControl::Interference, start, |_, contact, iteration| {
+    mechanics.solve(flat, LoadingControl::Interference, start, stop, |_, contact, iteration| {
         if problem.finite_strain {
             contact.update_areas(iteration == 0);
         }

@@ -18,6 +18,7 @@ use crate::interface::contact::Contact;
 use crate::material::Solid;
 use crate::scene::curve::Curve;
 use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene, TemperatureTable};
+use crate::solver::StopRequest;
 use crate::solver::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
 use crate::solver::newton::Mechanics;
 
@@ -141,11 +142,19 @@ pub struct Discretisation {
 }
 
 impl Discretisation {
-    pub fn new(problem: &Problem, size: MeshSize, sectors: Collocation) -> Result<Self, FactorError> {
+    pub fn new(
+        problem: &Problem,
+        size: MeshSize,
+        sectors: Collocation,
+        stop: &StopRequest,
+    ) -> Result<Self, FactorError> {
         let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
         let moduli = problem.solid.moduli;
-        let factors = HarmonicPattern::new(&mesh, FieldKind::Vector)?
-            .factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m))?;
+        let factors = HarmonicPattern::new(&mesh, FieldKind::Vector)?.factorise(
+            &mesh,
+            |e, m| element_stiffness(&mesh, e, moduli, m),
+            stop,
+        )?;
         Ok(Self { mesh, factors: Arc::new(factors) })
     }
 

@@ -22,6 +22,16 @@ pub enum Note {
     },
     Heat(HeatChoice, HeatEffect),
     Strain(StrainChoice),
+    /// The accuracy of the scene is not aimed at, as the body may shear without limit.
+    UnlimitedShear {
+        asked: f64,
+        planned: f64,
+    },
+    /// A refinement did not reduce the largest relative error.
+    RefinementStopped {
+        before: f64,
+        after: f64,
+    },
     /// The run was repeated on a mesh with more room.
     Remeshed {
         /// Contact radius over that after the press.
@@ -65,6 +75,20 @@ impl Display for Note {
                 NoHeat::Negligible => write!(f, "heat is left out: {effect}, which the errors include"),
             },
             Self::Strain(choice) => choice.fmt(f),
+            Self::UnlimitedShear { asked, planned } => write!(
+                f,
+                "the resolution is chosen for an accuracy of {:.0} % in place of {:.1} %: the body does not harden and \
+                 is no stronger than the interface, so slip localises in the elements below it; give \
+                 material.hardening, or interface.strength_factor below 1, for the accuracy asked",
+                100.0 * planned,
+                100.0 * asked
+            ),
+            Self::RefinementStopped { before, after } => write!(
+                f,
+                "not refined further: the last refinement changed the largest error from {:.1} to {:.1} %",
+                100.0 * before,
+                100.0 * after
+            ),
             Self::Remeshed { growth, room } => write!(
                 f,
                 "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine mesh, \

@@ -133,8 +133,7 @@ pub(crate) fn slide_refined(
     let mut budget = runner.judge(&ladder);
     let mut stopped = false;
     while ladder.main.len() <= refinements {
-        let Some(finer) = budget.as_ref().and_then(|budget| ladder.finer(budget, &pressed.scene.numerics))
-        else {
+        let Some(finer) = budget.as_ref().and_then(|budget| ladder.finer(budget, &pressed.numerics)) else {
             break;
         };
         match runner.finer(&finer) {

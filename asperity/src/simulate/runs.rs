@@ -27,6 +27,9 @@ use crate::solver::timings::{Kernel, Timings};
 /// repeated more finely.
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
+/// Share of the error that a refinement leaves at which it has gained nothing; by the order of convergence a refinement
+/// leaves half or less.
+const STAGNATION: f64 = 0.8;
 
 /// One slide at one resolution, up to its end or failure, and the press that it started from.
 pub(super) struct Run {
@@ -79,19 +82,34 @@ pub(super) struct Ladder {
     pub main: Vec<Run>,
     /// A finer run that did not finish.
     pub abandoned: Option<Run>,
+    /// Largest relative error of the quantities controlled by the accuracy, of each main run.
+    errors: Vec<f64>,
     pub notes: Vec<Note>,
 }
 
 impl Ladder {
+    fn new(start: Resolution, main: Run, auxiliary: Vec<Run>, notes: Vec<Note>) -> Self {
+        Self { start, auxiliary, main: vec![main], abandoned: None, errors: Vec::new(), notes }
+    }
+
     /// The finest main run.
     pub fn result(&self) -> &Run {
         self.main.last().expect("there is a main run")
     }
 
-    /// The next finer resolution, if the accuracy requires one.
-    pub fn finer(&self, budget: &ErrorBudget, numerics: &Numerics) -> Option<Resolution> {
+    /// The next finer resolution, if the accuracy requires one and the last refinement, if any, reduced the error.
+    pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics) -> Option<Resolution> {
         let (_, parts) = budget.worst(&self.result().values);
-        self.result().resolution.refine(numerics, &parts)
+        let finer = self.result().resolution.refine(numerics, &parts)?;
+        let after = parts.total();
+        if let Some(&before) = self.errors.last()
+            && after > STAGNATION * before
+        {
+            self.notes.push(Note::RefinementStopped { before, after });
+            return None;
+        }
+        self.errors.push(after);
+        Some(finer)
     }
 }
 
@@ -139,8 +157,7 @@ impl<'a> Runner<'a> {
                 continue;
             }
             if auxiliary.iter().any(Run::is_cancelled) {
-                let main = vec![coarse_alone(&mut auxiliary)];
-                return Ok(Ladder { start, auxiliary, main, abandoned: None, notes });
+                return Ok(Ladder::new(start, coarse_alone(&mut auxiliary), auxiliary, notes));
             }
             let resolution = self.main_resolution(&start, &auxiliary);
             let progress = RunProgress { kind: RunKind::Main, span: (AUXILIARY, MAIN) };
@@ -152,7 +169,7 @@ impl<'a> Runner<'a> {
                 start = wider;
                 continue;
             }
-            return Ok(Ladder { start, auxiliary, main: vec![main], abandoned: None, notes });
+            return Ok(Ladder::new(start, main, auxiliary, notes));
         }
     }
 
@@ -174,7 +191,7 @@ impl<'a> Runner<'a> {
     fn main_resolution(&self, start: &Resolution, auxiliary: &[Run]) -> Resolution {
         let Some(values) = auxiliary_values(auxiliary) else { return *start };
         let (_, parts) = ErrorBudget::other_than_mesh(&values, start).worst(values.coarse);
-        start.refine_other_than_mesh(&self.pressed.scene.numerics, &parts)
+        start.refine_other_than_mesh(&self.pressed.numerics, &parts)
     }
 
     /// A resolution with more room, where one of the runs has outgrown its mesh and the hemisphere has
@@ -227,7 +244,10 @@ impl<'a> Runner<'a> {
         let press =
             self.presses.iter().find(|press| press.serves(&at_surface)).expect("pressed before").clone();
         let clock = Instant::now();
-        let discretisation = Discretisation::new(problem, press.size, Collocation::full(resolution.sectors))
+        let discretisation =
+            Discretisation::new(problem, press.size, Collocation::full(resolution.sectors), &|| {
+                self.watch.cancelled()
+            })
             .map_err(|e| press_error(e.into()))?;
         let mut slide = self.start(&press, &discretisation, resolution)?;
         slide.mechanics.timings.since(Kernel::Setup, clock);
@@ -236,12 +256,11 @@ impl<'a> Runner<'a> {
         slide.recorder = Recorder::new(recording, radius, &slide.history[0]);
         slide.record_fields();
         let failure = slide
-            .run(scene.loading.slip_distance * radius, |done, history| {
+            .run(scene.loading.slip_distance * radius, &|| self.watch.cancelled(), |done, history| {
                 if let Some(progress) = progress {
                     let detail = progress.describe(&problem.units, history);
                     self.watch.progress("slide", progress.at(done), &detail);
                 }
-                !self.watch.cancelled()
             })
             .err();
         slide.record_fields();

@@ -39,6 +39,14 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
     StrainChoice { finite: expected > limit, expected, limit }
 }
 
+/// Whether the body may shear without limit under the interface: it has yielded, does not harden, and is no stronger
+/// than the interface.
+pub fn shears_without_limit(scene: &Scene, problem: &Problem, body: &Body, contact: &Contact) -> bool {
+    scene.material.hardening == Hardening::None
+        && body.committed.largest_plastic_strain() > 0.0
+        && strength_ratio(scene, problem, contact) >= 1.0
+}
+
 /// Plastic strain that a slide adds to that of the press, over the yield strain.
 fn added_by_slide(strength_ratio: f64, interference: f64) -> f64 {
     ADDED * (1.0 + interference).powf(GROWTH) * (2.0 * strength_ratio - 1.0).max(0.0).powi(3)

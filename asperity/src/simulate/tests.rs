@@ -2,7 +2,10 @@
 
 use tables::quantity::Quantity;
 
-use super::{Unwatched, simulate};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::messages::Note;
+use super::{SimulationError, Unwatched, Watch, simulate};
 use crate::heat::expected::HeatEffect;
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
@@ -32,6 +35,67 @@ fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Sce
          [numerics]\naccuracy = 0.5\nelements_per_radius = 6\nsectors = 4\n"
     );
     parse_scene(&text, "this test", &[]).unwrap()
+}
+
+/// Requests a stop from its n-th question on, and counts the questions after it.
+struct StopsAfter {
+    allowed: usize,
+    asked: AtomicUsize,
+}
+
+impl Watch for StopsAfter {
+    fn cancelled(&self) -> bool {
+        self.asked.fetch_add(1, Ordering::Relaxed) >= self.allowed
+    }
+}
+
+/// Wherever the stop is requested, in a factorisation, a press, an increment of a slide or a refinement, the run ends
+/// within a few further questions, each from an innermost loop; converged states are kept.
+#[test]
+fn a_stop_is_honoured_in_the_innermost_loops() {
+    let scene = hot_scene("steel-4340", 5.0, 1.0, "on");
+    let whole = StopsAfter { allowed: usize::MAX, asked: AtomicUsize::new(0) };
+    let finished = simulate(&scene, &whole).unwrap();
+    let questions = whole.asked.into_inner();
+    let solves = finished.account.newton_iterations + finished.account.krylov_iterations;
+    assert!(questions > solves, "{questions} {solves}");
+    let mut kept = Vec::new();
+    for allowed in (0..questions).step_by(questions / 12) {
+        let watch = StopsAfter { allowed, asked: AtomicUsize::new(0) };
+        match simulate(&scene, &watch) {
+            Err(SimulationError::Cancelled { partial }) => {
+                kept.push(partial.map_or(0, |run| run.slide.len()))
+            }
+            other => panic!("{allowed} of {questions}: {other:?}"),
+        }
+        let after = watch.asked.into_inner() - allowed;
+        assert!(after < 100, "{after} questions after the request at {allowed} of {questions}");
+    }
+    assert!(kept[0] == 0 && kept[kept.len() - 1] > 5, "{kept:?}");
+}
+
+/// A body without hardening under an interface of its own strength is planned for an accuracy of 10 %, whatever the
+/// scene asks, and says so; with hardening, with a weaker interface or without yield it is not.
+#[test]
+fn unlimited_shear_is_not_refined() {
+    let text = "[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 400e6\ndensity = 7850\n\
+                specific_heat = 475\nthermal_conductivity = 45\nthermal_expansion = 0\n[asperity]\nradius = 1e-3\n\
+                [loading]\ninterference = 10\nslip_rate = 0\nslip_distance = 0.01\n[numerics]\naccuracy = 0.05\n";
+    let planned = |set: &[&str]| {
+        let set: Vec<String> = set.iter().map(|key| key.to_string()).collect();
+        let scene = parse_scene(text, "this test", &set).unwrap();
+        let outcome = simulate(&scene, &Unwatched).unwrap();
+        outcome.account.notes.iter().any(|note| matches!(note, Note::UnlimitedShear { planned: 0.1, .. }))
+    };
+    assert!(planned(&[]));
+    for other in [
+        "material.hardening={ law = \"linear\", modulus = 1e9 }",
+        "interface.strength_factor=0.9",
+        "loading.interference=0.5",
+        "numerics.accuracy=0.2",
+    ] {
+        assert!(!planned(&[other]), "{other}");
+    }
 }
 
 /// On one mesh heat changes load and friction by about the expected effect, which decides whether it is neglected.

@@ -13,3 +13,7 @@ pub(crate) mod harmonic;
 pub(crate) mod newton;
 pub(crate) mod preconditioner;
 pub mod timings;
+
+/// Whether the computation is to end. Evaluated in every loop whose single pass takes less than a second, in
+/// parallel.
+pub type StopRequest<'a> = dyn Fn() -> bool + Sync + 'a;

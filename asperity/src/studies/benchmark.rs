@@ -72,16 +72,18 @@ impl Kernels {
         let problem = Problem::new(scene);
         let resolution = Resolution::choose(&scene.numerics);
         let size = resolution.mesh_size(problem.expected_contact_radius());
-        let (pressed, _) = press_on(&problem, size, resolution.press_increments).expect("a press that works");
+        let (pressed, _) =
+            press_on(&problem, size, resolution.press_increments, &|| false).expect("a press that works");
         let radius = pressed.contact.radius(&pressed.contact.committed);
         let (body, contact, displacement) = pressed.into_parts();
         let discretisation =
-            Discretisation::new(&problem, size, Collocation::full(resolution.sectors)).expect("factors");
+            Discretisation::new(&problem, size, Collocation::full(resolution.sectors), &|| false)
+                .expect("factors");
         let mechanics =
             discretisation.revolve(&problem, (&body, &contact, &displacement), resolution.tolerance);
         let mesh = discretisation.mesh;
         let mut slide = Slide::new(&problem, mechanics, None, 0.0, resolution.increments);
-        slide.run(distance * radius, |_, _| true).expect("a slide that works");
+        slide.run(distance * radius, &|| false, |_, _| {}).expect("a slide that works");
         let steps = slide.history.len() - 1;
         let flat = FlatPosition { interference: problem.interference, displacement: distance * radius };
         let (body, contact, displacement) = slide.mechanics.into_parts();

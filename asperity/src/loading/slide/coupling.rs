@@ -12,6 +12,7 @@ use crate::discretisation::body::Body;
 use crate::heat::conduction::{Conduction, HeatBalance, HeatError};
 use crate::interface::contact::{Contact, FlatPosition};
 use crate::loading::problem::Problem;
+use crate::solver::StopRequest;
 use crate::solver::newton::CouplingData;
 use crate::solver::timings::Kernel;
 
@@ -114,6 +115,7 @@ impl Slide<'_> {
         to: f64,
         dt: f64,
         guess: Predictor,
+        stop: &StopRequest,
     ) -> Result<Equilibrium, SlideFailure> {
         let Predictor { displacement: start, interference, edges } = guess;
         let flat = FlatPosition { interference, displacement: to };
@@ -135,7 +137,7 @@ impl Slide<'_> {
             failure: None,
             heat_time: 0.0,
         };
-        let solved = self.mechanics.solve(flat, self.hold, start, |body, contact, iteration| {
+        let solved = self.mechanics.solve(flat, self.hold, start, stop, |body, contact, iteration| {
             coupling.update(body, contact, iteration)
         });
         let Coupling { sources, heated, failure, heat_time, .. } = coupling;

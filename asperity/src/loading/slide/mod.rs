@@ -19,6 +19,7 @@ use crate::loading::problem::{Problem, SHEAR_RATIO};
 use crate::loading::recording::Recorder;
 use crate::loading::state::SlideState;
 use crate::scene::Control;
+use crate::solver::StopRequest;
 use crate::solver::newton::{LoadingControl, Mechanics, StepFailure};
 use friction_heat::HeatSources;
 pub use increments::Increments;
@@ -38,13 +39,13 @@ pub enum SlideFailure {
     #[error(transparent)]
     Heat(#[from] HeatError),
     #[error("{0}")]
-    Step(#[from] StepFailure),
+    Step(StepFailure),
     #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
     OutgrewMesh { growth: f64 },
     #[error(
         "the body shears below a sticking interface: {:.0} % of the contact stick, and the elements below \
          have a plastic strain of {strain:.2}, beyond which the result depends on the mesh. Sliding requires \
-         an interface weaker than the metal below it",
+         an interface weaker than the metal below it: interface.strength_factor = 0.9, or material.hardening",
         100.0 * .stick_fraction
     )]
     Distorted { strain: f64, stick_fraction: f64 },
@@ -56,6 +57,15 @@ impl SlideFailure {
     /// Whether a shorter increment may succeed.
     fn allows_cut_back(&self) -> bool {
         matches!(self, Self::Step(_) | Self::Heat(HeatError::NotConverged { .. }))
+    }
+}
+
+impl From<StepFailure> for SlideFailure {
+    fn from(failure: StepFailure) -> Self {
+        match failure {
+            StepFailure::Stopped => Self::Cancelled,
+            failure => Self::Step(failure),
+        }
     }
 }
 
@@ -124,18 +134,20 @@ impl<'a> Slide<'a> {
         slide
     }
 
-    /// Slides by `distance` (in R); `watch` is given the share done and the history, and may stop the slide.
+    /// Slides by `distance` (in R); `watch` is given the share done and the history.
     pub fn run(
         &mut self,
         distance: f64,
-        mut watch: impl FnMut(f64, &[SlideState]) -> bool,
+        stop: &StopRequest,
+        mut watch: impl FnMut(f64, &[SlideState]),
     ) -> Result<(), SlideFailure> {
         let mut control = StepControl::new(distance, self.elastic_displacement(), self.increments.growth);
         self.finest = control.finest;
         let (mut before, mut slip_before) = (self.predictor(), 0.0);
         let mut slip = 0.0;
         while slip < distance * (1.0 - 1e-9) {
-            if !watch(slip / distance, &self.history) {
+            watch(slip / distance, &self.history);
+            if stop() {
                 return Err(SlideFailure::Cancelled);
             }
             let next = control.next(slip);
@@ -147,7 +159,7 @@ impl<'a> Slide<'a> {
                     Predictor::between((&committed, slip), (&beyond.predictor, beyond.slip), next)
                 }
             };
-            match self.step(slip, next, guess) {
+            match self.step(slip, next, guess, stop) {
                 Ok(Attempt::Taken) => {
                     (before, slip_before, slip) = (committed, slip, next);
                     control.taken(slip, self.has_begun);
@@ -160,14 +172,16 @@ impl<'a> Slide<'a> {
                     self.mechanics.restore(committed.displacement, cover);
                     control.past_inception(slip, bracket);
                 }
-                Err(failure) if failure.allows_cut_back() => {
+                Err(failure) => {
                     self.mechanics.restore(committed.displacement, cover);
-                    self.cutbacks += 1;
-                    if !control.cut_back() {
+                    if !failure.allows_cut_back() {
                         return Err(failure);
                     }
+                    self.cutbacks += 1;
+                    if !control.cut_back() {
+                        return Err(self.distorted().unwrap_or(failure));
+                    }
                 }
-                Err(failure) => return Err(failure),
             }
         }
         watch(1.0, &self.history);
@@ -190,9 +204,15 @@ impl<'a> Slide<'a> {
     }
 
     /// One increment from slip to slip, from a first guess.
-    fn step(&mut self, from: f64, to: f64, guess: Predictor) -> Result<Attempt, SlideFailure> {
+    fn step(
+        &mut self,
+        from: f64,
+        to: f64,
+        guess: Predictor,
+        stop: &StopRequest,
+    ) -> Result<Attempt, SlideFailure> {
         let dt = if self.speed > 0.0 { (to - from) / self.speed } else { 0.0 };
-        let equilibrium = self.equilibrium(to, dt, guess)?;
+        let equilibrium = self.equilibrium(to, dt, guess, stop)?;
         #[cfg(test)]
         if self.rejecting > 0 {
             self.rejecting -= 1;
@@ -227,6 +247,13 @@ impl<'a> Slide<'a> {
             return Err(SlideFailure::Distorted { strain, stick_fraction });
         }
         Ok(())
+    }
+
+    /// The cause of a failure, where the elements of the last state are too distorted for equilibrium.
+    fn distorted(&self) -> Option<SlideFailure> {
+        let SlideState { plastic_strain_max: strain, stick_fraction, .. } = *self.last();
+        (self.problem.finite_strain && strain > LARGEST_STRAIN_IN_STICK)
+            .then_some(SlideFailure::Distorted { strain, stick_fraction })
     }
 
     /// The last converged state.

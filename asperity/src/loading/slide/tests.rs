@@ -12,9 +12,9 @@ use crate::scene::file::parse_scene;
 /// A hot slide in plastic contact, coarse, ready to start.
 fn ready(problem: &Problem) -> Slide<'_> {
     let size = MeshSize::new(problem.expected_contact_radius(), 4);
-    let (pressed, _) = press::press_on(problem, size, 8).unwrap();
+    let (pressed, _) = press::press_on(problem, size, 8, &|| false).unwrap();
     let (body, contact, displacement) = pressed.into_parts();
-    let discretisation = Discretisation::new(problem, size, Collocation::full(4)).unwrap();
+    let discretisation = Discretisation::new(problem, size, Collocation::full(4), &|| false).unwrap();
     let conduction = Conduction::new(&discretisation.mesh, problem.heat_capacity).unwrap();
     let mechanics = discretisation.revolve(problem, (&body, &contact, &displacement), NEWTON_TOLERANCE);
     let increments = Increments { growth: 0.3, coupling_limit: 4 };
@@ -44,7 +44,7 @@ fn a_cut_back_restores_the_history_completely() {
     // The bracketing of inception would change the steps.
     forced.has_begun = true;
     let distance = 0.05 * problem.expected_contact_radius();
-    forced.run(distance, |_, _| true).unwrap();
+    forced.run(distance, &|| false, |_, _| {}).unwrap();
     assert!(forced.cutbacks >= 40);
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
@@ -56,7 +56,7 @@ fn a_cut_back_restores_the_history_completely() {
         let committed = direct.predictor();
         let slip_before = if k == 0 { 0.0 } else { slips[k - 1] };
         let guess = Predictor::between((&before, slip_before), (&committed, pair[0]), pair[1]);
-        assert!(matches!(direct.step(pair[0], pair[1], guess), Ok(Attempt::Taken)));
+        assert!(matches!(direct.step(pair[0], pair[1], guess, &|| false), Ok(Attempt::Taken)));
         before = committed;
     }
     assert_eq!(forced.history, direct.history);
@@ -69,7 +69,7 @@ fn a_cut_back_restores_the_history_completely() {
 fn sliding_inception_is_enclosed() {
     let problem = problem_of(&[]);
     let mut slide = ready(&problem);
-    slide.run(0.1 * problem.expected_contact_radius(), |_, _| true).unwrap();
+    slide.run(0.1 * problem.expected_contact_radius(), &|| false, |_, _| {}).unwrap();
     let begun = slide.history.iter().position(|state| state.stick_fraction < NO_STICK).unwrap();
     let (before, after) = (slide.history[begun - 1], slide.history[begun]);
     assert!(before.stick_fraction >= NO_STICK);
@@ -91,7 +91,7 @@ fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
     for to in slips {
         let from = slide.history.last().unwrap().slip;
         let guess = slide.predictor();
-        assert!(matches!(slide.step(from, to, guess), Ok(Attempt::Taken)));
+        assert!(matches!(slide.step(from, to, guess, &|| false), Ok(Attempt::Taken)));
     }
 }
 

@@ -8,9 +8,22 @@
 use std::ops::Range;
 
 use crate::material::lanes::{Lanes, fma};
+use crate::solver::StopRequest;
 
 /// Largest number of columns of a panel: the operands of an update fit into the registers.
 const WIDEST: usize = 3;
+/// Number of panels factorised between two evaluations of the stop request.
+const PANELS_BETWEEN_STOPS: usize = 256;
+
+/// Why a matrix was not factorised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CholeskyFailure {
+    /// The first lane that is not positive definite.
+    NotPositiveDefinite {
+        lane: usize,
+    },
+    Stopped,
+}
 
 /// Sparsity pattern of a factor L, stored by columns.
 #[derive(Debug)]
@@ -90,11 +103,11 @@ impl FactorPattern {
     }
 
     /// Entries of L of the matrix whose upper triangle is `value(k)` at the k-th entry of its pattern.
-    /// Fails with the first lane that is not positive definite.
     pub fn cholesky<const M: usize>(
         &self,
         value: impl Fn(usize) -> Lanes<M>,
-    ) -> Result<Vec<Lanes<M>>, usize> {
+        stop: &StopRequest,
+    ) -> Result<Vec<Lanes<M>>, CholeskyFailure> {
         let mut lower = vec![[0.0; M]; self.row.len()];
         for (k, &place) in self.place.iter().enumerate() {
             lower[place as usize] = value(k);
@@ -103,6 +116,9 @@ impl FactorPattern {
         let mut local = vec![0; self.column_start.len() - 1];
         let mut panel = Vec::new();
         for p in 0..self.panel_start.len() - 1 {
+            if p.is_multiple_of(PANELS_BETWEEN_STOPS) && stop() {
+                return Err(CholeskyFailure::Stopped);
+            }
             let columns = self.columns(p);
             let below = &self.row[self.below(p)];
             for (at, row) in columns.clone().chain(below.iter().map(|&i| i as usize)).enumerate() {
@@ -181,7 +197,10 @@ impl<const M: usize> Update<'_, M> {
 }
 
 /// Cholesky factor of the square at the top of a panel, and the rows below divided by its transpose.
-fn factorise_panel<const M: usize>(width: usize, panel: &mut [[Lanes<M>; WIDEST]]) -> Result<(), usize> {
+fn factorise_panel<const M: usize>(
+    width: usize,
+    panel: &mut [[Lanes<M>; WIDEST]],
+) -> Result<(), CholeskyFailure> {
     let mut inverse = [[0.0; M]; WIDEST];
     for at in 0..panel.len() {
         for q in 0..width.min(at + 1) {
@@ -195,7 +214,7 @@ fn factorise_panel<const M: usize>(width: usize, panel: &mut [[Lanes<M>; WIDEST]
             if at == q {
                 // NaN counts as not positive.
                 if let Some(lane) = sum.iter().position(|d| d.is_nan() || *d <= 0.0) {
-                    return Err(lane);
+                    return Err(CholeskyFailure::NotPositiveDefinite { lane });
                 }
                 sum = sum.map(f64::sqrt);
                 inverse[q] = sum.map(|d| 1.0 / d);
@@ -219,7 +238,7 @@ mod tests {
         let (lower_start, lower_row) = ([0, 2, 4, 5], [0, 2, 1, 2, 2]);
         let values = [[4.0, 9.0], [16.0, 1.0], [2.0, -3.0], [-4.0, 0.5], [5.0, 7.0]];
         let pattern = FactorPattern::new(&lower_start, &lower_row, &upper_start, &upper_row);
-        let l = pattern.cholesky::<2>(|at| values[at]).unwrap();
+        let l = pattern.cholesky::<2>(|at| values[at], &|| false).unwrap();
         for lane in 0..2 {
             let at = |k: usize| l[k][lane];
             let back = [
@@ -234,6 +253,9 @@ mod tests {
             }
         }
         let indefinite = |at: usize| if at == 4 { [5.0, 0.1] } else { values[at] };
-        assert_eq!(pattern.cholesky::<2>(indefinite).unwrap_err(), 1);
+        let failure = pattern.cholesky::<2>(indefinite, &|| false).unwrap_err();
+        assert_eq!(failure, CholeskyFailure::NotPositiveDefinite { lane: 1 });
+        let stopped = pattern.cholesky::<2>(|at| values[at], &|| true).unwrap_err();
+        assert_eq!(stopped, CholeskyFailure::Stopped);
     }
 }

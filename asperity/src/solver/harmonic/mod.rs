@@ -56,6 +56,8 @@ pub enum FactorError {
     NotPositiveDefinite { harmonic: usize },
     #[error("out of memory in the factorisation")]
     Memory,
+    #[error("stopped on request")]
+    Stopped,
 }
 
 /// Cosine and sine transforms in θ, orthonormal, so that energies are invariant.

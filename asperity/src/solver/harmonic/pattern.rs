@@ -6,10 +6,11 @@ use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::{amd, cholesky::simplicial};
 
-use super::cholesky::FactorPattern;
+use super::cholesky::{CholeskyFailure, FactorPattern};
 use super::sweeps::BlockTriangle;
 use super::{ABSENT, FactorError, FieldKind, HarmonicFactors, ThetaTransform};
 use crate::discretisation::element::{CORNERS, RevolvedMesh};
+use crate::solver::StopRequest;
 
 /// Sparsity pattern, ordering and elimination tree of an operator: made once per mesh.
 #[derive(Debug)]
@@ -48,8 +49,9 @@ impl HarmonicPattern {
         &self,
         mesh: &RevolvedMesh,
         matrix: impl Fn(usize, usize) -> Vec<f64>,
+        stop: &StopRequest,
     ) -> Result<HarmonicFactors, FactorError> {
-        self.factorise_assembled(mesh, &self.assemble(mesh, matrix))
+        self.factorise_assembled(mesh, &self.assemble(mesh, matrix), stop)
     }
 
     /// Entries of an operator in the upper triangle, harmonics as lanes; linear in the `matrix` of the elements.
@@ -140,6 +142,7 @@ impl HarmonicPattern {
         &self,
         mesh: &RevolvedMesh,
         values: &[f64],
+        stop: &StopRequest,
     ) -> Result<HarmonicFactors, FactorError> {
         let lanes = mesh.sectors.columns();
         let (columns, rows) = (self.symbolic.col_ptr(), self.symbolic.row_idx());
@@ -170,9 +173,9 @@ impl HarmonicPattern {
         // N_θ is one or a multiple of four.
         for first in (0..lanes).step_by(group_of(lanes)) {
             match group_of(lanes) {
-                8 => self.factorise_lanes::<8>(values, first, &mut factors)?,
-                4 => self.factorise_lanes::<4>(values, first, &mut factors)?,
-                _ => self.factorise_lanes::<1>(values, first, &mut factors)?,
+                8 => self.factorise_lanes::<8>(values, first, &mut factors, stop)?,
+                4 => self.factorise_lanes::<4>(values, first, &mut factors, stop)?,
+                _ => self.factorise_lanes::<1>(values, first, &mut factors, stop)?,
             }
         }
         Ok(factors)
@@ -184,13 +187,16 @@ impl HarmonicPattern {
         values: &[f64],
         first: usize,
         factors: &mut HarmonicFactors,
+        stop: &StopRequest,
     ) -> Result<(), FactorError> {
         let lanes = factors.harmonics();
         let value = |entry: usize| std::array::from_fn(|l| values[entry * lanes + first + l]);
-        let lower = self
-            .factor_pattern
-            .cholesky::<M>(value)
-            .map_err(|lane| FactorError::NotPositiveDefinite { harmonic: first + lane })?;
+        let lower = self.factor_pattern.cholesky::<M>(value, stop).map_err(|failure| match failure {
+            CholeskyFailure::NotPositiveDefinite { lane } => {
+                FactorError::NotPositiveDefinite { harmonic: first + lane }
+            }
+            CholeskyFailure::Stopped => FactorError::Stopped,
+        })?;
         let columns = self.symbolic.col_ptr();
         for j in 0..self.interior {
             let own = &lower[columns[j]];

@@ -7,6 +7,7 @@ use super::{LoadingControl, Mechanics, StepFailure};
 use crate::discretisation::body::InelasticZone;
 use crate::discretisation::runs::Runs;
 use crate::material::lanes::dot;
+use crate::solver::StopRequest;
 use crate::solver::preconditioner::Search;
 use crate::solver::timings::Kernel;
 
@@ -30,8 +31,14 @@ impl Mechanics {
     /// The tangent is M minus the stiffness loss of the body, so the elastic solution leaves a residual in the
     /// inelastic zone alone, and all further residuals stay there. As each z is M⁻¹r, the product of M with the search
     /// direction p = z + βp' is r + β times the previous one: no product with the stiffness of the whole body is
-    /// formed.
-    pub(super) fn conjugate_gradients(&mut self, residual: &[f64], direction: &mut [f64], tolerance: f64) {
+    /// formed. Where a stop is requested the direction is the one so far.
+    pub(super) fn conjugate_gradients(
+        &mut self,
+        residual: &[f64],
+        direction: &mut [f64],
+        tolerance: f64,
+        stop: &StopRequest,
+    ) {
         let n = residual.len();
         let size = self.internal.len();
         let mut rho = dot(residual, direction);
@@ -53,7 +60,7 @@ impl Mechanics {
         for iteration in 0..KRYLOV_LIMIT {
             self.precondition_within(&mut search, &entries, &r, &mut z);
             let next = entries.dot(&r, &z);
-            if next <= target {
+            if next <= target || stop() {
                 break;
             }
             // Reduction of ρ by the last iteration, or by the elastic solution; also β of the next direction.

@@ -9,6 +9,7 @@ use std::time::Instant;
 use crate::discretisation::body::Body;
 use crate::interface::contact::{Contact, FlatPosition};
 use crate::material::lanes::dot;
+use crate::solver::StopRequest;
 use crate::solver::harmonic::HarmonicFactors;
 use crate::solver::preconditioner::Preconditioner;
 use crate::solver::timings::{Kernel, Timings};
@@ -43,6 +44,8 @@ pub enum StepFailure {
     Newton { iterations: usize, residual: f64 },
     #[error("a number is not finite")]
     NotFinite,
+    #[error("stopped on request")]
+    Stopped,
     #[error("the contact stiffness is not positive definite")]
     ContactStiffness,
     #[error("no point is in contact, so the load has no reaction")]
@@ -121,6 +124,7 @@ impl Mechanics {
         flat: FlatPosition,
         control: LoadingControl,
         predictor: Vec<f64>,
+        stop: &StopRequest,
         mut coupling: impl FnMut(&mut Body, &mut Contact, usize) -> Option<CouplingData>,
     ) -> Result<FlatPosition, StepFailure> {
         let size = self.internal.len();
@@ -155,7 +159,10 @@ impl Mechanics {
             self.effort.newton += 1;
             let least = if now.data.converged { FORCING } else { COUPLED_FORCING };
             let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, LARGEST_FORCING);
-            self.conjugate_gradients(&residual, &mut direction, forcing);
+            self.conjugate_gradients(&residual, &mut direction, forcing, stop);
+            if stop() {
+                return Err(StepFailure::Stopped);
+            }
             let line = Line { direction: &direction, residual: &residual, flat, control };
             let refresh = norm <= REFRESH * scale;
             let next = |body: &mut Body, contact: &mut Contact| coupling(body, contact, iteration + 1);

@@ -77,9 +77,6 @@ fn pressed(
     elements: usize,
     watch: &dyn Watch,
 ) -> Result<Contact, SimulationError> {
-    if watch.cancelled() {
-        return Err(SimulationError::Cancelled { partial: None });
-    }
     let problem = Problem::new(scene);
     let numerics = Numerics { elements_per_radius: Some(elements), ..scene.numerics.clone() };
     let size = Resolution::choose(&numerics).mesh_size(contact_radius);
@@ -89,7 +86,7 @@ fn pressed(
         reason: error.to_string(),
         partial: None,
     };
-    let (mechanics, _) = press_on(&problem, size, INCREMENTS).map_err(failed)?;
+    let (mechanics, _) = press_on(&problem, size, INCREMENTS, &|| watch.cancelled()).map_err(failed)?;
     Ok(mechanics.into_parts().1)
 }
 

@@ -13,7 +13,7 @@ fn factors(sectors: usize) -> HarmonicFactors {
     let mesh = RevolvedMesh::new(meridian, Collocation::full(sectors));
     let moduli = Moduli::new(250.0, 0.3);
     let pattern = HarmonicPattern::new(&mesh, FieldKind::Vector).unwrap();
-    pattern.factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m)).unwrap()
+    pattern.factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m), &|| false).unwrap()
 }
 
 /// A force that every harmonic has its share of, zero where the axis has no unknowns, without a hoop component
