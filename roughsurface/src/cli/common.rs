@@ -3,14 +3,11 @@
 use anyhow::{Context, anyhow};
 use clap::Args;
 use roughsurface::friction::PredictionError;
-use roughsurface::friction::warning::Warning;
-use roughsurface::integral::law_source::LawSource;
 use roughsurface::integral::separation::SeparationError;
-use roughsurface::surface::file::SurfaceFile;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tables::law::LookupError;
-use tables::netcdf::{destination, write_atomically};
+use tables::netcdf::{check_distinct, destination, write_atomically};
 
 #[derive(Args)]
 pub struct RunOptions {
@@ -31,34 +28,17 @@ pub struct RunOptions {
     pub verbose: bool,
 }
 
-/// The surface and the response of its asperities.
-#[derive(Args)]
-pub struct InputOptions {
-    /// Surface file (TOML): summits, heights, pressures, slip rates
-    pub surface: PathBuf,
-    /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
-    /// aluminium-6061, copper, titanium-6al4v), or model:NAME for a closed form
-    #[arg(long, value_name = "TABLE")]
-    pub table: String,
-    /// Continue the table beyond its last interference, with a warning
-    #[arg(long)]
-    pub extrapolate: bool,
-    /// Interpolate around cells of the table that failed or were not run, with a warning
-    #[arg(long)]
-    pub allow_missing: bool,
-}
+/// Files that a command reads or writes, with their roles in messages.
+pub type Roles<'a> = [(&'a str, Option<&'a Path>)];
 
-impl InputOptions {
-    /// The surface file, the law of one asperity, and a warning if missing cells were interpolated.
-    pub fn read(&self) -> Result<(SurfaceFile, LawSource, Option<Warning>), Failure> {
-        let file = SurfaceFile::read(&self.surface).map_err(input)?;
-        let material = file.material.as_ref();
-        let source = LawSource::open(&self.table, material, file.temperature, self.allow_missing);
-        let source = source.map_err(input)?;
-        let cells = source.interpolated_cells.clone();
-        let warning = (!cells.is_empty()).then_some(Warning::CellsInterpolated { cells });
-        Ok((file, source, warning))
+/// Refuses outputs that cannot be written, and those that are an input or another output.
+pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
+    let outputs: Vec<(&str, &Path)> =
+        outputs.iter().filter_map(|(role, path)| path.map(|path| (*role, path))).collect();
+    for (_, path) in &outputs {
+        check_folder(path)?;
     }
+    check_distinct(inputs, &outputs).map_err(input)
 }
 
 /// Failure of a command, by exit status.
@@ -118,7 +98,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         .map_err(|error| Failure::Run(anyhow!("cannot write {}: {error}", path.display())))
 }
 
-pub fn check_folder(path: &Path) -> Result<(), Failure> {
+fn check_folder(path: &Path) -> Result<(), Failure> {
     let place = destination(path);
     let folder = match place.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,

@@ -6,6 +6,9 @@ use roughsurface::surface::heights::{DISTRIBUTIONS, Entry};
 pub const EXAMPLES: &str = "\
 From a topography to the friction of its surface:
 
+  In one command, with a table that comes with the program
+    roughsurface predict map.x3p --cutoff 2um --material steel-4340 --pressure 1e6 \\
+        --slip-rate 0.1..10 -o friction.nc
   Summits of a measured map, of which the instrument resolves 2 um
     roughsurface characterize map.x3p --cutoff 2um -o surface.toml
   Friction without a simulation, after a closed form; [material] in surface.toml says of what
@@ -40,8 +43,8 @@ A surface file, surface.toml:
     asperity_radius = 100e-6    # m
     heights = { distribution = \"gaussian\", std = 0.1e-6 }
     [query]
-    pressure = [1e5, 1e6]       # nominal, Pa; or separation = [..] in m
-    slip_rate = [0.1, 1, 10]    # m/s
+    pressure = [1e5, 1e6]       # nominal, Pa; or separation in m; a number, a list, or a range
+    slip_rate = { from = 0.1, to = 10, points = 9, spacing = \"log\" }    # m/s
     hold = \"load\"               # or \"separation\"
 
 Heights, with their keys:

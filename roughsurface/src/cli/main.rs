@@ -3,9 +3,11 @@
 mod characterize;
 mod common;
 mod help;
+mod input;
 mod predict;
 mod progress;
 mod sample;
+mod topography;
 
 use clap::{Parser, Subcommand};
 use common::Failure;

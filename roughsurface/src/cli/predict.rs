@@ -1,17 +1,17 @@
 //! `roughsurface predict`.
 
 use super::common::*;
+use super::input::{Input, InputOptions};
 use super::progress::Progress;
 use anyhow::anyhow;
 use clap::Args;
 use roughsurface::friction::comparison::{caveat, compare};
+use roughsurface::friction::cutoff::AtCutoff;
 use roughsurface::friction::regime::plasticity_index;
 use roughsurface::friction::{Settings, predict};
-use roughsurface::integral::law_source::LawSource;
 use roughsurface::output::figure::figure;
 use roughsurface::output::{Origin, Results, friction_file, report, summary, summary_json};
 use roughsurface::sampling::uncertainty::propagate;
-use roughsurface::surface::file::SurfaceFile;
 use roughsurface::surface::query::Surface;
 use std::path::PathBuf;
 use tables::closed_forms::NAMES;
@@ -20,6 +20,8 @@ use tables::law::AsperityLaw;
 
 pub const HELP: &str = "\
 Examples:
+  From a measured map to friction, with a table that comes with the program:
+    roughsurface predict map.x3p --material steel-4340 --pressure 1e6 --slip-rate 0.1..10 -o friction.nc
   Friction from a table computed by `asperity tabulate`, with a plot:
     roughsurface predict surface.toml --table table.nc -o friction.nc --plot friction.png
   From a closed form of the literature; surface.toml then needs
@@ -39,6 +41,9 @@ a bearing steel contact, a granite fault with flash heating:
         -o bearing.nc --compare all
     roughsurface predict examples/scenes/granite-fault.toml --table granite-table.nc \\
         -o granite.nc --report granite.html
+
+Of a topography, friction is also predicted at half and at twice the cut-off, as far as its
+points and its extent allow.
 
 Not modelled: interaction of asperities, adhesion, wear, third bodies (debris, gouge, oxide,
 lubricant); the counter-face is smooth and rigid.
@@ -89,34 +94,34 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 /// Reads, predicts, writes.
 pub fn run(options: &Predict) -> Result<(), Failure> {
-    let (file, source, missing) = options.input.read()?;
     let models = models(&options.compare)?;
-    // Checked before the computation.
-    for path in std::iter::once(&options.output).chain(&options.plot).chain(&options.report) {
-        check_folder(path)?;
-    }
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(input)?;
     }
+    let read = options.input.read(&[
+        ("--output", Some(&options.output)),
+        ("--plot", options.plot.as_deref()),
+        ("--report", options.report.as_deref()),
+    ])?;
     if options.run.verbose {
-        describe(source.law.as_ref(), &file.surface);
+        describe(read.source.law.as_ref(), &read.file.surface);
     }
     let started = std::time::Instant::now();
     let progress = Progress::new(&options.run, "slips");
-    let computed =
-        thread_pool(&options.run)?.install(|| compute(options, &file, &source, &models, &progress));
+    let computed = thread_pool(&options.run)?.install(|| compute(options, &read, &models, &progress));
     progress.clear();
     let mut results = computed?;
-    let caveats = models.iter().map(String::as_str).chain(options.input.table.strip_prefix("model:"));
-    let caveats = caveats.filter_map(|model| caveat(model, &source.material));
-    results.prediction.warnings.extend(missing.into_iter().chain(caveats));
+    let caveats = models.iter().map(String::as_str).chain(options.input.table().strip_prefix("model:"));
+    let caveats = caveats.filter_map(|model| caveat(model, &read.source.material));
+    results.prediction.warnings.splice(..0, read.warnings.iter().cloned());
+    results.prediction.warnings.extend(caveats);
     if options.run.verbose {
         let slip = &results.prediction.slip;
         let (count, first, last) = (slip.len(), slip[1], slip[slip.len() - 1]);
         let seconds = started.elapsed().as_secs_f64();
         eprintln!("{count} slips from {first:.3e} to {last:.3e} m in {seconds:.2} s");
     }
-    write(options, &results, &file.text)
+    write(options, &results, &read.file.text)
 }
 
 fn describe(law: &dyn AsperityLaw, surface: &Surface) {
@@ -132,11 +137,11 @@ fn describe(law: &dyn AsperityLaw, surface: &Surface) {
 
 fn compute(
     options: &Predict,
-    file: &SurfaceFile,
-    source: &LawSource,
+    read: &Input,
     models: &[String],
     progress: &Progress,
 ) -> Result<Results, Failure> {
+    let Input { file, source, measured, .. } = read;
     let mut settings = Settings {
         extrapolate: options.input.extrapolate,
         melting_temperature: source.melting_temperature,
@@ -148,8 +153,11 @@ fn compute(
     let prediction = predict(source.law.as_ref(), surface, query, &settings, &show).map_err(failure)?;
     let mut results = Results::from(prediction);
     if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
-        let propagated = propagate(file, &options.input.table, &results.prediction, &settings, &show);
+        let propagated = propagate(file, options.input.table(), &results.prediction, &settings, &show);
         results.propagated = Some(propagated.map_err(input)?);
+    }
+    if let Some(measured) = measured {
+        results.cutoffs = AtCutoff::around(measured, source.law.as_ref(), &results.prediction, &settings);
     }
     results.comparisons = compare(models, &source.material, surface, query, &settings).map_err(failure)?;
     Ok(results)
@@ -157,7 +165,7 @@ fn compute(
 
 fn write(options: &Predict, results: &Results, surface: &str) -> Result<(), Failure> {
     let failed = |error: anyhow::Error| Failure::Run(error);
-    let origin = Origin { surface, table: &options.input.table, command: &command_line() };
+    let origin = Origin { surface, table: options.input.table(), command: &command_line() };
     friction_file::write(&options.output, results, &origin).map_err(|error| failed(error.into()))?;
     if let Some(plot) = &options.plot {
         figure(results).save(plot).map_err(|error| failed(error.into()))?;

@@ -1,6 +1,7 @@
 //! `roughsurface sample`.
 
 use super::common::*;
+use super::input::{Input, InputOptions};
 use super::progress::Progress;
 use clap::Args;
 use roughsurface::friction::{Settings, end_of_slide};
@@ -45,9 +46,8 @@ fn slip_length(text: &str) -> Result<f64, String> {
 
 /// Draws, slides, writes.
 pub fn run(options: &Sample) -> Result<(), Failure> {
-    let (file, source, missing) = options.input.read()?;
+    let Input { file, source, warnings, .. } = options.input.read(&[("--output", Some(&options.output))])?;
     let law = source.law.as_ref();
-    check_folder(&options.output)?;
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(&options.run, "surfaces");
@@ -67,8 +67,8 @@ pub fn run(options: &Sample) -> Result<(), Failure> {
     });
     progress.clear();
     let mut samples = sampled.map_err(failure)?;
-    samples.warnings.extend(missing);
-    let origin = Origin { surface: &file.text, table: &options.input.table, command: &command_line() };
+    samples.warnings.splice(..0, warnings);
+    let origin = Origin { surface: &file.text, table: options.input.table(), command: &command_line() };
     sample_file::write(&options.output, &samples, &origin).map_err(|error| Failure::Run(error.into()))?;
     summarise(
         options.run.quiet,

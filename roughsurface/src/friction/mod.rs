@@ -4,8 +4,8 @@
 //! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict()`]). Static
 //! friction and the weakening energy follow from that curve ([`slip_curve`]), dμ/d ln V and the
 //! flash-heating parameters from its end at several slip rates ([`rate_dependence`], [`flash_heating`]).
-//! [`comparison`] repeats the prediction with closed forms, [`regime`] gives the shares of elastic,
-//! plastic and melting contacts, and [`quantities`] lists every result. Depends on `integral` and `surface`.
+//! [`comparison`] repeats the prediction with closed forms, [`cutoff`] with other cut-offs of a topography, [`regime`] gives the shares of elastic,
+//! plastic and melting contacts, and [`quantities`] lists every result. Depends on `integral`, `topography` and `surface`.
 //!
 //! Under load control the separation decreases as asperities lose load, so that the interference of each asperity grows
 //! during the slide. A table contains slides at constant interference only: the response of an asperity at ω after the
@@ -13,6 +13,7 @@
 //! error is small; the difference from `hold = "separation"` bounds it. Chapter "Rough surfaces" of the book.
 
 pub mod comparison;
+pub mod cutoff;
 pub mod flash_heating;
 mod predict;
 pub mod quantities;

@@ -1,6 +1,7 @@
 //! Warnings: limits of validity that a result reaches.
 
 use crate::surface::query::Query;
+use crate::topography::warning;
 use std::fmt;
 
 /// Pressure or separation and slip rate that a warning is about.
@@ -43,6 +44,8 @@ pub enum Warning {
     AsperitiesInteract { at: Place, share: f64 },
     #[error("{at}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient")]
     SamplesWithoutContact { at: Place, idle: usize, count: usize },
+    #[error("topography: {0}")]
+    Topography(warning::Warning),
     #[error("cells without results, interpolated around: {}", .cells.join("; "))]
     CellsInterpolated { cells: Vec<String> },
     #[error(

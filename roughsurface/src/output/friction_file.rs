@@ -5,6 +5,7 @@ use crate::friction::comparison::Comparison;
 use crate::friction::flash_heating::{FlashHeating, NoFit};
 use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::regime::regime;
+use crate::output::cutoffs;
 use crate::output::origin::{Origin, described, grid_coordinates, with_error};
 use crate::output::results::Results;
 use crate::sampling::uncertainty::{Propagated, outputs};
@@ -51,6 +52,7 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
 
     flash_heating(&mut file, &prediction.flash_heating, row)?;
     compared(&mut file, &results.comparisons, row)?;
+    cutoffs::write(&mut file, &results.cutoffs, &grid, cells.len())?;
     if let Some(propagated) = &results.propagated {
         parameters(&mut file, propagated, &grid)?;
     }

@@ -3,6 +3,7 @@
 //! Computes no results. Depends on `sampling` and `friction`. Chapters "Friction: friction.nc" and "Other files" of the
 //! book.
 
+mod cutoffs;
 pub mod figure;
 pub mod friction_file;
 mod origin;

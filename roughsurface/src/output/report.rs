@@ -4,6 +4,7 @@
 //! self-contained.
 
 use crate::friction::regime::regime;
+use crate::output::cutoffs;
 use crate::output::figure::figure;
 use crate::output::origin::Origin;
 use crate::output::result_tables::{Rows, compared, flash_heating, parameters, quantities};
@@ -86,6 +87,7 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     let note = "<p>Value ± estimated absolute error.</p>\n";
     table(&mut page, "Results", note, &quantities(results, &COLUMNS, true));
     table(&mut page, "Flash heating", FLASH_HEATING, &flash_heating(results));
+    table(&mut page, "Influence of the cut-off of the topography", "", &cutoffs::rows(results));
     let title = "Standard deviations from uncertain parameters";
     if let Some(propagated) = &results.propagated {
         let parameter = |varied: &VariedParameter| {

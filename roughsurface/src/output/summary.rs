@@ -1,6 +1,7 @@
 //! The summary of a prediction as text.
 
 use crate::friction::regime::regime;
+use crate::output::cutoffs;
 use crate::output::result_tables::{Rows, compared, flash_heating, parameters, quantities};
 use crate::output::results::Results;
 
@@ -22,6 +23,7 @@ pub fn text(results: &Results) -> String {
     let table = aligned(&quantities(results, &COLUMNS, false));
     let mut text = format!("Plasticity index {psi:.3}: {}\n\n{table}", regime(psi));
     for (title, rows) in [
+        ("Influence of the cut-off of the topography:", cutoffs::rows(results)),
         ("Standard deviations from uncertain parameters:", parameters(results)),
         ("With asperities after models of the literature:", compared(results)),
         ("Flash heating, mu = mu_w + (mu_0 - mu_w)/[1 + (V/V_w)^8]^(1/8):", flash_heating(results)),

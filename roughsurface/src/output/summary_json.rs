@@ -4,6 +4,7 @@ use crate::friction::Friction;
 use crate::friction::flash_heating::{FlashHeating, NoFit};
 use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::regime::regime;
+use crate::output::cutoffs;
 use crate::output::friction_file::COMPARED;
 use crate::output::results::Results;
 use crate::sampling::uncertainty::outputs;
@@ -54,6 +55,7 @@ pub fn json(results: &Results) -> Value {
         "plasticity_index": prediction.plasticity_index,
         "regime": regime(prediction.plasticity_index),
         "friction": cells,
+        "cutoffs": cutoffs::json(&results.cutoffs),
         "comparisons": compared.collect::<Vec<Value>>(),
         "flash_heating": fits.collect::<Vec<Value>>(),
         "warnings": warnings,

@@ -3,7 +3,8 @@
 use super::nayak::{Nayak, SMALLEST_ALPHA};
 use super::spectrum::{Limit, Moments, Spectrum, Window};
 use super::summits::{self, Summits};
-use super::{Topography, detrend};
+use super::warning::Warning;
+use super::{Topography, detrend, plausibility};
 
 pub use detrend::Detrend;
 
@@ -12,7 +13,8 @@ pub use detrend::Detrend;
 pub struct Options {
     /// Short-wavelength cut-off, m; the reliability limit unless given.
     pub cutoff: Option<f64>,
-    pub detrend: Detrend,
+    /// Trend that is taken off: unless given the mean plane, of a periodic topography the mean height.
+    pub detrend: Option<Detrend>,
     pub window: Window,
 }
 
@@ -25,16 +27,25 @@ pub struct Characterization {
     pub pixel: f64,
     /// Extent across and along rows, m.
     pub size: (f64, f64),
+    /// Whether the topography continues at its other side.
+    pub periodic: bool,
+    /// Trend taken off.
+    pub detrend: Detrend,
     /// Cut-off used, m, and whether it was given.
     pub cutoff: f64,
     pub cutoff_asked: bool,
     /// Shortest wavelength resolved by the measurement, m, and its reason.
     pub reliability_limit: f64,
     pub limited_by: Limit,
-    /// Root mean square height without trend and unfiltered (Sq, Rq), m.
+    /// Root mean square height without trend and unfiltered (Sq, of a profile Rq), m.
     pub rms_height: f64,
-    /// Root mean square slope along any direction, 1, and curvature, 1/m.
-    pub rms_slope: f64,
+    /// Root mean square slope of the area, √⟨|∇z|²⟩ = √(2 m2), 1; only of a map (ISO 25178-2).
+    #[serde(rename = "Sdq")]
+    pub areal_slope: Option<f64>,
+    /// Root mean square slope of profiles along any direction, √m2, 1 (ISO 21920-2).
+    #[serde(rename = "Rdq")]
+    pub profile_slope: f64,
+    /// Root mean square curvature of profiles along any direction, √m4, 1/m.
     pub rms_curvature: f64,
     pub moments: Moments,
     /// Summits of the Gaussian surface with these moments.
@@ -43,13 +54,23 @@ pub struct Characterization {
     pub found: Summits,
     /// R with twice the cut-off over R: the influence of the cut-off.
     pub radius_at_twice_the_cutoff: f64,
+    /// Summits with half and with twice the cut-off, where the topography allows it.
+    pub other_cutoffs: Vec<AtCutoff>,
     /// (wavenumber in rad/m, mean power of a wave in m²).
     #[serde(skip)]
     pub spectrum: Vec<(f64, f64)>,
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
-/// Mean square slopes that differ by more than this factor make a surface with a lay.
+/// Summits from the moments with another cut-off.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct AtCutoff {
+    /// m.
+    pub cutoff: f64,
+    pub summits: Nayak,
+}
+
+/// Principal mean square slopes that differ by more than this factor make a surface with a lay.
 const ISOTROPIC: f64 = 1.5;
 
 /// Smallest number of summits whose statistics are not warned about.
@@ -59,23 +80,33 @@ const FEW_SUMMITS: usize = 100;
 const SKEWED: f64 = 0.5;
 const HEAVY_TAILED: f64 = 1.0;
 
+/// Largest share of noise in m4 that is not warned about: R is then 2.5 % too small.
+const NOISY: f64 = 0.05;
+
+/// Slope above which lengths may be in different units.
+const STEEP: f64 = 2.0;
+
 /// Moments and summits of `topography`, or the error in the cut-off.
 pub fn characterize(mut topography: Topography, options: &Options) -> Result<Characterization, String> {
-    options.detrend.subtract(&mut topography);
+    let mut warnings = topography.remarks.clone();
+    warnings.extend(plausibility::seems_periodic(&topography));
+    warnings.extend(plausibility::spikes(&topography));
+    let usual = if topography.periodic { Detrend::Mean } else { Detrend::Plane };
+    let detrend = options.detrend.unwrap_or(usual);
+    detrend.subtract(&mut topography);
+    if detrend == Detrend::Plane {
+        warnings.extend(plausibility::form(&topography));
+    }
     let count = topography.heights.len() as f64;
     let rms_height = (topography.heights.iter().map(|z| z * z).sum::<f64>() / count).sqrt();
     let spectrum = Spectrum::of(&topography, options.window);
     let (reliability_limit, limited_by) = spectrum.reliability_limit();
     let cutoff = options.cutoff.unwrap_or(reliability_limit);
 
-    let pixel = topography.pixel();
-    let size = topography.size();
-    let longest = if topography.is_profile() { size.1 } else { size.0.min(size.1) };
-    if cutoff < 2.0 * pixel || cutoff > 0.25 * longest {
+    let (shortest, longest) = cutoffs(&topography);
+    if cutoff < shortest || cutoff > longest {
         return Err(format!(
-            "cutoff = {cutoff:e} m: must lie between two points, {:e} m, and a quarter of the extent, {:e} m",
-            2.0 * pixel,
-            0.25 * longest
+            "cutoff = {cutoff:e} m: must lie between two points, {shortest:e} m, and a quarter of the extent, {longest:e} m"
         ));
     }
     let moments = spectrum.moments(cutoff);
@@ -85,76 +116,78 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
             moments.m0 * moments.m4 / moments.m2.powi(2)
         ));
     };
-    let coarser = spectrum.moments(2.0 * cutoff);
-    let found = summits::find(&topography, cutoff);
+    let other = |cutoff: f64| {
+        let summits = Nayak::of(&spectrum.moments(cutoff));
+        summits.filter(|_| (shortest..=longest).contains(&cutoff)).map(|summits| AtCutoff { cutoff, summits })
+    };
+    let areal_slope = (!topography.is_profile()).then(|| (2.0 * moments.m2).sqrt());
     let mut characterization = Characterization {
         points: (topography.rows, topography.columns),
-        pixel,
-        size,
+        pixel: topography.pixel(),
+        size: topography.size(),
+        periodic: topography.periodic,
+        detrend,
         cutoff,
         cutoff_asked: options.cutoff.is_some(),
         reliability_limit,
         limited_by,
         rms_height,
-        rms_slope: moments.m2.sqrt(),
+        areal_slope,
+        profile_slope: moments.m2.sqrt(),
         rms_curvature: moments.m4.sqrt(),
         moments,
         summits: nayak,
-        found,
-        radius_at_twice_the_cutoff: (moments.m4 / coarser.m4).sqrt(),
+        found: summits::find(&topography, cutoff),
+        radius_at_twice_the_cutoff: (moments.m4 / spectrum.moments(2.0 * cutoff).m4).sqrt(),
+        other_cutoffs: [0.5, 2.0].into_iter().filter_map(|factor| other(factor * cutoff)).collect(),
         spectrum: spectrum.radial(),
-        warnings: topography.remarks.clone(),
+        warnings,
     };
-    let warnings = warnings(&characterization, topography.is_profile());
-    characterization.warnings.extend(warnings);
+    let limits = limits(&characterization, &spectrum);
+    characterization.warnings.extend(limits);
     Ok(characterization)
 }
 
-fn warnings(found: &Characterization, profile: bool) -> Vec<String> {
+/// Shortest and longest cut-off that a topography allows, m.
+fn cutoffs(topography: &Topography) -> (f64, f64) {
+    let size = topography.size();
+    let extent = if topography.is_profile() { size.1 } else { size.0.min(size.1) };
+    (2.0 * topography.pixel(), 0.25 * extent)
+}
+
+/// Limits of validity that a result reaches.
+fn limits(found: &Characterization, spectrum: &Spectrum) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let limit = found.reliability_limit;
-    let why = match found.limited_by {
-        Limit::Sampling => "four points a wave",
-        Limit::Noise => "below, the spectrum is that of noise",
-    };
+    let (limit, reason, cutoff) = (found.reliability_limit, found.limited_by, found.cutoff);
     if !found.cutoff_asked {
-        warnings.push(format!(
-            "no cut-off was given and the reliability limit of {limit:.3e} m ({why}) is used: summit radius and \
-             density follow from it, twice the cut-off gives {:.2} times the radius; an instrument may blur \
-             longer waves than that, give what it resolves with --cutoff",
-            found.radius_at_twice_the_cutoff
-        ));
-    } else if found.cutoff < limit {
-        warnings.push(format!(
-            "the cut-off of {:.3e} m is shorter than the reliability limit of {limit:.3e} m ({why})",
-            found.cutoff
-        ));
+        let radius_at_twice = found.radius_at_twice_the_cutoff;
+        warnings.push(Warning::NoCutoff { limit, reason, radius_at_twice });
+    } else if cutoff < limit {
+        warnings.push(Warning::CutoffTooShort { cutoff, limit, reason });
     }
-    let (across, along) = found.moments.m2_directions;
-    let lay = (across / along).max(along / across);
-    if lay > ISOTROPIC {
-        warnings.push(format!(
-            "the mean square slopes across and along the rows differ by a factor of {lay:.2}; summits are those \
-             of an isotropic surface"
-        ));
+    if let Some(share) = spectrum.noise_share(cutoff, found.moments.m4).filter(|share| *share > NOISY) {
+        warnings.push(Warning::Noise { limit, share: share.min(0.99) });
+    }
+    let (across, along) = found.moments.principal_slopes;
+    if across > ISOTROPIC * along {
+        warnings.push(Warning::Lay { ratio: across / along, angle: found.moments.lay_angle });
+    }
+    let slope = found.areal_slope.unwrap_or(found.profile_slope);
+    let doubtful_units = found.warnings.iter().any(|warning| matches!(warning, Warning::Micrometres { .. }));
+    if slope > STEEP && !doubtful_units {
+        warnings.push(Warning::Steep { slope });
     }
     if found.summits.alpha < SMALLEST_ALPHA {
-        warnings.push(format!(
-            "bandwidth alpha = {:.3}: that of an isotropic surface is at least 1.5",
-            found.summits.alpha
-        ));
+        warnings.push(Warning::NarrowBand { alpha: found.summits.alpha });
     }
-    if profile {
-        warnings.push("a profile shows one direction only; summits are those of an isotropic surface".into());
+    if found.areal_slope.is_none() {
+        warnings.push(Warning::Profile);
     }
-    if found.found.count < FEW_SUMMITS {
-        warnings.push(format!("{} summits were found, too few for statistics", found.found.count));
-    } else if found.found.skewness.abs() > SKEWED || (found.found.kurtosis - 3.0).abs() > HEAVY_TAILED {
-        warnings.push(format!(
-            "summit heights have skewness {:.2} and kurtosis {:.2}, a Gaussian distribution 0 and 3; --summits \
-             found writes those that were found",
-            found.found.skewness, found.found.kurtosis
-        ));
+    let Summits { count, skewness, kurtosis, .. } = found.found;
+    if count < FEW_SUMMITS {
+        warnings.push(Warning::FewSummits { count });
+    } else if skewness.abs() > SKEWED || (kurtosis - 3.0).abs() > HEAVY_TAILED {
+        warnings.push(Warning::NotGaussian { skewness, kurtosis });
     }
     warnings
 }
@@ -166,10 +199,10 @@ mod tests {
 
     #[test]
     fn the_cutoff_is_never_the_pixel_without_a_warning() {
-        let map = SelfAffine::default().map(1);
+        let map = SelfAffine { shortest_pixels: 2.0, ..SelfAffine::default() }.map(1);
         let found = characterize(map.clone(), &Options::default()).unwrap();
         assert_eq!(found.cutoff, 4.0 * map.pixel());
-        assert!(found.warnings[0].starts_with("no cut-off was given"), "{:?}", found.warnings);
+        assert!(matches!(found.warnings[0], Warning::NoCutoff { .. }), "{:?}", found.warnings);
         assert!(found.radius_at_twice_the_cutoff > 1.0);
         let asked = |cutoff: f64| {
             let options = Options { cutoff: Some(cutoff), ..Options::default() };
@@ -177,17 +210,96 @@ mod tests {
         };
         assert!(asked(8.0 * map.pixel()).unwrap().warnings.is_empty());
         let fine = asked(3.0 * map.pixel()).unwrap();
-        assert!(fine.warnings[0].contains("shorter than the reliability limit"));
+        assert!(matches!(fine.warnings[0], Warning::CutoffTooShort { .. }));
         assert!(asked(map.pixel()).unwrap_err().starts_with("cutoff = 1e-7 m: must lie between"));
         assert!(asked(1.0).is_err());
     }
 
     #[test]
-    fn a_surface_with_a_lay_is_called_one() {
-        let mut map = SelfAffine::default().map(1);
-        map.row_step *= 2.0;
+    fn a_periodic_map_is_neither_detrended_by_a_plane_nor_windowed() {
+        // Waves as long as the map have slopes that a plane would take off, leaving jumps at the edges.
+        let surface = SelfAffine { points: 512, roll_off_pixels: 512.0, ..SelfAffine::default() };
+        let map = surface.map(1);
+        let cutoff = 8.0 * map.pixel();
+        let found = |map: Topography| {
+            characterize(map, &Options { cutoff: Some(cutoff), ..Options::default() }).unwrap()
+        };
+        let periodic = found(map.clone());
+        assert_eq!(periodic.detrend, Detrend::Mean);
+        for (n, value, allowed) in
+            [(0, periodic.moments.m0, 1e-9), (2, periodic.moments.m2, 1e-9), (4, periodic.moments.m4, 1e-9)]
+        {
+            let exact = surface.sum(n, cutoff);
+            assert!((value / exact - 1.0).abs() < allowed, "m{n}: {value:e} {exact:e}");
+        }
+        let radius = 0.375 * (std::f64::consts::PI / surface.sum(4, cutoff)).sqrt();
+        assert!((periodic.summits.radius / radius - 1.0).abs() < 1e-9);
+        let doubt = |warning: &Warning| matches!(warning, Warning::SeemsPeriodic | Warning::Form { .. });
+        assert!(!periodic.warnings.iter().any(doubt), "{:?}", periodic.warnings);
+        // Read as a map that ends at its edges, the same heights are recognised.
+        let ending = found(Topography { periodic: false, ..map });
+        assert_eq!(ending.detrend, Detrend::Plane);
+        assert!(ending.warnings.contains(&Warning::SeemsPeriodic), "{:?}", ending.warnings);
+    }
+
+    #[test]
+    fn a_lay_in_any_direction_is_found() {
+        // Waves along one direction only, on top of isotropic roughness: its tensor adds q qᵀ a²/2.
+        let map = SelfAffine::default().map(1);
+        let cutoff = 8.0 * map.pixel();
+        let options = Options { cutoff: Some(cutoff), ..Options::default() };
+        let plain = characterize(map.clone(), &options).unwrap();
+        assert!(!plain.warnings.iter().any(|warning| matches!(warning, Warning::Lay { .. })));
+        for (waves, angle) in
+            [((0, 8), 90.0), ((8, 0), 0.0), ((8, 8), -45.0), ((8, -8), 45.0), ((12, 5), -22.6)]
+        {
+            let (rows, columns) = (map.rows as f64, map.columns as f64);
+            let mut ground = map.clone();
+            let q = 2.0 * std::f64::consts::PI * f64::from(waves.0).hypot(f64::from(waves.1)) / map.size().0;
+            let passed = crate::topography::filter::transmission(q, cutoff).powi(2);
+            // Nine times the slopes of the rest.
+            let amplitude = (18.0 * plain.moments.m2 / passed).sqrt() / q;
+            for (place, height) in ground.heights.iter_mut().enumerate() {
+                let (row, column) = ((place / map.columns) as f64, (place % map.columns) as f64);
+                let phase = f64::from(waves.0) * row / rows + f64::from(waves.1) * column / columns;
+                *height += amplitude * (2.0 * std::f64::consts::PI * phase).cos();
+            }
+            let found = characterize(ground, &options).unwrap();
+            let lay = found.warnings.iter().find_map(|warning| match warning {
+                Warning::Lay { ratio, angle } => Some((*ratio, *angle)),
+                _ => None,
+            });
+            let (ratio, at) = lay.unwrap();
+            assert!((ratio - 10.0).abs() < 1.5, "{waves:?}: {ratio}");
+            let off = (at - angle + 90.0).rem_euclid(180.0) - 90.0;
+            assert!(off.abs() < 2.0, "{waves:?}: {at}");
+        }
+    }
+
+    #[test]
+    fn noise_that_remains_after_the_cutoff_is_stated() {
+        let surface = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() };
+        let noise = surface.power(2.0 * std::f64::consts::PI / (12.0 * surface.map(1).pixel()));
+        let noisy = surface.with_noise(3, noise);
+        let options = Options { cutoff: Some(8.0 * noisy.pixel()), ..Options::default() };
+        let found = characterize(noisy, &options).unwrap();
+        let clean = surface.sum(4, 8.0 * found.pixel);
+        let exact = 1.0 - clean / found.moments.m4;
+        let share = found.warnings.iter().find_map(|warning| match warning {
+            Warning::Noise { share, .. } => Some(*share),
+            _ => None,
+        });
+        assert!((share.unwrap() - exact).abs() < 0.1, "{share:?} {exact}");
+    }
+
+    #[test]
+    fn slopes_have_the_names_of_the_standards() {
+        let map = SelfAffine::default().map(1);
         let cutoff = Some(8.0 * map.pixel());
         let found = characterize(map, &Options { cutoff, ..Options::default() }).unwrap();
-        assert!(found.warnings.iter().any(|warning| warning.contains("isotropic surface")));
+        let json = serde_json::json!(found);
+        let [sdq, rdq] = ["Sdq", "Rdq"].map(|name| json[name].as_f64().unwrap());
+        assert!((sdq / rdq - 2f64.sqrt()).abs() < 1e-12);
+        assert!((rdq * rdq / found.moments.m2 - 1.0).abs() < 1e-12);
     }
 }

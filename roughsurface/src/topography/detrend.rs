@@ -4,12 +4,12 @@ use super::Topography;
 use nalgebra::{DMatrix, DVector};
 
 /// Trend that is subtracted before anything is measured.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Detrend {
     /// The mean height.
     Mean,
     /// The mean plane, of a profile the mean line.
-    #[default]
     Plane,
     /// The mean paraboloid, for curved specimens.
     Quadratic,

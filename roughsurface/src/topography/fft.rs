@@ -62,15 +62,50 @@ impl Waves {
         })
     }
 
-    /// The sum of the waves, each times a factor of its (q_y, q_x).
-    pub(super) fn sum(&self, factor: impl Fn(f64, f64) -> f64) -> Vec<f64> {
-        let scaled = |(place, amplitude): (usize, &Complex<f64>)| {
-            let (y, x) = self.wavenumbers(place);
-            amplitude * factor(y, x)
+    /// The sum of the waves, each times a `factor` of its (q_y, q_x), on a grid of `refined` times as many rows and
+    /// columns. With a complex factor real and imaginary parts are two fields.
+    ///
+    /// Waves at the Nyquist wavenumber are left out: between the points their sign is unknown.
+    pub(super) fn sum(
+        &self,
+        (more_rows, more_columns): (usize, usize),
+        factor: impl Fn(f64, f64) -> Complex<f64>,
+    ) -> Vec<Complex<f64>> {
+        let (rows, columns) = (self.rows, self.columns);
+        let nyquist = |place: usize| 2 * (place / columns) == rows || 2 * (place % columns) == columns;
+        let scaled = |(place, amplitude): (usize, &Complex<f64>)| match nyquist(place) {
+            true => Complex::ZERO,
+            false => {
+                let (y, x) = self.wavenumbers(place);
+                amplitude * factor(y, x)
+            }
         };
-        let mut data: Vec<_> = self.amplitudes.iter().enumerate().map(scaled).collect();
-        transform(&mut data, self.rows, self.columns, true);
-        data.into_iter().map(|value| value.re).collect()
+        let waves: Vec<_> = self.amplitudes.iter().enumerate().map(scaled).collect();
+        let mut fine = vec![Complex::ZERO; waves.len() * more_rows * more_columns];
+        // The refined grid consists of shifted copies of the grid.
+        for (down, right) in (0..more_rows).flat_map(|down| (0..more_columns).map(move |right| (down, right)))
+        {
+            let shift = (
+                self.steps.0 * down as f64 / more_rows as f64,
+                self.steps.1 * right as f64 / more_columns as f64,
+            );
+            let turn = |q: f64, shift: f64| Complex::from_polar(1.0, q * shift);
+            let across: Vec<_> =
+                (0..rows).map(|row| turn(self.wavenumbers(row * columns).0, shift.0)).collect();
+            let along: Vec<_> =
+                (0..columns).map(|column| turn(self.wavenumbers(column).1, shift.1)).collect();
+            let turned = |(place, wave): (usize, &Complex<f64>)| {
+                wave * across[place / columns] * along[place % columns]
+            };
+            let mut copy: Vec<_> = waves.iter().enumerate().map(turned).collect();
+            transform(&mut copy, rows, columns, true);
+            for (place, value) in copy.into_iter().enumerate() {
+                let (row, column) =
+                    (place / columns * more_rows + down, place % columns * more_columns + right);
+                fine[row * columns * more_columns + column] = value;
+            }
+        }
+        fine
     }
 
     fn wavenumbers(&self, place: usize) -> (f64, f64) {

@@ -4,17 +4,19 @@
 //! instrument did not resolve are filtered out ([`filter`], ISO 16610). The [`spectrum`] of the remainder
 //! gives the moments m0, m2, m4 (m², 1, 1/m²) and from them the summits of a Gaussian surface ([`nayak`]); the
 //! [`summits`] are also searched for directly. [`characterize`](characterize::characterize) performs all steps.
-//! Depends on `surface` for the wording of messages only. Chapter "Rough surfaces" of the book, "From topography".
+//! Depends on `surface` for reading files and the wording of messages only. Chapter "Rough surfaces" of the book, "From topography".
 
 pub mod characterize;
 mod detrend;
 mod fft;
 pub mod filter;
 pub mod nayak;
+mod plausibility;
 pub mod readers;
 pub mod report;
 pub mod spectrum;
 pub mod summits;
+pub mod warning;
 
 #[cfg(test)]
 mod synthetic;
@@ -22,6 +24,7 @@ mod synthetic;
 use std::path::{Path, PathBuf};
 
 use crate::surface::messages::short;
+use warning::Warning;
 
 /// Heights on a regular grid: a map, or a profile if there is one row only.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +40,7 @@ pub struct Topography {
     /// Whether the map continues at its other side.
     pub periodic: bool,
     /// Assumptions and changes in reading.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Warning>,
 }
 
 impl Topography {

@@ -45,7 +45,7 @@ mod tests {
     fn the_constants_of_chang_etsion_and_bogy_are_the_same_statement() {
         // y_s = 0.045944/(ηR) and σ_s² = σ² − 3.717e-4/(ηR)² (CEB 1987), and ηRσ = 0.02035844 √α.
         for (m0, m2, m4) in [(1e-12, 0.01, 1e9), (4e-14, 0.003, 5e10)] {
-            let moments = Moments { m0, m2, m4, m2_directions: (m2, m2) };
+            let moments = Moments { m0, m2, m4, principal_slopes: (m2, m2), lay_angle: 0.0 };
             let summits = Nayak::of(&moments).unwrap();
             let product = summits.density * summits.radius;
             assert!((product * m0.sqrt() / summits.alpha.sqrt() / 0.02035844 - 1.0).abs() < 1e-6);

@@ -31,9 +31,25 @@ pub fn text(found: &Characterization) -> String {
         "reliability limit",
         format!("{:.4e} m ({:?})", found.reliability_limit, found.limited_by).to_lowercase(),
     );
-    line("rms height, unfiltered", format!("{:.4e} m", found.rms_height));
-    line("rms slope", format!("{:.4e}", found.rms_slope));
-    line("rms curvature", format!("{:.4e} 1/m", found.rms_curvature));
+    let trend = format!("{:?}{}", found.detrend, if found.periodic { ", periodic" } else { "" });
+    line("trend taken off", trend.to_lowercase());
+    line(
+        if profile { "rms height Rq, unfiltered" } else { "rms height Sq, unfiltered" },
+        format!("{:.4e} m", found.rms_height),
+    );
+    if let Some(slope) = found.areal_slope {
+        line("rms slope of the area Sdq", format!("{slope:.4e}"));
+    }
+    line("rms slope of profiles Rdq", format!("{:.4e}", found.profile_slope));
+    if !profile {
+        let (across, along) = found.moments.principal_slopes;
+        let angle = found.moments.lay_angle;
+        line(
+            "mean square slopes across and along the lay",
+            format!("{across:.4e}, {along:.4e} at {angle:.0} degrees"),
+        );
+    }
+    line("rms curvature of profiles", format!("{:.4e} 1/m", found.rms_curvature));
     line("m0", format!("{:.4e} m2", found.moments.m0));
     line("m2", format!("{:.4e}", found.moments.m2));
     line("m4", format!("{:.4e} 1/m2", found.moments.m4));

@@ -15,8 +15,11 @@ pub struct Moments {
     pub m2: f64,
     /// 1/m².
     pub m4: f64,
-    /// Mean square slopes across and along the rows, 1; of a profile, m2 twice.
-    pub m2_directions: (f64, f64),
+    /// Mean square slopes across the lay and along it, 1: eigenvalues of ⟨∇z ∇zᵀ⟩; of a profile, m2 twice.
+    pub principal_slopes: (f64, f64),
+    /// Angle of the lay, the direction of the smallest slopes, to the rows, degrees from −90 to 90, positive
+    /// towards later rows.
+    pub lay_angle: f64,
 }
 
 /// Taper at the edges of a topography that is not periodic.
@@ -71,20 +74,51 @@ impl Spectrum {
     /// the heights themselves less the power that the filter removes: a window weakens the longest waves,
     /// which contribute most of it.
     pub fn moments(&self, cutoff: f64) -> Moments {
-        let (mut removed, mut across, mut along, mut m4) = (0.0, 0.0, 0.0, 0.0);
+        let (mut removed, mut across, mut along, mut mixed, mut m4) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for (y, x, power) in self.waves.powers() {
             let square = y * y + x * x;
             let passed = transmission(square.sqrt(), cutoff).powi(2);
             removed += (1.0 - passed) * power;
             across += passed * power * y * y;
             along += passed * power * x * x;
+            mixed += passed * power * x * y;
             m4 += passed * power * square * square;
         }
         let m0 = self.mean_square - removed;
         if self.profile {
-            return Moments { m0, m2: along, m4, m2_directions: (along, along) };
+            return Moments { m0, m2: along, m4, principal_slopes: (along, along), lay_angle: 0.0 };
         }
-        Moments { m0, m2: 0.5 * (across + along), m4: 0.375 * m4, m2_directions: (across, along) }
+        let (mean, half) = (0.5 * (across + along), (0.5 * (along - across)).hypot(mixed));
+        // Of the steepest direction; the lay is across it.
+        let steepest = 0.5 * (2.0 * mixed).atan2(along - across).to_degrees();
+        Moments {
+            m0,
+            m2: mean,
+            m4: 0.375 * m4,
+            principal_slopes: (mean + half, mean - half),
+            lay_angle: if steepest > 0.0 { steepest - 90.0 } else { steepest + 90.0 },
+        }
+    }
+
+    /// Share of m4 after the filter of that `cutoff` (m) that white noise contributes, where the spectrum ends in
+    /// noise.
+    pub fn noise_share(&self, cutoff: f64, m4: f64) -> Option<f64> {
+        let floor = self.noise_floor(&self.radial())?;
+        let noise = self.waves.powers().map(|(y, x, _)| {
+            let square = y * y + x * x;
+            floor * transmission(square.sqrt(), cutoff).powi(2) * square * square
+        });
+        let mean = if self.profile { 1.0 } else { 0.375 };
+        Some(mean * noise.sum::<f64>() / m4)
+    }
+
+    /// Mean power of a wave in the last octave (m²), where the spectrum does not fall there.
+    fn noise_floor(&self, radial: &[(f64, f64)]) -> Option<f64> {
+        let highest = PI / self.pixel;
+        let end: Vec<(f64, f64)> = radial.iter().copied().filter(|(q, _)| *q > 0.5 * highest).collect();
+        let flat = if self.profile { FLAT_PROFILE } else { FLAT_MAP };
+        let floor = end.iter().map(|(_, power)| power).sum::<f64>() / end.len() as f64;
+        slope(&end).is_some_and(|slope| slope >= flat).then_some(floor)
     }
 
     /// (wavenumber q in rad/m, mean power of a wave in m²) in bins of equal width in ln q, up to the
@@ -109,16 +143,9 @@ impl Spectrum {
     pub fn reliability_limit(&self) -> (f64, Limit) {
         let sampling = PIXELS_PER_WAVE * self.pixel;
         let radial = self.radial();
-        let highest = PI / self.pixel;
-        let end: Vec<(f64, f64)> = radial.iter().copied().filter(|(q, _)| *q > 0.5 * highest).collect();
-        let Some(slope) = slope(&end) else {
+        let Some(floor) = self.noise_floor(&radial) else {
             return (sampling, Limit::Sampling);
         };
-        let flat = if self.profile { FLAT_PROFILE } else { FLAT_MAP };
-        if slope < flat {
-            return (sampling, Limit::Sampling);
-        }
-        let floor = end.iter().map(|(_, power)| power).sum::<f64>() / end.len() as f64;
         let buried = radial.iter().find(|(_, power)| *power < ABOVE_NOISE * floor);
         let noise = buried.map_or(sampling, |(q, _)| 2.0 * PI / q);
         if noise > sampling { (noise, Limit::Noise) } else { (sampling, Limit::Sampling) }
@@ -133,6 +160,15 @@ pub enum Limit {
     Sampling,
     /// The spectrum is that of noise: flat.
     Noise,
+}
+
+impl std::fmt::Display for Limit {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::Sampling => "four points a wave",
+            Self::Noise => "below, the spectrum is that of noise",
+        })
+    }
 }
 
 /// Points that a wave must have for its curvature to be seen.

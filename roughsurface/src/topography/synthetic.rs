@@ -4,6 +4,7 @@ use super::Topography;
 use super::filter::transmission;
 use gauss_quad::GaussLegendre;
 use rand::{RngExt, SeedableRng};
+use rand_distr::StandardNormal;
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
@@ -82,6 +83,19 @@ impl SelfAffine {
         share * area / (2.0 * PI) * integral
     }
 
+    /// m_n of the map after the filter: the sum over its waves of power·transmission²·qⁿ·(1, 1/2, 3/8).
+    pub fn sum(&self, n: i32, cutoff: f64) -> f64 {
+        let signed = |index: usize| {
+            if 2 * index > self.points { index as f64 - self.points as f64 } else { index as f64 }
+        };
+        let of = |place: usize| {
+            let q = 2.0 * PI / (self.points as f64 * PIXEL)
+                * signed(place / self.points).hypot(signed(place % self.points));
+            self.power(q) * transmission(q, cutoff).powi(2) * q.powi(n)
+        };
+        [1.0, 0.0, 0.5, 0.0, 0.375][n as usize] * (1..self.points * self.points).map(of).sum::<f64>()
+    }
+
     /// A map with exactly that power in every wave, phases those of white noise.
     pub fn map(&self, seed: u64) -> Topography {
         self.with_noise(seed, 0.0)
@@ -92,7 +106,7 @@ impl SelfAffine {
         let n = self.points;
         let mut random = crate::surface::heights::Random::seed_from_u64(seed);
         let mut waves: Vec<Complex<f64>> =
-            (0..n * n).map(|_| Complex::new(random.random::<f64>() - 0.5, 0.0)).collect();
+            (0..n * n).map(|_| Complex::new(random.sample::<f64, _>(StandardNormal), 0.0)).collect();
         both_ways(&mut waves, n, false);
         let signed = |index: usize| if 2 * index > n { index as f64 - n as f64 } else { index as f64 };
         for (place, wave) in waves.iter_mut().enumerate() {

@@ -32,9 +32,13 @@ fn moments_are_those_of_surface_topography() {
         // Its detrending takes the plane off; its moments take the map as periodic.
         let periodic = name == "periodic.nc";
         let detrend = if periodic { Detrend::Mean } else { Detrend::Plane };
-        let options = Options { cutoff, detrend, window: Window::None };
+        let options = Options { cutoff, detrend: Some(detrend), window: Window::None };
         let found = characterize(topography(name), &options).unwrap();
         let values = &reference[name];
+        if periodic {
+            let usual = characterize(topography(name), &Options { cutoff, ..Options::default() }).unwrap();
+            assert_eq!((usual.moments, usual.detrend), (found.moments, Detrend::Mean));
+        }
         for (quantity, value) in [
             ("rms_height", found.rms_height),
             ("m0", found.moments.m0),
@@ -131,4 +135,26 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
         assert!(!folder.path("s.toml").exists(), "{arguments}");
     }
     folder.refused(&format!("characterize {map} -o no/s.toml"), "its folder does not exist");
+}
+
+/// What is no regular file is refused at once: reading a FIFO or /dev/zero would not end.
+#[cfg(unix)]
+#[test]
+fn folders_fifos_and_devices_are_refused_at_once() {
+    let folder = Folder::new("no-file");
+    let made = std::process::Command::new("mkfifo").arg(folder.path("fifo")).status().unwrap();
+    assert!(made.success());
+    for (name, expected) in
+        [("fifo", "fifo: cannot be read: it is a FIFO"), (".", ".: cannot be read: it is a folder")]
+    {
+        folder.refused(&format!("characterize {name} -o s.toml"), expected);
+    }
+    folder.refused(
+        "characterize /dev/zero --pixel 1um",
+        "/dev/zero: cannot be read: it is a FIFO, a socket or a device",
+    );
+    let sample = "[surface]\nasperity_density = 1e10\nasperity_radius = 1e-4\nheights = { distribution = \"sample\", \
+                  file = \"/dev/zero\" }\n[query]\npressure = 1e6\nslip_rate = 1\n";
+    folder.write("s.toml", sample);
+    folder.refused("predict s.toml --table copper -o f.nc", "heights.file = \"/dev/zero\"");
 }

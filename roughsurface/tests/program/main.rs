@@ -3,5 +3,7 @@
 mod characterize;
 mod demonstration;
 mod folder;
+mod map_to_friction;
+mod overwriting;
 mod predict;
 mod worked_examples;

@@ -1,6 +1,7 @@
 //! The keys of the surface file and the rules for single keys.
 
 use super::parameter::{Parameter, Uncertain};
+use super::values::Values;
 use crate::surface::heights::HeightsKeys;
 use crate::surface::query::LoadingControl;
 use crate::surface::radii::{LARGEST_VARIATION, Radii};
@@ -61,9 +62,9 @@ pub(super) enum RadiiDistribution {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct QueryKeys {
-    pub(super) pressure: Option<Vec<f64>>,
-    pub(super) separation: Option<Vec<f64>>,
-    pub(super) slip_rate: Vec<f64>,
+    pub(super) pressure: Option<Values>,
+    pub(super) separation: Option<Values>,
+    pub(super) slip_rate: Values,
     #[serde(default = "held_load")]
     pub(super) hold: LoadingControl,
     pub(super) temperature: Option<f64>,

@@ -10,7 +10,7 @@
 //!
 //! [query]
 //! pressure = [1e5, 1e6, 1e7]     # nominal, Pa; or separation = [..] in m
-//! slip_rate = [0.1, 1.0, 10.0]   # m/s
+//! slip_rate = { from = 0.1, to = 10 }    # m/s; a number, a list, or a range
 //! hold = "load"                  # or "separation"
 //! temperature = 450.0            # optional: K, of asperities and flat at the start, for a table of several
 //!
@@ -29,10 +29,14 @@
 //! Depends on `heights`, `radii` and `query`. Chapter "Surface" of the book.
 
 mod keys;
+mod overrides;
 mod parameter;
 mod read;
 #[cfg(test)]
 mod tests;
+mod values;
 
+pub use overrides::Override;
 pub use parameter::{Parameter, Uncertain};
 pub use read::{SurfaceFile, SurfaceFileError};
+pub use values::Values;

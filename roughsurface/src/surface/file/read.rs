@@ -1,7 +1,9 @@
 //! Reads and checks a surface file.
 
 use super::keys::{FileKeys, SurfaceKeys, allowed, positive, radii_of};
+use super::overrides::{Override, lay_over};
 use super::parameter::{Parameter, Uncertain};
+use super::values::Values;
 use crate::surface::heights;
 use crate::surface::messages::{explain, one_line, short};
 use crate::surface::query::{NormalLoading, Query, Surface};
@@ -21,7 +23,9 @@ pub struct SurfaceFile {
     pub uncertain: Vec<Uncertain>,
     /// Tables of a material of which one constant is raised by its standard deviation.
     pub uncertain_tables: Vec<(String, PathBuf)>,
-    /// The text of the file, stored with the results.
+    /// File of measured heights, if there is one.
+    pub heights_file: Option<PathBuf>,
+    /// The text of the file with the overrides, stored with the results.
     pub text: String,
     /// The file itself, named in errors.
     file: PathBuf,
@@ -39,6 +43,11 @@ pub enum SurfaceFileError {
 impl SurfaceFile {
     /// Reads and checks a surface file.
     pub fn read(file: &Path) -> Result<Self, SurfaceFileError> {
+        Self::read_with(file, &[])
+    }
+
+    /// The same with `overrides` laid over it.
+    pub fn read_with(file: &Path, overrides: &[Override]) -> Result<Self, SurfaceFileError> {
         use std::io::Read;
 
         /// Above the size of any surface file; bounds the read from an endless device.
@@ -50,14 +59,34 @@ impl SurfaceFile {
             .map_err(|reason| unreadable(reason.to_string()))?;
         match text.len() as u64 > MOST {
             true => Err(unreadable(format!("is longer than {} MB", MOST >> 20))),
-            false => Self::parse(file, text),
+            false => Self::parse_with(file, text, overrides),
         }
     }
 
     /// Checks the `text` of a surface file; `file` is named in errors, and measured
     /// heights are looked for in its folder.
     pub fn parse(file: &Path, text: String) -> Result<Self, SurfaceFileError> {
-        Self::parse_moved(file, text, None)
+        Self::parse_with(file, text, &[])
+    }
+
+    /// The same with `overrides` laid over it.
+    pub fn parse_with(file: &Path, text: String, overrides: &[Override]) -> Result<Self, SurfaceFileError> {
+        if overrides.is_empty() {
+            return Self::parse_moved(file, text, None);
+        }
+        // An error of the file itself is reported with its line.
+        let mut sections: toml::Table = text.parse().map_err(|error: toml::de::Error| {
+            content(file, line_of(&text, error.span()), one_line(error.message()))
+        })?;
+        for change in overrides {
+            lay_over(&mut sections, change).map_err(|what| content(file, None, what))?;
+        }
+        let text = toml::to_string(&sections).map_err(|error| content(file, None, error.to_string()))?;
+        Self::parse_moved(file, text, None).map_err(|error| match error {
+            // Lines have other numbers now.
+            SurfaceFileError::Content { what, .. } => content(file, None, what),
+            other => other,
+        })
     }
 
     /// The same surface, query and material with one parameter moved by `change`.
@@ -70,26 +99,28 @@ impl SurfaceFile {
         text: String,
         moved: Option<(Parameter, f64)>,
     ) -> Result<Self, SurfaceFileError> {
-        let content = |line: Option<usize>, what: String| SurfaceFileError::Content {
-            file: file.to_path_buf(),
-            line,
-            what,
-        };
-        let line_of = |span: Option<std::ops::Range<usize>>| {
-            span.map(|span| 1 + text[..span.start.min(text.len())].matches('\n').count())
-        };
+        let content = |line: Option<usize>, what: String| content(file, line, what);
         let deserializer = toml::Deserializer::parse(&text)
-            .map_err(|error| content(line_of(error.span()), one_line(error.message())))?;
+            .map_err(|error| content(line_of(&text, error.span()), one_line(error.message())))?;
         let mut keys: FileKeys = serde_path_to_error::deserialize(deserializer).map_err(|error| {
             let inner = error.inner();
             let what = explain(&error.path().to_string(), inner.message());
-            content(line_of(inner.span()), what)
+            content(line_of(&text, inner.span()), what)
         })?;
         if let Some((parameter, change)) = moved {
             keys.shift(parameter, change);
         }
         build(keys, file, &text).map_err(|what| content(None, what))
     }
+}
+
+fn content(file: &Path, line: Option<usize>, what: String) -> SurfaceFileError {
+    SurfaceFileError::Content { file: file.to_path_buf(), line, what }
+}
+
+/// The line, from one, in which a span begins.
+fn line_of(text: &str, span: Option<std::ops::Range<usize>>) -> Option<usize> {
+    span.map(|span| 1 + text[..span.start.min(text.len())].matches('\n').count())
 }
 
 fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, String> {
@@ -99,6 +130,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
     let SurfaceKeys { asperity_density, asperity_radius, radii, heights } = keys.surface;
     positive("surface.asperity_density", asperity_density, "1/m2")?;
     let asperity_radius = radii_of(asperity_radius, radii)?;
+    let heights_file = heights.file.as_ref().map(|name| folder.join(name));
     let heights = heights::build(&heights, folder).map_err(|error| format!("surface.heights.{error}"))?;
 
     let loading = match (keys.query.pressure, keys.query.separation) {
@@ -132,13 +164,19 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
         material: keys.material,
         uncertain,
         uncertain_tables,
+        heights_file,
         text: text.to_string(),
         file: file.to_path_buf(),
     })
 }
 
 /// A list for a coordinate of the result: ascending, each value once.
-fn list(key: &str, mut values: Vec<f64>, unit: &str, rule: fn(f64) -> bool) -> Result<Vec<f64>, String> {
+fn list(
+    key: &str,
+    Values(mut values): Values,
+    unit: &str,
+    rule: fn(f64) -> bool,
+) -> Result<Vec<f64>, String> {
     if values.is_empty() {
         return Err(format!("{key}: must hold at least one value ({unit})"));
     }

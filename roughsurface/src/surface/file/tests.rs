@@ -127,3 +127,58 @@ fn types_syntax_and_missing_keys_are_explained() {
     assert!(syntax.starts_with("surface.toml:6: "), "{syntax}");
     assert_eq!(syntax.lines().count(), 1);
 }
+
+#[test]
+fn numbers_may_be_single_or_a_range() {
+    let rates = |text: &str| {
+        parse(&GOOD.replace("slip_rate = [0.1, 1.0]", &format!("slip_rate = {text}")))
+            .map(|file| file.query.slip_rates)
+    };
+    assert_eq!(rates("2").unwrap(), [2.0]);
+    assert_eq!(rates("0.5").unwrap(), [0.5]);
+    assert_eq!(rates("{ from = 1, to = 100, points = 3 }").unwrap(), [1.0, 10.0, 100.0]);
+    let linear = "{ from = 0, to = 1, points = 3, spacing = \"linear\" }";
+    assert_eq!(rates(linear).unwrap(), [0.0, 0.5, 1.0]);
+    for (text, expected) in [
+        ("{ from = 10, to = 1 }", "query.slip_rate: to = 1.0 must be above from = 10.0"),
+        ("{ from = 0, to = 1, spacing = \"log\" }", "from = 0.0 must be positive"),
+        ("{ from = 1, to = 9, points = 1 }", "points = 1 must be"),
+        (
+            "{ from = 1, until = 9 }",
+            "query.slip_rate.until: is not a key; known here: from, to, points, spacing",
+        ),
+        ("\"fast\"", "a number, a list such as [1, 10] or a range"),
+    ] {
+        let error = rates(text).unwrap_err().to_string();
+        assert!(error.contains(expected) && error.contains(":8: query.slip_rate"), "{error}");
+    }
+}
+
+#[test]
+fn the_command_line_overrides_the_file() {
+    let with = |overrides: &[&str]| {
+        let overrides: Vec<Override> = overrides.iter().map(|text| text.parse().unwrap()).collect();
+        SurfaceFile::parse_with(Path::new("surface.toml"), GOOD.to_owned(), &overrides)
+    };
+    let file = with(&["query.hold=load", "query.pressure=1e6", "surface.heights.std=1e-7"]).unwrap();
+    assert_eq!(file.query.loading, NormalLoading::Pressure(vec![1e6]));
+    assert_eq!(file.query.control, LoadingControl::Load);
+    assert_eq!(file.surface.heights.standard_deviation(), 1e-7);
+    // The text that is stored with the results is that of the surface computed.
+    let again = parse(&file.text).unwrap();
+    assert_eq!((again.query, again.text), (file.query, file.text));
+    let separations = [Override::no_query("pressure"), Override::query("separation", &Values(vec![-1e-7]))];
+    let file = SurfaceFile::parse_with(Path::new("s.toml"), GOOD.to_owned(), &separations).unwrap();
+    assert_eq!(file.query.loading, NormalLoading::Separation(vec![-1e-7]));
+    for (text, expected) in [
+        ("query.presure=1", "surface.toml: query.presure: is not a key; did you mean pressure?"),
+        ("query.pressure.x=1", "surface.toml: query.pressure.x: pressure is a value, not a section"),
+        ("query.pressure=-1", "query.pressure[0] = -1e0: must be finite and positive"),
+    ] {
+        let error = with(&[text]).unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+    for text in ["query", "query=1", "a..b=1", "a.b="] {
+        assert!(text.parse::<Override>().unwrap_err().contains("section.key=value"));
+    }
+}

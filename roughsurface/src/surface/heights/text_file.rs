@@ -1,6 +1,7 @@
 //! Text files of numbers, and errors in them.
 
 use super::distribution::HeightsError;
+use crate::surface::read_regular;
 use std::path::Path;
 
 /// A text file that the key `file` names.
@@ -11,8 +12,9 @@ pub(super) struct TextFile<'a> {
 
 impl<'a> TextFile<'a> {
     pub fn read(path: &'a Path) -> Result<Self, HeightsError> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|reason| error(path, format!("cannot be read: {reason}")))?;
+        let unreadable = |reason: &dyn std::fmt::Display| error(path, format!("cannot be read: {reason}"));
+        let bytes = read_regular(path).map_err(|reason| unreadable(&reason))?;
+        let text = String::from_utf8(bytes).map_err(|reason| unreadable(&reason))?;
         Ok(Self { path, text })
     }
 

@@ -5,6 +5,7 @@
 mod gsf;
 pub mod length;
 mod netcdf;
+mod npy;
 mod profile;
 mod reading;
 mod text;
@@ -12,7 +13,10 @@ mod x3p;
 
 pub use reading::Reading;
 
-use crate::topography::{Topography, TopographyError};
+use crate::surface::read_regular;
+use crate::topography::warning::Warning;
+use crate::topography::{Topography, TopographyError, plausibility};
+use std::io::Read;
 use std::path::Path;
 
 /// Fewest points in each direction from which curvatures can be computed.
@@ -21,30 +25,50 @@ const FEWEST_POINTS: usize = 8;
 /// Largest share of undefined points that are filled in rather than refused.
 const MOST_UNDEFINED: f64 = 0.1;
 
-/// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, or text:
+/// Whether `file` is a topography and not a surface file, which is called `.toml` or begins with a section.
+pub fn is_topography(file: &Path) -> bool {
+    /// Comments are shorter.
+    const BEGINNING: u64 = 1 << 16;
+    if file.extension().is_some_and(|extension| extension == "toml") || !file.is_file() {
+        return false;
+    }
+    let mut start = Vec::new();
+    let read = std::fs::File::open(file).and_then(|opened| opened.take(BEGINNING).read_to_end(&mut start));
+    let text = String::from_utf8_lossy(&start);
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    read.is_ok() && lines.next().is_some_and(|line| !line.starts_with('['))
+}
+
+/// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, NPY, or text:
 /// a matrix of heights, columns x y z, x z, or z.
 pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyError> {
     let error = |what: String| TopographyError::new(file, what);
-    let bytes = std::fs::read(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;
-    let is_text = !(bytes.starts_with(b"PK\x03\x04")
-        || bytes.starts_with(gsf::MAGIC)
-        || bytes.starts_with(b"CDF")
-        || bytes.starts_with(b"\x89HDF"));
-    if !is_text && (reading.unit.is_some() || reading.pixel.is_some()) {
-        return Err(error("states its own lengths; --unit and --pixel are for text".into()));
-    }
-    let mut topography = if is_text {
-        text::parse(&String::from_utf8_lossy(&bytes), reading)
+    let bytes = read_regular(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;
+    let parsed = if bytes.starts_with(npy::MAGIC) {
+        npy::parse(&bytes, reading)
     } else if bytes.starts_with(b"PK\x03\x04") {
-        x3p::parse(&bytes)
+        without_lengths(reading).and_then(|()| x3p::parse(&bytes))
     } else if bytes.starts_with(gsf::MAGIC) {
-        gsf::parse(&bytes)
+        without_lengths(reading).and_then(|()| gsf::parse(&bytes))
+    } else if bytes.starts_with(b"CDF") || bytes.starts_with(b"\x89HDF") {
+        without_lengths(reading).and_then(|()| netcdf::read(file))
     } else {
-        netcdf::read(file)
-    }
-    .map_err(error)?;
+        text::parse(&String::from_utf8_lossy(&bytes), reading)
+    };
+    let mut topography = parsed.map_err(error)?;
     check(&mut topography).map_err(error)?;
+    if let Some(warning) = plausibility::micrometres(&topography) {
+        topography.remarks.retain(|remark| *remark != Warning::NoUnit);
+        topography.remarks.push(warning);
+    }
     Ok(topography)
+}
+
+fn without_lengths(reading: &Reading) -> Result<(), String> {
+    match reading.unit.is_some() || reading.pixel.is_some() {
+        true => Err("states its own lengths; --unit and --pixel are for text and npy".into()),
+        false => Ok(()),
+    }
 }
 
 fn check(topography: &mut Topography) -> Result<(), String> {
@@ -74,10 +98,7 @@ fn check(topography: &mut Topography) -> Result<(), String> {
     }
     if undefined > 0.0 {
         fill(topography);
-        topography.remarks.push(format!(
-            "{:.2} % of the points have no height and were filled in from their neighbours",
-            100.0 * undefined
-        ));
+        topography.remarks.push(Warning::Filled { share: undefined });
     }
     let defined = || topography.heights.iter().copied();
     let (low, high) = (defined().fold(f64::INFINITY, f64::min), defined().fold(f64::NEG_INFINITY, f64::max));

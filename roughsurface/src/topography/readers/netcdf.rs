@@ -4,6 +4,7 @@
 use super::length;
 use super::profile::profile;
 use crate::topography::Topography;
+use crate::topography::warning::Warning;
 use std::path::Path;
 use tables::netcdf::DatasetReader;
 
@@ -18,7 +19,7 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
             format!("heights:unit = \"{symbol}\": must be a unit of length such as m or um")
         })?,
         None => {
-            remarks.push("the file states no unit; lengths are taken to be in metres".to_string());
+            remarks.push(Warning::NoUnit);
             1.0
         }
     };

@@ -1,12 +1,13 @@
 //! A profile of points, evenly spaced or not.
 
 use crate::topography::Topography;
+use crate::topography::warning::Warning;
 
 /// Steps of a grid may differ by this much of one from an even grid.
 pub(super) const EVEN: f64 = 0.02;
 
 /// A profile through the points (x, z), m, resampled if they are not evenly spaced.
-pub(super) fn profile(x: &[f64], z: &[f64], mut remarks: Vec<String>) -> Result<Topography, String> {
+pub(super) fn profile(x: &[f64], z: &[f64], mut remarks: Vec<Warning>) -> Result<Topography, String> {
     let last = x.len().saturating_sub(1);
     if last == 0 {
         return Err("holds one point".into());
@@ -23,7 +24,7 @@ pub(super) fn profile(x: &[f64], z: &[f64], mut remarks: Vec<String>) -> Result<
     let heights = if even {
         z.to_vec()
     } else {
-        remarks.push("the profile is not evenly spaced and was resampled by straight lines".into());
+        remarks.push(Warning::Resampled);
         let mut segment = 0;
         (0..=last)
             .map(|i| {

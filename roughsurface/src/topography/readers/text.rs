@@ -1,40 +1,40 @@
 //! Text: a matrix of heights, columns x y z on a grid, a profile x z, or a column of heights.
 //!
-//! Comments start with `#`, `%` or `;`; numbers are separated by white space, commas or
-//! semicolons. The header that Gwyddion writes before a matrix (`# Width: 5.0 µm`) is understood, and
-//! titles of columns with their unit (`x [um], y [um], z [um]`).
+//! Comments start with `#` or `%`; numbers are separated by white space, commas or semicolons, and may have
+//! decimal commas where something else separates them. The header that Gwyddion writes before a matrix
+//! (`# Width: 5.0 µm`) is understood, and titles of columns with their unit (`x [um], y [um], z [um]`).
 
 use super::length;
 use super::profile::{EVEN, profile};
 use super::reading::Reading;
 use crate::topography::Topography;
+use crate::topography::warning::Warning;
 
 pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String> {
-    let (header, lines) = numbers(text)?;
+    // Spreadsheets begin with a byte order mark.
+    let text = text.trim_start_matches('\u{feff}');
     let mut remarks = Vec::new();
-    let unit = reading.unit.or(header.unit).unwrap_or_else(|| {
-        remarks.push(
-            "the text states no unit; lengths are taken to be in metres (--unit changes that)".to_string(),
-        );
-        1.0
-    });
+    let decimal_commas = has_decimal_commas(text);
+    if decimal_commas {
+        remarks.push(Warning::DecimalCommas);
+    }
+    let (header, lines) = numbers(text, decimal_commas)?;
+    let unit = reading.unit(header.unit, &mut remarks);
     let columns = lines.first().map_or(0, Vec::len);
     let column = |index: usize| -> Vec<f64> { lines.iter().map(|line| unit * line[index]).collect() };
-    let pixel = || {
-        reading.pixel.ok_or_else(|| {
-            "the text does not state the distance of its points; give it with --pixel LENGTH".to_string()
-        })
-    };
     match columns {
         0 => Err("holds no numbers".into()),
-        1 => Ok(Topography { remarks, ..Topography::profile(pixel()?, column(0)) }),
-        2 => profile(&column(0), &column(1), remarks),
+        1 => Ok(Topography { remarks, ..Topography::profile(reading.pixel()?, column(0)) }),
+        2 => profile(&column(0), &column(1), remarks).map_err(|error| match text.contains(',') {
+            true => format!("{error}; or are these decimal commas of single heights? write points"),
+            false => error,
+        }),
         3 => grid(&column(0), &column(1), &column(2), remarks),
         _ => {
             let rows = lines.len();
             let (row_step, column_step) = match (reading.pixel, header.width, header.height) {
                 (None, Some(width), Some(height)) => (height / rows as f64, width / columns as f64),
-                _ => (pixel()?, pixel()?),
+                _ => (reading.pixel()?, reading.pixel()?),
             };
             let heights = lines.iter().flatten().map(|height| unit * height).collect();
             let map = Topography::map((rows, row_step), (columns, column_step), heights);
@@ -43,23 +43,55 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
     }
 }
 
+/// What of a line is not a comment, and the comment.
+fn without_comment(line: &str) -> (&str, &str) {
+    line.split_at(line.find(['#', '%']).unwrap_or(line.len()))
+}
+
+/// Whether the commas are decimal: no number has a point, and each comma stands between two digits in a line
+/// that something else separates.
+fn has_decimal_commas(text: &str) -> bool {
+    let mut found = false;
+    for content in text.lines().map(|line| without_comment(line).0.trim()) {
+        let words = || content.split(|c: char| c.is_whitespace() || c == ';').filter(|word| !word.is_empty());
+        // Titles.
+        if !words().all(|word| word.starts_with(|c: char| c.is_ascii_digit() || "+-,.".contains(c))) {
+            continue;
+        }
+        let decimal = |word: &str| match word.split_once(',') {
+            Some((before, after)) => {
+                before.ends_with(|c: char| c.is_ascii_digit())
+                    && after.parse::<f64>().is_ok()
+                    && !after.contains('.')
+            }
+            None => true,
+        };
+        if content.contains('.') || !words().all(decimal) {
+            return false;
+        }
+        found |= content.contains(',') && words().count() > 1;
+    }
+    found
+}
+
 /// Header and lines of as many numbers each.
-fn numbers(text: &str) -> Result<(Header, Vec<Vec<f64>>), String> {
+fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), String> {
     let mut header = Header::default();
     let mut lines: Vec<Vec<f64>> = Vec::new();
     for (index, line) in text.lines().enumerate() {
-        let comment = line.find(['#', '%']).unwrap_or(line.len());
-        let (content, comment) = line.split_at(comment);
+        let (content, comment) = without_comment(line);
         header.take(comment.trim_start_matches(['#', '%', ' ']));
-        let words = || content.split([' ', '\t', ',', ';', '\r']).filter(|word| !word.is_empty());
+        let content = if decimal_commas { content.replace(',', ".") } else { content.to_owned() };
+        let words = words(&content);
         // Titles of the columns, before the first number.
-        if lines.is_empty() && words().next().is_some() && words().all(|word| number(word).is_none()) {
-            header.take_titles(content);
+        if lines.is_empty() && !words.is_empty() && words.iter().all(|word| number(word).is_none()) {
+            header.take_titles(&content);
             continue;
         }
-        let or_where =
-            |word| number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number", index + 1));
-        let numbers: Vec<f64> = words().map(or_where).collect::<Result<_, _>>()?;
+        let or_where = |word: &&str| {
+            number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number", index + 1))
+        };
+        let numbers: Vec<f64> = words.iter().map(or_where).collect::<Result<_, _>>()?;
         let (count, before) = (numbers.len(), lines.first().map_or(numbers.len(), Vec::len));
         if count > 0 && count != before {
             return Err(format!("line {}: {count} numbers, {before} in the lines before", index + 1));
@@ -71,11 +103,26 @@ fn numbers(text: &str) -> Result<(Header, Vec<Vec<f64>>), String> {
     Ok((header, lines))
 }
 
-/// A number, or one of the words of other programs for a missing value.
+/// The words of a line, separated by commas, semicolons or white space; an empty cell between two separators is
+/// a word without characters.
+fn words(content: &str) -> Vec<&str> {
+    let content = content.trim();
+    let content = content.strip_suffix([',', ';']).unwrap_or(content);
+    if content.is_empty() {
+        return Vec::new();
+    }
+    let cells = content.split([',', ';']).map(str::trim);
+    cells
+        .flat_map(|cell| if cell.is_empty() { vec![cell] } else { cell.split_whitespace().collect() })
+        .collect()
+}
+
+/// A number, or what stands for a missing value.
 fn number(word: &str) -> Option<f64> {
+    const MISSING: [&str; 8] = ["", "---", "nan", "NaN", "NAN", "bad", "BAD", "*****"];
     match word.parse::<f64>() {
         Ok(number) => Some(number),
-        Err(_) => matches!(word, "---" | "nan" | "NaN" | "NAN" | "bad" | "BAD" | "*****").then_some(f64::NAN),
+        Err(_) => MISSING.contains(&word).then_some(f64::NAN),
     }
 }
 
@@ -116,7 +163,7 @@ impl Header {
 
 /// A map of points (x, y, z), m, in any order, which must be those of a regular grid; points that
 /// are left out are undefined.
-fn grid(x: &[f64], y: &[f64], z: &[f64], remarks: Vec<String>) -> Result<Topography, String> {
+fn grid(x: &[f64], y: &[f64], z: &[f64], remarks: Vec<Warning>) -> Result<Topography, String> {
     let (x_from, x_step, columns) = axis("x", x)?;
     let (y_from, y_step, rows) = axis("y", y)?;
     let mut heights = vec![f64::NAN; rows * columns];
@@ -202,8 +249,33 @@ mod tests {
         for (i, height) in profile.heights.iter().enumerate() {
             assert!((height - 10.0 * i as f64 * 4.0 / 3.0).abs() < 1e-12);
         }
-        assert!(profile.remarks.iter().any(|remark| remark.contains("resampled")));
+        assert!(profile.remarks.contains(&Warning::Resampled));
         assert!(read("0 0\n0 1\n1 1\n").unwrap_err().contains("point 2"));
+    }
+
+    #[test]
+    fn commas_separate_or_are_decimal() {
+        let heights = |text: &str| {
+            let text = format!("{text}\n").repeat(2);
+            let reading = Reading { unit: Some(1.0), pixel: Some(1.0) };
+            let map = parse(&text, &reading).unwrap();
+            (map.heights[..map.columns].to_vec(), map.remarks)
+        };
+        let decimal = vec![Warning::DecimalCommas];
+        for text in
+            ["1,5;-2,25;3;4,0e-1", "1,5 -2,25 3 4,0e-1", "1,5\t-2,25\t3\t4,0e-1", "1,5; -2,25; 3; 4,0e-1;"]
+        {
+            assert_eq!(heights(text), (vec![1.5, -2.25, 3.0, 0.4], decimal.clone()), "{text}");
+        }
+        for text in ["1,5,2,3", "1, 5, 2, 3", "1,5, 2,3,", "1 ,5 ,2 ,3", "1;5;2;3"] {
+            assert_eq!(heights(text), (vec![1.0, 5.0, 2.0, 3.0], vec![]), "{text}");
+        }
+        assert_eq!(heights("1.5,2.5 3.5,4.5").0, [1.5, 2.5, 3.5, 4.5]);
+        assert!(heights("1,,2,3").0[1].is_nan());
+        let titled = read("\u{feff}x [um]; z [um]\n0,0; 1,5\n0,1; 2,5\n0,2; 3,5\n").unwrap();
+        assert!((titled.column_step - 1e-7).abs() < 1e-18 && (titled.heights[1] - 2.5e-6).abs() < 1e-18);
+        // A single column with decimal commas is two columns by its letters.
+        assert!(read("1,5\n0,3\n2,4\n").unwrap_err().contains("decimal commas"));
     }
 
     #[test]

@@ -1,0 +1,72 @@
+//! Options of a measured topography, for every command that reads one.
+
+use super::common::*;
+use anyhow::anyhow;
+use clap::Args;
+use roughsurface::topography::characterize::{Characterization, Detrend, Options, characterize};
+use roughsurface::topography::readers::length;
+use roughsurface::topography::readers::{Reading, read};
+use roughsurface::topography::spectrum::Window;
+use std::path::Path;
+
+#[derive(Args)]
+#[command(next_help_heading = "Topography")]
+pub struct TopographyOptions {
+    /// Short-wavelength cut-off (Gaussian, ISO 16610): metres or with a unit, 2e-6 or 2um; by default four
+    /// points, or the wavelength below which the spectrum is noise
+    #[arg(long, value_name = "LENGTH", value_parser = length::parse)]
+    cutoff: Option<f64>,
+    /// Trend to take off; by default the plane, of a periodic topography the mean
+    #[arg(long, value_enum)]
+    detrend: Option<Detrend>,
+    /// Window over a topography that is not periodic; by default hann
+    #[arg(long, value_enum)]
+    window: Option<Window>,
+    /// The topography continues at its other side; NetCDF states it
+    #[arg(long)]
+    periodic: bool,
+    /// Unit of the lengths in a text or npy file: m, mm, um, nm; by default m
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    unit: Option<f64>,
+    /// Distance between the points of a text or npy file that does not state it
+    #[arg(long, value_name = "LENGTH", value_parser = length::parse)]
+    pixel: Option<f64>,
+}
+
+fn unit(text: &str) -> Result<f64, String> {
+    length::unit(text).ok_or_else(|| "must be a unit of length: m, mm, um, nm".into())
+}
+
+impl TopographyOptions {
+    /// Refuses the options for a surface file.
+    pub fn refuse(&self, file: &Path) -> Result<(), Failure> {
+        for (option, given) in [
+            ("--cutoff", self.cutoff.is_some()),
+            ("--detrend", self.detrend.is_some()),
+            ("--window", self.window.is_some()),
+            ("--periodic", self.periodic),
+            ("--unit", self.unit.is_some()),
+            ("--pixel", self.pixel.is_some()),
+        ] {
+            if given {
+                let shown = file.display();
+                return Err(input(anyhow!("{option} is for a topography; {shown} is a surface file")));
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads and characterises a topography; summits found can be asked `of_maps` only.
+    pub fn characterize(&self, file: &Path, of_maps: bool) -> Result<Characterization, Failure> {
+        let reading = Reading { unit: self.unit, pixel: self.pixel };
+        let mut topography = read(file, &reading).map_err(input)?;
+        topography.periodic |= self.periodic;
+        let refused = |what: String| input(anyhow!("{}: {what}", file.display()));
+        if of_maps && topography.is_profile() {
+            return Err(refused("peaks of a profile are no summits; --summits found needs a map".into()));
+        }
+        let window = self.window.unwrap_or_default();
+        let options = Options { cutoff: self.cutoff, detrend: self.detrend, window };
+        characterize(topography, &options).map_err(refused)
+    }
+}

@@ -1,0 +1,107 @@
+//! The influence of the cut-off of a topography, in `friction.nc`, in JSON and as rows of a table.
+
+use crate::friction::cutoff::AtCutoff;
+use crate::friction::quantities::Quantity;
+use crate::output::origin::described;
+use crate::output::result_tables::Rows;
+use crate::output::results::Results;
+use serde_json::{Value, json};
+use tables::netcdf::{DatasetError, DatasetWriter};
+
+/// Results at each cut-off.
+const SHOWN: [&str; 2] = ["mu_static", "mu"];
+
+/// A parameter of the summits: name, unit, meaning, formula.
+type Summit = (&'static str, &'static str, &'static str, fn(&AtCutoff) -> f64);
+const SUMMITS: [Summit; 3] = [
+    ("asperity_density", "m-2", "summits per nominal area", |at| at.summits.density),
+    ("asperity_radius", "m", "radius of the summits", |at| at.summits.radius),
+    ("heights_std", "m", "standard deviation of the summit heights", |at| at.summits.std),
+];
+
+/// Variables over the dimension `cutoff`.
+pub(super) fn write(
+    file: &mut DatasetWriter,
+    cutoffs: &[AtCutoff],
+    grid: &[&str; 2],
+    cells: usize,
+) -> Result<(), DatasetError> {
+    if cutoffs.is_empty() {
+        return Ok(());
+    }
+    let lengths: Vec<f64> = cutoffs.iter().map(|at| at.cutoff).collect();
+    file.coordinate("cutoff", &lengths, &described("m", "short-wavelength cut-off of the topography"))?;
+    for (name, unit, long_name, of) in SUMMITS {
+        let values: Vec<f64> = cutoffs.iter().map(of).collect();
+        let long_name = format!("{long_name}, by cut-off");
+        file.reals(&format!("{name}_cutoff"), &["cutoff"], &values, &described(unit, &long_name))?;
+    }
+    for quantity in SHOWN.map(Quantity::named) {
+        let of = |at: &AtCutoff| match &at.friction {
+            Ok(rows) => rows.iter().flatten().map(|cell| quantity.estimate(cell).value).collect(),
+            Err(_) => vec![f64::NAN; cells],
+        };
+        let values: Vec<f64> = cutoffs.iter().flat_map(of).collect();
+        let name = format!("{}_cutoff", quantity.name);
+        let long_name = format!("{}, by cut-off", quantity.long_name);
+        file.reals(&name, &["cutoff", grid[0], grid[1]], &values, &described(quantity.unit, &long_name))?;
+    }
+    Ok(())
+}
+
+/// As JSON: the summits, and the results of every cell in the order of `friction`, or why there are none.
+pub(super) fn json(cutoffs: &[AtCutoff]) -> Value {
+    let of = |at: &AtCutoff| {
+        let mut entry = json!({ "cutoff": at.cutoff });
+        for (name, _, _, value) in SUMMITS {
+            entry[name] = value(at).into();
+        }
+        match &at.friction {
+            Ok(rows) => {
+                for quantity in SHOWN.map(Quantity::named) {
+                    entry[quantity.name] =
+                        rows.iter().flatten().map(|cell| quantity.estimate(cell).value).collect();
+                }
+            }
+            Err(reason) => entry["refused"] = reason.to_string().into(),
+        }
+        entry
+    };
+    cutoffs.iter().map(of).collect()
+}
+
+/// Rows for each pressure or separation and cut-off, at the lowest and the highest slip rate; empty for a
+/// surface file.
+pub(super) fn rows(results: &Results) -> Rows {
+    let query = &results.prediction.query;
+    let last = query.slip_rates.len() - 1;
+    let rates = if last == 0 { vec![0] } else { vec![0, last] };
+    if results.cutoffs.is_empty() {
+        return Rows::new();
+    }
+    let mut head: Vec<String> =
+        [query.loading.heading(), "cut-off [m]", "eta [1/m2]", "R [m]", "sigma_s [m]"]
+            .map(String::from)
+            .to_vec();
+    for &rate in &rates {
+        head.extend(SHOWN.map(|name| format!("{name} at {} m/s", query.slip_rates[rate])));
+    }
+    let mut rows = vec![head];
+    for (index, load) in query.loading.values().iter().enumerate() {
+        for at in &results.cutoffs {
+            let mut row = vec![format!("{load:.3e}"), format!("{:.3e}", at.cutoff)];
+            row.extend(SUMMITS.map(|(_, _, _, of)| format!("{:.3e}", of(at))));
+            match &at.friction {
+                Ok(friction) => {
+                    for &rate in &rates {
+                        let shown = |name| Quantity::named(name).estimate(&friction[index][rate]).value;
+                        row.extend(SHOWN.map(|name| format!("{:.4}", shown(name))));
+                    }
+                }
+                Err(reason) => row.push(reason.to_string()),
+            }
+            rows.push(row);
+        }
+    }
+    rows
+}

@@ -1,0 +1,135 @@
+//! From a topography to friction in one command, and the query on the command line.
+
+use crate::folder::{Folder, stderr};
+use std::path::Path;
+use tables::netcdf::DatasetReader;
+
+fn map(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name).display().to_string()
+}
+
+const STEEL: &str = "--set material.youngs_modulus=205e9 --set material.poisson_ratio=0.29 --set material.yield_strength=792e6";
+
+#[test]
+fn one_command_does_what_two_do() {
+    let folder = Folder::new("one-command");
+    let map = map("map.x3p");
+    let query = "--pressure 1e6,2e6 --slip-rate 0.1..10:3 --hold separation";
+    let law = format!("--table model:jackson-green {STEEL} --extrapolate");
+    let output = folder.run_well(&format!("predict {map} --cutoff 1.2um {law} {query} -o one.nc --json"));
+    folder.run_well(&format!("characterize {map} --cutoff 1.2um -o s.toml"));
+    folder.run_well(&format!("predict s.toml {law} {query} -o two.nc"));
+    let [one, two] = ["one.nc", "two.nc"].map(|name| DatasetReader::open(&folder.path(name)).unwrap());
+    assert_eq!(one.reals("slip_rate", &[3]).unwrap(), [0.1, 1.0, 10.0]);
+    assert_eq!(one.reals("pressure", &[2]).unwrap(), [1e6, 2e6]);
+    assert_eq!(one.attribute_text("hold").unwrap(), "separation");
+    assert_eq!(one.reals("mu", &[2, 3]).unwrap(), two.reals("mu", &[2, 3]).unwrap());
+
+    // Its own cut-off lies between half of it and twice of it, which are predictions of their own.
+    assert_eq!(one.reals("cutoff", &[3]).unwrap(), [0.6e-6, 1.2e-6, 2.4e-6]);
+    let mu = one.reals("mu_cutoff", &[3, 2, 3]).unwrap();
+    assert_eq!(mu[6..12], one.reals("mu", &[2, 3]).unwrap());
+    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    for (index, cutoff) in [(0, "0.6um"), (2, "2.4um")] {
+        folder.run_well(&format!("predict {map} --cutoff {cutoff} {law} {query} -o other.nc"));
+        let other = DatasetReader::open(&folder.path("other.nc")).unwrap();
+        let (expected, found) = (other.reals("mu", &[2, 3]).unwrap(), &mu[6 * index..6 * index + 6]);
+        // The surface file has seven digits.
+        assert!(
+            found.iter().zip(&expected).all(|(found, mu)| (found / mu - 1.0).abs() < 1e-6),
+            "{found:?} {expected:?}"
+        );
+        assert_eq!(summary["cutoffs"][index]["mu"][0].as_f64().unwrap(), found[0]);
+    }
+    let warnings = one.attribute_text("warnings").unwrap();
+    assert!(warnings.contains("topography: "), "{warnings}");
+    assert!(two.shape("mu_cutoff").is_err());
+}
+
+#[test]
+fn a_material_names_a_shipped_table() {
+    let folder = Folder::new("material");
+    let map = map("map.x3p");
+    let command = format!(
+        "predict {map} --cutoff 1.6um --pressure 1e6 --slip-rate 1 --extrapolate -o f.nc --plot f.svg"
+    );
+    let output = folder.run_well(&format!("{command} --material titanium-6al4v"));
+    let summary = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(summary.contains("Influence of the cut-off of the topography:"), "{summary}");
+    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    assert_eq!(file.attribute_text("table").unwrap(), "titanium-6al4v");
+    assert!(folder.path("f.svg").is_file());
+    for (arguments, expected) in [
+        ("--material brass-c26000", "tables are shipped of steel-4340"),
+        ("--material copper --table copper", "cannot be used with"),
+        ("", "--table"),
+    ] {
+        let output = folder.run(&format!("{command} {arguments}"));
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn keys_on_the_command_line_replace_those_of_the_file() {
+    let folder = Folder::new("override");
+    let surface = "[surface]\nasperity_density = 1e8\nasperity_radius = 1e-3\n\
+                   heights = { distribution = \"gaussian\", std = 0.4e-6 }\n\
+                   [query]\npressure = [1e6, 1e7]\nslip_rate = { from = 0.1, to = 10, points = 3 }\n";
+    folder.write("s.toml", surface);
+    let law = format!("--table model:hertz {STEEL} --extrapolate -q");
+    folder.run_well(&format!(
+        "predict s.toml {law} --separation -1e-7,1e-7 --set surface.heights.std=1e-7 -o f.nc"
+    ));
+    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    assert_eq!(file.reals("separation", &[2]).unwrap(), [-1e-7, 1e-7]);
+    assert_eq!(file.reals("slip_rate", &[3]).unwrap(), [0.1, 1.0, 10.0]);
+    let text = file.attribute_text("surface").unwrap();
+    let stored: toml::Table = text.parse().unwrap();
+    assert_eq!(stored["surface"]["heights"]["std"].as_float(), Some(1e-7));
+    assert_eq!(stored["material"]["youngs_modulus"].as_float(), Some(205e9));
+    for (arguments, expected) in [
+        ("--pressure 1e6 --separation 1e-7", "cannot be used with"),
+        ("--pressure 1e7..1e5", "must be above"),
+        ("--set query.presure=1", "did you mean pressure?"),
+        ("--set pressure", "section.key=value"),
+        ("--hold still", "must be load or separation"),
+        ("--cutoff 1um", "--cutoff is for a topography; s.toml is a surface file"),
+    ] {
+        let output = folder.run(&format!("predict s.toml {law} {arguments} -o f.nc"));
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(stderr(&output).contains(expected), "{arguments}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn numpy_and_csv_maps_are_read() {
+    let folder = Folder::new("npy-csv");
+    let text = std::fs::read_to_string(map("map-um.txt")).unwrap();
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
+    let cells = |separator: &str| lines.iter().map(|line| line.join(separator) + "\n").collect::<String>();
+    folder.write("map.csv", cells(","));
+    // As a spreadsheet writes it where the comma is decimal.
+    folder.write("german.csv", format!("\u{feff}{}", cells(";").replace('.', ",")));
+    let numbers = lines.iter().flatten().flat_map(|word| word.parse::<f64>().unwrap().to_le_bytes());
+    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({0}, {0}), }}\n", lines.len());
+    let start =
+        [b"\x93NUMPY\x01\x00".as_slice(), &(header.len() as u16).to_le_bytes(), header.as_bytes()].concat();
+    folder.write("map.npy", start.into_iter().chain(numbers).collect::<Vec<u8>>());
+
+    let moments = |file: &str| {
+        let output =
+            folder.run_well(&format!("characterize {file} --unit um --pixel 0.2um --cutoff 1.6um --json"));
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        (found["moments"].clone(), stderr(&output))
+    };
+    let (expected, _) = moments(&map("map-um.txt"));
+    for file in ["map.csv", "german.csv", "map.npy"] {
+        let (found, messages) = moments(file);
+        assert_eq!(found, expected, "{file}");
+        assert_eq!(messages.contains("decimal commas"), file == "german.csv", "{messages}");
+    }
+    // Micrometres read as metres.
+    let output = folder.run_well("characterize map.npy --pixel 0.2um --cutoff 1.6um");
+    assert_eq!(stderr(&output).matches("--unit um").count(), 1, "{}", stderr(&output));
+}
