@@ -67,7 +67,7 @@ pub fn locate(x: &[f64], at: f64) -> Location {
     if x.len() < 2 || at <= x[0] {
         return Location { index: 0, t: 0.0 };
     }
-    let index = (x.partition_point(|point| *point <= at) - 1).min(x.len() - 2);
+    let index = x.partition_point(|point| *point <= at).saturating_sub(1).min(x.len() - 2);
     let t = ((at - x[index]) / (x[index + 1] - x[index])).min(1.0);
     Location { index, t }
 }
