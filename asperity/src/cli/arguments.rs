@@ -180,9 +180,6 @@ pub(super) struct EffectivityArguments {
     /// Scenes to run, by number from 1, as in 1,4,7 [default: all]
     #[arg(long, value_name = "N,N...", value_delimiter = ',', value_parser = scene_number)]
     pub(super) scenes: Vec<usize>,
-    /// Run also the meshes that show the orders of convergence
-    #[arg(long)]
-    pub(super) thorough: bool,
     /// Evaluate the runs of the journal without further runs
     #[arg(long)]
     pub(super) judge_only: bool,

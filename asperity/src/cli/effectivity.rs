@@ -32,7 +32,7 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
         }
     };
     let which = if arguments.judge_only { &[] } else { which.as_slice() };
-    let records = run(&arguments.journal, which, arguments.thorough, &Silent(&progress), &done)
+    let records = run(&arguments.journal, which, &Silent(&progress), &done)
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.journal.display())))?;
     let report = Report::new(&records);
     let text = markdown(&report);

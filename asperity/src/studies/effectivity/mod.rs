@@ -44,14 +44,11 @@ pub enum Role {
     FourTimesElements,
     MoreSectors,
     QuarterSteps,
-    /// Runs for the orders of convergence.
-    TwiceElements,
-    HalfSteps,
 }
 
 impl Role {
-    /// Runs required for the evaluation of a scene; the long ones first.
-    pub const NEEDED: [Role; 8] = [
+    /// Runs of a scene; the long ones first.
+    pub const ALL: [Role; 8] = [
         Role::FourTimesElements,
         Role::MoreSectors,
         Role::QuarterSteps,
@@ -61,8 +58,6 @@ impl Role {
         Role::CoarseSteps,
         Role::CoarseSolver,
     ];
-    /// Runs for the orders of convergence.
-    pub const THOROUGH: [Role; 2] = [Role::TwiceElements, Role::HalfSteps];
 
     fn resolution(self, working: &Resolution) -> Resolution {
         let coarse = working.coarse();
@@ -72,10 +67,8 @@ impl Role {
             Role::CoarseSectors => coarse.other_sectors(),
             Role::CoarseSteps => coarse.longer_steps(),
             Role::CoarseSolver => coarse.looser_solver(),
-            Role::TwiceElements => working.finer_mesh(2),
             Role::FourTimesElements => working.finer_mesh(4),
             Role::MoreSectors => Resolution { sectors: 2 * working.sectors, ..*working },
-            Role::HalfSteps => working.shorter_steps(2),
             Role::QuarterSteps => working.shorter_steps(4),
         }
     }
@@ -91,7 +84,7 @@ impl Role {
 /// use asperity::studies::effectivity::{Report, run};
 ///
 /// // The first scene, on as many threads as there are; started again, it runs what is missing.
-/// let records = run("effectivity.jsonl".as_ref(), &[0], false, &Unwatched, &|_| ())?;
+/// let records = run("effectivity.jsonl".as_ref(), &[0], &Unwatched, &|_| ())?;
 /// println!("{:.0} % of the estimates are effective", 100.0 * Report::new(&records).share());
 /// # Ok::<(), std::io::Error>(())
 /// ```
@@ -103,7 +96,7 @@ impl Role {
 /// use asperity::studies::effectivity::{Report, markdown, run, scenes};
 ///
 /// let path = std::env::temp_dir().join(format!("effectivity-example-{}.jsonl", std::process::id()));
-/// let report = Report::new(&run(&path, &[], false, &Unwatched, &|_| ())?);
+/// let report = Report::new(&run(&path, &[], &Unwatched, &|_| ())?);
 /// // Without runs no scene is evaluated, and each has a reason.
 /// assert!(report.scenes.is_empty());
 /// assert_eq!(report.missing.len(), scenes::SCENES.len());
@@ -115,15 +108,13 @@ impl Role {
 pub fn run(
     path: &Path,
     which: &[usize],
-    thorough: bool,
     watch: &dyn Watch,
     done: &(dyn Fn(&Record) + Sync),
 ) -> io::Result<Vec<Record>> {
     let (journal, mut records) = Journal::open(path)?;
-    let extra: &[Role] = if thorough { &Role::THOROUGH } else { &[] };
     let lacking: Vec<(usize, Role)> = which
         .iter()
-        .flat_map(|&scene| Role::NEEDED.iter().chain(extra).map(move |&role| (scene, role)))
+        .flat_map(|&scene| Role::ALL.map(|role| (scene, role)))
         .filter(|&(scene, role)| !records.iter().any(|r| r.scene == scene && r.role == role))
         .collect();
     // One after the other to whichever thread is free: scenes are complete in their order.

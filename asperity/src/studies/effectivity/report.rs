@@ -34,7 +34,6 @@ pub const NEGLIGIBLE: f64 = 5e-4;
 ///     scale: 0.3,
 ///     parts: [0.006, 0.0, 0.0, 0.0, 0.0],
 ///     estimates: [0.008, 0.0, 0.001, 0.0, 0.0],
-///     orders: [Some(1.5), None],
 /// };
 /// assert!((judged.ratio() - 2.0 / 3.0).abs() < 1e-12 && judged.is_effective());
 /// // Ten times the true error is no more informative than none.
@@ -51,8 +50,6 @@ pub struct Judged {
     pub parts: [f64; 5],
     /// Estimated, by source.
     pub estimates: [f64; 5],
-    /// Order in the mesh and in the increments that the three runs show, if they do.
-    pub orders: [Option<f64>; 2],
 }
 
 impl Judged {
@@ -135,7 +132,7 @@ impl Report {
                     Some((record.role, Values::new(&problem, &sample.press, &sample.history)))
                 })
                 .collect();
-            match Role::NEEDED.into_iter().find(|role| !runs.contains_key(role)) {
+            match Role::ALL.into_iter().find(|role| !runs.contains_key(role)) {
                 None => {
                     let judged = judge(&runs, &scene);
                     report.scenes.push(SceneReport { scene: position, judged });
@@ -218,14 +215,8 @@ fn judge(runs: &HashMap<Role, Values>, scene: &Scene) -> Vec<Judged> {
     let main = [RunValues { resolution: &resolution, values: working }];
     let budget = estimate(&resolution, &auxiliary, &main, &ModellingError::default());
     let of = |quantity: Quantity| {
-        let value = |role: Role| runs.get(&role).map(|values| values.value(quantity));
         let here = working.value(quantity);
-        let against = |role: Role| value(role).map_or(0.0, |there| here - there);
-        let order = |values: [Option<f64>; 3]| {
-            let [Some(first), Some(second), Some(third)] = values else { return None };
-            // Of values at h, h/2 and h/4.
-            Some((first - second) / (second - third)).filter(|ratio| *ratio > 1.0).map(f64::log2)
-        };
+        let against = |role: Role| here - runs[&role].value(quantity);
         Judged {
             quantity,
             value: here,
@@ -236,10 +227,6 @@ fn judge(runs: &HashMap<Role, Values>, scene: &Scene) -> Vec<Judged> {
                 against(Role::QuarterSteps) * of_limit(4.0, 1.0),
                 0.0,
                 0.0,
-            ],
-            orders: [
-                order([Some(here), value(Role::TwiceElements), value(Role::FourTimesElements)]),
-                order([Some(here), value(Role::HalfSteps), value(Role::QuarterSteps)]),
             ],
             estimates: ErrorSource::ALL.map(|source| budget.part(source, quantity)),
         }
@@ -259,7 +246,6 @@ mod tests {
             scale: 2.0,
             parts: [2.0 * error, 0.0, 0.0, 0.0, 0.0],
             estimates: [0.0, 2.0 * estimate, 0.0, 0.0, 0.0],
-            orders: [None, None],
         };
         let scene = SceneReport {
             scene: 0,
