@@ -66,6 +66,24 @@ fn journalled(directory: &Path) -> usize {
     text.split_inclusive('\n').filter(|line| line.ends_with('\n')).count().saturating_sub(1)
 }
 
+/// Kills a tabulation as soon as its journal has so many results.
+fn killed_with(results: usize, directory: &Path) {
+    let mut child = tabulate(directory, &[]).spawn().unwrap();
+    while journalled(directory) < results {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+/// Continues a killed tabulation to its end; what it said, after a check of the table.
+fn continued(directory: &Path) -> String {
+    let output = tabulate(directory, &["--resume", "-v"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    assert_undisturbed(directory);
+    message(&output)
+}
+
 fn assert_undisturbed(directory: &Path) {
     assert_eq!(content(&directory.join("table.nc")), undisturbed());
     assert!(!directory.join("table.nc.part").exists());
@@ -106,19 +124,11 @@ fn killed_at_any_moment_it_continues() {
 fn only_cells_in_flight_are_done_again() {
     let _alone = alone();
     let folder = folder();
-    let mut child = tabulate(folder.path(), &[]).spawn().unwrap();
-    while journalled(folder.path()) < 2 {
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    child.kill().unwrap();
-    child.wait().unwrap();
+    killed_with(2, folder.path());
     let kept = journalled(folder.path());
-    let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
-    let taken = format!("{kept} cells were taken from the interrupted run");
-    assert!(kept == CELLS || message(&output).contains(&taken), "{}", message(&output));
     assert!(kept + JOBS <= CELLS, "all done before it could be killed");
-    assert_undisturbed(folder.path());
+    let said = continued(folder.path());
+    assert!(said.contains(&format!("{kept} cells were taken from the interrupted run")), "{said}");
 }
 
 /// Runs a shell script as root of a mount namespace of its own; none where that is not allowed.
@@ -217,26 +227,18 @@ fn a_cut_journal_continues_with_all_that_is_whole() {
     let _alone = alone();
     let folder = folder();
     let journal = folder.path().join("table.nc.part");
-    let mut child = tabulate(folder.path(), &[]).spawn().unwrap();
-    let mut whole = Vec::new();
-    while whole.iter().filter(|byte| **byte == b'\n').count() < 4 {
-        whole = std::fs::read(&journal).unwrap_or_default();
-        std::thread::sleep(Duration::from_millis(2));
-    }
-    child.kill().unwrap();
-    child.wait().unwrap();
+    killed_with(3, folder.path());
+    let whole = std::fs::read(&journal).unwrap();
     let ends: Vec<usize> = (0..whole.len()).filter(|place| whole[*place] == b'\n').collect();
 
     // At every byte by a test of the journal; here at those that differ, to the table.
     for cut in [1, ends[0], ends[1] - 1, (ends[1] + ends[2]) / 2, ends[2] + 1] {
         std::fs::write(&journal, &whole[..cut]).unwrap();
-        let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
-        assert_eq!(output.status.code(), Some(0), "cut at {cut}: {}", message(&output));
+        let said = continued(folder.path());
         // A line may lack its line end alone.
         let kept = ends.iter().filter(|end| **end <= cut).count().saturating_sub(1);
         let taken = format!("{kept} cells were taken from the interrupted run");
-        assert!(message(&output).contains(&taken), "cut at {cut}: {}", message(&output));
-        assert_undisturbed(folder.path());
+        assert!(said.contains(&taken), "cut at {cut}: {said}");
         std::fs::remove_file(folder.path().join("table.nc")).unwrap();
     }
 
@@ -244,10 +246,8 @@ fn a_cut_journal_continues_with_all_that_is_whole() {
     let mut damaged = whole.clone();
     damaged[(ends[1] + ends[2]) / 2] ^= 1;
     std::fs::write(&journal, &damaged[..=ends[2]]).unwrap();
-    let output = tabulate(folder.path(), &["--resume", "-v"]).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
-    assert!(message(&output).contains("1 cells were taken"), "{}", message(&output));
-    assert_undisturbed(folder.path());
+    let said = continued(folder.path());
+    assert!(said.contains("1 cells were taken"), "{said}");
 }
 
 /// File times in the future and before 1970: results do not depend on the clock.
@@ -255,20 +255,13 @@ fn a_cut_journal_continues_with_all_that_is_whole() {
 fn files_may_be_of_any_date() {
     let _alone = alone();
     let folder = folder();
-    let mut child = tabulate(folder.path(), &[]).spawn().unwrap();
-    while journalled(folder.path()) < 2 {
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    child.kill().unwrap();
-    child.wait().unwrap();
+    killed_with(2, folder.path());
     for (name, date) in [("request.toml", "2099-01-01"), ("table.nc.part", "1950-01-01"), (".", "2090-01-01")]
     {
         let touched = Command::new("touch").args(["-d", date, name]).current_dir(folder.path()).status();
         assert!(touched.unwrap().success());
     }
-    let output = tabulate(folder.path(), &["--resume"]).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
-    assert_undisturbed(folder.path());
+    continued(folder.path());
 }
 
 /// A clock that is set back by an hour at every look at it, where the library that does so is installed

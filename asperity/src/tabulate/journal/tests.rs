@@ -17,16 +17,35 @@ fn finished() -> Finished {
     Finished::new(&outcome, &slip_grid(2.0), 298.0)
 }
 
-#[test]
-fn cells_come_back_bit_for_bit() {
+fn place() -> (tempfile::TempDir, PathBuf) {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.nc.part");
-    let (mut journal, found) = Journal::open(&path, "a = 1\n", None, false).unwrap();
+    (directory, path)
+}
+
+fn open(path: &Path, resume: bool) -> Result<(Journal, Vec<(Point, CellResult)>), JournalError> {
+    Journal::open(path, "a = 1\n", None, resume)
+}
+
+/// Three failures, at 0, 1 and 2 ω_c.
+fn journal_of_three() -> (tempfile::TempDir, PathBuf) {
+    let (directory, path) = place();
+    let (mut journal, _) = open(&path, false).unwrap();
+    for k in 0..3 {
+        journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
+    }
+    (directory, path)
+}
+
+#[test]
+fn cells_come_back_bit_for_bit() {
+    let (_directory, path) = place();
+    let (mut journal, found) = open(&path, false).unwrap();
     assert!(found.is_empty());
     journal.record(at(0.1 + 0.2, 2e-7), &Ok(finished())).unwrap();
     journal.record(at(100.0, 0.0), &Err("did not\nconverge".into())).unwrap();
     drop(journal);
-    let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    let (_, found) = open(&path, true).unwrap();
     assert_eq!(found.len(), 2);
     assert_eq!(found[0].0, at(0.1 + 0.2, 2e-7));
     let cell = found[0].1.as_ref().unwrap();
@@ -37,32 +56,25 @@ fn cells_come_back_bit_for_bit() {
 
 #[test]
 fn a_cut_or_damaged_line_loses_only_its_cell() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
-    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
-    for k in 0..3 {
-        journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
-    }
-    drop(journal);
+    let (_directory, path) = journal_of_three();
     let whole = std::fs::read_to_string(&path).unwrap();
     std::fs::write(&path, &whole[..whole.len() - 5]).unwrap();
-    let (mut journal, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    let (mut journal, found) = open(&path, true).unwrap();
     assert_eq!(found.len(), 2);
     journal.record(at(2.0, 0.0), &Err("again".into())).unwrap();
     drop(journal);
-    let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    let (_, found) = open(&path, true).unwrap();
     assert_eq!(found[2], (at(2.0, 0.0), Err("again".into())));
 
     std::fs::write(&path, whole.replace("reason 1", "reason 7")).unwrap();
-    let (_, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    let (_, found) = open(&path, true).unwrap();
     let points: Vec<Point> = found.iter().map(|(point, _)| *point).collect();
     assert_eq!(points, [at(0.0, 0.0), at(2.0, 0.0)]);
 }
 
 #[test]
 fn other_requests_and_unasked_continuations_are_refused() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
+    let (_directory, path) = place();
     Journal::open(&path, "a = 1\nb = 2\n", None, false).unwrap();
     let refused = |request: &str, resume: bool| {
         let error = Journal::open(&path, request, None, resume).err().unwrap();
@@ -77,12 +89,11 @@ fn other_requests_and_unasked_continuations_are_refused() {
 
 #[test]
 fn a_journal_of_another_build_is_refused() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
+    let (_directory, path) = place();
     let refused = |header: &Header| {
         let json = serde_json::to_string(header).unwrap();
         std::fs::write(&path, format!("{:08x} {json}\n", crc32fast::hash(json.as_bytes()))).unwrap();
-        match Journal::open(&path, "a = 1\n", None, true) {
+        match open(&path, true) {
             Ok(_) => String::new(),
             Err(error) => error.to_string(),
         }
@@ -103,36 +114,29 @@ fn a_journal_of_another_build_is_refused() {
 
 #[test]
 fn resuming_without_a_journal_starts_one() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
-    assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
+    let (_directory, path) = place();
+    assert!(open(&path, true).unwrap().1.is_empty());
     // The header itself was cut off.
     std::fs::write(&path, "0123").unwrap();
-    assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
-    assert!(Journal::open(&path, "a = 1\n", None, true).unwrap().1.is_empty());
+    assert!(open(&path, true).unwrap().1.is_empty());
+    assert!(open(&path, true).unwrap().1.is_empty());
 }
 
 /// Wherever a crash cuts the file, complete lines before the cut are found, and the next result is appended.
 #[test]
 fn a_journal_cut_anywhere_loses_no_whole_line() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
-    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
-    for k in 0..3 {
-        journal.record(at(f64::from(k), 0.0), &Err(format!("reason {k}"))).unwrap();
-    }
-    drop(journal);
+    let (_directory, path) = journal_of_three();
     let whole = std::fs::read(&path).unwrap();
     for length in 0..=whole.len() {
         let cut = &whole[..length];
         std::fs::write(&path, cut).unwrap();
-        let (mut journal, found) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+        let (mut journal, found) = open(&path, true).unwrap();
         // A line may lack its line end alone.
         let complete = cut.iter().chain(whole.get(length)).filter(|&&byte| byte == b'\n').count();
         assert_eq!(found.len(), complete.saturating_sub(1), "cut at {length}");
         journal.record(at(9.0, 0.0), &Err("next".into())).unwrap();
         drop(journal);
-        let (_, again) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+        let (_, again) = open(&path, true).unwrap();
         assert_eq!(again.len(), found.len() + 1, "cut at {length}");
         assert_eq!(again.last(), Some(&(at(9.0, 0.0), Err("next".into()))));
     }
@@ -141,34 +145,31 @@ fn a_journal_cut_anywhere_loses_no_whole_line() {
 /// Without the request the results cannot be assigned; they are not deleted.
 #[test]
 fn results_below_a_damaged_request_are_kept() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
-    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, false).unwrap();
+    let (_directory, path) = place();
+    let (mut journal, _) = open(&path, false).unwrap();
     journal.record(at(1.0, 0.0), &Err("reason".into())).unwrap();
     drop(journal);
     let damaged = std::fs::read_to_string(&path).unwrap().replacen("asperity", "asparity", 1);
     std::fs::write(&path, &damaged).unwrap();
-    let error = Journal::open(&path, "a = 1\n", None, true).err().unwrap().to_string();
+    let error = open(&path, true).err().unwrap().to_string();
     assert!(error.contains("1 results below it"), "{error}");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), damaged);
 }
 
 #[test]
 fn a_journal_in_use_is_refused() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
-    let (journal, _) = Journal::open(&path, "a = 1\n", None, true).unwrap();
-    let error = Journal::open(&path, "a = 1\n", None, true).err().unwrap().to_string();
+    let (_directory, path) = place();
+    let (journal, _) = open(&path, true).unwrap();
+    let error = open(&path, true).err().unwrap().to_string();
     assert!(error.contains("another program"), "{error}");
     drop(journal);
-    assert!(Journal::open(&path, "a = 1\n", None, true).is_ok());
+    assert!(open(&path, true).is_ok());
 }
 
 #[test]
 fn a_journal_that_was_removed_takes_no_results() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("table.nc.part");
-    let (mut journal, _) = Journal::open(&path, "a = 1\n", None, true).unwrap();
+    let (_directory, path) = place();
+    let (mut journal, _) = open(&path, true).unwrap();
     std::fs::remove_file(&path).unwrap();
     let error = journal.record(at(1.0, 0.0), &Err("reason".into())).unwrap_err().to_string();
     assert!(error.contains("removed or replaced"), "{error}");
