@@ -11,6 +11,7 @@
 /// - Data: 60 slides by two contact radii at V = 0, 0.05 to 5 ω_c, f = 0.2 to 1, five presets, 6 elements; sixteen of
 ///   them are in the test of the formula.
 /// - Residual: bound over measured strain 1.0 to 6 at f = 1; no strain was measured at f = 0.5 and below.
+/// - Repeated by: `asperity calibrate`, the sixteen.
 pub(crate) mod plastic_strain_of_slide {
     pub const ADDED: f64 = 0.8;
     pub const GROWTH: f64 = 1.1;
@@ -20,6 +21,7 @@ pub(crate) mod plastic_strain_of_slide {
 ///
 /// - Fitted: change of the load at constant interference over (1 + ν)α Δθ a/ω.
 /// - Data: 4340 and 1045 steel and copper at 0.5, 5 and 40 ω_c: 2.1, 2.9 and 3.3.
+/// - Repeated by: `asperity calibrate`.
 pub(crate) mod heat_effect {
     pub const LOAD_OF_EXPANSION: f64 = 3.0;
 }
@@ -40,7 +42,7 @@ pub(crate) mod sliding_inception {
 /// - Data: the 21 first scenes of `studies::effectivity`; static μ at 0.1 ω_c with 4, 8, 16 and 32 elements (1.612,
 ///   1.698, 1.727, 1.767) for elastic friction; elastic and full-stick presses for the edge. Half the share leaves
 ///   more true errors above 1.5 times the estimate, 2.5 times makes estimates three times the errors.
-/// - Repeated by: `asperity effectivity`.
+/// - Repeated by: `asperity calibrate` and `asperity effectivity`.
 pub(crate) mod error_estimates {
     /// Of the square-root edge of the pressure.
     pub const ORDER: f64 = 1.5;
@@ -56,6 +58,7 @@ pub(crate) mod error_estimates {
 ///   hardening, 6 to 12 elements per contact radius with the edge anywhere between two rings, and slides from 5 to
 ///   60 ω_c.
 /// - Side condition: the edge is continuous as a ring touches.
+/// - Repeated by: `asperity calibrate`.
 /// - Residual: 0.07 ring spacings rms in presses, 0.04 to 0.08 at single angles of slides (0.11 at 1 ω_c).
 pub(crate) mod contact_edge {
     /// A constant at bluntness 0 and its change to bluntness 1.

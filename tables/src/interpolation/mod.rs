@@ -31,6 +31,7 @@ mod temperature;
 use std::ops::Deref;
 
 pub use extrapolation::Extrapolated;
+pub use hertz_limit::{UNCERTAINTY_OF_KEPT_RATIO, UPLIFT};
 pub(crate) use interpolant::coordinates;
 use interpolant::{Absent, Interpolant};
 pub(crate) use nodes::{blend_one, cubic};

@@ -1,8 +1,10 @@
 //! Fits of constants, repeated: each runs its data again, fits the constants anew, and compares them with those stored
-//! in
-//! `scene::fitted_constants` (book, "Errors of a run"). Called by `asperity calibrate`. Depends on every room below it.
+//! in `scene::fitted_constants` and `tables::interpolation` (book, "Errors of a run"). Called by `asperity calibrate`.
+//! Depends on every room below it.
 
 mod contact_edge;
+mod expected_effects;
+mod hertz_limit;
 mod orders;
 
 use std::fmt::Write;
@@ -10,9 +12,10 @@ use std::fmt::Write;
 use crate::interface::contact::Contact;
 use crate::loading::press::{PressFailure, press_on};
 use crate::loading::problem::Problem;
+use crate::loading::state::SlideState;
 use crate::scene::{Numerics, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::{SimulationError, Watch};
+use crate::simulate::{SimulationError, Watch, sample};
 
 /// A constant, as stored and as fitted anew.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +48,16 @@ pub struct Fit {
 
 /// Repeats every fit; some minutes.
 pub fn fits(watch: &dyn Watch) -> Result<Vec<Fit>, SimulationError> {
-    Ok(vec![contact_edge::fit(watch)?, orders::elastic_load(watch)?, orders::elastic_friction(watch)?])
+    let fits = [
+        contact_edge::fit,
+        orders::elastic_load,
+        orders::elastic_friction,
+        expected_effects::plastic_strain,
+        expected_effects::heat_effect,
+        hertz_limit::uplift,
+        hertz_limit::kept_ratio,
+    ];
+    fits.iter().map(|fit| fit(watch)).collect()
 }
 
 /// The fits as Markdown.
@@ -90,10 +102,22 @@ fn pressed(
     Ok(mechanics.into_parts().1)
 }
 
+/// First and last state of one slide at the resolution of the scene.
+fn slid(scene: &Scene, slip_rate: f64, watch: &dyn Watch) -> Result<[SlideState; 2], SimulationError> {
+    let history = sample(scene, slip_rate, &Resolution::choose(&scene.numerics), watch)?.history;
+    Ok([history[0], history[history.len() - 1]])
+}
+
 /// Root mean square.
 fn rms(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     let count = values.len().max(1) as f64;
     (values.map(|x| x * x).sum::<f64>() / count).sqrt()
+}
+
+/// Least squares of y = a x over rows (x, y).
+fn through_origin(rows: &[[f64; 2]]) -> f64 {
+    let sum = |of: fn(&[f64; 2]) -> f64| rows.iter().map(of).sum::<f64>();
+    sum(|[x, y]| x * y) / sum(|[x, _]| x * x)
 }
 
 /// Least squares of y = a f + b g over rows (f, g, y): (a, b).
@@ -115,6 +139,7 @@ mod tests {
             [0.1f64, 0.4, 0.8].iter().map(|t| [*t, t * t, 0.7 * t - 0.3 * t * t]).collect();
         let [a, b] = two_terms(&rows);
         assert!((a - 0.7).abs() < 1e-12 && (b + 0.3).abs() < 1e-12);
+        assert!((through_origin(&[[1.0, 2.5], [2.0, 3.5]]) - 1.9).abs() < 1e-12);
         assert_eq!(rms([3.0, -4.0].into_iter()), 12.5f64.sqrt());
     }
 }
