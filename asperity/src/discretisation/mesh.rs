@@ -14,6 +14,8 @@
 //!   +---------------+----+-+ r  base: clamped, held at the initial temperature
 //! ```
 
+use roots::{SimpleConvergency, find_root_brent};
+
 /// Where the mesh is fine: everything in units of the sphere's radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshSize {
@@ -180,16 +182,10 @@ fn fan_point(start: [f64; 2], uniform: f64, t: f64) -> [f64; 2] {
 /// Distance ρ from the apex of the point of the base on the ray of scaled angle ψ/ψ_s: the root
 /// of ρ cos(ψ) = 1, which rises with ρ.
 fn base_distance(scaled_angle: f64, surface_angle: impl Fn(f64) -> f64) -> f64 {
-    let (mut low, mut high) = (1.0, std::f64::consts::SQRT_2);
-    for _ in 0..60 {
-        let rho = 0.5 * (low + high);
-        if rho * (scaled_angle * surface_angle(rho)).cos() < 1.0 {
-            low = rho;
-        } else {
-            high = rho;
-        }
-    }
-    0.5 * (low + high)
+    let beyond_base = |rho: f64| rho * (scaled_angle * surface_angle(rho)).cos() - 1.0;
+    let mut accuracy = SimpleConvergency { eps: 1e-14, max_iter: 100 };
+    find_root_brent(1.0, std::f64::consts::SQRT_2, beyond_base, &mut accuracy)
+        .expect("the base crosses every ray between the axis and the rim")
 }
 
 /// Radii of the rings in units of the contact radius: the edge, r = 1, lies midway between two.

@@ -32,6 +32,7 @@ use crate::scene::{Scene, Switch};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::outcome::Outcome;
 use messages::{RunKind, RunProgress};
+pub(crate) use pressed::bisect;
 pub use pressed::{Pressed, PressedContact, press};
 use runs::Runner;
 

@@ -1,5 +1,6 @@
 //! The press: on the planned resolutions, shared by slides at any slip rate.
 
+use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -157,8 +158,6 @@ impl PressedMesh {
 pub struct PressedContact {
     /// P, N.
     pub load: Estimate,
-    /// Part of the load's error that is of the increments, N.
-    pub load_error_of_steps: f64,
     /// A, m².
     pub area: Estimate,
     /// Of the Hertzian distribution with the same mean over the inner half of the contact, Pa: the
@@ -189,15 +188,12 @@ impl Pressed {
         let estimate = |unit: f64, edge_power: f64, of: fn(&Contact) -> f64| {
             let values = [fine, coarse, longer].map(|mesh| unit * of(&mesh.contact));
             let [mesh, steps] = error_budget::of_press(values, run, coarser, edge_power);
-            (Estimate { value: values[0], error: mesh + steps }, steps)
+            Estimate { value: values[0], error: mesh + steps }
         };
-        let (load, load_error_of_steps) =
-            estimate(units.force(), 0.0, |contact| contact.load(&contact.committed));
         PressedContact {
-            load,
-            load_error_of_steps,
-            area: estimate(units.area(), 2.0, |contact| contact.area(&contact.committed)).0,
-            peak_pressure: estimate(units.stress, 0.0, peak_pressure).0,
+            load: estimate(units.force(), 0.0, |contact| contact.load(&contact.committed)),
+            area: estimate(units.area(), 2.0, |contact| contact.area(&contact.committed)),
+            peak_pressure: estimate(units.stress, 0.0, peak_pressure),
             plastic_strain_max: fine.body.committed.largest_plastic_strain(),
         }
     }
@@ -276,16 +272,26 @@ fn too_deep(problem: &Problem, radius: f64, fits: impl Fn(f64) -> bool) -> Simul
 
 /// Interference, in ω_c, up to which a mesh laid out for the contact radius to expect fits.
 fn deepest(problem: &Problem, fits: impl Fn(f64) -> bool) -> f64 {
-    const HALVINGS: usize = 50;
     let asked = problem.interference / problem.critical_interference;
-    let (mut fitting, mut folding) = (0.0, asked);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (fitting + folding);
+    let Ok([fitting, _]) = bisect([0.0, asked], 50, |middle| {
         let interference = middle * problem.critical_interference;
         let there = Problem { interference, ..problem.clone() };
-        if fits(there.expected_contact_radius()) { fitting = middle } else { folding = middle }
-    }
+        Ok::<_, Infallible>(fits(there.expected_contact_radius()))
+    });
     fitting
+}
+
+/// Halves a bracket at whose start a condition holds and at whose end it does not.
+pub(crate) fn bisect<E>(
+    [mut start, mut end]: [f64; 2],
+    halvings: usize,
+    mut holds: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<[f64; 2], E> {
+    for _ in 0..halvings {
+        let middle = 0.5 * (start + end);
+        if holds(middle)? { start = middle } else { end = middle }
+    }
+    Ok([start, end])
 }
 
 pub(super) fn press_error(failure: PressFailure) -> SimulationError {

@@ -1,5 +1,7 @@
 //! The interpolant of a slice: nodes, coordinates, the elastic limit.
 
+use roots::{SimpleConvergency, find_root_brent};
+
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::nodes::{self, FIELDS, Nodes, Values};
@@ -165,19 +167,10 @@ impl Interpolant {
             false => self.contact_radius(locate(&self.log_interference, log_interference)),
         };
         // a₀ grows with ω; far below the table as its root.
-        let (mut low, mut high) = (self.log_interference[first] - 40.0, self.log_interference[last]);
-        if !(wanted > 0.0 && contact_radius(low) < wanted && wanted < contact_radius(high)) {
-            return None;
-        }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if contact_radius(middle) < wanted {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(high.exp())
+        let (low, high) = (self.log_interference[first] - 40.0, self.log_interference[last]);
+        let mut accuracy = SimpleConvergency { eps: 1e-15, max_iter: 200 };
+        let excess = |place: f64| contact_radius(place) / wanted - 1.0;
+        find_root_brent(low, high, excess, &mut accuracy).ok().filter(|_| wanted > 0.0).map(f64::exp)
     }
 
     /// a₀ below the first row, m.

@@ -12,7 +12,7 @@ use tables::law::Estimate;
 use super::setup::{Hertz, mesh, plain_material, run_press, scene};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{FrictionLaw, Scene};
-use crate::simulate::{PressedContact, SimulationError, Watch, press};
+use crate::simulate::{PressedContact, SimulationError, Watch, bisect, press};
 
 const HERTZ: &str = "Hertz 1882; Johnson 1985, sec. 4.2";
 const YIELD: &str = "maximum of the von Mises stress on the axis, Johnson 1985, eq. 3.45";
@@ -104,15 +104,12 @@ fn profile(watch: &dyn Watch) -> Rows {
     ])
 }
 
-/// Interferences of the bisection, and the width of its last interval.
-const BRACKET: [f64; 2] = [0.8, 1.4];
-const BISECTED: f64 = 0.6 / 128.0;
-
 /// The von Mises stress is largest on the axis, 0.48 a deep at ν = 0.3. The integration points of an element all have its
 /// axial strain, so that those nearer to the surface yield first: of first order in the element. The means of elements
 /// are of second order.
 fn first_yield(elements: usize, poisson: f64, watch: &dyn Watch) -> Rows {
     const ELASTIC: f64 = 0.5;
+    const BRACKET: [f64; 2] = [0.8, 1.4];
     let pressed = |interference: f64| {
         let mesh = mesh(elements, 4);
         press(&scene(plain_material(poisson), FrictionLaw::Frictionless, interference, mesh), watch)
@@ -120,14 +117,8 @@ fn first_yield(elements: usize, poisson: f64, watch: &dyn Watch) -> Rows {
     // Of an elastic press, whose stresses go with √ω.
     let [_, fine] = pressed(ELASTIC)?.largest_mises();
     let by_means = ELASTIC / fine.of_elements.powi(2);
-    let [mut elastic, mut plastic] = BRACKET;
-    while plastic - elastic > 1.01 * BISECTED {
-        let middle = 0.5 * (elastic + plastic);
-        match pressed(middle)?.contact().plastic_strain_max > 0.0 {
-            true => plastic = middle,
-            false => elastic = middle,
-        }
-    }
+    let is_elastic = |interference: f64| Ok(pressed(interference)?.contact().plastic_strain_max == 0.0);
+    let [elastic, plastic] = bisect(BRACKET, 7, is_elastic)?;
     let row = |name: &str, computed: f64, bound: f64, why| {
         let name = format!("{name} over omega_c, nu = {poisson}, {elements} elements");
         Row::new(name, computed, Reference::exact(1.0, YIELD), Tolerance::relative(bound, why))
@@ -135,7 +126,7 @@ fn first_yield(elements: usize, poisson: f64, watch: &dyn Watch) -> Rows {
     let n = elements as f64;
     let points = "first order, 0.4/n_c (10 % at 4 elements); half of the last bracket";
     Ok(vec![
-        row("first plastic strain", 0.5 * (elastic + plastic), 0.4 / n + 0.5 * BISECTED, points),
+        row("first plastic strain", 0.5 * (elastic + plastic), 0.4 / n + 0.5 * (plastic - elastic), points),
         row(
             "first yield by element means",
             by_means,
