@@ -31,6 +31,7 @@ tilted.to_netcdf("map.nc")
 tilted.to_x3p("map.x3p")
 tilted.to_x3p("map-int16.x3p", dtype="I")
 np.savetxt("map-um.txt", tilted.heights().T, fmt="%.7e")
+np.save("map-um.npy", tilted.heights().T.astype("<f4"))
 rows = [(px, py, pz) for px, py, pz in zip(x.ravel(), y.ravel(), tilted.heights().ravel())]
 np.savetxt("map-xyz-um.txt", rows, fmt="%.7e")
 

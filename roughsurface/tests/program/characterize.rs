@@ -14,8 +14,8 @@ fn data(name: &str) -> PathBuf {
 }
 
 fn topography(name: &str) -> Topography {
-    let in_micrometres = name.ends_with(".txt");
-    let matrix = name == "map-um.txt";
+    let in_micrometres = name.ends_with("-um.txt") || name.ends_with("-um.npy");
+    let matrix = name.starts_with("map-um");
     let reading = Reading { unit: in_micrometres.then_some(1e-6), pixel: matrix.then_some(0.2e-6) };
     read(&data(name), &reading).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -64,6 +64,7 @@ fn every_format_holds_the_same_map() {
         ("map.x3p", 1e-20),
         ("map-int16.x3p", 1e-11),
         ("map.gsf", 2e-13),
+        ("map-um.npy", 2e-13),
         ("map-um.txt", 1e-12),
         ("map-xyz-um.txt", 1e-12),
     ] {

@@ -62,7 +62,8 @@ pub struct Location {
     pub t: f64,
 }
 
-/// Finds `at` on the strictly increasing axis `x`.
+/// Finds `at` on the strictly increasing axis `x`; NaN, as from the radius of a missing cell, is put between the first
+/// two points.
 pub fn locate(x: &[f64], at: f64) -> Location {
     if x.len() < 2 || at <= x[0] {
         return Location { index: 0, t: 0.0 };
@@ -122,6 +123,11 @@ impl Steffen {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nan_has_an_index_on_the_axis() {
+        assert_eq!(locate(&[0.0, 1.0, 2.0], f64::NAN).index, 0);
+    }
 
     #[test]
     fn exact_for_straight_lines_and_held_beyond() {

@@ -55,7 +55,7 @@ fn seeds(kind: &str, folder: &Path) -> Vec<Vec<u8>> {
         }
         _ => files(
             "roughsurface/tests/data",
-            &["map.gsf", "map.nc", "map.x3p", "map-int16.x3p", "profile.nc", "profile-um.txt"],
+            &["map.gsf", "map.nc", "map.x3p", "map-int16.x3p", "map-um.npy", "profile.nc", "profile-um.txt"],
         ),
     }
 }
@@ -92,7 +92,9 @@ fn read(kind: &str, bytes: &[u8], folder: &Path) -> bool {
         }
         _ => {
             std::fs::write(&path, bytes).unwrap();
-            topography::read(&path, &Reading::default()).is_ok()
+            // Arrays do not state the distance of their points, the others do.
+            let spaced = Reading { pixel: Some(1e-6), ..Reading::default() };
+            [Reading::default(), spaced].iter().any(|reading| topography::read(&path, reading).is_ok())
         }
     }
 }
