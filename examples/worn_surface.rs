@@ -102,7 +102,7 @@ fn surface(path: &Path, table: &InterpolatedTable, heights: &str) -> anyhow::Res
     let file = SurfaceFile::parse("the surface of this example".as_ref(), text.clone())?;
     let prediction = predict(table, &file.surface, &file.query, &Settings::default(), &|_, _| ())?;
     let results = Results::from(prediction);
-    let origin = Origin { surface: &text, table: "table.nc", command: "worn_surface" };
+    let origin = Origin { surface: &text, table: "table.nc", history: "worn_surface" };
     friction_file::write(path, &results, &origin)?;
     Ok(results.prediction)
 }

@@ -46,7 +46,7 @@
 //! let results = Results::from(prediction);
 //! assert!(figure(&results).svg().contains("friction coefficient"));
 //! let path = std::env::temp_dir().join(format!("roughsurface-example-{}.nc", std::process::id()));
-//! let origin = Origin { surface: &file.text, table: "model:jackson-green", command: "an example" };
+//! let origin = Origin { surface: &file.text, table: "model:jackson-green", history: "an example" };
 //! friction_file::write(&path, &results, &origin)?;
 //! # std::fs::remove_file(&path)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -6,7 +6,7 @@ use tables::quantity::Estimate;
 
 /// The same as JSON; `null` for numbers that are not finite.
 pub fn as_json(estimate: Estimate, unit: &str) -> Value {
-    json!({ "value": estimate.value, "error": estimate.error, "unit": unit })
+    json!(estimate.in_unit(unit))
 }
 
 #[cfg(test)]

@@ -1,14 +1,10 @@
 //! Where a file comes from: program, version, time and command.
 
+pub use tables::netcdf::history;
+
 /// Program and version, for the attribute `source`.
 pub const SOURCE: &str = concat!("asperity ", env!("CARGO_PKG_VERSION"));
 
 /// Of the sources that results depend on, made by `build.rs`: programs with the same version and
 /// fingerprint do the same work, others may not.
 pub const FINGERPRINT: &str = env!("ASPERITY_FINGERPRINT");
-
-/// A line for the attribute `history`: time (UTC) and command.
-pub fn history(command: &str) -> String {
-    let now = chrono::Utc::now().format("%Y-%m-%dT%H:%M:%SZ");
-    format!("{now}: {command}")
-}

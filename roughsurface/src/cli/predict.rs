@@ -17,6 +17,7 @@ use std::path::PathBuf;
 use tables::closed_forms::NAMES;
 use tables::figures::Figure;
 use tables::law::AsperityLaw;
+use tables::netcdf::history;
 
 pub const HELP: &str = "\
 Examples:
@@ -165,7 +166,7 @@ fn compute(
 
 fn write(options: &Predict, results: &Results, surface: &str) -> Result<(), Failure> {
     let failed = |error: anyhow::Error| Failure::Run(error);
-    let origin = Origin { surface, table: options.input.table(), command: &command_line() };
+    let origin = Origin { surface, table: options.input.table(), history: &history(&command_line()) };
     friction_file::write(&options.output, results, &origin).map_err(|error| failed(error.into()))?;
     if let Some(plot) = &options.plot {
         figure(results).save(plot).map_err(|error| failed(error.into()))?;

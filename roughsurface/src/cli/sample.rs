@@ -8,6 +8,7 @@ use roughsurface::friction::{Settings, end_of_slide};
 use roughsurface::output::{Origin, sample_file};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
 use std::path::PathBuf;
+use tables::netcdf;
 
 pub const HELP: &str = "\
 Example:
@@ -68,7 +69,8 @@ pub fn run(options: &Sample) -> Result<(), Failure> {
     progress.clear();
     let mut samples = sampled.map_err(failure)?;
     samples.warnings.splice(..0, warnings);
-    let origin = Origin { surface: &file.text, table: options.input.table(), command: &command_line() };
+    let history = netcdf::history(&command_line());
+    let origin = Origin { surface: &file.text, table: options.input.table(), history: &history };
     sample_file::write(&options.output, &samples, &origin).map_err(|error| Failure::Run(error.into()))?;
     summarise(
         options.run.quiet,

@@ -42,19 +42,13 @@ pub struct Friction {
 impl Friction {
     /// [`weakening_energy`](Self::weakening_energy) per real contact area at the end of the slide, J/m².
     pub fn weakening_of_real_area(&self) -> Estimate {
-        per_real_area(self.weakening_energy, self.sliding.area_fraction)
+        self.weakening_energy.over(self.sliding.area_fraction)
     }
 
     /// [`energy_release`](Self::energy_release) per real contact area before the slide, J/m².
     pub fn release_of_real_area(&self) -> Option<Estimate> {
-        self.energy_release.map(|energy| per_real_area(energy, self.pressed.area_fraction))
+        self.energy_release.map(|energy| energy.over(self.pressed.area_fraction))
     }
-}
-
-fn per_real_area(energy: Estimate, area_fraction: Estimate) -> Estimate {
-    let value = energy.value / area_fraction.value;
-    let error = (energy.error + value.abs() * area_fraction.error) / area_fraction.value;
-    Estimate { value, error }
 }
 
 /// Result of a query.

@@ -159,7 +159,7 @@ pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
     let coarse_slip: Vec<f64> = (0..slip.len()).filter(kept).map(|i| slip[i]).collect();
     let coarse_shear: Vec<Estimate> = (0..slip.len()).filter(kept).map(|i| shear[i]).collect();
     let coarse = released(&coarse_slip, &coarse_shear, |point| point.value - end.value);
-    Estimate { value, error: changed + relative * value + (value - coarse).abs() }
+    Estimate::with_errors(value, [changed, relative * value, value - coarse])
 }
 
 /// Slip-weakening distance D_w = 2 ∫ (τ − τ_end) ds/(τ_peak − τ_end), m: over it a stress τ (Pa)
@@ -183,8 +183,8 @@ pub fn weakening_distance(slip: &[f64], shear: &[Estimate]) -> Estimate {
     // The relative error that peak and end have in common is in the energy as well and cancels.
     let of_drop = (peak.error - end.error).abs() / drop;
     let common = peak.error / peak.value;
-    let of_energy = (energy.error / energy.value - common).max(0.0);
-    Estimate { value, error: value * (of_energy + of_drop) }
+    let of_energy = (energy.error / energy.value.abs() - common).max(0.0);
+    Estimate::with_errors(value, [value * of_energy, value * of_drop])
 }
 
 /// Trapezoidal integral from the peak of τ to the end.
@@ -252,6 +252,18 @@ mod tests {
         let (slip, mu) = curve(|s| s);
         let found = inception(&slip, &mu);
         assert!(!found.reached && found.mu.value == 4.0);
+    }
+
+    #[test]
+    fn errors_of_a_negative_energy_are_positive() {
+        // After the peak the stress falls below its end value for most of the slide: held separation.
+        let (slip, _) = curve(|s| s);
+        let stress = |s: f64| 1e6 * (if s < 0.01 { s / 0.01 } else { 0.5 + 0.1 * s });
+        let shear: Vec<Estimate> =
+            slip.iter().map(|&s| Estimate { value: stress(s), error: 0.1 * stress(s) }).collect();
+        let (energy, distance) = (weakening_energy(&slip, &shear), weakening_distance(&slip, &shear));
+        assert!(energy.value < 0.0 && energy.error > 0.1 * energy.value.abs(), "{energy:?}");
+        assert!(distance.value < 0.0 && distance.error > 0.0, "{distance:?}");
     }
 
     #[test]

@@ -68,8 +68,6 @@ impl ContactState {
     /// Friction over load, with its error if the errors of `shear` and `pressure` have
     /// opposite signs.
     pub fn friction_coefficient(&self) -> Estimate {
-        let (shear, pressure) = (self.shear.estimate(), self.pressure.estimate());
-        let value = shear.value / pressure.value;
-        Estimate { value, error: (shear.error + value.abs() * pressure.error) / pressure.value }
+        self.shear.estimate().over(self.pressure.estimate())
     }
 }

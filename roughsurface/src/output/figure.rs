@@ -160,9 +160,9 @@ fn over_loading(
     for (prefix, name) in shown {
         let quantity = Quantity::named(name);
         for rate in chosen(prediction.query.slip_rates.len(), MOST_CURVES / shown.len()) {
-            let column = prediction.friction.iter().map(|cells| quantity.estimate(&cells[rate]));
-            let scaled = column.map(|e| Estimate { value: factor * e.value, error: factor * e.error });
-            let (values_of, error) = values_and_errors(scaled);
+            let column =
+                prediction.friction.iter().map(|cells| quantity.estimate(&cells[rate]).scaled(factor));
+            let (values_of, error) = values_and_errors(column);
             let label = format!("{prefix}{} m/s", prediction.query.slip_rates[rate]);
             curves.push(Curve::new(label, values.to_vec(), values_of).with_error(error));
         }

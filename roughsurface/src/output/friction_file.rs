@@ -6,7 +6,7 @@ use crate::friction::flash_heating::{FlashHeating, NoFit};
 use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
-use crate::output::origin::{Origin, described, grid_coordinates, with_error};
+use crate::output::origin::{Origin, coordinate, described, grid_coordinates, with_error};
 use crate::output::results::Results;
 use crate::sampling::uncertainty::{Propagated, outputs};
 use std::path::Path;
@@ -32,7 +32,7 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
     file.attribute("regime", regime(prediction.plasticity_index))?;
 
     let row = grid_coordinates(&mut file, &prediction.query)?;
-    file.coordinate("slip", &prediction.slip, &described("m", "slip"))?;
+    coordinate(&mut file, "slip", &prediction.slip, ("m", "slip of the flat along the surface"), "X")?;
     let grid = [row, "slip_rate"];
     let cells: Vec<&Friction> = prediction.friction.iter().flatten().collect();
     // The coordinate takes the place of the variable of that name.

@@ -11,8 +11,8 @@ pub struct Origin<'a> {
     pub surface: &'a str,
     /// The table as given: file, shipped name or `model:NAME`.
     pub table: &'a str,
-    /// The command that made the result.
-    pub command: &'a str,
+    /// Time and command that made the result, see [`tables::netcdf::history`].
+    pub history: &'a str,
 }
 
 impl Origin<'_> {
@@ -30,7 +30,7 @@ impl Origin<'_> {
         };
         for (name, value) in [
             ("source", concat!("roughsurface ", env!("CARGO_PKG_VERSION"))),
-            ("history", self.command),
+            ("history", self.history),
             ("surface", self.surface),
             ("table", self.table),
             ("law", law),
@@ -59,9 +59,23 @@ pub(super) fn grid_coordinates(
             "distance of the flat from the reference plane of the heights before the slide",
         ),
     };
-    file.coordinate(row, query.loading.values(), &described(unit, long_name))?;
-    file.coordinate("slip_rate", &query.slip_rates, &described("m s-1", "slip rate"))?;
+    coordinate(file, row, query.loading.values(), (unit, long_name), "Z")?;
+    coordinate(file, "slip_rate", &query.slip_rates, ("m s-1", "slip rate"), "Y")?;
     Ok(row)
+}
+
+/// A coordinate with its axis. By the CF conventions a coordinate in units of pressure is a vertical axis, to the right
+/// of which only other axes may stand.
+pub(super) fn coordinate(
+    file: &mut DatasetWriter,
+    name: &str,
+    values: &[f64],
+    (unit, long_name): (&str, &str),
+    axis: &str,
+) -> Result<(), DatasetError> {
+    let mut attributes = described(unit, long_name);
+    attributes.push(("axis", axis.into()));
+    file.coordinate(name, values, &attributes)
 }
 
 pub(super) fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {

@@ -101,9 +101,9 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     list(&mut page, "What is left out", CAVEATS.iter().map(ToString::to_string));
     let _ = write!(
         page,
-        "<h2>Input</h2>\n<p>Table: {}. Command: <code>{}</code>, roughsurface {}.</p>\n<pre>{}</pre>\n",
+        "<h2>Input</h2>\n<p>Table: {}. Made: <code>{}</code>, roughsurface {}.</p>\n<pre>{}</pre>\n",
         escaped(origin.table),
-        escaped(origin.command),
+        escaped(origin.history),
         env!("CARGO_PKG_VERSION"),
         escaped(origin.surface)
     );

@@ -1,13 +1,14 @@
 //! Finite surfaces as CF netCDF files, as text and as JSON.
 
 use crate::friction::quantities::{QUANTITIES, Source};
-use crate::output::origin::{Origin, described, grid_coordinates};
+use crate::output::origin::{Origin, coordinate, described, grid_coordinates};
 use crate::output::summary_json::row_key;
 use crate::sampling::finite_surface::{SampledState, Samples};
 use crate::sampling::scatter::Scatter;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetWriter};
 
 /// Name, long name and value of a measure of scatter.
@@ -17,8 +18,8 @@ const STATISTICS: [Statistic; 5] = [
     ("mean", "mean over the surfaces of the", |s| s.mean),
     ("mean_error", "half width of the 95 % confidence interval of the mean of the", |s| s.mean_error),
     ("std", "standard deviation over the surfaces of the", |s| s.standard_deviation),
-    ("lower", "2.5 % quantile over the surfaces of the", |s| s.lower),
-    ("upper", "97.5 % quantile over the surfaces of the", |s| s.upper),
+    ("lower", "lower end of the 95 % prediction interval of the", |s| s.lower),
+    ("upper", "upper end of the 95 % prediction interval of the", |s| s.upper),
 ];
 
 /// Writes `mc.nc`; the file appears whole or not at all.
@@ -31,7 +32,8 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
     file.attribute("seed", sampling.seed.to_string().as_str())?;
     file.attribute("slip", sampling.slip)?;
     let row = grid_coordinates(&mut file, &samples.query)?;
-    file.dimension("realization", sampling.realizations)?;
+    let numbers: Vec<f64> = (1..=sampling.realizations).map(|number| number as f64).collect();
+    coordinate(&mut file, "realization", &numbers, ("1", "number of the surface"), "X")?;
 
     let mut variable = |name: &str, unit: &str, long_name: &str, of: &dyn Fn(&SampledState) -> f64| {
         let states = samples.states.iter().flatten();
@@ -83,11 +85,20 @@ pub fn text(samples: &Samples) -> String {
     text
 }
 
+/// The mean with its error and unit, and the scatter.
+fn scatter(scatter: Scatter) -> Value {
+    let mut value = json!(Estimate { value: scatter.mean, error: scatter.mean_error }.in_unit("1"));
+    value["standard_deviation"] = json!(scatter.standard_deviation);
+    value["lower"] = json!(scatter.lower);
+    value["upper"] = json!(scatter.upper);
+    value
+}
+
 /// The samples as JSON.
 pub fn json(samples: &Samples) -> Value {
     let row = row_key(&samples.query.loading);
     let cells = cells(samples).map(|(load, slip_rate, mu, contacts)| {
-        json!({row: load, "slip_rate": slip_rate, "mu": mu, "contacts": contacts})
+        json!({row: load, "slip_rate": slip_rate, "mu": scatter(mu), "contacts": scatter(contacts)})
     });
     let warnings: Vec<String> = samples.warnings.iter().map(ToString::to_string).collect();
     json!({

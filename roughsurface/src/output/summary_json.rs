@@ -2,7 +2,7 @@
 
 use crate::friction::Friction;
 use crate::friction::flash_heating::{FlashHeating, NoFit};
-use crate::friction::quantities::{QUANTITIES, Quantity, Source};
+use crate::friction::quantities::{QUANTITIES, Quantity};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::friction_file::COMPARED;
@@ -26,14 +26,15 @@ pub fn json(results: &Results) -> Value {
     let loads = prediction.query.loading.values();
     let mut cells = Vec::new();
     for (index, (load, slip_rate, friction)) in prediction.cells().enumerate() {
-        let mut cell = quantities(friction);
+        let mut cell = quantities(&QUANTITIES, friction);
         cell.insert(row.into(), load.into());
         cell.insert("slip_rate".into(), slip_rate.into());
         if let Some(propagated) = &results.propagated {
-            let std = |(output, quantity): (usize, &Quantity)| {
-                (quantity.name.to_string(), Value::from(propagated.std(index, output)))
-            };
-            cell.insert("parameter_std".into(), outputs().enumerate().map(std).collect());
+            for (output, quantity) in outputs().enumerate() {
+                if let Some(Value::Object(value)) = cell.get_mut(quantity.name) {
+                    value.insert("parameter_std".into(), propagated.std(index, output).into());
+                }
+            }
         }
         cells.push(Value::Object(cell));
     }
@@ -44,7 +45,7 @@ pub fn json(results: &Results) -> Value {
                 ("model".to_string(), comparison.model.as_str().into()),
                 (row.to_string(), (*load).into()),
             ]);
-            cell.extend(COMPARED.map(|name| (name.to_string(), json!(Quantity::named(name).of(friction)))));
+            cell.extend(quantities(COMPARED.map(Quantity::named), friction));
             Value::Object(cell)
         })
     });
@@ -62,28 +63,19 @@ pub fn json(results: &Results) -> Value {
     })
 }
 
-/// Every quantity of a cell: value and error, a share as a number.
-fn quantities(friction: &Friction) -> Map<String, Value> {
-    let value = |quantity: &Quantity| match quantity.source {
-        Source::Share(of) => json!(of(friction)),
-        _ => json!(quantity.of(friction)),
-    };
-    let mut cell: Map<String, Value> =
-        QUANTITIES.iter().map(|quantity| (quantity.name.to_string(), value(quantity))).collect();
-    // Of this slip, value and error are two numbers.
-    cell.insert("inception_slip".into(), json!(friction.inception_slip.value));
-    cell.insert("inception_slip_error".into(), json!(friction.inception_slip.error));
-    cell.insert("contacts".into(), json!(friction.shares));
-    cell
+/// Quantities of a cell with errors and units; null where the law does not state them. A share has no error.
+fn quantities<'a>(list: impl IntoIterator<Item = &'a Quantity>, friction: &Friction) -> Map<String, Value> {
+    let value = |quantity: &Quantity| json!(quantity.of(friction).map(|value| value.in_unit(quantity.unit)));
+    list.into_iter().map(|quantity| (quantity.name.to_string(), value(quantity))).collect()
 }
 
 fn flash_heating(row: &str, load: f64, fit: &Result<FlashHeating, NoFit>) -> Value {
     match fit {
         Ok(fit) => json!({
             row: load,
-            "mu_0": fit.mu_0,
-            "mu_w": fit.mu_w,
-            "V_w": fit.v_w,
+            "mu_0": fit.mu_0.in_unit("1"),
+            "mu_w": fit.mu_w.in_unit("1"),
+            "V_w": fit.v_w.in_unit("m s-1"),
             "rms": fit.misfit,
             "r_squared": fit.r_squared,
         }),

@@ -12,7 +12,8 @@ use tables::netcdf::DatasetReader;
 
 const SURFACE: &str = "# a < b & c\nsurface = { asperity_density = 1e10, asperity_radius = 1e-4, \
                        heights = { distribution = \"exponential\", std = 1e-6 } }\n[query]\n";
-const ORIGIN: Origin = Origin { surface: SURFACE, table: "model:test", command: "roughsurface predict" };
+const ORIGIN: Origin =
+    Origin { surface: SURFACE, table: "model:test", history: "2026-01-01T00:00:00Z: roughsurface predict" };
 
 fn surface(query: &str) -> SurfaceFile {
     SurfaceFile::parse(Path::new("surface.toml"), format!("{SURFACE}{query}")).unwrap()
@@ -55,8 +56,9 @@ fn every_quantity_is_in_the_file_and_in_the_json() {
                 let expected = quantity.estimate(cell);
                 assert!(values[index] == expected.value || expected.value.is_nan(), "{name}");
                 let in_json = &json["friction"][index][name];
-                let value = if is_share || name == "inception_slip" { in_json } else { &in_json["value"] };
-                assert_eq!(value.as_f64(), Some(expected.value).filter(|value| value.is_finite()), "{name}");
+                let finite = |value: f64| Some(value).filter(|value| value.is_finite());
+                assert_eq!(in_json["value"].as_f64(), finite(expected.value), "{name}");
+                assert!(in_json.is_null() || in_json["unit"] == quantity.unit, "{name}");
                 if !is_share {
                     let error = file.reals(&format!("{name}_error"), &[2, 3]).unwrap()[index];
                     assert!(error == expected.error || expected.error.is_nan(), "{name}");

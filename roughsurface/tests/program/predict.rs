@@ -199,7 +199,7 @@ fn everything_asked_for_is_in_the_files() {
         assert!((sum - std).abs() < 1e-12 && *std > 0.0);
     }
     // Numbers of JSON come back with the rounding of their last digit.
-    let in_summary = summary["friction"][4]["parameter_std"]["mu"].as_f64().unwrap();
+    let in_summary = summary["friction"][4]["mu"]["parameter_std"].as_f64().unwrap();
     assert!((in_summary / std[4] - 1.0).abs() < 1e-15);
     let shares: Vec<Vec<f64>> =
         ["elastic_fraction", "plastic_fraction", "melting_fraction"].map(|name| read(name, &[3, 5])).into();

@@ -30,7 +30,7 @@ pub use atomic::{destination, write_atomically};
 pub use distinct::{SameFile, check_distinct};
 pub use reader::DatasetReader;
 pub use sandbox::enable as enable_sandbox;
-pub use writer::DatasetWriter;
+pub use writer::{DatasetWriter, history};
 
 /// CF version written to the attribute `Conventions`.
 pub const CONVENTIONS: &str = "CF-1.11";

@@ -9,6 +9,12 @@ use super::{CONVENTIONS, DatasetError, FILL_VALUE, checksum, indices, silence_hd
 
 const DEFLATE_LEVEL: i32 = 4;
 
+/// A line for the attribute `history`: time (UTC) and command.
+pub fn history(command: &str) -> String {
+    let now = chrono::Utc::now().format("%Y-%m-%dT%H:%M:%SZ");
+    format!("{now}: {command}")
+}
+
 /// A netCDF-4 file being written under a temporary name in the directory of the final one.
 ///
 /// ```

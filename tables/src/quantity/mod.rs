@@ -15,7 +15,7 @@ pub mod numbers;
 mod scalars;
 
 pub use history::{History, State};
-pub use scalars::{Estimate, Scalars};
+pub use scalars::{Estimate, Scalars, WithUnit};
 
 /// A result of one asperity; see [`Quantity::descriptor`].
 ///

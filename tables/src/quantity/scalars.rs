@@ -17,10 +17,59 @@ impl Estimate {
     /// Neither value nor error is known.
     pub const UNKNOWN: Self = Self { value: f64::NAN, error: f64::NAN };
 
+    /// A value whose error is the sum of the magnitudes of its contributions, and so never negative.
+    pub fn with_errors(value: f64, contributions: impl IntoIterator<Item = f64>) -> Self {
+        Self { value, error: contributions.into_iter().map(f64::abs).sum() }
+    }
+
+    /// Times a number.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self { value: self.value * factor, error: self.error * factor.abs() }
+    }
+
+    /// The quotient of two numbers whose errors have opposite signs.
+    ///
+    /// ```
+    /// use tables::quantity::Estimate;
+    ///
+    /// let (energy, area) = (Estimate { value: -3.0, error: 0.3 }, Estimate { value: 2.0, error: 0.1 });
+    /// let found = energy.over(area);
+    /// assert_eq!(found.value, -1.5);
+    /// assert!((found.error - 0.225).abs() < 1e-15);
+    /// ```
+    pub fn over(self, divisor: Self) -> Self {
+        let value = self.value / divisor.value;
+        Self::with_errors(value, [self.error / divisor.value, value * divisor.error / divisor.value])
+    }
+
+    /// With its unit.
+    pub fn in_unit(self, unit: &str) -> WithUnit<'_> {
+        WithUnit { value: self.value, error: self.error, unit }
+    }
+
     /// Whether both are the same, unknown ones included.
     pub fn agrees_with(self, other: Self) -> bool {
         same(self.value, other.value) && same(self.error, other.error)
     }
+}
+
+/// A number with its error and unit, as JSON shows it: `{"value": …, "error": …, "unit": …}`, null for numbers that are
+/// not finite.
+///
+/// ```
+/// use tables::quantity::Estimate;
+///
+/// let load = Estimate { value: 2.0, error: f64::NAN }.in_unit("N");
+/// assert_eq!((load.value, load.unit), (2.0, "N"));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct WithUnit<'a> {
+    /// The number.
+    pub value: f64,
+    /// Its absolute error.
+    pub error: f64,
+    /// UDUNITS notation.
+    pub unit: &'a str,
 }
 
 /// Equal, or both unknown.
