@@ -168,7 +168,7 @@ impl Interpolant {
         };
         // a₀ grows with ω; far below the table as its root.
         let (low, high) = (self.log_interference[first] - 40.0, self.log_interference[last]);
-        let mut accuracy = SimpleConvergency { eps: 1e-15, max_iter: 200 };
+        let mut accuracy = SimpleConvergency { eps: 1e-13, max_iter: 200 };
         let excess = |place: f64| contact_radius(place) / wanted - 1.0;
         find_root_brent(low, high, excess, &mut accuracy).ok().filter(|_| wanted > 0.0).map(f64::exp)
     }
