@@ -67,34 +67,29 @@ fn figure(steel: &Slice, elastic: impl Fn(f64) -> f64, plastic: f64) -> anyhow::
         metals.iter().map(|(name, table)| curve(table, 0.0, name, of)).collect()
     };
 
-    let panel = |title: &str, y: Axis, curves: Vec<Curve>| Panel {
-        title: title.into(),
-        x: Axis::logarithmic("interference ω₀/ω_c"),
-        y,
-        curves,
+    let panel = |title: &str, y: Axis, curves: Vec<Curve>| {
+        Panel::new("", title, Axis::logarithmic("Interference ω_{0}/ω_{c}"), y, curves)
     };
     let load = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Load, Quantity::LoadPress);
     let area = &|table: &Slice, i, j| ratio(table, i, j, Quantity::Area, Quantity::AreaPress);
     let fixed = &|table: &Slice, i, j| value(table, i, j, Quantity::MuStatic);
-    Ok(Figure {
-        title: "From elastic to plastic contact, at held interference".into(),
-        panels: vec![
-            panel(
-                "4340: static friction",
-                Axis::logarithmic("µ_static"),
-                [at_rates(fixed), limits.to_vec()].concat(),
-            ),
-            panel(
-                "4340: sliding friction",
-                Axis::logarithmic("µ after two contact radii"),
-                at_rates(&|table, i, j| value(table, i, j, Quantity::Mu)),
-            ),
-            panel("4340: load after the slide", Axis::linear("P/P_press"), at_rates(load)),
-            panel("4340: contact area after the slide", Axis::linear("A/A_press"), at_rates(area)),
-            panel("Six metals, isothermal: static friction", Axis::logarithmic("µ_static"), of_metals(fixed)),
-            panel("Six metals, isothermal: load after the slide", Axis::linear("P/P_press"), of_metals(load)),
-        ],
-    })
+    let panels = vec![
+        panel(
+            "4340: static friction",
+            Axis::logarithmic("μ_{static}"),
+            [at_rates(fixed), limits.to_vec()].concat(),
+        ),
+        panel(
+            "4340: sliding friction",
+            Axis::logarithmic("μ after two contact radii"),
+            at_rates(&|table, i, j| value(table, i, j, Quantity::Mu)),
+        ),
+        panel("4340: load after the slide", Axis::linear("P/P_{press}"), at_rates(load)),
+        panel("4340: contact area after the slide", Axis::linear("A/A_{press}"), at_rates(area)),
+        panel("Six metals, isothermal: static friction", Axis::logarithmic("μ_{static}"), of_metals(fixed)),
+        panel("Six metals, isothermal: load after the slide", Axis::linear("P/P_{press}"), of_metals(load)),
+    ];
+    Ok(Figure::new("From elastic to plastic contact, at held interference", panels))
 }
 
 /// A quantity over the interferences of a table, with its errors.

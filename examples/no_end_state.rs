@@ -73,8 +73,8 @@ fn main() -> anyhow::Result<()> {
         panels.push(panel(name, &runs, meshes));
     }
     if let Some(path) = argument.filter(|_| !coarse) {
-        let title = "Friction where body and interface are equally strong, and what changes that".into();
-        Figure { title, panels }.save(Path::new(&path))?;
+        let title = "Friction where body and interface are equally strong, and what changes that";
+        Figure::new(title, panels).save(Path::new(&path))?;
         println!("written to {path}");
     }
     Ok(())
@@ -99,10 +99,6 @@ fn panel(title: &str, runs: &[Outcome], meshes: [usize; 2]) -> Panel {
         let (slips, friction) = history(run);
         Curve::new(format!("{elements} elements"), slips, friction)
     };
-    Panel {
-        title: title.into(),
-        x: Axis::linear("slip s/a₀"),
-        y: Axis::linear("friction coefficient Q/P"),
-        curves: runs.iter().zip(meshes).map(curve).collect(),
-    }
+    let (x, y) = (Axis::linear("Slip s/a_{0}"), Axis::linear("Friction coefficient μ = Q/P"));
+    Panel::new("", title, x, y, runs.iter().zip(meshes).map(curve).collect())
 }

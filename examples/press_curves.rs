@@ -134,11 +134,11 @@ const SHOWN: [Shown; 2] = [
 fn figure(curves: &[(Case, Vec<Pressed>)]) -> Figure {
     let ratios = SHOWN.iter().map(|shown| over_hertz(shown, curves));
     let panels = ratios.chain(SHOWN.iter().map(|shown| off_jackson(shown, curves))).collect();
-    Figure { title: "Press of an elastic–plastic sphere without hardening".into(), panels }
+    Figure::new("Press of an elastic–plastic sphere without hardening", panels)
 }
 
 fn panel(title: String, y: &str, curves: Vec<Curve>) -> Panel {
-    Panel { title, x: Axis::logarithmic("interference ω₀/ω_c"), y: Axis::linear(y), curves }
+    Panel::new("", title, Axis::logarithmic("Interference ω_{0}/ω_{c}"), Axis::linear(y), curves)
 }
 
 fn points(label: String, pressed: &[Pressed], value: impl Fn(&Pressed) -> (f64, f64)) -> Curve {
@@ -160,7 +160,7 @@ fn over_hertz(shown: &Shown, curves: &[(Case, Vec<Pressed>)]) -> Panel {
             let ((value, error), by) = (part(p), p.omega.powf(*power));
             (value / by, error / by)
         };
-        let name = format!("σ_Y/E* = {}", case.strain);
+        let name = format!("σ_{{Y}}/E* = {}", case.strain);
         drawn.push(points(name, pressed, simulated).drawn_as(Drawn::Markers, style));
         let fit = of_fit(jackson, case.strain);
         drawn.push(Curve::new("", dense.clone(), fit).drawn_as(Drawn::Line, style));
@@ -183,6 +183,6 @@ fn off_jackson(shown: &Shown, curves: &[(Case, Vec<Pressed>)]) -> Panel {
     let [_, plain, _, stick, finite] = curves else { unreachable!("as many cases as were made") };
     let drawn =
         vec![off(plain, "as the fit", 1), off(stick, "full stick", 4), off(finite, "finite strain", 5)];
-    let title = format!("{label} at σ_Y/E* = {}: off Jackson–Green", plain.0.strain);
-    panel(title, "difference (%)", drawn)
+    let title = format!("{label} at σ_{{Y}}/E* = {}: off Jackson–Green", plain.0.strain);
+    panel(title, "Difference (%)", drawn)
 }

@@ -118,13 +118,12 @@ fn figure(fresh: &Prediction, worn: &Prediction) -> Figure {
         .with_error(sliding().map(|mu| mu.error).collect())
     };
     let curves = [0, 2].into_iter().flat_map(|row| [curve("fresh", fresh, row), curve("worn", worn, row)]);
-    Figure {
-        title: "Friction of a fresh and of a worn surface".into(),
-        panels: vec![Panel {
-            title: "4340 steel, same density, radius and standard deviation of the summits".into(),
-            x: Axis::logarithmic("slip rate (m/s)"),
-            y: Axis::linear("friction coefficient"),
-            curves: curves.collect(),
-        }],
-    }
+    let panel = Panel::new(
+        "",
+        "4340 steel, same density, radius and standard deviation of the summits",
+        Axis::logarithmic("Slip rate V (m/s)"),
+        Axis::linear("Friction coefficient μ"),
+        curves.collect(),
+    );
+    Figure::new("Friction of a fresh and of a worn surface", vec![panel])
 }

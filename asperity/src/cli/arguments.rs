@@ -2,8 +2,12 @@
 
 use std::path::PathBuf;
 
+use asperity::output::figures;
+use asperity::studies::convergence;
 use asperity::tabulate::Shard;
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
+use tables::figures::TABLE_PANELS;
 
 use super::{help, table};
 
@@ -86,10 +90,13 @@ pub(super) struct RunArguments {
     /// Print the time by part of the computation on stderr, or in the JSON
     #[arg(long)]
     pub(super) timings: bool,
-    /// Plot friction, forces, area, temperature and energies against slip, and status, pressure, shear
-    /// and temperature over the contact
-    #[arg(long, value_name = "FILE.svg|png")]
+    /// Plot friction, forces, area, temperature and energies against slip, and status, pressure, shear,
+    /// slip and temperature over the contact
+    #[arg(long, value_name = "FILE.svg|png|pdf")]
     pub(super) plot: Option<PathBuf>,
+    /// Only this panel of the plot, 85 mm wide; may be repeated
+    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(figures::PANELS))]
+    pub(super) panel: Vec<String>,
     /// Write displacement, stress, plastic strain and temperature of the body for ParaView; open
     /// DIR/body.pvd
     #[arg(long, value_name = "DIR")]
@@ -127,8 +134,11 @@ pub(super) struct TabulateArguments {
     #[arg(long)]
     pub(super) timings: bool,
     /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
-    #[arg(long, value_name = "FILE.svg|png")]
+    #[arg(long, value_name = "FILE.svg|png|pdf")]
     pub(super) plot: Option<PathBuf>,
+    /// Only this panel of the plot, 85 mm wide; may be repeated
+    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(TABLE_PANELS))]
+    pub(super) panel: Vec<String>,
 }
 
 #[derive(Args)]
@@ -146,12 +156,15 @@ pub(super) struct ConvergenceArguments {
     #[arg(long, value_name = "N", default_value_t = FINEST, value_parser = clap::value_parser!(u16).range(12..=96))]
     pub(super) finest: u16,
     /// Plot errors against wall and processor time
-    #[arg(long, value_name = "FILE.svg|png")]
+    #[arg(long, value_name = "FILE.svg|png|pdf")]
     pub(super) plot: Option<PathBuf>,
+    /// Only this panel of the plot, 85 mm wide; may be repeated
+    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(convergence::PANELS))]
+    pub(super) panel: Vec<String>,
 }
 
 /// See [`asperity::studies::convergence::FINEST`].
-const FINEST: u16 = asperity::studies::convergence::FINEST as u16;
+const FINEST: u16 = convergence::FINEST as u16;
 
 #[derive(Args)]
 pub(super) struct VerifyArguments {
@@ -204,8 +217,11 @@ pub(super) struct MergeArguments {
     #[arg(long)]
     pub(super) partial: bool,
     /// Plot the table; at several initial temperatures one file for each, FILE-500K.svg
-    #[arg(long, value_name = "FILE.svg|png")]
+    #[arg(long, value_name = "FILE.svg|png|pdf")]
     pub(super) plot: Option<PathBuf>,
+    /// Only this panel of the plot, 85 mm wide; may be repeated
+    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(TABLE_PANELS))]
+    pub(super) panel: Vec<String>,
 }
 
 fn parse_slip(text: &str) -> Result<f64, String> {

@@ -30,7 +30,8 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
     display.print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
-        convergence::figure(&sweep).save(plot).map_err(Failure::run)?;
+        let drawn = convergence::figure(&sweep).only(&arguments.panel).and_then(|figure| figure.save(plot));
+        drawn.map_err(Failure::run)?;
     }
     Ok(())
 }

@@ -28,7 +28,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
     let missing = missing.len();
     table.write(&arguments.output).map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
-        outputs::plot(&table, plot)?;
+        outputs::plot(&table, plot, &arguments.panel)?;
     }
     let failed = table.failures();
     if !display.quiet {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use tables::figures::Figure;
 use tables::netcdf::destination;
-use tables::table::Table;
+use tables::table::{Slice, Table};
 
 use super::Failure;
 
@@ -42,16 +42,19 @@ pub fn check_plot(plot: Option<&Path>, input: &Path) -> Result<(), Failure> {
 }
 
 /// File of the figure of a table; with several initial temperatures one file each, NAME-500K.svg for NAME.svg.
-pub fn plot(table: &Table, plot: &Path) -> Result<(), Failure> {
+pub fn plot(table: &Table, plot: &Path, panels: &[String]) -> Result<(), Failure> {
+    let draw = |slice: &Slice, place: &Path| {
+        slice.figure().only(panels).and_then(|figure| figure.save(place)).map_err(Failure::run)
+    };
     if let Ok(slice) = table.only() {
-        return slice.figure().save(plot).map_err(Failure::run);
+        return draw(slice, plot);
     }
     let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
     let (name, extension) = (part(plot.file_stem()), part(plot.extension()));
     for temperature in table.temperatures() {
         let table = table.at(temperature).map_err(Failure::run)?;
         let place = plot.with_file_name(format!("{name}-{temperature}K.{extension}"));
-        table.figure().save(&place).map_err(Failure::run)?;
+        draw(&table, &place)?;
     }
     Ok(())
 }

@@ -97,7 +97,9 @@ fn report(
     display.print(json, || summary(scene, outcome));
     saved.map_err(Failure::run)?;
     if let Some(plot) = &arguments.plot {
-        figures::run_figure(scene, outcome).save(plot).map_err(Failure::run)?;
+        let figure = figures::run_figure(scene, outcome);
+        let drawn = figure.only(&arguments.panel).and_then(|figure| figure.save(plot));
+        drawn.map_err(Failure::run)?;
     }
     if let Some(directory) = &arguments.vtu {
         let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };

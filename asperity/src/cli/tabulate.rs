@@ -53,7 +53,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     journal.remove().map_err(Failure::run)?;
     report(&tabulation, &spent, arguments, display);
     if let Some(plot) = &arguments.plot {
-        outputs::plot(&table, plot)?;
+        outputs::plot(&table, plot, &arguments.panel)?;
     }
     match tabulation.failures().count() {
         0 => Ok(()),

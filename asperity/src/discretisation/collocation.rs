@@ -78,6 +78,17 @@ impl Collocation {
         harmonics(self.count, parity)
     }
 
+    /// Weights of the values at the angles in an even field at `angle`: Σ_m φ_m(θ) φ_m(θ_j) of the orthonormal
+    /// harmonics φ_m.
+    pub fn interpolation(&self, angle: f64) -> Vec<f64> {
+        let (n, even) = (self.count, self.harmonics(Parity::Even));
+        let here = |m: usize| match m {
+            0 => 1.0 / (n as f64).sqrt(),
+            m => (m as f64 * angle).cos() * (2.0 / n as f64).sqrt(),
+        };
+        (0..n).map(|j| (0..n).map(|m| here(m) * even[m * n + j]).sum()).collect()
+    }
+
     /// ∂/∂θ of a field whose components have the given parities.
     pub fn differentiate(&self, parities: &[Parity], field: &[f64], derivative: &mut [f64]) {
         let n = self.count;
@@ -138,6 +149,19 @@ fn harmonics(count: usize, parity: Parity) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn even_fields_are_interpolated_by_their_cosine_series() {
+        let field = |t: f64| 0.3 + t.cos() - 2.0 * (5.0 * t).cos();
+        let collocation = Collocation::full(8);
+        let values: Vec<f64> = collocation.angles().into_iter().map(field).collect();
+        for angle in [0.0, 0.1, 1.7, 3.0, -0.4, 5.0] {
+            let weights = collocation.interpolation(angle);
+            let value: f64 = weights.iter().zip(&values).map(|(weight, value)| weight * value).sum();
+            assert!((value - field(angle)).abs() < 1e-12, "{angle}");
+        }
+        assert_eq!(Collocation::axisymmetric().interpolation(2.0), [1.0]);
+    }
 
     #[test]
     fn harmonics_are_orthonormal() {

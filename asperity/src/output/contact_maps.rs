@@ -1,40 +1,38 @@
-//! Maps of the contact plane: stick and slip, pressure, shear and temperature.
+//! Maps of the contact plane: stick and slip, pressure, shear, slip and temperature.
 
-use tables::figures::{Axis, Cell, Cells, Scale};
+use tables::figures::{Axis, Colors, Field, Panel, above};
 use tables::quantity::Quantity;
 
+use crate::discretisation::collocation::Collocation;
 use crate::output::scale::scaled;
 use crate::simulate::outcome::{ContactGrid, ContactStatus, Outcome, Snapshot};
 
-type Field = (&'static str, &'static str, fn(&Snapshot) -> &Vec<f64>);
+/// Name, label, unit, values.
+type Shown = (&'static str, &'static str, &'static str, fn(&Snapshot) -> &Vec<f64>);
 
-const PRESSURE: Field = ("pressure", "Pa", |snapshot| &snapshot.pressure);
-const SHEAR: Field = ("shear traction", "Pa", |snapshot| &snapshot.shear);
-const TEMPERATURE: Field = ("temperature", "K", |snapshot| &snapshot.temperature);
+const FIELDS: [Shown; 4] = [
+    ("pressure-map", "Pressure p", "Pa", |snapshot| &snapshot.pressure),
+    ("shear-map", "Shear traction τ", "Pa", |snapshot| &snapshot.shear),
+    ("slip-map", "Local slip", "m", |snapshot| &snapshot.slip_distance),
+    ("temperature-map", "Temperature T", "K", |snapshot| &snapshot.temperature),
+];
 
 /// The maps are drawn to this radius, in a₀, unless the contact has grown beyond it.
 const SHOWN: f64 = 1.25;
-/// Fields are interpolated linearly to this many angles of the half circle at least.
-const ANGLES: usize = 16;
-/// Chords of a cell's arcs are not longer than this, in radians.
-const CHORD: f64 = 0.1;
+/// Corners of the cells on a circle.
+const ANGLES: usize = 96;
 
-/// Rows of maps, one row for each snapshot: stick and slip, pressure, shear and, with heat, temperature.
-/// The scales are the same in all rows.
-pub fn contact_maps(outcome: &Outcome) -> Vec<Cells> {
-    let fields: &[Field] = match outcome.account.heat {
-        true => &[PRESSURE, SHEAR, TEMPERATURE],
-        false => &[PRESSURE, SHEAR],
-    };
+/// Rows of maps, one row for each snapshot: stick and slip, pressure, shear, slip and, with heat,
+/// temperature. The scales are the same in all rows.
+pub fn contact_maps(outcome: &Outcome) -> Vec<Panel> {
+    let fields = if outcome.account.heat { &FIELDS[..] } else { &FIELDS[..3] };
     let plane = Plane::new(outcome);
-    let mut maps = Vec::new();
-    for snapshot in &outcome.snapshots {
-        maps.push(plane.status(snapshot));
-        for field in fields {
-            maps.push(plane.field(snapshot, field));
-        }
-    }
-    maps
+    let rows = outcome.snapshots.iter().map(|snapshot| {
+        let mut row = vec![plane.status(snapshot)];
+        row.extend(fields.iter().map(|field| plane.field(snapshot, field)));
+        row
+    });
+    rows.flatten().collect()
 }
 
 struct Plane<'a> {
@@ -43,8 +41,8 @@ struct Plane<'a> {
     unit: f64,
     /// Rings that are drawn.
     rings: usize,
-    /// Outer radius of each, in a₀.
-    outer: Vec<f64>,
+    /// Angle of the corners of the cells, and the weights of the values at the collocation angles.
+    angles: Vec<(f64, Vec<f64>)>,
 }
 
 impl<'a> Plane<'a> {
@@ -59,119 +57,92 @@ impl<'a> Plane<'a> {
         });
         let shown = r.iter().filter(|&&radius| radius <= SHOWN * unit).count();
         let rings = shown.max(touched.map_or(0, |ring| ring + 2)).min(r.len());
-        let outer = (0..rings)
-            .map(|ring| match r.get(ring + 1) {
-                Some(next) => 0.5 * (r[ring] + next) / unit,
-                None => r[ring] / unit,
-            })
-            .collect();
-        Self { outcome, unit, rings, outer }
+        let collocation = Collocation::full(theta.len());
+        let angles = (0..=ANGLES).map(|n| {
+            let angle = std::f64::consts::TAU * n as f64 / ANGLES as f64;
+            (angle, collocation.interpolation(angle))
+        });
+        Self { outcome, unit, rings, angles: angles.collect() }
     }
 
-    fn status(&self, snapshot: &Snapshot) -> Cells {
-        let values = snapshot.status.iter().map(|status| match status {
-            ContactStatus::Open => f64::NAN,
-            ContactStatus::Slip => 0.0,
-            ContactStatus::Stick => 1.0,
-        });
-        let values: Vec<f64> = values.collect();
-        let names = ["slips", "sticks"].map(String::from).to_vec();
-        let slip = snapshot.slip / self.unit;
+    fn status(&self, snapshot: &Snapshot) -> Panel {
+        let sticks = |at: usize| f64::from(snapshot.status[at] == ContactStatus::Stick);
+        let class = |class: usize, share: &dyn Fn(usize) -> f64| -> Vec<Vec<[f64; 3]>> {
+            let parts = self.cells(snapshot, false, share).into_iter().map(|cell| above(&cell, 2, 0.5));
+            parts.map(|part| part.iter().map(|[x, y, _]| [*x, *y, class as f64]).collect()).collect()
+        };
+        let cells = [class(0, &|at| 1.0 - sticks(at)), class(1, &sticks)].concat();
         let state = self.outcome.slide.states().find(|state| state[Quantity::Slip] == snapshot.slip);
         let sticks = state.map_or(String::new(), |state| {
             format!(", {:.0} % sticks", 100.0 * state[Quantity::StickFraction])
         });
-        self.cells(
-            format!("s = {slip:.3} a₀{sticks}"),
-            self.outcome.grid.theta.len(),
-            &values,
-            Scale::Classes(names),
-        )
+        let colors = Colors::Classes(["slips", "sticks"].map(String::from).to_vec());
+        Panel { new_row: true, ..self.panel("status-map", snapshot, &sticks, cells, colors) }
     }
 
-    fn field(&self, snapshot: &Snapshot, (name, unit, of): &Field) -> Cells {
-        let in_contact = |snapshot: &Snapshot, at: usize| snapshot.status[at] != ContactStatus::Open;
+    fn field(&self, snapshot: &Snapshot, (name, label, unit, of): &Shown) -> Panel {
         let everywhere = *unit == "K";
-        let drawn = |snapshot: &Snapshot| -> Vec<f64> {
+        let rings = self.outcome.grid.r.len();
+        let drawn = |snapshot: &Snapshot, at: usize| {
+            at % rings < self.rings && (everywhere || snapshot.status[at] != ContactStatus::Open)
+        };
+        let all = self.outcome.snapshots.iter().flat_map(|snapshot| {
             let values = of(snapshot).iter().enumerate();
-            let rings = self.outcome.grid.r.len();
-            let shown = |at: usize| at % rings < self.rings && (everywhere || in_contact(snapshot, at));
-            values.map(|(at, &value)| if shown(at) { value } else { f64::NAN }).collect()
-        };
-        let all: Vec<f64> = self.outcome.snapshots.iter().flat_map(drawn).filter(|v| v.is_finite()).collect();
-        let highest = all.iter().fold(f64::NEG_INFINITY, |m, &x| m.max(x));
-        let lowest = all.iter().fold(f64::INFINITY, |m, &x| m.min(x));
-        let (factor, label) = scaled(highest, name, unit);
-        let from = if everywhere { lowest } else { 0.0 };
-        let scale = Scale::Shades { label, from: from / factor, to: highest / factor };
-        let values: Vec<f64> = drawn(snapshot).iter().map(|value| value / factor).collect();
-        let (count, values) = self.finer(&values);
-        let slip = snapshot.slip / self.unit;
-        self.cells(format!("{name}, s = {slip:.3} a₀"), count, &values, scale)
+            values.filter(move |(at, _)| drawn(snapshot, *at)).map(|(_, value)| *value)
+        });
+        let ends = |(from, to): (f64, f64), value: f64| (from.min(value), to.max(value));
+        let (lowest, highest) = all.fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+        let (factor, label) = scaled(highest, label, unit);
+        let cells = self.cells(snapshot, everywhere, &|at| match drawn(snapshot, at) {
+            true => of(snapshot)[at] / factor,
+            false => 0.0,
+        });
+        let from = if everywhere { lowest } else { lowest.min(0.0) };
+        let colors = Colors::Bands { label, from: from / factor, to: highest / factor };
+        self.panel(name, snapshot, "", cells, colors)
     }
 
-    /// Values at enough angles for a picture, and their number. Open points have the value zero, unless
-    /// all are open.
-    fn finer(&self, values: &[f64]) -> (usize, Vec<f64>) {
-        let ContactGrid { r, theta } = &self.outcome.grid;
-        let (rings, coarse) = (r.len(), theta.len());
-        let count = coarse * ANGLES.div_ceil(coarse);
-        let value = |angle: usize, ring: usize| {
-            let place = (angle as f64 + 0.5) * coarse as f64 / count as f64 - 0.5;
-            let place = place.clamp(0.0, (coarse - 1) as f64);
-            let (before, share) = (place.floor() as usize, place.fract());
-            let at = |angle: usize| values[angle.min(coarse - 1) * rings + ring];
-            let ends = [(at(before), 1.0 - share), (at(before + 1), share)];
-            let known = ends.iter().filter(|(value, weight)| value.is_finite() && *weight > 0.0);
-            known.map(|(value, weight)| value * weight).reduce(|a, b| a + b).unwrap_or(f64::NAN)
+    /// Cells between the rings, of the contact only unless the field is defined everywhere. The values, and
+    /// which points touch, follow the cosine series of the collocation in θ.
+    fn cells(
+        &self,
+        snapshot: &Snapshot,
+        everywhere: bool,
+        value: &dyn Fn(usize) -> f64,
+    ) -> Vec<Vec<[f64; 3]>> {
+        let r = &self.outcome.grid.r;
+        let touches = |at: usize| f64::from(snapshot.status[at] != ContactStatus::Open);
+        let corner = |ring: usize, (angle, weights): &(f64, Vec<f64>)| {
+            let sum = |of: &dyn Fn(usize) -> f64| -> f64 {
+                weights.iter().enumerate().map(|(j, weight)| weight * of(j * r.len() + ring)).sum()
+            };
+            let radius = r[ring] / self.unit;
+            [radius * angle.cos(), radius * angle.sin(), sum(value), sum(&touches)]
         };
-        let all = (0..count).flat_map(|angle| (0..rings).map(move |ring| (angle, ring)));
-        (count, all.map(|(angle, ring)| value(angle, ring)).collect())
+        let row = |ring: usize| self.angles.iter().map(|angle| corner(ring, angle)).collect();
+        let rows: Vec<Vec<[f64; 4]>> = (0..self.rings).map(row).collect();
+        let inside = |cell: Vec<[f64; 4]>| if everywhere { cell } else { above(&cell, 3, 0.5) };
+        let cells = Field::quadrilaterals(&rows).into_iter().map(inside);
+        cells.map(|cell| cell.iter().map(|[x, y, value, _]| [*x, *y, *value]).collect()).collect()
     }
 
-    /// The half that is simulated, and its mirror image.
-    fn cells(&self, title: String, angles: usize, values: &[f64], scale: Scale) -> Cells {
-        let sector_angle = std::f64::consts::PI / angles as f64;
-        let mut cells = Vec::new();
-        for angle in 0..angles {
-            for ring in 0..self.rings {
-                let value = values[angle * self.outcome.grid.r.len() + ring];
-                if !value.is_finite() {
-                    continue;
-                }
-                let inner = if ring == 0 { 0.0 } else { self.outer[ring - 1] };
-                for side in [1.0, -1.0] {
-                    let span = (side * sector_angle * angle as f64, side * sector_angle * (angle + 1) as f64);
-                    cells.push(Cell { corners: sector(inner, self.outer[ring], span), value });
-                }
-            }
-        }
-        let extent = 1.05 * self.outer.last().copied().unwrap_or(1.0);
-        Cells {
-            title,
-            x: Axis::linear("x/a₀   (the flat moves to the right)"),
-            y: Axis::linear("y/a₀"),
-            x_range: (-extent, extent),
-            y_range: (-extent, extent),
-            cells,
-            scale,
+    fn panel(
+        &self,
+        name: &str,
+        snapshot: &Snapshot,
+        remark: &str,
+        cells: Vec<Vec<[f64; 3]>>,
+        colors: Colors,
+    ) -> Panel {
+        let outer = self.rings.checked_sub(1).map_or(1.0, |last| self.outcome.grid.r[last] / self.unit);
+        let axis = |label: &str| Axis::linear(label).between(-1.05 * outer, 1.05 * outer);
+        let title = format!("s = {:.3} a_{{0}}{remark}", snapshot.slip / self.unit);
+        Panel {
+            equal: true,
+            field: Some(Field { cells, colors, arrow: Some("flat".into()) }),
+            ..Panel::new(name, title, axis("x/a_{0}"), axis("y/a_{0}"), Vec::new())
         }
     }
-}
-
-/// Outline of a part of a ring between two angles.
-fn sector(inner: f64, outer: f64, (from, to): (f64, f64)) -> Vec<(f64, f64)> {
-    let chords = ((to - from).abs() / CHORD).ceil().max(1.0) as usize;
-    let arc = |radius: f64| {
-        (0..=chords).map(move |n| {
-            let angle = from + (to - from) * n as f64 / chords as f64;
-            (radius * angle.cos(), radius * angle.sin())
-        })
-    };
-    if inner == 0.0 {
-        return std::iter::once((0.0, 0.0)).chain(arc(outer)).collect();
-    }
-    arc(inner).chain(arc(outer).collect::<Vec<_>>().into_iter().rev()).collect()
 }
 
 #[cfg(test)]
@@ -200,62 +171,76 @@ mod tests {
         outcome
     }
 
-    fn centre(cell: &Cell) -> (f64, f64) {
-        let n = cell.corners.len() as f64;
-        let sum = cell.corners.iter().fold((0.0, 0.0), |sum, corner| (sum.0 + corner.0, sum.1 + corner.1));
-        (sum.0 / n, sum.1 / n)
+    fn cells(panel: &Panel) -> &Vec<Vec<[f64; 3]>> {
+        &panel.field.as_ref().unwrap().cells
+    }
+
+    fn centre(cell: &[[f64; 3]]) -> [f64; 3] {
+        std::array::from_fn(|k| cell.iter().map(|corner| corner[k]).sum::<f64>() / cell.len() as f64)
+    }
+
+    fn area(cell: &[[f64; 3]]) -> f64 {
+        let next = |n: usize| cell[(n + 1) % cell.len()];
+        0.5 * (0..cell.len()).map(|n| cell[n][0] * next(n)[1] - cell[n][1] * next(n)[0]).sum::<f64>()
     }
 
     #[test]
-    fn what_slips_is_ahead_and_both_halves_are_shown() {
+    fn what_slips_is_ahead_and_the_full_circle_is_shown() {
         let maps = contact_maps(&outcome());
-        assert_eq!(maps.len(), 4);
+        assert_eq!(
+            maps.iter().map(|map| map.name.as_str()).collect::<Vec<_>>(),
+            ["status-map", "pressure-map", "shear-map", "slip-map", "temperature-map"]
+        );
         let status = &maps[0];
-        assert!(status.title.starts_with("s = 0.500 a₀"));
-        assert_eq!(status.scale, Scale::Classes(vec!["slips".into(), "sticks".into()]));
-        // Two rings at two angles and their mirror images; no open points.
-        assert_eq!(status.cells.len(), 8);
-        for cell in &status.cells {
-            let ahead = if centre(cell).0 > 0.0 { 0.0 } else { 1.0 };
-            assert_eq!(cell.value, ahead, "{cell:?}");
-            assert!(cell.corners.iter().all(|(x, y)| x.hypot(*y) < 0.75 + 1e-12));
+        assert!(status.title.starts_with("s = 0.500 a_{0}"));
+        let drawn = || cells(status).iter().filter(|cell| cell.len() > 2 && area(cell).abs() > 1e-9);
+        for cell in drawn() {
+            let [x, _, class] = centre(cell);
+            assert_eq!(class, if x > 0.0 { 0.0 } else { 1.0 }, "{cell:?}");
         }
-        let above = status.cells.iter().filter(|cell| centre(cell).1 > 0.0).count();
-        assert_eq!(above, 4);
+        // The second of the rings touches, the third does not: the edge is between them.
+        let (r, unit) = (&outcome().grid.r, outcome().scalars[Quantity::ContactRadius].value);
+        let edge = 0.5 * (r[1] + r[2]) / unit;
+        let inner = r[0] / unit;
+        let expected = std::f64::consts::PI * (edge * edge - inner * inner);
+        let whole: f64 = drawn().map(|cell| area(cell).abs()).sum();
+        assert!((whole / expected - 1.0).abs() < 1e-3, "{whole} {expected}");
+        for side in [1.0, -1.0] {
+            let half = drawn().filter(|cell| side * centre(cell)[1] > 0.0).map(|cell| area(cell).abs());
+            assert!((half.sum::<f64>() / whole - 0.5).abs() < 1e-9);
+        }
     }
 
     #[test]
-    fn fields_are_interpolated_in_the_angle_and_have_one_scale_for_all_instants() {
+    fn fields_are_smooth_in_the_angle_and_have_one_scale_for_all_snapshots() {
         let mut outcome = outcome();
         let mut later = outcome.snapshots[0].clone();
         later.pressure.iter_mut().for_each(|p| *p *= 0.5);
         outcome.snapshots.push(later);
         let maps = contact_maps(&outcome);
-        let (first, second) = (&maps[1], &maps[5]);
-        assert_eq!(first.scale, second.scale);
-        assert_eq!(first.scale, Scale::Shades { label: "pressure (10⁹ Pa)".into(), from: 0.0, to: 4.0 });
-        // The second ring extends from 2 ahead to 1 behind.
-        let ring: Vec<f64> = (first.cells.iter().filter(|cell| centre(cell).1 > 0.0))
-            .filter(|cell| cell.corners.iter().all(|(x, y)| x.hypot(*y) > 0.2))
-            .map(|cell| cell.value)
-            .collect();
-        assert_eq!((ring.len(), ring[0], ring[15]), (16, 2.0, 1.0));
-        assert!(ring.windows(2).all(|pair| pair[0] >= pair[1]));
+        let colors = |map: usize| &maps[map].field.as_ref().unwrap().colors;
+        assert_eq!(colors(1), colors(6));
+        let expected = Colors::Bands { label: "Pressure p (10^{9} Pa)".into(), from: 0.0, to: 4.0 };
+        assert_eq!(*colors(1), expected);
+        // The series through 2 ahead and 1 behind, at 45° and 135°.
+        let radius = outcome.grid.r[1] / outcome.scalars[Quantity::ContactRadius].value;
+        let on_ring = cells(&maps[1]).iter().flatten().filter(|c| (c[0].hypot(c[1]) - radius).abs() < 1e-12);
+        let mut points = 0;
+        for [x, y, value] in on_ring {
+            let expected = 1.5 + 0.5 * y.atan2(*x).cos() / std::f64::consts::FRAC_1_SQRT_2;
+            assert!((value - expected).abs() < 1e-9);
+            points += 1;
+        }
+        assert!(points >= ANGLES);
         // Temperature is defined outside of the contact as well.
-        let Scale::Shades { from, to, .. } = maps[3].scale else { panic!() };
-        assert_eq!((from, to), (310.0, 400.0));
-        assert!(maps[3].cells.len() > first.cells.len());
-    }
-
-    #[test]
-    fn a_sector_is_a_closed_ring_segment() {
-        let corners = sector(1.0, 2.0, (0.0, 0.5));
-        let area = 0.5
-            * (0..corners.len())
-                .map(|n| (corners[n], corners[(n + 1) % corners.len()]))
-                .map(|(a, b)| a.0 * b.1 - a.1 * b.0)
-                .sum::<f64>();
-        // Chords of 0.1 radians.
-        assert!((area.abs() / (0.25 * 3.0) - 0.1_f64.sin() / 0.1).abs() < 1e-12, "{area}");
+        assert_eq!(*colors(4), Colors::Bands { label: "Temperature T (K)".into(), from: 310.0, to: 400.0 });
+        let extent =
+            |map: usize| cells(&maps[map]).iter().flatten().map(|c| c[0].hypot(c[1])).fold(0.0, f64::max);
+        assert!(extent(4) > extent(1));
+        // One orientation and extent, with the direction of the flat.
+        for map in &maps {
+            assert_eq!((&map.x, &map.y), (&maps[0].x, &maps[0].y));
+            assert!(map.field.as_ref().unwrap().arrow.is_some());
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The figure of a run: histories over slip, and maps of the contact plane.
 
-use tables::figures::{Axis, Curve, Drawing, Panel, Sheet};
+use tables::figures::{Axis, Curve, Figure, Panel};
 use tables::quantity::Quantity;
 
 use crate::output::contact_maps::contact_maps;
@@ -9,55 +9,122 @@ use crate::scene::Scene;
 use crate::simulate::outcome::Outcome;
 use tables::numbers::plain;
 
+/// Names of the panels; `temperature`, `heat` and `temperature-map` are drawn if heat is simulated.
+pub const PANELS: [&str; 13] = [
+    "friction",
+    "forces",
+    "area",
+    "onset",
+    "plastic-strain",
+    "energies",
+    "temperature",
+    "heat",
+    "status-map",
+    "pressure-map",
+    "shear-map",
+    "slip-map",
+    "temperature-map",
+];
+
 /// A label and the quantity that it is for.
 type Labelled = (&'static str, Quantity);
 
-const FRICTION: [Labelled; 1] = [("", Quantity::Mu)];
-const FORCES: [Labelled; 2] = [("Q", Quantity::Friction), ("P", Quantity::Load)];
-const AREA: [Labelled; 1] = [("", Quantity::Area)];
-const TEMPERATURES: [Labelled; 2] =
-    [("highest", Quantity::TemperatureMax), ("mean", Quantity::TemperatureMean)];
-const ENERGIES: [Labelled; 6] = [
-    ("work of the flat", Quantity::Work),
-    ("elastic", Quantity::EnergyElastic),
-    ("plastic", Quantity::DissipationPlastic),
-    ("frictional", Quantity::DissipationFriction),
-    ("thermal expansion", Quantity::WorkThermalExpansion),
-    ("softening of moduli", Quantity::EnergyModuliSoftening),
-];
-const HEATS: [Labelled; 3] =
-    [("in", Quantity::HeatIn), ("stored", Quantity::HeatStored), ("out", Quantity::HeatOut)];
-const PLASTIC_STRAIN: [Labelled; 1] = [("", Quantity::PlasticStrainMax)];
+/// Histories in one panel.
+struct Shown {
+    name: &'static str,
+    title: &'static str,
+    label: &'static str,
+    unit: &'static str,
+    /// Over the logarithm of the slip: what changes at the onset of sliding, in a small part of the slide.
+    at_onset: bool,
+    histories: &'static [Labelled],
+}
+
+const FRICTION: Shown = Shown {
+    name: "friction",
+    title: "Friction",
+    label: "Friction coefficient μ = Q/P",
+    unit: "",
+    at_onset: true,
+    histories: &[("", Quantity::Mu)],
+};
+const FORCES: Shown = Shown {
+    name: "forces",
+    title: "Forces",
+    label: "Force",
+    unit: "N",
+    at_onset: true,
+    histories: &[("friction Q", Quantity::Friction), ("load P", Quantity::Load)],
+};
+const AREA: Shown = Shown {
+    name: "area",
+    title: "Contact area",
+    label: "Contact area A",
+    unit: "m²",
+    at_onset: true,
+    histories: &[("", Quantity::Area)],
+};
+const PLASTIC_STRAIN: Shown = Shown {
+    name: "plastic-strain",
+    title: "Plastic strain",
+    label: "Largest plastic strain",
+    unit: "",
+    at_onset: true,
+    histories: &[("", Quantity::PlasticStrainMax)],
+};
+const ENERGIES: Shown = Shown {
+    name: "energies",
+    title: "Energies since the start of the slide",
+    label: "Energy",
+    unit: "J",
+    at_onset: false,
+    histories: &[
+        ("work of the flat", Quantity::Work),
+        ("elastic", Quantity::EnergyElastic),
+        ("plastic", Quantity::DissipationPlastic),
+        ("frictional", Quantity::DissipationFriction),
+        ("thermal expansion", Quantity::WorkThermalExpansion),
+        ("softening of moduli", Quantity::EnergyModuliSoftening),
+    ],
+};
+const TEMPERATURE: Shown = Shown {
+    name: "temperature",
+    title: "Contact temperature",
+    label: "Temperature T",
+    unit: "K",
+    at_onset: false,
+    histories: &[("highest", Quantity::TemperatureMax), ("mean", Quantity::TemperatureMean)],
+};
+const HEAT: Shown = Shown {
+    name: "heat",
+    title: "Heat since the start of the slide",
+    label: "Heat",
+    unit: "J",
+    at_onset: false,
+    histories: &[("in", Quantity::HeatIn), ("stored", Quantity::HeatStored), ("out", Quantity::HeatOut)],
+};
 
 /// Friction, forces, area, temperature, energies and heat of a run against slip; below, a row of maps
 /// for each snapshot of the contact.
-pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Sheet {
-    let panel = |title: &str, label: &str, unit: &str, histories: &[Labelled]| {
-        panel(outcome, title, label, unit, histories)
-    };
-    let mut panels = vec![
-        panel("Friction", "friction coefficient Q/P", "", &FRICTION),
-        panel("Forces", "force", "N", &FORCES),
-        panel("Contact area", "contact area A", "m²", &AREA),
-        onset(outcome),
-        panel("Plastic strain", "largest plastic strain", "", &PLASTIC_STRAIN),
-        panel("Energies since the start of the slide", "energy", "J", &ENERGIES),
-    ];
+pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Figure {
+    let panel = |shown: &Shown| panel(outcome, shown);
+    let mut panels = [&FRICTION, &FORCES, &AREA].map(panel).to_vec();
+    panels.push(onset(outcome));
+    panels.extend([&PLASTIC_STRAIN, &ENERGIES].map(panel));
     if outcome.account.heat {
-        panels.push(panel("Contact temperature", "temperature", "K", &TEMPERATURES));
-        panels.push(panel("Heat since the start of the slide", "heat", "J", &HEATS));
+        panels.extend([&TEMPERATURE, &HEAT].map(panel));
     }
-    let maps = contact_maps(outcome).into_iter().map(Drawing::Cells);
-    Sheet {
+    panels.extend(contact_maps(outcome));
+    Figure {
         title: format!(
-            "{} ω_c at {} m/s, R = {} m",
+            "{} ω_{{c}} at {} m/s, R = {} m",
             plain(scene.loading.interference),
             plain(scene.loading.slip_rate),
             plain(scene.radius)
         ),
         // Those of a row of maps.
-        columns: if outcome.account.heat { 4 } else { 3 },
-        drawings: panels.into_iter().map(Drawing::Curves).chain(maps).collect(),
+        columns: if outcome.account.heat { 5 } else { 4 },
+        panels,
     }
 }
 
@@ -67,87 +134,75 @@ fn slips(outcome: &Outcome) -> Vec<f64> {
     outcome.slide.column(Quantity::Slip).iter().map(|slip| slip / radius).collect()
 }
 
-fn panel(outcome: &Outcome, title: &str, label: &str, unit: &str, histories: &[Labelled]) -> Panel {
+fn slip_axis(at_onset: bool) -> Axis {
+    Axis { log: at_onset, ..Axis::linear("Slip s/a_{0}") }
+}
+
+fn panel(outcome: &Outcome, shown: &Shown) -> Panel {
     let slips = slips(outcome);
     let values = |quantity: Quantity| outcome.slide.column(quantity).iter();
-    let largest = histories
-        .iter()
+    let largest = (shown.histories.iter())
         .flat_map(|(_, quantity)| values(*quantity))
         .filter(|value| value.is_finite())
         .fold(0.0, |largest: f64, value| largest.max(value.abs()));
-    let (scale, label) = scaled(largest, label, unit);
+    let (scale, label) = scaled(largest, shown.label, shown.unit);
     let curve = |(name, quantity): &Labelled| {
         Curve::new(*name, slips.clone(), values(*quantity).map(|value| value / scale).collect())
     };
-    Panel {
-        title: title.to_owned(),
-        x: Axis::linear("slip s/a₀"),
-        y: Axis::linear(label),
-        curves: histories.iter().map(curve).collect(),
-    }
+    let curves = shown.histories.iter().map(curve).collect();
+    Panel::new(shown.name, shown.title, slip_axis(shown.at_onset), Axis::linear(label), curves)
 }
 
-/// From stick to slip, in a small part of the slide: over the logarithm of the slip.
+/// From stick to slip.
 fn onset(outcome: &Outcome) -> Panel {
     let curve = |name, quantity, scale: f64| {
         let values = outcome.slide.column(quantity).iter().map(|value| value / scale).collect();
         Curve::new(name, slips(outcome), values)
     };
     let peak = outcome.scalars[Quantity::MuPeak].value;
-    Panel {
-        title: "Onset of sliding".to_owned(),
-        x: Axis::logarithmic("slip s/a₀"),
-        y: Axis::linear("fraction"),
-        curves: vec![
-            curve("stick area fraction", Quantity::StickFraction, 1.0),
-            curve("µ over its peak", Quantity::Mu, if peak > 0.0 { peak } else { f64::NAN }),
-        ],
-    }
+    let curves = vec![
+        curve("stick area fraction", Quantity::StickFraction, 1.0),
+        curve("μ over its peak", Quantity::Mu, if peak > 0.0 { peak } else { f64::NAN }),
+    ];
+    Panel::new("onset", "Onset of sliding", slip_axis(true), Axis::linear("Fraction"), curves)
 }
 
 #[cfg(test)]
 mod tests {
-    use tables::figures::Scale;
-
     use super::*;
     use crate::simulate::fake;
 
-    fn labels(sheet: &Sheet) -> Vec<&str> {
-        fn label(drawing: &Drawing) -> &str {
-            match drawing {
-                Drawing::Curves(panel) => panel.y.label.as_str(),
-                Drawing::Cells(cells) => match &cells.scale {
-                    Scale::Shades { label, .. } => label.as_str(),
-                    Scale::Classes(_) => "classes",
-                },
-                Drawing::Map(_) => "map",
-            }
-        }
-        sheet.drawings.iter().map(label).collect()
+    fn names(figure: &Figure) -> Vec<&str> {
+        figure.panels.iter().map(|panel| panel.name.as_str()).collect()
     }
 
     #[test]
     fn figure_has_the_panels_and_units() {
         let scene = fake::scene(20.0, 1.0);
         let mut outcome = fake::outcome(&scene);
-        let cold = [
-            "friction coefficient Q/P",
-            "force (N)",
-            "contact area A (10⁻⁹ m²)",
-            "fraction",
-            "largest plastic strain",
-            "energy (J)",
-        ];
-        let maps = ["classes", "pressure (10⁹ Pa)", "shear traction (10⁶ Pa)"];
-        assert_eq!(labels(&run_figure(&scene, &outcome)), [&cold[..], &maps].concat());
         outcome.account.heat = true;
         let figure = run_figure(&scene, &outcome);
-        let hot = ["temperature (K)", "heat (J)"];
-        assert_eq!(labels(&figure), [&cold[..], &hot, &maps, &["temperature (K)"]].concat());
-        let Drawing::Curves(Panel { curves, .. }) = &figure.drawings[0] else { panic!() };
-        assert!((curves[0].x.last().unwrap() - 2.0).abs() < 1e-12);
-        let directory = tempfile::tempdir().unwrap();
-        figure.save(&directory.path().join("run.svg")).unwrap();
+        assert_eq!(names(&figure), PANELS);
+        let labels: Vec<&str> = figure.panels[..8].iter().map(|panel| panel.y.label.as_str()).collect();
+        let expected = [
+            "Friction coefficient μ = Q/P",
+            "Force (N)",
+            "Contact area A (10^{−9} m²)",
+            "Fraction",
+            "Largest plastic strain",
+            "Energy (J)",
+            "Temperature T (K)",
+            "Heat (J)",
+        ];
+        assert_eq!(labels, expected);
+        // The onset, at a hundredth of the slide, is visible in the friction.
+        let Panel { x, curves, .. } = &figure.panels[0];
+        assert!(x.log && (curves[0].x.last().unwrap() - 2.0).abs() < 1e-12);
+        outcome.account.heat = false;
+        let cold = run_figure(&scene, &outcome);
+        let hot = ["temperature", "heat", "temperature-map"];
+        let expected: Vec<&str> = PANELS.into_iter().filter(|name| !hot.contains(name)).collect();
+        assert_eq!(names(&cold), expected);
     }
 
     #[test]

@@ -5,7 +5,7 @@ pub fn scaled(largest: f64, label: &str, unit: &str) -> (f64, String) {
     let (exponent, label) = match (unit, thousands(largest)) {
         ("", _) => (0, label.to_owned()),
         (unit, 0) => (0, format!("{label} ({unit})")),
-        (unit, exponent) => (exponent, format!("{label} (10{} {unit})", superscript(exponent))),
+        (unit, exponent) => (exponent, format!("{label} (10^{{{exponent}}} {unit})").replace('-', "−")),
     };
     (10_f64.powi(exponent), label)
 }
@@ -18,17 +18,6 @@ fn thousands(largest: f64) -> i32 {
     }
 }
 
-fn superscript(exponent: i32) -> String {
-    let raised = |digit: char| match digit {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => char::from_u32(0x2070 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
-    };
-    exponent.to_string().chars().map(raised).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -36,6 +25,7 @@ mod tests {
     #[test]
     fn scales_are_powers_of_a_thousand() {
         assert_eq!([0.0, 0.3, 9e3, 2e4, 5e-9].map(thousands), [0, 0, 0, 3, -9]);
-        assert_eq!(superscript(-12), "⁻¹²");
+        assert_eq!(scaled(4e9, "Pressure p", "Pa").1, "Pressure p (10^{9} Pa)");
+        assert_eq!(scaled(4e-9, "Area A", "m²").1, "Area A (10^{−9} m²)");
     }
 }

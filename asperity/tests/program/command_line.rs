@@ -33,7 +33,7 @@ fn bad_input_is_refused_before_any_work() {
             format!("{run} --set loading.interferance=3"),
             &["loading.interferance", "did you mean interference?"],
         ),
-        (format!("{run} --plot run.pdf"), &["run.pdf", "svg, png"]),
+        (format!("{run} --plot run.gif"), &["run.gif", "svg, png, pdf"]),
         (format!("{run} --fields-at 1,5"), &["--fields-at 5", "loading.slip_distance = 2"]),
         ("run none.toml -o run.nc".into(), &["none.toml", "cannot be read"]),
         ("run scene.toml -o none/run.nc".into(), &["none/run.nc", "cannot be written"]),

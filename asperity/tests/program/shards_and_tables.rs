@@ -108,7 +108,7 @@ fn damaged_tables_are_refused_everywhere() {
     refused("table export damaged.nc -o d.csv", &part, "d.csv");
     refused("table diff whole.nc damaged.nc", &part, "none");
     refused("merge damaged.nc -o m5.nc", &part, "m5.nc");
-    refused("table plot whole.nc -o plot.pdf", &["plot.pdf", "svg, png"], "plot.pdf");
+    refused("table plot whole.nc -o plot.gif", &["plot.gif", "svg, png, pdf"], "plot.gif");
     refused("table info request.toml", &["cannot read request.toml"], "none");
 }
 
@@ -135,9 +135,14 @@ fn a_table_is_described_plotted_and_exported() {
 
     done(&folder, "table plot whole.nc -o plot.svg");
     let svg = std::fs::read_to_string(folder.join("plot.svg")).unwrap();
-    for label in ["friction coefficient", "friction stress", "energy release", "highest temperature"] {
+    for label in ["Friction coefficient", "Friction stress", "Energy release", "Highest temperature"] {
         assert!(svg.contains(label), "{label}");
     }
+    done(&folder, "table plot whole.nc -o one.pdf --panel slide");
+    assert!(std::fs::read(folder.join("one.pdf")).unwrap().starts_with(b"%PDF"));
+    let unknown = asperity(&folder, "table plot whole.nc -o none.svg --panel slid");
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(message(&unknown).contains("'slide'") && message(&unknown).contains("friction-map"));
     for (histories, lines) in [("", 5), ("--histories", 1 + 4 * 73)] {
         done(&folder, &format!("table export whole.nc -o table.csv {histories}"));
         let csv = std::fs::read_to_string(folder.join("table.csv")).unwrap();

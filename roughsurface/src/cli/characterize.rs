@@ -4,6 +4,7 @@ use super::common::*;
 use super::topography::TopographyOptions;
 use anyhow::anyhow;
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use roughsurface::topography::report::{self, WhichSummits};
 use std::path::PathBuf;
 use tables::figures::Figure;
@@ -35,9 +36,12 @@ pub struct Characterize {
     /// Surface file (TOML) to write
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Plot of spectrum and summit heights (.svg or .png)
-    #[arg(long, value_name = "FILE")]
+    /// Plot of spectrum and summit heights
+    #[arg(long, value_name = "FILE.svg|png|pdf")]
     plot: Option<PathBuf>,
+    /// Only this panel of the plot, 85 mm wide; may be repeated
+    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(report::PANELS))]
+    panel: Vec<String>,
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -75,7 +79,8 @@ pub fn run(options: &Characterize) -> Result<(), Failure> {
         write_whole(output, report::surface_file(&found, &source, name.as_deref()).as_bytes())?;
     }
     if let Some(plot) = &options.plot {
-        report::figure(&found).save(plot).map_err(|error| Failure::Run(error.into()))?;
+        let drawn = report::figure(&found).only(&options.panel).and_then(|figure| figure.save(plot));
+        drawn.map_err(|error| Failure::Run(error.into()))?;
     }
     summarise(options.quiet, options.json, &found.warnings, || report::text(&found), || report::json(&found));
     Ok(())

@@ -5,11 +5,12 @@ use super::input::{Input, InputOptions};
 use super::progress::Progress;
 use anyhow::anyhow;
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use roughsurface::friction::comparison::{caveat, compare};
 use roughsurface::friction::cutoff::AtCutoff;
 use roughsurface::friction::regime::plasticity_index;
 use roughsurface::friction::{Settings, predict};
-use roughsurface::output::figure::figure;
+use roughsurface::output::figure::{PANELS, figure};
 use roughsurface::output::{Origin, Results, friction_file, report, summary, summary_json};
 use roughsurface::sampling::uncertainty::propagate;
 use roughsurface::surface::query::Surface;
@@ -59,9 +60,12 @@ pub struct Predict {
     /// Result (netCDF)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Plot of the result (.svg or .png)
-    #[arg(long, value_name = "FILE")]
+    /// Plot of the result
+    #[arg(long, value_name = "FILE.svg|png|pdf")]
     plot: Option<PathBuf>,
+    /// Only this panel of the plot, 85 mm wide; may be repeated
+    #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(PANELS))]
+    panel: Vec<String>,
     /// Models to compare with, separated by commas, or all
     #[arg(long, value_name = "MODELS", value_delimiter = ',')]
     compare: Vec<String>,
@@ -169,7 +173,8 @@ fn write(options: &Predict, results: &Results, surface: &str) -> Result<(), Fail
     let origin = Origin { surface, table: options.input.table(), history: &history(&command_line()) };
     friction_file::write(&options.output, results, &origin).map_err(|error| failed(error.into()))?;
     if let Some(plot) = &options.plot {
-        figure(results).save(plot).map_err(|error| failed(error.into()))?;
+        let drawn = figure(results).only(&options.panel).and_then(|figure| figure.save(plot));
+        drawn.map_err(|error| failed(error.into()))?;
     }
     if let Some(report) = &options.report {
         write_whole(report, report::html(results, &origin).as_bytes())?;

@@ -12,38 +12,51 @@ use tables::numbers::digits;
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
 
-const FRICTION_LABEL: &str = "friction coefficient";
+const FRICTION_LABEL: &str = "Friction coefficient μ";
+
+/// Names of the panels; `models` is drawn in a comparison with models.
+pub const PANELS: [&str; 8] =
+    ["rate", "friction", "static", "slide", "area", "separation", "regimes", "models"];
 
 /// Friction against slip rate, pressure and slip, real contact area, separation, and the regimes of the
 /// contacts; with models of the literature if there are any.
 pub fn figure(results: &Results) -> Figure {
     let prediction = &results.prediction;
-    let mu = |title: &str, name: &'static str| {
-        over_loading(prediction, title, Axis::linear(FRICTION_LABEL), &[("", name)], 1.0)
-    };
     let mut panels = vec![
         over_slip_rate(prediction),
-        mu("Sliding friction", "mu"),
-        mu("Static friction", "mu_static"),
+        over_loading(
+            prediction,
+            ("friction", "Sliding friction"),
+            Axis::linear(FRICTION_LABEL),
+            &[("", "mu")],
+            1.0,
+        ),
+        over_loading(
+            prediction,
+            ("static", "Static friction"),
+            Axis::linear(FRICTION_LABEL),
+            &[("", "mu_static")],
+            1.0,
+        ),
         along_the_slide(prediction),
         over_loading(
             prediction,
-            "Real contact area",
-            Axis::logarithmic("real area fraction"),
+            ("area", "Real contact area"),
+            Axis::logarithmic("Real area fraction"),
             &[("", "real_area_fraction")],
             1.0,
         ),
         over_loading(
             prediction,
-            "Separation",
-            Axis::linear("separation while sliding (µm)"),
+            ("separation", "Separation"),
+            Axis::linear("Separation while sliding (µm)"),
             &[("", "separation_sliding")],
             1e6,
         ),
         over_loading(
             prediction,
-            "Share of the contacts",
-            Axis::linear("share of contacts"),
+            ("regimes", "Share of the contacts"),
+            Axis::linear("Share of contacts"),
             &[
                 ("elastic, ", "elastic_fraction"),
                 ("plastic, ", "plastic_fraction"),
@@ -55,7 +68,7 @@ pub fn figure(results: &Results) -> Figure {
     if !results.comparisons.is_empty() {
         panels.push(compared(results));
     }
-    Figure { title: title(&prediction.law), panels }
+    Figure::new(title(&prediction.law), panels)
 }
 
 /// Sliding friction at the lowest rate in comparison with that of the models.
@@ -70,7 +83,7 @@ fn compared(results: &Results) -> Panel {
         curves.push(Curve::new(comparison.model.as_str(), values.to_vec(), y));
     }
     let (x, y) = (loading_axis(prediction), Axis::linear(FRICTION_LABEL));
-    Panel { title: "Models of the literature".into(), x, y, curves }
+    Panel::new("models", "Models of the literature", x, y, curves)
 }
 
 /// Names the law where it is short: that of a table is a sentence, and too long for the sheet.
@@ -119,12 +132,8 @@ fn over_slip_rate(prediction: &Prediction) -> Panel {
     }
     let with_fit = rows.iter().any(|row| prediction.flash_heating[*row].is_ok());
     let title = if with_fit { "Sliding friction, and flash-heating fit (lines)" } else { "Sliding friction" };
-    Panel {
-        title: title.into(),
-        x: Axis::logarithmic("slip rate V (m/s)"),
-        y: Axis::linear(FRICTION_LABEL),
-        curves,
-    }
+    let (x, y) = (Axis::logarithmic("Slip rate V (m/s)"), Axis::linear(FRICTION_LABEL));
+    Panel::new("rate", title, x, y, curves)
 }
 
 /// The flash-heating law along the slip rates.
@@ -141,8 +150,8 @@ fn fitted(slip_rates: &[f64], fit: &FlashHeating) -> Curve {
 
 fn loading_axis(prediction: &Prediction) -> Axis {
     match prediction.query.loading {
-        NormalLoading::Pressure(_) => Axis::logarithmic("nominal pressure (Pa)"),
-        NormalLoading::Separation(_) => Axis::linear("separation before the slide (m)"),
+        NormalLoading::Pressure(_) => Axis::logarithmic("Nominal pressure p (Pa)"),
+        NormalLoading::Separation(_) => Axis::linear("Separation before the slide (m)"),
     }
 }
 
@@ -150,7 +159,7 @@ fn loading_axis(prediction: &Prediction) -> Axis {
 /// times `factor`.
 fn over_loading(
     prediction: &Prediction,
-    title: &str,
+    (panel, title): (&str, &str),
     y: Axis,
     shown: &[(&str, &'static str)],
     factor: f64,
@@ -167,7 +176,7 @@ fn over_loading(
             curves.push(Curve::new(label, values.to_vec(), values_of).with_error(error));
         }
     }
-    Panel { title: title.into(), x: loading_axis(prediction), y, curves }
+    Panel::new(panel, title, loading_axis(prediction), y, curves)
 }
 
 fn along_the_slide(prediction: &Prediction) -> Panel {
@@ -183,12 +192,8 @@ fn along_the_slide(prediction: &Prediction) -> Panel {
             curves.push(Curve::new(label, prediction.slip.clone(), y).with_error(error));
         }
     }
-    Panel {
-        title: "Along the slide".into(),
-        x: Axis::logarithmic("slip s (m)"),
-        y: Axis::linear(FRICTION_LABEL),
-        curves,
-    }
+    let (x, y) = (Axis::logarithmic("Slip s (m)"), Axis::linear(FRICTION_LABEL));
+    Panel::new("slide", "Along the slide", x, y, curves)
 }
 
 #[cfg(test)]

@@ -144,6 +144,9 @@ pub fn heights_file(found: &Characterization) -> String {
     text
 }
 
+/// Names of the panels of [`figure`].
+pub const PANELS: [&str; 2] = ["spectrum", "summits"];
+
 /// Spectrum, and the distribution of the summit heights in comparison with the Gaussian one of the moments.
 pub fn figure(found: &Characterization) -> Figure {
     let (q, power): (Vec<f64>, Vec<f64>) = found.spectrum.iter().copied().unzip();
@@ -152,29 +155,24 @@ pub fn figure(found: &Characterization) -> Figure {
         .map(|(q, power)| power * super::filter::transmission(*q, found.cutoff).powi(2))
         .collect();
     let (z, measured, gaussian) = distributions(found);
-    Figure {
-        title: String::new(),
-        panels: vec![
-            Panel {
-                title: "Spectrum".into(),
-                x: Axis::logarithmic("wavelength (m)"),
-                y: Axis::logarithmic("mean power of a wave (m²)"),
-                curves: vec![
-                    Curve::new("measured", wavelength.clone(), power),
-                    Curve::new("after the cut-off", wavelength, filtered),
-                ],
-            },
-            Panel {
-                title: "Summit heights".into(),
-                x: Axis::linear("height above the mean plane (µm)"),
-                y: Axis::linear("share of summits below"),
-                curves: vec![
-                    Curve::new("found", z.clone(), measured),
-                    Curve::new("from moments", z, gaussian),
-                ],
-            },
+    let spectrum = Panel::new(
+        PANELS[0],
+        "Spectrum",
+        Axis::logarithmic("Wavelength (m)"),
+        Axis::logarithmic("Mean power of a wave (m²)"),
+        vec![
+            Curve::new("measured", wavelength.clone(), power),
+            Curve::new("after the cut-off", wavelength, filtered),
         ],
-    }
+    );
+    let summits = Panel::new(
+        PANELS[1],
+        "Summit heights",
+        Axis::linear("Height above the mean plane (µm)"),
+        Axis::linear("Share of summits below"),
+        vec![Curve::new("found", z.clone(), measured), Curve::new("from moments", z, gaussian)],
+    );
+    Figure::new("", vec![spectrum, summits])
 }
 
 /// Heights (µm), share of the summits found below them, and that of the moments.

@@ -85,6 +85,18 @@ fn every_format_holds_the_same_map() {
     assert!(topography("periodic.nc").periodic);
 }
 
+/// Curves of a panel that rise and fall over more than ten points.
+fn curves(svg: &str, panel: &str) -> usize {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let group = document.descendants().find(|node| node.attribute("class") == Some(panel)).unwrap();
+    let paths = group.descendants().filter_map(|node| node.attribute("d"));
+    let heights = |path: &str| {
+        let heights = path.split(['M', 'L']).skip(1).map(|point| point.split(' ').nth(1).unwrap().to_owned());
+        heights.collect::<std::collections::BTreeSet<String>>().len()
+    };
+    paths.filter(|path| !path.ends_with('Z') && heights(path) > 10).count()
+}
+
 #[test]
 fn a_topography_becomes_a_surface_file_that_predicts() {
     let folder = Folder::new("characterize");
@@ -100,7 +112,9 @@ fn a_topography_becomes_a_surface_file_that_predicts() {
         assert!((surface.asperity_radius.mean() / expected("radius") - 1.0).abs() < 1e-6);
         assert!((surface.heights.standard_deviation() / expected("std") - 1.0).abs() < 1e-5);
         let figure = folder.read("s.svg");
-        assert!(figure.contains("wavelength (m)") && figure.contains("from moments"));
+        assert!(figure.contains("Wavelength (m)") && figure.contains("from moments"));
+        assert_eq!(curves(&figure, "panel spectrum"), 2);
+        assert_eq!(curves(&figure, "panel summits"), 2);
     }
     let mut text = folder.read("s.toml");
     text.push_str("[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\n");

@@ -163,7 +163,7 @@ fn bad_input_ends_with_status_two_and_one_line() {
         ("predict surface.toml --table model:herz -o f.nc", "kogut-etsion"),
         ("predict surface.toml --table none.nc -o f.nc", "cannot read none.nc"),
         ("predict surface.toml --table model:hertz -o no/f.nc", "its folder does not exist"),
-        ("predict surface.toml --table model:hertz -o f.nc --plot f.pdf", "must be one of svg, png"),
+        ("predict surface.toml --table model:hertz -o f.nc --plot f.gif", "must be one of svg, png, pdf"),
         ("predict surface.toml --table model:hertz -o f.nc --compare herz", "--compare herz: must be among"),
         ("predict surface.toml --table model:hertz -o f.nc --report no/f.html", "its folder does not exist"),
     ] {

@@ -1,54 +1,68 @@
-//! Figures of both programs: panels of curves, maps and cells, as SVG or PNG by the extension of the file.
+//! Figures of both programs: panels of curves and fields, as SVG, PNG or PDF by the extension of the file.
 //!
-//! Curves differ in colour (palette of Okabe & Ito, for colour-blind readers), dash and marker, so that they are
-//! distinct in grey as well. No fonts of the system are used; equal figures give equal bytes.
+//! A panel is as wide as a column of a journal (85 mm). Curves differ in colour (palette of Okabe & Ito, for
+//! colour-blind readers), dash and marker, so that they are distinct in grey as well. No fonts of the system are
+//! used; equal figures give equal bytes.
 //!
-//! The sheet of a table is in `table.rs`. Depends on `interpolation`, `table`, `quantity`, and on `netcdf` for the
-//! atomic write.
+//! `panel.rs` places the marks of `canvas.rs`, which `svg.rs`, `png.rs` and `pdf.rs` write. The figure of a table is
+//! in `table.rs`. Depends on `interpolation`, `table`, `quantity`, and on `netcdf` for the atomic write.
 
-mod cells;
-mod draw;
-mod map;
-mod sheet;
+mod axis;
+mod canvas;
+mod field;
+mod legend;
+mod panel;
+mod pdf;
+mod png;
+mod svg;
 mod table;
 
+use std::io::Write;
 use std::path::Path;
 
-pub use cells::{Cell, Cells, Scale};
-pub use map::Map;
-pub use sheet::{Drawing, Sheet};
+use crate::netcdf::write_atomically;
+use axis::Range;
+use canvas::{Anchor, Group, Page};
+pub use field::{Colors, Field, above};
+pub use table::PANELS as TABLE_PANELS;
 
-/// A sheet of panels, two in a row.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// Panels in rows.
+///
 /// ```
 /// use tables::figures::{Axis, Curve, Figure, Panel};
 ///
 /// let curve = Curve::new("a curve", vec![0.1, 1.0, 10.0], vec![0.3, 0.25, 0.2]).with_error(vec![0.01; 3]);
-/// let panel = Panel {
-///     title: "Friction".into(),
-///     x: Axis::logarithmic("slip rate (m/s)"),
-///     y: Axis::linear("friction coefficient"),
-///     curves: vec![curve],
-/// };
-/// let svg = Figure { title: String::new(), panels: vec![panel] }.svg();
-/// assert!(svg.contains("slip rate (m/s)"));
+/// let (x, y) = (Axis::logarithmic("slip rate V (m/s)"), Axis::linear("friction coefficient μ"));
+/// let panel = Panel::new("friction", "Sliding friction", x, y, vec![curve]);
+/// let svg = Figure::new("", vec![panel]).svg();
+/// assert!(svg.contains("slip rate V (m/s)"));
 /// ```
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
-    /// Above the drawing; may be empty.
+    /// Above the panels; may be empty.
     pub title: String,
-    /// Two in a row.
     pub panels: Vec<Panel>,
+    /// Panels in a row, at least one.
+    pub columns: usize,
 }
 
-/// One pair of axes with its curves.
+/// One pair of axes with a field and curves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Panel {
-    /// Above the drawing; may be empty.
+    /// By which it is chosen; several may have the same.
+    pub name: String,
+    /// Above the panel; may be empty.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
+    /// Whether it begins a row.
+    pub new_row: bool,
+    /// Whether lengths are equal on both axes.
+    pub equal: bool,
+    /// Below the curves.
+    pub field: Option<Field>,
     /// In the order of the legend.
     pub curves: Vec<Curve>,
 }
@@ -56,10 +70,12 @@ pub struct Panel {
 /// Label, with the unit, and scale of an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
-    /// With the unit.
+    /// With the unit; subscripts and superscripts as `_{...}` and `^{...}`.
     pub label: String,
     /// Whether logarithmic.
     pub log: bool,
+    /// Ends; by default around the values.
+    pub ends: Option<(f64, f64)>,
 }
 
 /// A line through points; points that are not finite, or not positive on a logarithmic axis,
@@ -72,7 +88,7 @@ pub struct Curve {
     pub x: Vec<f64>,
     /// Ordinates, as many.
     pub y: Vec<f64>,
-    /// Absolute errors of `y`, drawn as bars on few points and as a band on many.
+    /// Absolute errors of `y`, drawn as bars at the markers.
     pub error: Option<Vec<f64>>,
     /// Line, markers or both.
     pub drawn: Drawn,
@@ -94,24 +110,29 @@ pub enum Drawn {
 /// Why a figure was not made.
 #[derive(Debug, thiserror::Error)]
 pub enum FigureError {
-    #[error("cannot draw {path}: the extension must be one of svg, png")]
+    #[error("cannot draw {path}: the extension must be one of svg, png, pdf")]
     Extension { path: String },
     #[error("cannot write {path}: {reason}")]
     Write { path: String, reason: String },
+    #[error("the figure has no panel {name}: it has {panels}")]
+    Panel { name: String, panels: String },
 }
-
-/// Pixels per point of a PNG.
-const PIXELS: f32 = 2.0;
 
 impl Axis {
     /// A linear axis.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), log: false }
+        Self { label: label.into(), ..Self::default() }
     }
 
     /// A logarithmic axis.
     pub fn logarithmic(label: impl Into<String>) -> Self {
-        Self { label: label.into(), log: true }
+        Self { label: label.into(), log: true, ends: None }
+    }
+
+    /// The axis between given ends.
+    pub fn between(mut self, from: f64, to: f64) -> Self {
+        self.ends = Some((from, to));
+        self
     }
 }
 
@@ -135,32 +156,91 @@ impl Curve {
     }
 }
 
+impl Panel {
+    /// A panel of curves.
+    pub fn new(name: &str, title: impl Into<String>, x: Axis, y: Axis, curves: Vec<Curve>) -> Self {
+        Self { name: name.into(), title: title.into(), x, y, curves, ..Self::default() }
+    }
+}
+
 impl Figure {
+    /// Two panels in a row.
+    pub fn new(title: impl Into<String>, panels: Vec<Panel>) -> Self {
+        Self { title: title.into(), panels, columns: 2 }
+    }
+
+    /// The panels of these names without the title of the figure, and a single one without its own; all
+    /// where no names are given.
+    pub fn only(mut self, names: &[String]) -> Result<Self, FigureError> {
+        if names.is_empty() {
+            return Ok(self);
+        }
+        if let Some(name) = names.iter().find(|name| !self.panels.iter().any(|panel| panel.name == **name)) {
+            let mut panels: Vec<&str> = self.panels.iter().map(|panel| panel.name.as_str()).collect();
+            panels.dedup();
+            return Err(FigureError::Panel { name: name.clone(), panels: panels.join(", ") });
+        }
+        self.panels.retain(|panel| names.contains(&panel.name));
+        self.panels.iter_mut().for_each(|panel| panel.new_row = false);
+        self.title.clear();
+        if let [panel] = self.panels.as_mut_slice() {
+            panel.title.clear();
+        }
+        Ok(self)
+    }
+
     /// Whether `path` has an extension that [`Figure::save`] supports: to be checked before a long
     /// computation.
     pub fn check_extension(path: &Path) -> Result<(), FigureError> {
         extension(path).map(|_| ())
     }
 
-    /// Draws the figure into a file.
+    /// Draws the figure into a file, which appears whole or not at all.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
-        self.sheet().save(path)
+        let failed = |reason: String| FigureError::Write { path: path.display().to_string(), reason };
+        let bytes = match extension(path)? {
+            Extension::Svg => self.svg().into_bytes(),
+            Extension::Png => png::png(&self.page()).map_err(|error| failed(error.to_string()))?,
+            Extension::Pdf => pdf::pdf(&self.page()).map_err(|error| failed(error.to_string()))?,
+        };
+        write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| failed(error.to_string()))
     }
 
-    /// The figure as SVG.
+    /// The figure as SVG. Every panel is a group with the classes `panel` and the name of the panel.
     pub fn svg(&self) -> String {
-        self.sheet().svg()
+        svg::svg(&self.page())
     }
 
-    fn sheet(&self) -> Sheet {
-        let panels = self.panels.iter().cloned().map(Drawing::Curves).collect();
-        Sheet::new(self.title.clone(), panels)
+    fn page(&self) -> Page {
+        const BETWEEN: f64 = 12.0;
+        const TITLE: f64 = 10.0;
+        let columns = self.columns.clamp(1, self.panels.len().max(1));
+        let (mut row, mut column) = (0, 0);
+        let mut places = Vec::new();
+        for (n, panel) in self.panels.iter().enumerate() {
+            if column == columns || (panel.new_row && n > 0) {
+                (row, column) = (row + 1, 0);
+            }
+            places.push((row, column));
+            column += 1;
+        }
+        let top = if self.title.is_empty() { 0.0 } else { 2.0 * TITLE };
+        let start = |count: usize, size: f64| count as f64 * (size + BETWEEN);
+        let width = start(columns, panel::SIZE.0) - BETWEEN;
+        let height = top + start(row + 1, panel::SIZE.1) - BETWEEN;
+        let mut title = Group { name: "title".into(), ..Group::default() };
+        title.text((0.5 * width, 1.4 * TITLE), &self.title, TITLE, Anchor::Middle);
+        let panels = self.panels.iter().zip(places).map(|(panel, (row, column))| {
+            panel::draw(panel, (start(column, panel::SIZE.0), top + start(row, panel::SIZE.1)))
+        });
+        Page { width, height, groups: std::iter::once(title).chain(panels).collect() }
     }
 }
 
 enum Extension {
     Svg,
     Png,
+    Pdf,
 }
 
 fn extension(path: &Path) -> Result<Extension, FigureError> {
@@ -168,89 +248,10 @@ fn extension(path: &Path) -> Result<Extension, FigureError> {
     match extension.to_str() {
         Some("svg") => Ok(Extension::Svg),
         Some("png") => Ok(Extension::Png),
+        Some("pdf") => Ok(Extension::Pdf),
         _ => Err(FigureError::Extension { path: path.display().to_string() }),
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn figure() -> Figure {
-        let x: Vec<f64> = (0..9).map(|n| 10f64.powf(n as f64 / 4.0 - 1.0)).collect();
-        let curve = |n: usize| {
-            let y: Vec<f64> = x.iter().map(|x| 0.3 / (1.0 + x / n as f64)).collect();
-            let error = y.iter().map(|y| 0.05 * y).collect();
-            Curve::new(format!("{n} ω_c"), x.clone(), y).with_error(error)
-        };
-        Figure {
-            title: "Friction".to_string(),
-            panels: vec![Panel {
-                title: "weakening".to_string(),
-                x: Axis::logarithmic("slip rate V (m/s)"),
-                y: Axis::linear("friction coefficient"),
-                curves: (1..4).map(curve).collect(),
-            }],
-        }
-    }
-
-    #[test]
-    fn svg_and_png_are_written_and_reproducible() {
-        for extension in ["svg", "PNG"] {
-            let name = format!("tables-figure-{}.{extension}", std::process::id());
-            let path = std::env::temp_dir().join(name);
-            figure().save(&path).unwrap();
-            let bytes = std::fs::read(&path).unwrap();
-            figure().save(&path).unwrap();
-            assert!(bytes == std::fs::read(&path).unwrap(), "{extension}");
-            assert!(bytes.len() > 2000);
-            std::fs::remove_file(&path).unwrap();
-        }
-    }
-
-    #[test]
-    fn labels_and_units_are_in_the_figure() {
-        let svg = figure().svg();
-        for text in ["slip rate V (m/s)", "friction coefficient", "3 ω_c"] {
-            assert!(svg.contains(text), "{text}");
-        }
-    }
-
-    #[test]
-    fn points_and_their_fit_share_a_colour() {
-        let (x, y) = (vec![1.0, 2.0, 3.0], vec![1.0, 3.0, 2.0]);
-        let svg = |drawn: Drawn| {
-            let panel = Panel {
-                curves: vec![Curve::new("", x.clone(), y.clone()).drawn_as(drawn, 1)],
-                ..Panel::default()
-            };
-            Figure { panels: vec![panel], ..Figure::default() }.svg()
-        };
-        let [both, points, line] = [Drawn::LineAndMarkers, Drawn::Markers, Drawn::Line].map(svg);
-        for picture in [&both, &points, &line] {
-            assert!(picture.contains("#0072b2") && !picture.contains("#d55e00"));
-        }
-        assert!(both.len() > points.len() && both.len() > line.len());
-        assert!(line.contains("stroke-dasharray") && !points.contains("stroke-dasharray"));
-    }
-
-    #[test]
-    fn what_cannot_be_drawn_is_left_out() {
-        let mut figure = figure();
-        figure.panels[0].curves = vec![
-            Curve::new("zero", vec![0.0, 1.0, 2.0], vec![1.0, f64::NAN, 3.0]),
-            Curve::new("nothing", vec![0.0], vec![1.0]),
-        ];
-        let points = figure.panels[0].visible(&figure.panels[0].curves[0]);
-        assert_eq!(points, [(2.0, 3.0, 0.0)]);
-        figure.svg();
-        figure.panels.clear();
-        figure.svg();
-    }
-
-    #[test]
-    fn other_extensions_are_refused() {
-        let error = figure().save(Path::new("plot.pdf")).unwrap_err();
-        assert_eq!(error.to_string(), "cannot draw plot.pdf: the extension must be one of svg, png");
-    }
-}
+mod tests;

@@ -1,6 +1,6 @@
-//! Summary figures of a table.
+//! Figure of a table.
 
-use super::{Axis, Curve, Drawing, Figure, Map, Panel, Sheet};
+use super::{Axis, Colors, Curve, Field, Figure, Panel};
 use crate::interpolation::InterpolatedTable;
 use crate::numbers::digits;
 use crate::quantity::Quantity;
@@ -9,24 +9,68 @@ use crate::table::{Cell, Slice};
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
 
-const INTERFERENCE_LABEL: &str = "interference ω₀/ω_c";
-const RATE_LABEL: &str = "slip rate V (m/s)";
+const INTERFERENCE_LABEL: &str = "Interference ω_{0}/ω_{c}";
+const RATE_LABEL: &str = "Slip rate V (m/s)";
+const FRICTION_LABEL: &str = "Friction coefficient μ = Q/P";
 
-/// What a panel shows: title, axis, value and error of a cell, whether on a logarithmic scale.
-type Shown = (&'static str, &'static str, fn(&Cell) -> (f64, f64), bool);
-
-const SHOWN: [Shown; 3] = [
-    ("Sliding friction", "friction coefficient Q/P", friction_coefficient, false),
-    ("Friction stress", "friction stress Q/A (MPa)", friction_stress, false),
-    ("Heating", "highest temperature (K)", temperature, false),
+/// Names of the panels.
+pub const PANELS: [&str; 9] = [
+    "friction",
+    "stress",
+    "energy",
+    "temperature",
+    "slide",
+    "friction-map",
+    "stress-map",
+    "energy-map",
+    "temperature-map",
 ];
 
-/// What a sheet of maps shows.
-const MAPPED: [Shown; 4] = [
-    SHOWN[0],
-    SHOWN[1],
-    ("Energy of stick to slip", "energy release G (J/m²)", energy_release, true),
-    SHOWN[2],
+/// What a panel shows.
+struct Shown {
+    name: &'static str,
+    /// Name of the map.
+    map: &'static str,
+    title: &'static str,
+    label: &'static str,
+    /// Value and error of a cell.
+    value: fn(&Cell) -> (f64, f64),
+    log: bool,
+}
+
+const SHOWN: [Shown; 4] = [
+    Shown {
+        name: "friction",
+        map: "friction-map",
+        title: "Sliding friction",
+        label: FRICTION_LABEL,
+        value: |cell| of(cell, Quantity::Mu),
+        log: false,
+    },
+    Shown {
+        name: "stress",
+        map: "stress-map",
+        title: "Friction stress",
+        label: "Friction stress Q/A (MPa)",
+        value: friction_stress,
+        log: false,
+    },
+    Shown {
+        name: "energy",
+        map: "energy-map",
+        title: "Energy of stick to slip",
+        label: "Energy release G (J/m^{2})",
+        value: |cell| of(cell, Quantity::EnergyRelease),
+        log: true,
+    },
+    Shown {
+        name: "temperature",
+        map: "temperature-map",
+        title: "Heating",
+        label: "Highest temperature T (K)",
+        value: |cell| of(cell, Quantity::TemperatureMax),
+        log: false,
+    },
 ];
 
 /// Points of a map between two of the table.
@@ -35,72 +79,48 @@ const MAP_POINTS: usize = 6;
 impl Slice {
     /// Friction, friction stress, energy release and temperature: a map over slip rate and
     /// interference next to curves against slip rate (or interference, where there are less than
-    /// two positive slip rates, and no maps then).
-    pub fn maps(&self) -> Sheet {
-        let positive = self.axes().slip_rate.iter().filter(|rate| **rate > 0.0).count();
+    /// two positive slip rates, and no maps then); friction along the slide.
+    pub fn figure(&self) -> Figure {
+        let axes = self.axes();
+        let positive = axes.slip_rate.iter().filter(|rate| **rate > 0.0).count();
+        let mapped = positive >= 2 && axes.interference.len() >= 2;
         let (table, _) = self.with_failed_cells_interpolated();
         let table = table.interpolated();
-        let mut drawings = Vec::new();
-        for shown in &MAPPED {
-            if positive >= 2 && self.axes().interference.len() >= 2 {
-                drawings.push(Drawing::Map(map(&table, shown)));
+        let mut panels = Vec::new();
+        for shown in &SHOWN {
+            if mapped {
+                panels.push(map(&table, shown));
             }
-            drawings.push(Drawing::Curves(match positive >= 2 {
+            panels.push(match positive >= 2 {
                 true => self.over_slip_rate(shown),
                 false => self.over_interference(shown),
-            }));
+            });
         }
-        Sheet::new(self.metadata().title.clone(), drawings)
+        panels.push(self.along_the_slide());
+        Figure::new(self.metadata().title.replace("omega_c", "ω_{c}"), panels)
     }
 
-    /// Sliding friction, friction stress and temperature against slip rate for a selection of
-    /// interferences (against interference where there are less than two positive slip rates),
-    /// and friction along the slide.
-    pub fn figure(&self) -> Figure {
-        let positive = self.axes().slip_rate.iter().filter(|rate| **rate > 0.0);
-        let over_rate = positive.count() >= 2;
-        let mut panels: Vec<Panel> = (SHOWN.iter())
-            .map(|shown| match over_rate {
-                true => self.over_slip_rate(shown),
-                false => self.over_interference(shown),
-            })
-            .collect();
-        panels.insert(2, self.along_the_slide());
-        Figure { title: self.metadata().title.clone(), panels }
-    }
-
-    fn over_slip_rate(&self, (title, label, value, log): &Shown) -> Panel {
+    fn over_slip_rate(&self, shown: &Shown) -> Panel {
         let axes = self.axes();
+        let label = |i: usize| interference_label(axes.interference[i]);
         let curve = |i: usize| {
-            let at = |j: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
-            let points = (0..axes.slip_rate.len()).map(at);
-            let (y, error) = points.unzip();
-            let label = format!("{} ω_c", digits(axes.interference[i], 3));
-            Curve::new(label, axes.slip_rate.clone(), y).with_error(error)
+            let at = |j: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), shown.value);
+            let (y, error) = (0..axes.slip_rate.len()).map(at).unzip();
+            Curve::new(label(i), axes.slip_rate.clone(), y).with_error(error)
         };
-        Panel {
-            title: title.to_string(),
-            x: Axis::logarithmic(RATE_LABEL),
-            y: Axis { label: label.to_string(), log: *log },
-            curves: selection(axes.interference.len()).map(curve).collect(),
-        }
+        let curves = selection(axes.interference.len()).map(curve).collect();
+        shown.panel(Axis::logarithmic(RATE_LABEL), curves)
     }
 
-    fn over_interference(&self, (title, label, value, log): &Shown) -> Panel {
+    fn over_interference(&self, shown: &Shown) -> Panel {
         let axes = self.axes();
         let curve = |j: usize| {
-            let at = |i: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), value);
-            let points = (0..axes.interference.len()).map(at);
-            let (y, error) = points.unzip();
-            let label = rate_label(axes.slip_rate[j]);
-            Curve::new(label, axes.interference.clone(), y).with_error(error)
+            let at = |i: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), shown.value);
+            let (y, error) = (0..axes.interference.len()).map(at).unzip();
+            Curve::new(rate_label(axes.slip_rate[j]), axes.interference.clone(), y).with_error(error)
         };
-        Panel {
-            title: title.to_string(),
-            x: Axis::logarithmic(INTERFERENCE_LABEL),
-            y: Axis { label: label.to_string(), log: *log },
-            curves: selection(axes.slip_rate.len()).map(curve).collect(),
-        }
+        let curves = selection(axes.slip_rate.len()).map(curve).collect();
+        shown.panel(Axis::logarithmic(INTERFERENCE_LABEL), curves)
     }
 
     /// Friction against slip at the middle interference, a curve for each slip rate.
@@ -112,20 +132,24 @@ impl Slice {
             let y = self.cell(middle, j).map(history).unwrap_or_default();
             Curve::new(rate_label(axes.slip_rate[j]), axes.slip.clone(), y)
         };
-        Panel {
-            title: format!("Along the slide, {} ω_c", digits(axes.interference[middle], 3)),
-            x: Axis::linear("slip s/a₀"),
-            y: Axis::linear("friction coefficient Q/P"),
-            curves: selection(axes.slip_rate.len()).map(curve).collect(),
-        }
+        let title = format!("Along the slide, {}", interference_label(axes.interference[middle]));
+        let (x, y) = (Axis::logarithmic("Slip s/a_{0}"), Axis::linear(FRICTION_LABEL));
+        Panel::new("slide", title, x, y, selection(axes.slip_rate.len()).map(curve).collect())
+    }
+}
+
+impl Shown {
+    fn panel(&self, x: Axis, curves: Vec<Curve>) -> Panel {
+        let y = Axis { log: self.log, ..Axis::linear(self.label) };
+        Panel::new(self.name, self.title, x, y, curves)
     }
 }
 
 /// A quantity over slip rate and interference.
-fn map(table: &InterpolatedTable, (title, label, value, log): &Shown) -> Map {
+fn map(table: &InterpolatedTable, shown: &Shown) -> Panel {
     let axes = table.axes();
     let rates: Vec<f64> = axes.slip_rate.iter().copied().filter(|rate| *rate > 0.0).collect();
-    let (x_values, y_values) = (between(&rates), between(&axes.interference));
+    let (rates, interferences) = (between(&rates), between(&axes.interference));
     let at = |omega: f64, rate: f64| {
         let mut cell = Cell::new();
         for quantity in Quantity::SCALARS {
@@ -133,17 +157,29 @@ fn map(table: &InterpolatedTable, (title, label, value, log): &Shown) -> Map {
                 cell[quantity] = known;
             }
         }
-        if *log { value(&cell).0.log10() } else { value(&cell).0 }
+        let value = (shown.value)(&cell).0;
+        [rate, omega, if shown.log { value.log10() } else { value }]
     };
-    let row = |omega: &f64| x_values.iter().map(|rate| at(*omega, *rate)).collect();
-    Map {
-        title: title.to_string(),
-        label: if *log { format!("log₁₀ of {label}") } else { label.to_string() },
-        x: Axis::logarithmic(RATE_LABEL),
-        y: Axis::logarithmic(INTERFERENCE_LABEL),
-        values: y_values.iter().map(row).collect(),
-        x_values,
-        y_values,
+    let rows: Vec<Vec<[f64; 3]>> =
+        interferences.iter().map(|omega| rates.iter().map(|rate| at(*omega, *rate)).collect()).collect();
+    let values = || rows.iter().flatten().map(|corner| corner[2]).filter(|value| value.is_finite());
+    let label = if shown.log { format!("log_{{10}} {}", shown.label) } else { shown.label.to_string() };
+    let colors = Colors::Bands {
+        label,
+        from: values().fold(f64::INFINITY, f64::min),
+        to: values().fold(f64::NEG_INFINITY, f64::max),
+    };
+    let ends = |values: &[f64]| (values[0], values[values.len() - 1]);
+    let axis = |label: &str, (from, to)| Axis::logarithmic(label).between(from, to);
+    Panel {
+        field: Some(Field { cells: Field::quadrilaterals(&rows), colors, arrow: None }),
+        ..Panel::new(
+            shown.map,
+            shown.title,
+            axis(RATE_LABEL, ends(&rates)),
+            axis(INTERFERENCE_LABEL, ends(&interferences)),
+            Vec::new(),
+        )
     }
 }
 
@@ -173,8 +209,12 @@ fn rate_label(rate: f64) -> String {
     }
 }
 
-fn friction_coefficient(cell: &Cell) -> (f64, f64) {
-    let estimate = cell[Quantity::Mu];
+fn interference_label(interference: f64) -> String {
+    format!("{} ω_{{c}}", digits(interference, 3))
+}
+
+fn of(cell: &Cell, quantity: Quantity) -> (f64, f64) {
+    let estimate = cell[quantity];
     (estimate.value, estimate.error)
 }
 
@@ -183,16 +223,6 @@ fn friction_stress(cell: &Cell) -> (f64, f64) {
     let stress = 1e-6 * force.value / area.value;
     let relative = (force.error / force.value).abs() + (area.error / area.value).abs();
     (stress, stress * relative)
-}
-
-fn energy_release(cell: &Cell) -> (f64, f64) {
-    let estimate = cell[Quantity::EnergyRelease];
-    (estimate.value, estimate.error)
-}
-
-fn temperature(cell: &Cell) -> (f64, f64) {
-    let estimate = cell[Quantity::TemperatureMax];
-    (estimate.value, estimate.error)
 }
 
 #[cfg(test)]

@@ -10,7 +10,9 @@ mod info;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
+use tables::figures::TABLE_PANELS;
 use tables::interpolation::InterpolatedTable;
 use tables::netcdf::write_atomically;
 use tables::shipped;
@@ -40,8 +42,11 @@ pub enum TableCommand {
         #[arg(value_name = "TABLE.nc|NAME")]
         table: String,
         /// File to write
-        #[arg(short, long, value_name = "FILE.svg|png")]
+        #[arg(short, long, value_name = "FILE.svg|png|pdf")]
         output: PathBuf,
+        /// Only this panel, 85 mm wide; may be repeated
+        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(TABLE_PANELS))]
+        panel: Vec<String>,
         #[command(flatten)]
         at: At,
     },
@@ -124,9 +129,10 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
         TableCommand::List => info::list(display),
         TableCommand::Check(arguments) => check::check(arguments, display),
         TableCommand::Diff(arguments) => diff::diff(arguments, display),
-        TableCommand::Plot { table, output, at } => {
+        TableCommand::Plot { table, output, panel, at } => {
             outputs::check_plot(Some(output), Path::new(table))?;
-            read(table, at)?.maps().save(output).map_err(Failure::run)
+            let figure = read(table, at)?.figure().only(panel).map_err(Failure::run)?;
+            figure.save(output).map_err(Failure::run)
         }
         TableCommand::Export { table, output, histories, at } => {
             outputs::check_output(output, Path::new(table))?;

@@ -10,7 +10,7 @@ use std::time::Instant;
 use tables::law::Estimate;
 use tables::quantity::{Quantity, Scalars};
 
-pub use figure::figure;
+pub use figure::{PANELS, figure};
 pub use report_file::write;
 pub use words::{in_words, table};
 
