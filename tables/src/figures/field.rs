@@ -19,7 +19,7 @@ pub struct Field {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Colors {
     /// Bands between two values; the label, with the unit, is next to the scale. Dark for low and
-    /// bright for high; where the signs differ, blue below zero and red above.
+    /// bright for high; where there are values of both signs, blue below zero and red above.
     Bands { label: String, from: f64, to: f64 },
     /// The value is the place of a name in this list.
     Classes(Vec<String>),
@@ -59,12 +59,17 @@ pub(super) fn bands(from: f64, to: f64) -> Vec<(f64, f64, Color)> {
     let mut ends = vec![from];
     ends.extend(inner.take_while(|end| *end < to - 1e-6 * step));
     ends.push(to);
-    let (map, low, high) = match from < 0.0 && to > 0.0 {
+    let (map, low, high) = match signed(from, to) {
         true => (&DIVERGING, -to.max(-from), to.max(-from)),
         false => (&SEQUENTIAL, from, to),
     };
     let color = |pair: &[f64]| color(map, (0.5 * (pair[0] + pair[1]) - low) / (high - low));
     ends.windows(2).map(|pair| (pair[0], pair[1], color(pair))).collect()
+}
+
+/// Whether values of both signs are more than a tenth of the range each.
+fn signed(from: f64, to: f64) -> bool {
+    to.min(-from) > 0.1 * (to - from)
 }
 
 /// Colours of classes.
@@ -197,6 +202,8 @@ mod tests {
     fn hot_is_bright_and_signs_are_blue_and_red() {
         let colors: Vec<Color> = bands(300.0, 1000.0).into_iter().map(|(_, _, color)| color).collect();
         assert!(colors.len() > 5 && colors.windows(2).all(|pair| luminance(pair[0]) < luminance(pair[1])));
+        // Next to zero.
+        assert_eq!(bands(-0.01, 3.0)[0].2, color(&SEQUENTIAL, 0.5 * 0.01 / 3.01));
         let signed = bands(-2.0, 1.0);
         let (lowest, highest) = (signed[0].2, signed[signed.len() - 1].2);
         assert!(lowest[2] > lowest[0] && highest[0] > highest[2]);
