@@ -66,12 +66,18 @@ impl<'a> Plane<'a> {
     }
 
     fn status(&self, snapshot: &Snapshot) -> Panel {
-        let sticks = |at: usize| f64::from(snapshot.status[at] == ContactStatus::Stick);
+        // The sign changes half-way between points that stick and points that slip, at any distance from
+        // open ones.
+        let sticks = |at: usize| match snapshot.status[at] {
+            ContactStatus::Stick => 1.0,
+            ContactStatus::Slip => -1.0,
+            ContactStatus::Open => 0.0,
+        };
         let class = |class: usize, share: &dyn Fn(usize) -> f64| -> Vec<Vec<[f64; 3]>> {
-            let parts = self.cells(snapshot, false, share).into_iter().map(|cell| above(&cell, 2, 0.5));
+            let parts = self.cells(snapshot, false, share).into_iter().map(|cell| above(&cell, 2, 0.0));
             parts.map(|part| part.iter().map(|[x, y, _]| [*x, *y, class as f64]).collect()).collect()
         };
-        let cells = [class(0, &|at| 1.0 - sticks(at)), class(1, &sticks)].concat();
+        let cells = [class(0, &|at| -sticks(at)), class(1, &sticks)].concat();
         let state = self.outcome.slide.states().find(|state| state[Quantity::Slip] == snapshot.slip);
         let sticks = state.map_or(String::new(), |state| {
             format!(", {:.0} % sticks", 100.0 * state[Quantity::StickFraction])
