@@ -22,9 +22,8 @@ pub enum Note {
     },
     Heat(HeatChoice, HeatEffect),
     Strain(StrainChoice),
-    /// The accuracy of the scene is not aimed at, as the body may shear without limit.
+    /// The first resolution, chosen for the accuracy `planned`, is the last one, as the body may shear without limit.
     UnlimitedShear {
-        asked: f64,
         planned: f64,
     },
     /// A refinement did not reduce the largest relative error.
@@ -75,13 +74,12 @@ impl Display for Note {
                 NoHeat::Negligible => write!(f, "heat is left out: {effect}, which the errors include"),
             },
             Self::Strain(choice) => choice.fmt(f),
-            Self::UnlimitedShear { asked, planned } => write!(
+            Self::UnlimitedShear { planned } => write!(
                 f,
-                "the resolution is chosen for an accuracy of {:.0} % in place of {:.1} %: the body does not harden and \
-                 is no stronger than the interface, so slip localises in the elements below it; give \
-                 material.hardening, or interface.strength_factor below 1, for the accuracy asked",
-                100.0 * planned,
-                100.0 * asked
+                "the resolution is chosen for an accuracy of {:.0} % and not refined: the body does not harden and is \
+                 no stronger than the interface, so shear localises in the elements below it; give \
+                 material.hardening, or interface.strength_factor below 1, for a higher accuracy",
+                100.0 * planned
             ),
             Self::RefinementStopped { before, after } => write!(
                 f,

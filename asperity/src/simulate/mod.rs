@@ -133,6 +133,7 @@ pub(crate) fn slide_refined(
     let mut ladder = runner.ladder()?;
     let mut budget = runner.judge(&ladder);
     let mut stopped = false;
+    let refinements = if pressed.shears_without_limit { 0 } else { refinements };
     while ladder.main.len() <= refinements {
         let Some(finer) = budget.as_ref().and_then(|budget| ladder.finer(budget, &pressed.numerics)) else {
             break;

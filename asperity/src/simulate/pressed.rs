@@ -43,6 +43,8 @@ pub struct Pressed {
     pub(super) strain: Option<StrainChoice>,
     /// Those of the scene, with the accuracy that resolutions are planned for.
     pub(super) numerics: Numerics,
+    /// Runs are not refined then.
+    pub(super) shears_without_limit: bool,
     pub(super) resolution: Resolution,
     /// Contact radius over R that meshes are laid out for.
     pub(super) contact_radius: f64,
@@ -96,7 +98,8 @@ pub(super) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
     let mut mesh = press_mesh(&problem, &resolution.coarse(), expected, watch)?;
     let strain = (scene.model.kinematics == Kinematics::Auto)
         .then(|| choose_strain(scene, &problem, &mesh.body, &mesh.contact));
-    if shears_without_limit(scene, &problem, &mesh.body, &mesh.contact) {
+    let shears_without_limit = shears_without_limit(scene, &problem, &mesh.body, &mesh.contact);
+    if shears_without_limit {
         numerics.accuracy = numerics.accuracy.max(ACCURACY_OF_UNLIMITED_SHEAR);
         resolution = Resolution::choose(&numerics);
     }
@@ -112,6 +115,7 @@ pub(super) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
         problem,
         strain,
         numerics,
+        shears_without_limit,
         resolution,
         contact_radius: mesh.contact.radius(&mesh.contact.committed),
         meshes: vec![Arc::new(mesh)],

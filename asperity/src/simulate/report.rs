@@ -51,8 +51,8 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     let mut notes = vec![Note::resolution(&run.resolution), Note::Heat(conditions.heat, conditions.effect)];
     notes.extend(ladder.notes.iter().cloned());
     notes.extend(pressed.strain.map(Note::Strain));
-    let (asked, planned) = (pressed.scene.numerics.accuracy, pressed.numerics.accuracy);
-    notes.extend((planned > asked).then_some(Note::UnlimitedShear { asked, planned }));
+    let planned = pressed.numerics.accuracy;
+    notes.extend(pressed.shears_without_limit.then_some(Note::UnlimitedShear { planned }));
     let earlier = &ladder.main[..ladder.main.len() - 1];
     let others = || ladder.auxiliary.iter().chain(earlier).chain(&ladder.abandoned);
     let mut timings = run.timings;
