@@ -5,6 +5,7 @@ use std::sync::{Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
 use asperity::simulate::Watch;
+use asperity::simulate::expected_time::EXPECTED_TIME_FACTOR;
 use asperity::tabulate::{CellProgress, CellResult, Index, TableWatch};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -37,6 +38,7 @@ pub struct Progress {
     shown: Shown,
     /// The present stage and when it began.
     stage: Mutex<(&'static str, Instant)>,
+    quiet: bool,
 }
 
 enum Shown {
@@ -55,7 +57,7 @@ const FIRST_ESTIMATE: f64 = 0.05;
 impl Progress {
     /// According to the options; by default on a terminal only.
     pub fn new(display: &Display) -> Self {
-        Self { shown: Shown::new(display), stage: Mutex::new(("", Instant::now())) }
+        Self { shown: Shown::new(display), stage: Mutex::new(("", Instant::now())), quiet: display.quiet }
     }
 
     /// Seconds left in a stage of which a share is done, from the time since it began.
@@ -126,6 +128,14 @@ impl Shown {
     }
 }
 
+/// Tells the processor time to expect, s, before the work begins.
+pub fn tell_expected_time(seconds: f64) {
+    eprintln!(
+        "note: about {} of processor time expected (within a factor of {EXPECTED_TIME_FACTOR})",
+        duration(seconds)
+    );
+}
+
 /// An estimate, in two units at most.
 fn duration(seconds: f64) -> String {
     let minutes = (seconds / 60.0).round() as u64;
@@ -151,6 +161,12 @@ impl Watch for Progress {
 }
 
 impl TableWatch for Progress {
+    fn expects(&self, seconds: f64) {
+        if seconds > 0.0 && !self.quiet {
+            tell_expected_time(seconds);
+        }
+    }
+
     fn finished(&self, _: Index, _: &CellResult, progress: &CellProgress) {
         let CellProgress { done, total, remaining } = *progress;
         let detail = format!("{done} of {total} cells, {} left", duration(remaining));
@@ -170,7 +186,7 @@ mod tests {
     fn time_left_is_that_of_the_stage() {
         let hidden = Shown::Hidden;
         let begun = Instant::now() - std::time::Duration::from_secs(10);
-        let progress = Progress { shown: hidden, stage: Mutex::new(("slide", begun)) };
+        let progress = Progress { shown: hidden, stage: Mutex::new(("slide", begun)), quiet: true };
         let left = progress.left("slide", 0.25).unwrap();
         assert!((30.0..31.0).contains(&left), "{left}");
         assert_eq!(progress.left("slide", 0.01), None);

@@ -9,13 +9,14 @@ use asperity::output::run_file::{self, About};
 use asperity::output::{figures, numbers, provenance, vtu};
 use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
+use asperity::simulate::expected_time::expected_time;
 use asperity::simulate::fracture;
 use asperity::simulate::outcome::{ErrorSource, Kernel, Outcome, Warning};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
 use tables::quantity::Quantity;
 
-use super::progress::{Progress, watch_for_interrupt};
+use super::progress::{self, Progress, watch_for_interrupt};
 use super::{Display, Failure, RunArguments, command_line, outputs, timings};
 
 /// Run the scene, write the results, also those before a failure, and print a summary.
@@ -32,6 +33,9 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     outputs::check_output(&arguments.output, &arguments.scene)?;
     outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
     outputs::check_directory(arguments.vtu.as_deref())?;
+    if !display.quiet {
+        progress::tell_expected_time(expected_time(&scene));
+    }
     watch_for_interrupt();
     let progress = Progress::new(display);
     let recording = Recording { slips: arguments.fields_at.clone(), body: arguments.vtu.is_some() };

@@ -161,9 +161,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
     }
 
     fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {
-        let mut scene = self.layout.template(i).clone();
-        scene.loading.interference = self.layout.interference(i);
-        scene.loading.slip_rate = self.layout.slip_rates[0];
+        let scene = self.layout.scene((i, 0));
         guard(|| self.simulator.press(&scene, self))
     }
 

@@ -59,6 +59,14 @@ impl<'a> Layout<'a> {
         }
     }
 
+    /// The scene of a cell.
+    pub fn scene(&self, (i, j): Index) -> Scene {
+        let mut scene = self.template(i).clone();
+        scene.loading.interference = self.interference(i);
+        scene.loading.slip_rate = self.slip_rates[j];
+        scene
+    }
+
     /// The cells as far as their run times are concerned, row-major.
     pub fn cases(&self) -> Vec<Case> {
         let case = |row: usize, column: usize| {

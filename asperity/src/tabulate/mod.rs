@@ -32,6 +32,7 @@ pub use tabulation::Tabulation;
 
 use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
+use crate::simulate::expected_time::expected_time;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{self, Pressed, SimulationError, Watch};
 use cost::CostModel;
@@ -52,6 +53,9 @@ pub struct CellProgress {
 
 /// Observes a tabulation and can stop it.
 pub trait TableWatch: Sync {
+    /// A round of cells begins, of this processor time in all, s, within
+    /// [`EXPECTED_TIME_FACTOR`](crate::simulate::expected_time::EXPECTED_TIME_FACTOR).
+    fn expects(&self, _seconds: f64) {}
     /// A cell is finished.
     fn finished(&self, _index: Index, _result: &CellResult, _progress: &CellProgress) {}
     /// Whether the tabulation is to stop.
@@ -195,6 +199,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
         let costs = expected_costs(&layout);
         let wanted = options.shard.map_or(vec![true; costs.len()], |shard| shard.members(&costs));
         let work = Work { layout, slips: &slips, wanted: &wanted, jobs: options.jobs };
+        watch.expects(expected_time_left(&layout, &wanted, &known));
         grid::run(simulator, &work, (&mut known, &mut journal), &pool, watch)?;
         let columns = axes.slip_rate.len();
         let row = |i: usize| (0..columns).map(|j| known.get(layout.point((i, j))).cloned()).collect();
@@ -218,6 +223,15 @@ pub(crate) fn tabulate_with<S: Simulator>(
             None => return Ok((tabulation, journal)),
         }
     }
+}
+
+/// Processor time of the cells that are wanted and not known yet, s.
+fn expected_time_left(layout: &Layout<'_>, wanted: &[bool], known: &Known) -> f64 {
+    let columns = layout.slip_rates.len();
+    let left = (0..wanted.len()).map(|k| (k / columns, k % columns)).zip(wanted);
+    left.filter(|(index, wanted)| **wanted && known.get(layout.point(*index)).is_none())
+        .map(|(index, _)| expected_time(&layout.scene(index)))
+        .sum()
 }
 
 /// Of each cell, row-major, before anything is run; only ratios are meaningful.

@@ -112,7 +112,9 @@ fn killed_at_any_moment_it_continues() {
         }
         assert_eq!(output.status.code(), None, "{}", message(&output));
         kills += 1;
-        assert!(journalled(folder.path()) >= before, "a result was lost");
+        // The journal is removed once the table is written.
+        let complete = folder.path().join("table.nc").exists();
+        assert!(complete || journalled(folder.path()) >= before, "a result was lost");
         assert!(kills < 200, "no progress");
     }
     assert!(kills > 0, "never killed");

@@ -1,0 +1,101 @@
+//! Processor time to expect of a run, from its scene alone.
+//!
+//! A mesh of n elements per contact radius costs time in proportion to n^2.3; the accuracy ε of the scene requires
+//! n in proportion to ε^(−0.9), and contacts below ω_c, where friction converges in first order, finer meshes than
+//! deeper ones.
+
+use crate::scene::fitted_constants::processor_time::{
+    AT_FIRST_YIELD, DEEP, LEAST, LIGHT_POWER, MESH_POWER, MOST, REFERENCE_ACCURACY, REFERENCE_ELEMENTS,
+    REFERENCE_SECTORS, UNLIMITED_SHEAR,
+};
+use crate::scene::{Hardening, Scene};
+
+/// Factor within which the expected time holds on the machine of the fit.
+pub const EXPECTED_TIME_FACTOR: f64 = 3.0;
+
+/// Processor time of press, slide and auxiliary runs, s.
+pub fn expected_time(scene: &Scene) -> f64 {
+    let numerics = &scene.numerics;
+    let interference = scene.loading.interference;
+    let sectors = numerics.sectors.map_or(1.0, |sectors| (sectors as f64 / REFERENCE_SECTORS).max(1.0));
+    let seconds = match numerics.elements_per_radius {
+        Some(elements) => DEEP * (elements as f64 / REFERENCE_ELEMENTS).powf(MESH_POWER),
+        None if may_shear_without_limit(scene) => return UNLIMITED_SHEAR,
+        None => {
+            let base =
+                if interference < 1.0 { AT_FIRST_YIELD * interference.powf(-LIGHT_POWER) } else { DEEP };
+            base * (REFERENCE_ACCURACY / numerics.accuracy).powi(2)
+        }
+    };
+    (seconds * sectors).clamp(LEAST, MOST)
+}
+
+/// Whether the body yields, does not harden, and is no stronger than the interface; decided again after the press.
+fn may_shear_without_limit(scene: &Scene) -> bool {
+    scene.material.hardening == Hardening::None
+        && scene.interface.law.as_strong_as_bulk()
+        && scene.interface.strength_factor >= 1.0
+        && scene.loading.interference > 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::file::parse_scene;
+
+    /// Preset, ω₀/ω_c, V in m/s, accuracy, and processor time in s.
+    const MEASURED: [(&str, f64, f64, f64, f64); 26] = [
+        ("steel-4340", 3.0, 0.3, 0.02, 1.9),
+        ("steel-4340", 60.0, 7.0, 0.02, 5.3),
+        ("steel-1045", 0.5, 2.0, 0.02, 11.0),
+        ("steel-1045", 35.0, 0.0, 0.02, 2.0),
+        ("steel-304", 8.0, 5.0, 0.02, 2.5),
+        ("steel-304", 0.2, 1.0, 0.02, 36.5),
+        ("aluminium-6061", 15.0, 3.0, 0.02, 3.2),
+        ("aluminium-6061", 1.5, 10.0, 0.02, 2.3),
+        ("copper", 25.0, 1.0, 0.02, 2.5),
+        ("copper", 200.0, 6.0, 0.02, 3.7),
+        ("copper", 0.05, 0.1, 0.02, 46.0),
+        ("titanium-6al4v", 12.0, 0.7, 0.02, 3.0),
+        ("titanium-6al4v", 45.0, 10.0, 0.02, 3.2),
+        ("titanium-6al4v", 0.8, 8.0, 0.02, 5.7),
+        ("steel-4340", 3.0, 0.3, 0.1, 0.70),
+        ("steel-4340", 3.0, 0.3, 0.05, 0.69),
+        ("steel-4340", 3.0, 0.3, 0.01, 5.7),
+        ("steel-4340", 3.0, 0.3, 0.005, 49.4),
+        ("aluminium-6061", 1.5, 10.0, 0.1, 0.79),
+        ("aluminium-6061", 1.5, 10.0, 0.05, 0.83),
+        ("aluminium-6061", 1.5, 10.0, 0.01, 17.2),
+        ("aluminium-6061", 1.5, 10.0, 0.005, 84.0),
+        ("steel-1045", 0.5, 2.0, 0.1, 0.45),
+        ("steel-1045", 0.5, 2.0, 0.05, 1.3),
+        ("steel-1045", 0.5, 2.0, 0.01, 47.5),
+        ("steel-1045", 0.5, 2.0, 0.005, 123.0),
+    ];
+
+    #[test]
+    fn measured_times_are_within_the_stated_factor() {
+        for (preset, interference, slip_rate, accuracy, seconds) in MEASURED {
+            let text = format!(
+                "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n[loading]\n\
+                 interference = {interference:?}\nslip_rate = {slip_rate:?}\n[numerics]\naccuracy = {accuracy:?}\n"
+            );
+            let ratio = expected_time(&parse_scene(&text, "this test", &[]).unwrap()) / seconds;
+            let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
+            assert!(within, "{preset} {interference} omega_c, accuracy {accuracy}: {ratio}");
+        }
+    }
+
+    /// The fixed mesh decides alone; twice the angles take twice the time.
+    #[test]
+    fn a_fixed_mesh_costs_the_same_at_any_accuracy() {
+        let time = |set: &[&str]| {
+            let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 5\n\
+                        slip_rate = 1\n[numerics]\nelements_per_radius = 20\n";
+            let set: Vec<String> = set.iter().map(|key| key.to_string()).collect();
+            expected_time(&parse_scene(text, "this test", &set).unwrap())
+        };
+        assert_eq!(time(&[]), time(&["numerics.accuracy=0.001"]));
+        assert_eq!(time(&["numerics.sectors=16"]), 2.0 * time(&["numerics.sectors=8"]));
+    }
+}
