@@ -10,6 +10,7 @@ use asperity::solver::timings::{Kernel, Timings};
 use asperity::tabulate::{self, Options, TabulateError, Tabulation};
 use serde_json::{Value, json};
 use tables::quantity::Quantity;
+use tables::table::Table;
 
 use super::progress::{Progress, watch_for_interrupt};
 use super::{Display, Failure, TabulateArguments, command_line, outputs, timings};
@@ -23,6 +24,12 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     }
     outputs::check_plot(arguments.plot.as_deref(), &arguments.request)?;
     let journal = journal_beside(&arguments.output);
+    if arguments.resume
+        && !journal.exists()
+        && let Some(table) = tabulate::completed(&request, arguments.shard, &arguments.output)
+    {
+        return report_complete(&table, arguments, display);
+    }
     let options = Options {
         jobs: arguments.jobs.map_or_else(super::processors, usize::from),
         journal: &journal,
@@ -61,6 +68,25 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
             "{failed} of {} cells failed; the others are in {}",
             wanted(&tabulation),
             arguments.output.display()
+        ))),
+    }
+}
+
+/// With --resume there is nothing to do.
+fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
+    let output = arguments.output.display().to_string();
+    let failed = table.failures().len();
+    let json = || json!({ "output": output, "complete": true, "failed": failed });
+    display
+        .print(json, || format!("{output}: the table of this request is complete, nothing was computed\n"));
+    if let Some(plot) = &arguments.plot {
+        outputs::plot(table, plot)?;
+    }
+    match failed {
+        0 => Ok(()),
+        failed => Err(Failure::Run(format!(
+            "{failed} cells of {output} failed (`asperity table info {output}`); \
+             to compute the table again leave out --resume"
         ))),
     }
 }

@@ -43,9 +43,8 @@ impl JournalFile {
 
     /// Writes a line through to the disk. The error is of kind `NotFound` if the file has been removed or replaced.
     pub fn append(&mut self, value: &impl Serialize) -> io::Result<()> {
-        let json = serde_json::to_string(value)?;
         let start = if self.torn { "\n" } else { "" };
-        let line = format!("{start}{:08x} {json}\n", crc32fast::hash(json.as_bytes()));
+        let line = format!("{start}{}", encode(value)?);
         if !leads_to(&self.path, &self.file) {
             return Err(io::ErrorKind::NotFound.into());
         }
@@ -81,6 +80,12 @@ impl JournalFile {
     pub fn remove(self) -> io::Result<()> {
         std::fs::remove_file(&self.path)
     }
+}
+
+/// The line of a value, with its end.
+pub fn encode(value: &impl Serialize) -> io::Result<String> {
+    let json = serde_json::to_string(value)?;
+    Ok(format!("{:08x} {json}\n", crc32fast::hash(json.as_bytes())))
 }
 
 /// The value of a line, if it is intact.

@@ -1,8 +1,9 @@
 //! Journal of a tabulation: each finished cell is one line with a checksum, written through
 //! to the disk, so that a crash loses unfinished cells only.
 //!
-//! A line is the CRC-32 of the rest, a space, and JSON. The first line is the request. A
-//! line that was cut off or damaged is passed over and its cell computed again.
+//! A line is the CRC-32 of the rest, a space, and JSON. The first line is the request; every other line carries the
+//! checksum of the request. A line that was cut off or damaged is passed over and its cell computed again. A file
+//! that is not a journal of the request is left as it is.
 //!
 //! The journal is locked while it is open, so that only one program makes the table.
 
@@ -15,7 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cell::Finished;
 use super::shard::Shard;
-use crate::output::journal_file::{JournalFile, decode};
+use crate::output::journal_file::{JournalFile, decode, encode};
 use crate::output::provenance::{FINGERPRINT, SOURCE};
 use record::Record;
 
@@ -53,6 +54,12 @@ enum Fault {
     /// The journal belongs to another request or build; what differs.
     #[error("cannot be resumed: {0}")]
     Foreign(String),
+    #[error(
+        "is not a journal of this table, but has its name; move it away or choose another name with --output"
+    )]
+    Unknown,
+    #[error("is a symbolic link; the journal of finished cells needs a file of its own, remove the link")]
+    Link,
     #[error("another program is making this table")]
     InUse,
     /// Results would be written to a file that has been unlinked.
@@ -87,6 +94,8 @@ struct Header {
 /// An open journal.
 pub struct Journal {
     file: JournalFile,
+    /// Checksum of the header.
+    header: u32,
 }
 
 /// Space for a result with its warnings; one without takes about 5 kB.
@@ -109,31 +118,31 @@ impl Journal {
             shard: shard.map(|shard| shard.to_string()),
             request: request.into(),
         };
-        if !resume && path.exists() {
-            return Err(fault(Fault::Exists));
+        if path.is_symlink() {
+            return Err(fault(Fault::Link));
         }
+        let existed = path.exists();
         let (file, text) = JournalFile::open(path).map_err(|error| match error.kind() {
             io::ErrorKind::WouldBlock => fault(Fault::InUse),
             _ => io(error),
         })?;
+        let first_line = encode(&header).map_err(io)?;
+        let mut journal = Self { file, header: crc32fast::hash(first_line.as_bytes()) };
         let mut lines = text.lines();
         let found = lines.next().and_then(decode::<Header>);
-        if let Some(found) = &found
-            && *found != header
-        {
-            return Err(fault(Fault::Foreign(differences(found, &header))));
-        }
-        let cells: Vec<_> = lines.filter_map(|line| decode::<Record>(line)?.into_result()).collect();
-        let mut journal = Self { file };
-        if found.is_none() {
-            if !cells.is_empty() {
-                let reason = format!(
-                    "its first line, the request, is damaged, so the cells of the {} results below it \
-                     are unknown; delete the file to start anew",
-                    cells.len()
-                );
-                return Err(fault(Fault::Foreign(reason)));
+        let record = |line| decode::<Record>(line)?.into_result(journal.header);
+        let cells: Vec<_> = lines.filter_map(record).collect();
+        // A crash may have cut the first line itself.
+        let begun = found.is_none() && first_line.starts_with(&text);
+        match &found {
+            None if cells.is_empty() && !begun => return Err(fault(Fault::Unknown)),
+            _ if existed && !resume => return Err(fault(Fault::Exists)),
+            Some(found) if *found != header => {
+                return Err(fault(Fault::Foreign(differences(found, &header))));
             }
+            _ => {}
+        }
+        if begun {
             journal.file.clear().map_err(io)?;
             journal.append(&header)?;
         }
@@ -154,7 +163,7 @@ impl Journal {
 
     /// Write a finished cell through to the disk.
     pub fn record(&mut self, point: Point, result: &CellResult) -> Result<(), JournalError> {
-        self.append(&Record::new(point, result))
+        self.append(&Record::new(self.header, point, result))
     }
 
     /// Remove the journal once its table is written.

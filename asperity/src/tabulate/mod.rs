@@ -23,13 +23,14 @@ mod tabulation;
 
 use std::path::Path;
 
-use tables::table::{Axes, TableError};
+use tables::table::{Axes, Table, TableError};
 
 pub use cell::{Finished, slip_grid};
 pub use journal::{CellResult, Index, Journal, JournalError, Point};
 pub use shard::Shard;
 pub use tabulation::Tabulation;
 
+use crate::output::provenance::FINGERPRINT;
 use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
 use crate::simulate::expected_time::expected_time;
@@ -165,6 +166,17 @@ pub fn tabulate(
     watch: &dyn TableWatch,
 ) -> Result<(Tabulation, Journal), TabulateError> {
     tabulate_with(&FiniteElements, request, options, watch)
+}
+
+/// The table at `output`, if it is the complete one of this `request` (or of its `shard`) from this program.
+pub fn completed(request: &Request, shard: Option<Shard>, output: &Path) -> Option<Table> {
+    let table = Table::read(output).ok()?;
+    let metadata = table.metadata();
+    let same = metadata.scene == write_request(request)
+        && metadata.fingerprint == FINGERPRINT
+        && metadata.shard == shard.map_or(String::new(), |shard| shard.to_string());
+    // A shard is written only when its cells are done; a merged table may lack some.
+    (same && (shard.is_some() || table.missing().is_empty())).then_some(table)
 }
 
 pub(crate) fn tabulate_with<S: Simulator>(

@@ -252,6 +252,36 @@ fn a_cut_journal_continues_with_all_that_is_whole() {
     assert!(said.contains("1 cells were taken"), "{said}");
 }
 
+/// A finished table is not computed again, and no file of another program under the name of the journal is touched.
+#[test]
+fn a_finished_table_and_a_foreign_file_are_left_alone() {
+    let _alone = alone();
+    let folder = folder();
+    let (table, journal) = (folder.path().join("table.nc"), folder.path().join("table.nc.part"));
+    std::fs::write(&journal, "notes\n").unwrap();
+    let output = tabulate(folder.path(), &["--resume"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message(&output).contains("is not a journal of this table"), "{}", message(&output));
+    assert_eq!(std::fs::read_to_string(&journal).unwrap(), "notes\n");
+    std::fs::remove_file(&journal).unwrap();
+
+    let output = tabulate(folder.path(), &[]).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    let before = std::fs::read(&table).unwrap();
+    let resumed = || tabulate(folder.path(), &["--resume"]).stdout(Stdio::piped()).output().unwrap();
+    let output = resumed();
+    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("table.nc: the table of this request is complete"), "{said}");
+    assert_eq!(std::fs::read(&table).unwrap(), before);
+
+    // Another request, another table.
+    std::fs::write(folder.path().join("request.toml"), REQUEST.replace("[0.5, 1, 2]", "[0.5]")).unwrap();
+    let said = String::from_utf8(resumed().stdout).unwrap();
+    assert!(said.contains("0.5 omega_c"), "{said}");
+    assert_ne!(std::fs::read(&table).unwrap(), before);
+}
+
 /// File times in the future and before 1970: results do not depend on the clock.
 #[test]
 fn files_may_be_of_any_date() {

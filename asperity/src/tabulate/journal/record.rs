@@ -10,6 +10,8 @@ use crate::tabulate::cell::Finished;
 
 #[derive(Serialize, Deserialize)]
 pub struct Record {
+    /// Checksum of the header: which request the result is of, should the first line be damaged.
+    header: u32,
     point: Point,
     result: Result<RecordedCell, String>,
 }
@@ -25,18 +27,21 @@ struct RecordedCell {
 }
 
 impl Record {
-    pub fn new(point: Point, result: &CellResult) -> Self {
+    pub fn new(header: u32, point: Point, result: &CellResult) -> Self {
         let recorded = |finished: &Finished| RecordedCell {
             steady: finished.cell.steady,
             numbers: hexadecimal(&finished.cell),
             notes: finished.notes.clone(),
             warnings: finished.cell.warnings.clone(),
         };
-        Self { point, result: result.as_ref().map(recorded).map_err(Clone::clone) }
+        Self { header, point, result: result.as_ref().map(recorded).map_err(Clone::clone) }
     }
 
-    /// None for a line that is not complete.
-    pub fn into_result(self) -> Option<(Point, CellResult)> {
+    /// None for a line that is not complete, or of another request.
+    pub fn into_result(self, header: u32) -> Option<(Point, CellResult)> {
+        if self.header != header {
+            return None;
+        }
         let result = match self.result {
             Err(reason) => Err(reason),
             Ok(recorded) => Ok(recorded.into_finished()?),

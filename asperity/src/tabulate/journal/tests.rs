@@ -91,8 +91,7 @@ fn other_requests_and_unasked_continuations_are_refused() {
 fn a_journal_of_another_build_is_refused() {
     let (_directory, path) = place();
     let refused = |header: &Header| {
-        let json = serde_json::to_string(header).unwrap();
-        std::fs::write(&path, format!("{:08x} {json}\n", crc32fast::hash(json.as_bytes()))).unwrap();
+        std::fs::write(&path, encode(header).unwrap()).unwrap();
         match open(&path, true) {
             Ok(_) => String::new(),
             Err(error) => error.to_string(),
@@ -116,10 +115,34 @@ fn a_journal_of_another_build_is_refused() {
 fn resuming_without_a_journal_starts_one() {
     let (_directory, path) = place();
     assert!(open(&path, true).unwrap().1.is_empty());
-    // The header itself was cut off.
-    std::fs::write(&path, "0123").unwrap();
     assert!(open(&path, true).unwrap().1.is_empty());
-    assert!(open(&path, true).unwrap().1.is_empty());
+}
+
+/// Files of others keep every byte, with --resume and without.
+#[test]
+fn a_file_that_is_not_a_journal_of_the_table_is_left_as_it_is() {
+    let (_directory, path) = place();
+    let own = encode(&Record::new(0, at(1.0, 0.0), &Err("of another request".into()))).unwrap();
+    for text in ["0123", "a thesis\nof two lines\n", "\n", &format!("damaged\n{own}")] {
+        for resume in [true, false] {
+            std::fs::write(&path, text).unwrap();
+            let error = open(&path, resume).err().unwrap().to_string();
+            assert!(error.contains("is not a journal of this table"), "{text:?}: {error}");
+            assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_not_followed() {
+    let (_directory, path) = place();
+    let target = path.with_file_name("empty");
+    std::fs::write(&target, "").unwrap();
+    std::os::unix::fs::symlink(&target, &path).unwrap();
+    let error = open(&path, true).err().unwrap().to_string();
+    assert!(error.contains("symbolic link"), "{error}");
+    assert_eq!(std::fs::read(&target).unwrap(), b"");
 }
 
 /// Wherever a crash cuts the file, complete lines before the cut are found, and the next result is appended.
@@ -142,18 +165,27 @@ fn a_journal_cut_anywhere_loses_no_whole_line() {
     }
 }
 
-/// Without the request the results cannot be assigned; they are not deleted.
+/// Whichever byte of the first line is damaged: every result says which request it is of.
 #[test]
-fn results_below_a_damaged_request_are_kept() {
+fn results_below_a_damaged_request_are_found() {
     let (_directory, path) = place();
     let (mut journal, _) = open(&path, false).unwrap();
-    journal.record(at(1.0, 0.0), &Err("reason".into())).unwrap();
+    for interference in [1.0, 2.0] {
+        journal.record(at(interference, 0.0), &Err("reason".into())).unwrap();
+    }
     drop(journal);
-    let damaged = std::fs::read_to_string(&path).unwrap().replacen("asperity", "asparity", 1);
-    std::fs::write(&path, &damaged).unwrap();
-    let error = open(&path, true).err().unwrap().to_string();
-    assert!(error.contains("1 results below it"), "{error}");
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), damaged);
+    let whole = std::fs::read(&path).unwrap();
+    let end = whole.iter().position(|byte| *byte == b'\n').unwrap();
+    for byte in 0..=end {
+        let mut damaged = whole.clone();
+        damaged[byte] ^= 1;
+        std::fs::write(&path, &damaged).unwrap();
+        let (_, found) = open(&path, true).unwrap();
+        // Without its line end the first line swallows the second.
+        assert_eq!(found.len(), if byte < end { 2 } else { 1 }, "byte {byte}");
+        std::fs::write(&path, &damaged).unwrap();
+        assert!(Journal::open(&path, "a = 2\n", None, true).is_err(), "byte {byte}");
+    }
 }
 
 #[test]
@@ -161,6 +193,9 @@ fn a_journal_in_use_is_refused() {
     let (_directory, path) = place();
     let (journal, _) = open(&path, true).unwrap();
     let error = open(&path, true).err().unwrap().to_string();
+    assert!(error.contains("another program"), "{error}");
+    // Nor is one told to delete it.
+    let error = open(&path, false).err().unwrap().to_string();
     assert!(error.contains("another program"), "{error}");
     drop(journal);
     assert!(open(&path, true).is_ok());
