@@ -21,7 +21,8 @@ fn results() -> &'static Path {
         .get_or_init(|| {
             let directory = tempfile::tempdir().unwrap();
             std::fs::write(directory.path().join("scene.toml"), SCENE).unwrap();
-            for options in ["--vtu half --fields-at 0.05,0.1", "--vtu whole --vtu-whole"] {
+            for options in ["--vtu half --fields-at 0.05,0.1", "--vtu whole --vtu-whole --fields-at 0.05,0.1"]
+            {
                 let output = Command::new(env!("CARGO_BIN_EXE_asperity"))
                     .args("run scene.toml -o run.nc".split(' ').chain(options.split(' ')))
                     .current_dir(directory.path())
@@ -80,6 +81,10 @@ fn fields_are_those_of_the_run_and_lie_on_the_flat() {
     // Before, half-way to full slip, full slip, the two requested ones, the end.
     assert_eq!(steps.len(), 6);
     assert!(steps.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    // At the slips themselves: increments end there.
+    for asked in [0.05, 0.1] {
+        assert!(steps.iter().any(|(slip, _)| (slip / asked - 1.0).abs() < 1e-9), "{asked}: {steps:?}");
+    }
     for (slip, file) in &steps {
         let grid = grid("half", file);
         let step = (0..slips.len())

@@ -1,6 +1,6 @@
 //! States of a slide recorded as fields: over the contact and, if chosen, in the body.
 //!
-//! Recording does not influence the increments of the slide.
+//! An increment of the slide ends at each slip that is to be recorded; nothing else is influenced by recording.
 
 use crate::heat::conduction::Conduction;
 use crate::interface::contact::Status;
@@ -19,7 +19,7 @@ use crate::solver::newton::Mechanics;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recording {
-    /// Slips in units of a₀; the first state at or beyond each of them is recorded.
+    /// Slips in units of a₀, at each of which an increment ends.
     pub slips: Vec<f64>,
     /// Whether displacement, stress, plastic strain and temperature of the body are recorded as well.
     pub body: bool,
@@ -55,6 +55,11 @@ impl Recorder {
         slips.sort_by(|a, b| b.total_cmp(a));
         let stick_fractions = [0.0, 0.5].into_iter().filter(|&share| share < start.stick_fraction).collect();
         Self { slips, stick_fractions, body: recording.body, ..Self::default() }
+    }
+
+    /// Smallest slip not yet reached, over R.
+    pub fn next_slip(&self) -> Option<f64> {
+        self.slips.last().copied()
     }
 
     /// Whether the state `now` is to be recorded.

@@ -22,13 +22,21 @@ pub struct About<'a> {
     pub incomplete: Option<&'a str>,
 }
 
+/// Dimension of the errors by source.
+const ERROR_SOURCE: &str = "error_source";
+
 type Field = (&'static str, &'static str, &'static str, fn(&Snapshot) -> &Vec<f64>);
 
 const FIELDS: [Field; 4] = [
     ("pressure", "Pa", "contact pressure", |s| &s.pressure),
     ("shear", "Pa", "magnitude of the tangential traction", |s| &s.shear),
     ("temperature", "K", "temperature of the contact plane", |s| &s.temperature),
-    ("slip_distance", "m", "slip since the start of the slide", |s| &s.slip_distance),
+    (
+        "slip_distance",
+        "m",
+        "accumulated slip of the contact point on the flat since the end of the press",
+        |s| &s.slip_distance,
+    ),
 ];
 
 /// Write the file; it appears whole or not at all.
@@ -87,8 +95,12 @@ fn columns(
     Ok(())
 }
 
-/// Scalars with their errors.
+/// Scalars with their errors, also by source.
 fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Result<(), DatasetError> {
+    let sources = ErrorSource::ALL.map(ErrorSource::name);
+    file.dimension(ERROR_SOURCE, sources.len())?;
+    let attributes = [("long_name", "source of the error".into())];
+    file.texts(ERROR_SOURCE, &[ERROR_SOURCE], &sources, &attributes)?;
     for (quantity, estimate) in outcome.scalars.iter() {
         let descriptor = quantity.descriptor();
         // A history, where there is one, has the name of the quantity itself.
@@ -100,30 +112,30 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
             ),
         };
         let error_name = format!("{}_error", descriptor.name);
-        scalar(file, (&name, &error_name), descriptor.units, &long_name, estimate)?;
-        for source in ErrorSource::ALL {
-            let long_name = format!("part of {error_name} from the {}", source.name());
-            let attributes = described(descriptor.units, &long_name);
-            let part = outcome.budget.part(source, quantity);
-            file.reals(&format!("{error_name}_{}", source.name()), &[], &[part], &attributes)?;
-        }
+        let by_source = format!("{error_name}_by_source");
+        let ancillary = format!("{error_name} {by_source}");
+        scalar(file, (&name, &error_name, &ancillary), descriptor.units, &long_name, estimate)?;
+        let attributes = described(descriptor.units, &format!("parts of {error_name}, by source"));
+        let parts = ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity));
+        file.reals(&by_source, &[ERROR_SOURCE], &parts, &attributes)?;
     }
     for (name, unit, long_name, estimate) in fracture::of_run(scene, outcome) {
-        scalar(file, (name, &format!("{name}_error")), unit, long_name, estimate)?;
+        let error_name = format!("{name}_error");
+        scalar(file, (name, &error_name, &error_name), unit, long_name, estimate)?;
     }
     Ok(())
 }
 
-/// A value and its error.
+/// A value and its error, and the names of the variables with its errors.
 fn scalar(
     file: &mut DatasetWriter,
-    (name, error_name): (&str, &str),
+    (name, error_name, ancillary): (&str, &str, &str),
     unit: &str,
     long_name: &str,
     Estimate { value, error }: Estimate,
 ) -> Result<(), DatasetError> {
     let mut attributes = described(unit, long_name);
-    attributes.push(("ancillary_variables", error_name.into()));
+    attributes.push(("ancillary_variables", ancillary.into()));
     file.reals(name, &[], &[value], &attributes)?;
     let attributes = described(unit, &format!("estimated absolute error of {name}"));
     file.reals(error_name, &[], &[error], &attributes)
@@ -194,7 +206,7 @@ fn fields(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErro
     }
     let slips: Vec<f64> = snapshots.iter().map(|snapshot| snapshot.slip).collect();
     file.dimension("snapshot", slips.len())?;
-    let attributes = described("m", "slip at the snapshot");
+    let attributes = described("m", "displacement of the flat at the snapshot");
     file.reals("snapshot_slip", &["snapshot"], &slips, &attributes)?;
     let attributes = described("rad", "angle from the direction in which the flat moves");
     file.coordinate("theta", &grid.theta, &attributes)?;
@@ -262,6 +274,16 @@ mod tests {
         {
             assert!(dimensions(name).is_empty(), "{name}");
         }
+        for (quantity, _) in outcome.scalars.iter() {
+            let name = format!("{}_error", quantity.descriptor().name);
+            let by_source = format!("{name}_by_source");
+            assert_eq!(dimensions(&by_source), ["error_source"]);
+            let parts: Vec<f64> = file.variable(&by_source).unwrap().get_values(..).unwrap();
+            assert_eq!(parts, ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity)));
+        }
+        let sources = file.variable("error_source").unwrap();
+        let sources: Vec<String> = (0..5).map(|k| sources.get_string([k]).unwrap()).collect();
+        assert_eq!(sources, ["mesh", "sectors", "steps", "solver", "model"]);
         for name in ["pressure", "shear", "temperature", "slip_distance", "contact_status"] {
             assert_eq!(dimensions(name), ["snapshot", "theta", "r"]);
         }

@@ -109,6 +109,8 @@ fn damaged_tables_are_refused_everywhere() {
     refused("table diff whole.nc damaged.nc", &part, "none");
     refused("merge damaged.nc -o m5.nc", &part, "m5.nc");
     refused("table plot whole.nc -o plot.gif", &["plot.gif", "svg, png, pdf"], "plot.gif");
+    // Before the table is read.
+    refused("table export damaged.nc -o d.xlsx", &["d.xlsx", ".csv"], "d.xlsx");
     refused("table info request.toml", &["cannot read request.toml"], "none");
 }
 

@@ -37,7 +37,7 @@ pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
     scalar(TemperatureMean, "temperature_mean", "K", NUMBER, Limit::TemperatureRise, "mean temperature of the contact").history(Stored::Run, "last value"),
     scalar(InceptionSlip, "inception_slip", "m", ELASTIC_SLIP, Limit::InceptionSlip, "slip at sliding inception"),
     history(InterferencePress, "interference_press", "1", NUMBER, "interference over that of first yield").history(Stored::Press, ""),
-    history(Slip, "slip", "m", LENGTH, "displacement of the flat"),
+    history(Slip, "slip", "m", LENGTH, "slip: displacement of the flat since the end of the press"),
     history(Interference, "interference", "1", NUMBER, "interference over that of first yield"),
     history(Time, "time", "s", (2, (1, -1)), "time since the start of the slide"),
     history(StickFraction, "stick_fraction", "1", NUMBER, "fraction of the contact area that sticks"),

@@ -135,6 +135,7 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
             figure.save(output).map_err(Failure::run)
         }
         TableCommand::Export { table, output, histories, at } => {
+            check_csv(output)?;
             outputs::check_output(output, Path::new(table))?;
             export(&read_all(table, at)?, output, *histories)
         }
@@ -151,6 +152,17 @@ fn read_all(table_name: &str, at: &At) -> Result<Table, Failure> {
     match at.temperature {
         Some(_) => read(table_name, at).map(|table| Table::from(table.into_slice())),
         None => shipped::load(table_name).map_err(Failure::input),
+    }
+}
+
+/// Whether the name is one of the only format of an export.
+fn check_csv(output: &Path) -> Result<(), Failure> {
+    match output.extension() {
+        Some(extension) if extension.eq_ignore_ascii_case("csv") => Ok(()),
+        _ => Err(Failure::input(format!(
+            "{}: tables are exported as comma-separated values; choose a name that ends in .csv",
+            output.display()
+        ))),
     }
 }
 

@@ -97,12 +97,19 @@ impl StepControl {
         self.bracket.as_ref()
     }
 
-    /// Slip at the end of the next increment; the last two are of one length.
-    pub fn next(&mut self, slip: f64) -> f64 {
+    /// Slip at the end of the next increment, at most `stop`; the last two are of one length.
+    pub fn next(&mut self, slip: f64, stop: Option<f64>) -> f64 {
         let (left, advance) = (self.distance - slip, self.advance);
         self.attempted =
             if left < 1.5 * advance { if left <= advance { left } else { 0.5 * left } } else { advance };
-        if left <= self.attempted { self.distance } else { slip + self.attempted }
+        let next = if left <= self.attempted { self.distance } else { slip + self.attempted };
+        match stop.filter(|stop| *stop < next) {
+            Some(stop) => {
+                self.attempted = stop - slip;
+                stop
+            }
+            None => next,
+        }
     }
 
     /// The increment to `slip` was taken.

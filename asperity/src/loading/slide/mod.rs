@@ -150,7 +150,7 @@ impl<'a> Slide<'a> {
             if stop() {
                 return Err(SlideFailure::Cancelled);
             }
-            let next = control.next(slip);
+            let next = control.next(slip, self.recorder.next_slip());
             let committed = self.predictor();
             let cover = self.mechanics.contact.contact_fraction.clone();
             let guess = match control.bracket() {
