@@ -2,6 +2,10 @@
 
 pub use crate::quantity::Estimate;
 
+/// Largest contact radius over the radius of the asperity. Beyond it the meridian mesh does not fit into the
+/// hemisphere, and the base of the hemisphere is felt.
+pub const LARGEST_CONTACT: f64 = 0.4;
+
 /// State of one asperity after a slip: SI units, the whole asperity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Response {
@@ -18,8 +22,10 @@ pub struct Response {
 /// Reason why a law has no response for a state.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LookupError {
-    #[error("interference {interference:.6} omega_c is above the table, which ends at {limit:.6} omega_c")]
-    InterferenceAbove { interference: f64, limit: f64 },
+    #[error(
+        "interference {interference:.6} omega_c is above {limit:.6} omega_c, where the contact radius is {LARGEST_CONTACT} of that of the asperity and the model of a hemisphere ends"
+    )]
+    ContactTooLarge { interference: f64, limit: f64 },
     #[error(
         "slip rate {slip_rate:e} m/s is outside the table, which covers {from:e} to {to:e} m/s at this radius"
     )]
@@ -85,8 +91,14 @@ pub trait AsperityLaw: Send + Sync {
     fn name(&self) -> String;
     /// ω_c in metres for a sphere of `radius` metres.
     fn critical_interference(&self, radius: f64) -> f64;
-    /// Largest ω/ω_c of the range of the law; infinite for closed forms.
+    /// Largest ω/ω_c of the range of the law; infinite for closed forms. Above it the law is extrapolated, with an
+    /// error that grows.
     fn interference_limit(&self) -> f64;
+    /// ω/ω_c at which the model ends, as the contact radius is [`LARGEST_CONTACT`] of that of the asperity; infinite
+    /// for closed forms.
+    fn contact_limit(&self) -> f64 {
+        f64::INFINITY
+    }
     /// Values of ω/ω_c where the law or its derivatives have kinks: integrate between them.
     fn breaks(&self) -> Vec<f64>;
     /// Further such values for a sphere of `radius` (m) that has slid by `slip` (m): for example where

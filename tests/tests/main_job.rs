@@ -86,12 +86,28 @@ fn exponential_heights_make_friction_independent_of_load() {
     }
 }
 
+/// Above the table it is extrapolated with an error that grows; contacts too large for their asperities are refused.
 #[test]
-fn load_above_the_table_is_refused() {
+fn load_above_the_table_is_extrapolated_until_the_sphere_ends() {
     let folder = tabulated();
-    let std = 5.0 * critical_interference();
-    std::fs::write(folder.join("rough.toml"), surface("[1e2]", std)).unwrap();
-    refused(folder, "predict rough.toml --table table.nc -o none.nc", &["12", "--extrapolate"]);
+    let error = |widths: f64| {
+        std::fs::write(folder.join("rough.toml"), surface("[1e2]", widths * critical_interference()))
+            .unwrap();
+        let output = execute("roughsurface", folder, "predict rough.toml --table table.nc -o rough.nc");
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let file = DatasetReader::open(&folder.join("rough.nc")).unwrap();
+        let first = |name| file.reals(name, &[1, 2]).unwrap()[0];
+        (first("outside_table_fraction"), first("mu_error") / first("mu"))
+    };
+    let (few, many) = (error(1.0), error(5.0));
+    assert!(few.0 < 0.01 && many.0 > 0.1, "{few:?} {many:?}");
+    assert!(many.1 > few.1 && many.1 < 0.5, "{few:?} {many:?}");
+    std::fs::write(folder.join("rough.toml"), surface("[1e2]", 1e5 * critical_interference())).unwrap();
+    refused(
+        folder,
+        "predict rough.toml --table table.nc -o none.nc",
+        &["above 0.4 of their radius", "--extrapolate"],
+    );
 }
 
 #[test]

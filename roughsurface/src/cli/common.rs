@@ -56,7 +56,9 @@ pub fn input(error: impl Into<anyhow::Error>) -> Failure {
 /// A query that the table does not cover is bad input; a separation that is not found is a failure of the run.
 pub fn failure(error: PredictionError) -> Failure {
     let hint = match &error {
-        PredictionError::OutsideTable { .. } => Some("--extrapolate continues the table"),
+        PredictionError::ContactsTooLarge { .. } => {
+            Some("--extrapolate keeps their mean pressure and friction")
+        }
         PredictionError::Lookup(LookupError::Missing { .. })
         | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => {
             Some("--allow-missing interpolates where results lie on both sides")

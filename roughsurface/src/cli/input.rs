@@ -24,7 +24,7 @@ pub struct InputOptions {
     /// Material of a shipped table, in place of --table
     #[arg(long, value_name = "NAME", value_parser = shipped_material)]
     material: Option<String>,
-    /// Continue the table beyond its last interference, with a warning
+    /// Keep mean pressure and friction of contacts too large for their asperities, instead of refusing
     #[arg(long)]
     pub extrapolate: bool,
     /// Interpolate around cells of the table that failed or were not run, with a warning

@@ -50,8 +50,10 @@ points and its extent allow.
 Not modelled: interaction of asperities, adhesion, wear, third bodies (debris, gouge, oxide,
 lubricant); the counter-face is smooth and rigid.
 
-A pressure so high that the table's range carries less than 99.9 % of the load is refused
-unless --extrapolate holds friction and mean pressure at the table's last interference.";
+Above its last interference a table is extrapolated towards the fully plastic limit, with an error
+that grows; the share of the load there is in the result. A pressure at which more than 0.1 % of
+the load is on contacts larger than 0.4 radii of their asperities is refused unless --extrapolate
+keeps their mean pressure and friction.";
 
 #[derive(Args)]
 pub struct Predict {

@@ -68,7 +68,7 @@ pub static QUANTITIES: [Quantity; 22] = [
     Quantity::slide("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
         |f| f.pressed.contact_density),
     Quantity::share("outside_table_fraction",
-        "largest share of the load carried beyond the range of the table during the slide", |f| f.outside_table),
+        "largest share of the load carried above the last interference of the table during the slide", |f| f.outside_table),
     Quantity::share("elastic_fraction",
         "share of the asperities in contact pressed less than first yield needs, at the end of the slide",
         |f| f.shares.elastic),

@@ -1,7 +1,7 @@
 //! Settings of a prediction, and the reasons of its failure.
 
 use crate::integral::separation::SeparationError;
-use tables::law::LookupError;
+use tables::law::{LARGEST_CONTACT, LookupError};
 
 /// How a prediction is computed.
 #[derive(Clone, Copy, Debug)]
@@ -10,7 +10,7 @@ pub struct Settings {
     pub tolerance: f64,
     /// Slips on the curve.
     pub slip_points: usize,
-    /// Extrapolate the law beyond its range instead of refusing.
+    /// Keep mean pressure and friction beyond the largest contact of the model instead of refusing.
     pub extrapolate: bool,
     /// Temperature from which on a contact counts as melting, K, where it is known.
     pub melting_temperature: Option<f64>,
@@ -31,10 +31,10 @@ pub enum PredictionError {
     #[error(transparent)]
     Separation(#[from] SeparationError),
     #[error(
-        "at {loading} and {slip_rate} m/s asperities pressed beyond {limit:.4} omega_c, where the table ends, carry {:.2} % of the load; a table up to about {reach:.4} omega_c would do, or extrapolate",
+        "at {loading} and {slip_rate} m/s {:.2} % of the load is on asperities whose contact radius is above {LARGEST_CONTACT} of their radius (from {limit:.4} omega_c on), where the model of a hemisphere ends: the summits are too sharp for this load; lower it, or use larger radii, those of a longer cut-off of the roughness",
         100.0 * .share
     )]
-    OutsideTable { loading: String, slip_rate: f64, limit: f64, reach: f64, share: f64 },
+    ContactsTooLarge { loading: String, slip_rate: f64, limit: f64, share: f64 },
     #[error("{loading} leaves no asperity in contact")]
     NoContact { loading: String },
 }

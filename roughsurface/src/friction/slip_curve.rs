@@ -25,8 +25,8 @@ pub struct SlipState {
     pub contact_density: Estimate,
     /// Share of the load beyond the range of the law, 1.
     pub outside: f64,
-    /// ω/ω_c the law would have to reach.
-    pub reach: f64,
+    /// Share of the load beyond the largest contact of the model, 1.
+    pub beyond: f64,
 }
 
 impl SlipState {
@@ -50,7 +50,7 @@ impl SlipState {
                 error: shift * (sensitivity.contact_density * state.contact_density).abs(),
             },
             outside: state.outside,
-            reach: state.reach,
+            beyond: state.beyond,
         }
     }
 
@@ -65,7 +65,7 @@ impl SlipState {
             area_fraction: state.area_fraction.estimate(),
             contact_density: exact(state.contact_density),
             outside: state.outside,
-            reach: state.reach,
+            beyond: state.beyond,
         }
     }
 }

@@ -127,13 +127,12 @@ impl<'a> Sweep<'a> {
                 SlipState::at_pressure(&equilibrium, pressure)
             }
         };
-        if state.outside > NEGLIGIBLE_SHARE && !self.settings.extrapolate {
-            return Err(PredictionError::OutsideTable {
+        if state.beyond > NEGLIGIBLE_SHARE && !self.settings.extrapolate {
+            return Err(PredictionError::ContactsTooLarge {
                 loading: self.query.loading.describe(row),
                 slip_rate: self.query.slip_rates[rate],
-                limit: self.law.interference_limit(),
-                reach: state.reach,
-                share: state.outside,
+                limit: self.law.contact_limit(),
+                share: state.beyond,
             });
         }
         Ok(state)

@@ -101,13 +101,13 @@ fn errors_of_the_law_reach_every_result() {
 }
 
 #[test]
-fn load_beyond_the_table_is_refused_unless_extrapolation_is_asked() {
+fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_asked() {
     let law = PowerLaw { limit: 20.0, ..PowerLaw::hertz() };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let error = predicted(&law, &surface, &[1e3, 1e8], &[1.0], LoadingControl::Load).unwrap_err();
     let message = error.to_string();
     assert!(
-        message.starts_with("at 1e8 Pa and 1 m/s asperities pressed beyond 20.0000 omega_c"),
+        message.starts_with("at 1e8 Pa and 1 m/s ") && message.contains("(from 20.0000 omega_c on)"),
         "{message}"
     );
     let query = Query {
@@ -118,7 +118,7 @@ fn load_beyond_the_table_is_refused_unless_extrapolation_is_asked() {
     let settings = Settings { extrapolate: true, ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
     let cell = &found.friction[0][0];
-    assert!(cell.outside_table > 0.01 && cell.sliding.mu.error > 0.0);
+    assert!(cell.outside_table > 0.01);
     assert!(found.warnings[0].to_string().contains("extrapolated"), "{:?}", found.warnings);
 }
 

@@ -28,10 +28,13 @@ impl fmt::Display for Place {
 /// A warning, with the numbers that it rests on; `Display` renders it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
-    #[error("{at}: {:.2} % of the load lies beyond the table and is extrapolated", 100.0 * .share)]
+    #[error(
+        "{at}: {:.2} % of the load lies above the last interference of the table and is extrapolated towards the fully plastic limit",
+        100.0 * .share
+    )]
     Extrapolated { at: Place, share: f64 },
     #[error(
-        "{at}: up to {:.2} % of the load of a surface lies beyond the table and is extrapolated",
+        "{at}: up to {:.2} % of the load of a surface lies above the last interference of the table and is extrapolated towards the fully plastic limit",
         100.0 * .share
     )]
     SamplesExtrapolated { at: Place, share: f64 },

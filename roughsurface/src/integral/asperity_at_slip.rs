@@ -3,13 +3,6 @@
 use std::sync::Arc;
 use tables::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 
-/// Relative uncertainty of extrapolated values per ln(ω/ω_limit).
-///
-/// Above its last knot a law is continued in proportion to ω, as for a fully plastic sphere; elastic–plastic
-/// loads grow at most as ω^1.263 (Kogut & Etsion 2002, doi 10.1115/1.1490373), and this is the difference of
-/// the exponents.
-const EXPONENT_UNCERTAINTY: f64 = 0.263;
-
 /// An asperity law with everything but the interference fixed.
 #[derive(Clone)]
 pub struct AsperityAtSlip<'a> {
@@ -19,6 +12,7 @@ pub struct AsperityAtSlip<'a> {
     slip_rate: f64,
     slip: f64,
     limit: f64,
+    contact_limit: f64,
     has_energy: bool,
 }
 
@@ -37,6 +31,7 @@ impl<'a> AsperityAtSlip<'a> {
             slip_rate,
             slip,
             limit: law.interference_limit(),
+            contact_limit: law.contact_limit(),
             has_energy: false,
         })
     }
@@ -63,17 +58,22 @@ impl<'a> AsperityAtSlip<'a> {
         self.law.critical_interference(self.radius)
     }
 
-    /// Largest ω/ω_c of the law.
+    /// Largest ω/ω_c of the range of the law, above which it is extrapolated.
     pub fn limit(&self) -> f64 {
         self.limit
     }
 
-    /// Places ω/ω_c where the law has kinks, ascending, its limit among them.
+    /// ω/ω_c at which the model ends.
+    pub fn contact_limit(&self) -> f64 {
+        self.contact_limit
+    }
+
+    /// Places ω/ω_c where the law has kinks, ascending, its limits among them.
     pub fn breaks(&self) -> Vec<f64> {
         let mut breaks = self.law.breaks();
         breaks.extend(self.law.breaks_after(self.radius, self.slip));
-        breaks.push(self.limit);
-        breaks.retain(|place| *place > 0.0 && place.is_finite() && *place <= self.limit);
+        breaks.extend([self.limit, self.contact_limit]);
+        breaks.retain(|place| *place > 0.0 && place.is_finite() && *place <= self.contact_limit);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|next, kept| *next - *kept <= 1e-12 * *kept);
         breaks
@@ -81,18 +81,14 @@ impl<'a> AsperityAtSlip<'a> {
 
     /// Response at `interference` (ω/ω_c).
     ///
-    /// Above the law's limit all forces and areas grow in proportion to ω, which
-    /// holds friction and mean pressure at the last knot; their errors grow with
-    /// the distance from it.
+    /// Beyond the contact limit forces and areas grow in proportion to ω, so that every pressure has a separation;
+    /// the share of the load there is that of [`ContactState::beyond`](crate::integral::contact_state::ContactState).
     pub fn response(&self, interference: f64) -> Result<Response, LookupError> {
-        let last = (self.sliding)(interference.min(self.limit), self.slip)?;
-        if interference <= self.limit {
-            return Ok(last);
-        }
+        let last = (self.sliding)(interference.min(self.contact_limit), self.slip)?;
         Ok(Response {
-            load: self.continued(last.load, interference),
-            friction: self.continued(last.friction, interference),
-            area: self.continued(last.area, interference),
+            load: self.in_proportion(last.load, interference),
+            friction: self.in_proportion(last.friction, interference),
+            area: self.in_proportion(last.area, interference),
             temperature_max: last.temperature_max,
         })
     }
@@ -103,19 +99,15 @@ impl<'a> AsperityAtSlip<'a> {
         if !self.has_energy {
             return Ok(Estimate::default());
         }
-        let inside = interference.min(self.limit);
+        let inside = interference.min(self.contact_limit);
         let answer = self.law.energy_release(self.radius, inside, self.slip_rate)?;
         // Stated at one interference and not at another: unknown.
         let last = answer.unwrap_or(Estimate { value: f64::NAN, error: f64::NAN });
-        if interference <= self.limit {
-            return Ok(last);
-        }
-        Ok(self.continued(last, interference))
+        Ok(self.in_proportion(last, interference))
     }
 
-    fn continued(&self, last: Estimate, interference: f64) -> Estimate {
-        let growth = interference / self.limit;
-        let uncertainty = EXPONENT_UNCERTAINTY * growth.ln();
-        Estimate { value: last.value * growth, error: (last.error + last.value.abs() * uncertainty) * growth }
+    fn in_proportion(&self, last: Estimate, interference: f64) -> Estimate {
+        let growth = (interference / self.contact_limit).max(1.0);
+        Estimate { value: growth * last.value, error: growth * last.error }
     }
 }

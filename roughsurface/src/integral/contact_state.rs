@@ -41,10 +41,10 @@ pub struct ContactState {
     pub contact_density: f64,
     /// Contact radius averaged over the load, m.
     pub loaded_radius: f64,
-    /// Share of the load on asperities beyond the limit of the law, 1.
+    /// Share of the load on asperities beyond the range of the law, where it is extrapolated, 1.
     pub outside: f64,
-    /// ω/ω_c that the law would have to reach for that share to be negligible.
-    pub reach: f64,
+    /// Share of the load on asperities beyond the largest contact of the model, 1.
+    pub beyond: f64,
 }
 
 impl ContactState {
@@ -55,7 +55,7 @@ impl ContactState {
         let average = |mean: f64, value: f64| mean + of_load * (value - mean);
         self.loaded_radius = average(self.loaded_radius, other.loaded_radius);
         self.outside = average(self.outside, other.outside);
-        self.reach = self.reach.max(other.reach);
+        self.beyond = average(self.beyond, other.beyond);
         self.contact_density += share * other.contact_density;
         self.pressure.add(share, other.pressure);
         self.shear.add(share, other.shear);

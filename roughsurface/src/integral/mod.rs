@@ -4,7 +4,7 @@
 //! (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242), summed over the classes of the summit radii.
 //!
 //! - [`law_source`]: the single-asperity response, a table or a closed form; [`asperity_at_slip`]: the response at
-//!   a fixed slip rate and slip, continued beyond the table;
+//!   a fixed slip rate and slip, continued beyond the largest contact;
 //! - `kronrod`, `panels`, [`height_integral`]: adaptive Gauss–Kronrod panels in √(ω/ω_c), stored for all separations;
 //! - [`surface_integral`]: the sum over radii; [`contact_state`]: its result;
 //! - [`separation`], [`predictor`]: the separation in equilibrium with a pressure.

@@ -15,7 +15,7 @@ const LANES: usize = 8;
 const MOST_POINTS: usize = MANY.count().next_multiple_of(LANES);
 
 /// Quantities summed in one pass.
-pub const QUANTITIES: usize = 10;
+pub const QUANTITIES: usize = 11;
 
 pub const LOAD: usize = 0;
 pub const FRICTION: usize = 1;
@@ -25,11 +25,13 @@ pub const LOAD_RADIUS: usize = 3;
 pub const LOAD_ERROR: usize = 4;
 pub const FRICTION_ERROR: usize = 5;
 pub const AREA_ERROR: usize = 6;
-/// Load of asperities beyond the limit of the law.
+/// Load of asperities beyond the range of the law.
 pub const LOAD_OUTSIDE: usize = 7;
+/// Load of asperities beyond the largest contact of the model.
+pub const LOAD_BEYOND: usize = 8;
 /// Energy released from full stick to full slip, last because it is often not required.
-pub const ENERGY: usize = 8;
-pub const ENERGY_ERROR: usize = 9;
+pub const ENERGY: usize = 9;
+pub const ENERGY_ERROR: usize = 10;
 
 /// Sums over heights, per asperity and metre of height until multiplied out.
 pub type Sums = [f64; QUANTITIES];
@@ -49,7 +51,7 @@ pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, 
     let energy = asperity.energy_release(interference)?;
     let load = response.load.value;
     let radius = (response.area.value.max(0.0) / std::f64::consts::PI).sqrt();
-    let outside = interference > asperity.limit();
+    let load_above = |limit: f64| if interference > limit { load } else { 0.0 };
     Ok([
         load,
         response.friction.value,
@@ -58,7 +60,8 @@ pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, 
         response.load.error,
         response.friction.error,
         response.area.error,
-        if outside { load } else { 0.0 },
+        load_above(asperity.limit()),
+        load_above(asperity.contact_limit()),
         energy.value,
         energy.error,
     ])

@@ -49,6 +49,9 @@ impl AsperityLaw for PowerLaw {
     fn interference_limit(&self) -> f64 {
         self.limit
     }
+    fn contact_limit(&self) -> f64 {
+        self.limit
+    }
     fn breaks(&self) -> Vec<f64> {
         Vec::new()
     }
@@ -63,7 +66,7 @@ impl AsperityLaw for PowerLaw {
         slip: f64,
     ) -> Result<Response, LookupError> {
         if interference > self.limit {
-            return Err(LookupError::InterferenceAbove { interference, limit: self.limit });
+            return Err(LookupError::ContactTooLarge { interference, limit: self.limit });
         }
         let estimate = |(factor, exponent): (f64, f64)| {
             let value = factor * interference.powf(exponent);

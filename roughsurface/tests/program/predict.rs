@@ -98,20 +98,29 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
 }
 
 #[test]
-fn load_beyond_the_table_is_refused_or_extrapolated() {
+fn load_above_the_table_is_extrapolated_and_said_so() {
     let folder = folder("beyond");
     let law = Weakening::new();
     table(&law, 20.0).write(&folder.path("table.nc")).unwrap();
-    let strict = "predict surface.toml --table table.nc -o friction.nc";
-    folder.refused(strict, "beyond 20.0000 omega_c");
-    folder.refused(strict, "--extrapolate");
-    assert!(!folder.path("friction.nc").exists());
-
-    let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc --extrapolate");
-    assert!(stderr(&output).contains("extrapolated"));
+    let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc");
+    assert!(stderr(&output).contains("extrapolated towards the fully plastic limit"), "{}", stderr(&output));
     let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
     let outside = file.reals("outside_table_fraction", &[3, 5]).unwrap();
     assert!(outside.iter().all(|share| *share > 1e-3 && *share < 1.0));
+}
+
+#[test]
+fn contacts_too_large_for_their_asperities_are_refused() {
+    let folder = folder("too-large");
+    table(&Weakening::new(), 20.0).write(&folder.path("table.nc")).unwrap();
+    let wide = SURFACE.replace("0.05e-6", "50e-6");
+    assert_ne!(wide, SURFACE);
+    std::fs::write(folder.path("surface.toml"), wide).unwrap();
+    let strict = "predict surface.toml --table table.nc -o friction.nc";
+    folder.refused(strict, "above 0.4 of their radius");
+    folder.refused(strict, "--extrapolate");
+    assert!(!folder.path("friction.nc").exists());
+    folder.run_well("predict surface.toml --table table.nc -o friction.nc --extrapolate");
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub const UNCERTAINTY_OF_KEPT_RATIO: f64 = 0.6;
 /// The sphere of a table in elastic contact, at its radius.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ElasticSphere {
-    radius: f64,
+    pub(super) radius: f64,
     critical_interference: f64,
     contact_modulus: f64,
     /// G* = G/(2−ν), Pa.

@@ -1,11 +1,13 @@
-//! The interpolant of a slice: nodes, coordinates, the elastic limit.
+//! The interpolant of a slice: nodes, coordinates, the elastic and the fully plastic limit.
 
 use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::nodes::{self, FIELDS, Nodes, Values};
+use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
+use crate::law::LARGEST_CONTACT;
 use crate::table::{Axes, Slice};
 
 /// Interpolates the fields of the response.
@@ -23,6 +25,15 @@ pub(super) struct Interpolant {
     /// Its slopes against ln ω.
     pub(super) log_contact_radius_slope: Vec<f64>,
     pub(super) sphere: ElasticSphere,
+    /// ln ω at which the contact radius is the largest that the sphere allows, at least that of the last row.
+    pub(super) log_end: f64,
+}
+
+/// Where an interference is among the rows.
+pub(super) enum Place {
+    Below(BelowFirstRow),
+    Inside(Location),
+    Above(AboveLastRow),
 }
 
 /// Reason of a missing result at a point (row, column).
@@ -38,16 +49,22 @@ impl Interpolant {
         let first = rows.clone().find(filled);
         let last = rows.rev().find(filled);
         let log_contact_radius = nodes::log_contact_radii(table);
-        Self {
+        let mut interpolant = Self {
             rows: first.zip(last),
             log_contact_radius_slope: steffen::slopes(&log_interference, &log_contact_radius),
             log_contact_radius,
             sphere: ElasticSphere::new(table.metadata()),
+            log_end: log_interference[last.unwrap_or(0)],
             log_interference,
             slip_rate,
             rate_coordinate,
             nodes,
+        };
+        let largest = LARGEST_CONTACT * table.metadata().asperity_radius;
+        if let Some(end) = interpolant.log_interference_of(largest) {
+            interpolant.log_end = interpolant.log_end.max(end);
         }
+        interpolant
     }
 
     /// Blends what `value` gives at the points around `place`, of which the outer two may be
@@ -84,9 +101,8 @@ impl Interpolant {
         Self::blend(&self.rate_coordinate, rate, |j| self.nodes.state(i, j, slip).ok_or((i, j)))
     }
 
-    /// a₀ inside the table, m.
-    pub(super) fn contact_radius(&self, place: Location) -> f64 {
-        let Location { index, t } = place;
+    /// a₀ between the rows, m.
+    fn contact_radius_between(&self, Location { index, t }: Location) -> f64 {
         let (y, slope) = (&self.log_contact_radius, &self.log_contact_radius_slope);
         // On a row the neighbouring rows have no weight and may be absent.
         if t == 0.0 {
@@ -119,69 +135,88 @@ impl Interpolant {
         rate: Location,
         slip: f64,
     ) -> Result<(Values, Values), Absent> {
-        let (first, _) = self.rows.ok_or((0, 0))?;
-        let log_interference = interference.ln();
-        if log_interference < self.log_interference[first] {
-            return self.state_below(first, log_interference, rate, slip);
-        }
-        let place = locate(&self.log_interference, log_interference);
-        let slip = self.nodes.locate_slip(slip / self.contact_radius(place));
-        let values = Self::blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
-        Ok((values, self.nodes.relative_error(place, rate, slip)))
-    }
-
-    pub(super) fn below(&self, first: usize, log_interference: f64) -> BelowFirstRow {
-        let first_row = self.log_interference[first];
-        BelowFirstRow { first_row: first_row.exp(), log_ratio: log_interference - first_row }
-    }
-
-    /// State and relative errors below the first row.
-    fn state_below(
-        &self,
-        first: usize,
-        log_interference: f64,
-        rate: Location,
-        slip: f64,
-    ) -> Result<(Values, Values), Absent> {
-        let ratio = slip / self.contact_radius_below(first, log_interference);
-        let place = Location { index: first, t: 0.0 };
+        let rows @ (first, last) = self.rows.ok_or((0, 0))?;
+        let place = self.place(rows, interference.ln());
+        let ratio = slip / self.contact_radius(rows, &place);
         let slip = self.nodes.locate_slip(ratio);
-        let row = self.row(first, rate, slip)?;
-        let below = self.below(first, log_interference);
-        let (values, uncertainty) = self.sphere.state_below(below, ratio, &row);
-        let mut error = self.nodes.relative_error(place, rate, slip);
+        let on = |index: usize| Location { index, t: 0.0 };
+        let (at, factor, (values, uncertainty)) = match place {
+            Place::Below(below) => {
+                (on(first), 1.0, self.sphere.state_below(below, ratio, &self.row(first, rate, slip)?))
+            }
+            Place::Inside(place) => {
+                let values = Self::blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
+                (place, 1.0, (values, [0.0; FIELDS]))
+            }
+            Place::Above(above) => {
+                let before = last.checked_sub(1).and_then(|before| self.row(before, rate, slip).ok());
+                (on(last), above.error_factor(), above.state(before, &self.row(last, rate, slip)?))
+            }
+        };
+        let mut error = self.nodes.relative_error(at, rate, slip);
         for (error, uncertainty) in error.iter_mut().zip(uncertainty) {
-            *error += uncertainty;
+            *error = factor * *error + uncertainty;
         }
         Ok((values, error))
+    }
+
+    /// Where an interference is, between `rows` with results.
+    pub(super) fn place(&self, (first, last): (usize, usize), log_interference: f64) -> Place {
+        let rows = &self.log_interference;
+        if log_interference < rows[first] {
+            let (first_row, log_ratio) = (rows[first].exp(), log_interference - rows[first]);
+            return Place::Below(BelowFirstRow { first_row, log_ratio });
+        }
+        if log_interference <= rows[last] + ROUNDING {
+            return Place::Inside(locate(rows, log_interference.min(rows[last])));
+        }
+        let gap = last.checked_sub(1).map(|before| rows[last] - rows[before]);
+        let log_ratio = log_interference - rows[last];
+        let above = AboveLastRow { last_row: rows[last].exp(), gap, log_ratio, contact_growth: 0.0 };
+        let growth = self.contact_radius_above(last, above) - self.log_contact_radius[last].exp();
+        Place::Above(AboveLastRow { contact_growth: growth / self.sphere.radius, ..above })
     }
 }
 
 impl Interpolant {
-    /// ω/ω_c at which the slip `slip` (m), at the radius of the table, is the last of the histories.
-    pub(super) fn end_of_histories(&self, slip: f64) -> Option<f64> {
-        let (first, last) = self.rows?;
-        let wanted = slip / self.nodes.last_slip();
-        let contact_radius = |log_interference: f64| match log_interference < self.log_interference[first] {
-            true => self.contact_radius_below(first, log_interference),
-            false => self.contact_radius(locate(&self.log_interference, log_interference)),
-        };
-        // a₀ grows with ω; far below the table as its root.
-        let (low, high) = (self.log_interference[first] - 40.0, self.log_interference[last]);
-        let mut accuracy = SimpleConvergency { eps: 1e-13, max_iter: 200 };
-        let excess = |place: f64| contact_radius(place) / wanted - 1.0;
-        find_root_brent(low, high, excess, &mut accuracy).ok().filter(|_| wanted > 0.0).map(f64::exp)
+    /// a₀, m.
+    fn contact_radius(&self, (first, last): (usize, usize), place: &Place) -> f64 {
+        let of_row = |row: usize| self.log_contact_radius[row].exp();
+        match *place {
+            Place::Below(below) => extrapolated(
+                self.sphere.contact_radius(below.interference()),
+                self.sphere.contact_radius(below.first_row),
+                of_row(first),
+                below.press_weight(),
+            ),
+            Place::Inside(place) => self.contact_radius_between(place),
+            Place::Above(above) => self.contact_radius_above(last, above),
+        }
     }
 
-    /// a₀ below the first row, m.
-    pub(super) fn contact_radius_below(&self, first: usize, log_interference: f64) -> f64 {
-        let below = self.below(first, log_interference);
-        extrapolated(
-            self.sphere.contact_radius(below.interference()),
-            self.sphere.contact_radius(below.first_row),
-            self.log_contact_radius[first].exp(),
-            below.press_weight(),
-        )
+    fn contact_radius_above(&self, last: usize, above: AboveLastRow) -> f64 {
+        let of_row = |row: usize| self.log_contact_radius[row].exp();
+        let rows = (last.checked_sub(1).map(of_row), of_row(last));
+        rows.1 * above.of_contact_radius(rows).factor()
+    }
+
+    /// ln ω at which a₀ is `wanted` (m).
+    fn log_interference_of(&self, wanted: f64) -> Option<f64> {
+        let rows @ (first, last) = self.rows?;
+        if wanted <= 0.0 {
+            return None;
+        }
+        // a₀ grows with ω; far outside the table as its root.
+        let (low, high) = (self.log_interference[first] - 40.0, self.log_interference[last] + 40.0);
+        let mut accuracy = SimpleConvergency { eps: 1e-13, max_iter: 200 };
+        let excess = |place: f64| (self.contact_radius(rows, &self.place(rows, place)) / wanted).ln();
+        find_root_brent(low, high, excess, &mut accuracy).ok()
+    }
+
+    /// ω/ω_c at which the slip `slip` (m), at the radius of the table, is the last of the histories.
+    pub(super) fn end_of_histories(&self, slip: f64) -> Option<f64> {
+        let end = self.log_interference_of(slip / self.nodes.last_slip())?;
+        (end < self.log_end).then(|| end.exp())
     }
 
     /// The same at one slip rate, as an interpolant with a single column.
@@ -195,6 +230,7 @@ impl Interpolant {
             log_contact_radius: self.log_contact_radius.clone(),
             log_contact_radius_slope: self.log_contact_radius_slope.clone(),
             sphere: self.sphere,
+            log_end: self.log_end,
         }
     }
 }

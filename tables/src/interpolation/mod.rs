@@ -1,9 +1,10 @@
-//! Interpolation in a table: its response between the points, below the first interference, at other radii and initial
-//! temperatures.
+//! Interpolation in a table: its response between the points, below the first interference and above the last, at
+//! other radii and initial temperatures.
 //!
 //! - **Interference**: monotone cubic in ln ω, of the logarithm of positive quantities, hence
 //!   exact for power laws. Below the first point extrapolation towards the Hertz limit, see `hertz_limit`;
-//!   above the last an error.
+//!   above the last towards the fully plastic limit, see `plastic_limit`, up to the [largest
+//!   contact](crate::law::LARGEST_CONTACT).
 //! - **Slip rate**: the same in ξ(V) = 1 + ln(V/V₁) from the first positive slip rate V₁ on and
 //!   ξ = V/V₁ below it, down to the isothermal limit V = 0 at ξ = 0 where the table has one. ξ
 //!   and its derivative are continuous at V₁; heating of a resting source is linear in V at
@@ -19,18 +20,17 @@
 //! [`Table::at`](crate::table::Table::at) gives the [`InterpolatedTable`] at an initial temperature, an
 //! [`AsperityLaw`]. Depends on `table`, `closed_forms` (the elastic limit) and `law`. Chapter "Tables" of the book.
 
-mod extrapolation;
 mod failed_cells;
 mod hertz_limit;
 mod interpolant;
 mod nodes;
+mod plastic_limit;
 mod scalar;
 pub mod steffen;
 mod temperature;
 
 use std::ops::Deref;
 
-pub use extrapolation::Extrapolated;
 pub use hertz_limit::{UNCERTAINTY_OF_KEPT_RATIO, UPLIFT};
 pub(crate) use interpolant::coordinates;
 use interpolant::{Absent, Interpolant};
@@ -93,9 +93,9 @@ impl InterpolatedTable {
     }
 
     fn check_interference(&self, interference: f64) -> Result<(), LookupError> {
-        let limit = self.interference_limit();
+        let limit = self.contact_limit();
         if interference > limit * (1.0 + ROUNDING) {
-            return Err(LookupError::InterferenceAbove { interference, limit });
+            return Err(LookupError::ContactTooLarge { interference, limit });
         }
         Ok(())
     }
@@ -160,6 +160,10 @@ impl AsperityLaw for InterpolatedTable {
         let axis = &self.axes().interference;
         let last = (self.interpolant.rows).map_or(axis.len() - 1, |(_, last)| last);
         axis[last]
+    }
+
+    fn contact_limit(&self) -> f64 {
+        self.interpolant.log_end.exp()
     }
 
     fn breaks(&self) -> Vec<f64> {

@@ -1,8 +1,9 @@
-//! Scalars of a table between its points, and below its first row.
+//! Scalars of a table between its points, below its first row and above its last.
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
+use super::interpolant::Place;
 use super::nodes::FIELDS;
-use super::steffen::{Location, locate};
+use super::steffen::Location;
 use super::{Absent, Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{ElasticLimit, Quantity};
@@ -22,27 +23,38 @@ impl InterpolatedTable {
         let ratio = self.radius_ratio(radius)?;
         let rate = self.located_rate(interference, slip_rate, ratio)?;
         let absent = |absent| self.absent(absent, ratio);
-        let (first, _) = self.interpolant.rows.ok_or((0, 0)).map_err(absent)?;
-        let rows = &self.interpolant.log_interference;
-        let is_below = interference.ln() < rows[first];
-        let place =
-            if is_below { Location { index: first, t: 0.0 } } else { locate(rows, interference.ln()) };
+        let rows @ (first, last) = self.interpolant.rows.ok_or((0, 0)).map_err(absent)?;
         let origin = quantity.origin(self.metadata().temperature);
-        let (mut value, mut error) = self.between(quantity, origin, place, rate).map_err(absent)?;
-        if is_below {
-            let of_row =
-                |quantity| self.between(quantity, 0.0, place, rate).map_or(f64::NAN, |(value, _)| value);
-            let row = FirstRow {
-                sphere: &self.interpolant.sphere,
-                below: self.interpolant.below(first, interference.ln()),
-                load: of_row(Quantity::Load),
-                area: of_row(Quantity::Area),
-            };
-            let continued = row.extrapolate(quantity, value);
-            error *= if value == 0.0 { 1.0 } else { (continued / value).abs() };
-            error += row.uncertainty(quantity, value) * continued.abs();
-            value = continued;
-        }
+        let between = |quantity, origin, place| self.between(quantity, origin, place, rate);
+        let on = |index: usize| Location { index, t: 0.0 };
+        let of_row = |quantity, origin, row: usize| {
+            between(quantity, origin, on(row)).map_or(f64::NAN, |(value, _)| value)
+        };
+        let (value, error) = match self.interpolant.place(rows, interference.ln()) {
+            Place::Inside(place) => between(quantity, origin, place).map_err(absent)?,
+            Place::Below(below) => {
+                let (value, error) = between(quantity, origin, on(first)).map_err(absent)?;
+                let [load, area] =
+                    [Quantity::Load, Quantity::Area].map(|quantity| of_row(quantity, 0.0, first));
+                let row = FirstRow { sphere: &self.interpolant.sphere, below, load, area };
+                let continued = row.extrapolate(quantity, value);
+                let factor = if value == 0.0 { 1.0 } else { (continued / value).abs() };
+                (continued, factor * error + row.uncertainty(quantity, value) * continued.abs())
+            }
+            Place::Above(above) => {
+                let (value, error) = between(quantity, origin, on(last)).map_err(absent)?;
+                let rows = |quantity, origin| {
+                    let before = last.checked_sub(1).map(|before| of_row(quantity, origin, before));
+                    (before, of_row(quantity, origin, last))
+                };
+                let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| rows(quantity, 0.0));
+                let limit = quantity.descriptor().elastic_limit;
+                let growth = above.of_scalar(limit, rows(quantity, origin), load, area);
+                let factor = growth.factor();
+                let relative = growth.relative() * value.abs();
+                (factor * value, factor * (above.error_factor() * error + relative))
+            }
+        };
         let scale = ratio.powi(quantity.descriptor().radius_exponent);
         Ok(Estimate { value: scale * (origin + value), error: scale * error })
     }

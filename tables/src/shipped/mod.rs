@@ -108,6 +108,9 @@ fn unpacked(name: &'static str, bytes: &[u8]) -> Result<Table, TableSourceError>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::law::AsperityLaw;
+    use crate::quantity::Quantity;
+    use crate::table::{Axes, Slice};
 
     /// Each is complete, of default accuracy, and of the material of its name.
     #[test]
@@ -124,6 +127,69 @@ mod tests {
             }
             let request = std::fs::read_to_string(format!("data/{name}.toml")).unwrap();
             assert!(request.contains(&format!("preset = \"{name}\"")), "{request}");
+        }
+    }
+
+    /// The first rows of a table.
+    fn cut(table: &InterpolatedTable, rows: usize) -> InterpolatedTable {
+        let axes = table.axes();
+        let axes = Axes { interference: axes.interference[..rows].to_vec(), ..axes.clone() };
+        let mut slice = Slice::new(axes, table.metadata().clone()).unwrap();
+        for (i, j) in slice.grid() {
+            slice.set_cell(i, j, table.cell(i, j).unwrap().clone()).unwrap();
+        }
+        slice.interpolated()
+    }
+
+    /// The shipped tables cut from 10 ω_c on, against all cells above, the errors of these included: of each quantity the
+    /// share that lies within the stated error.
+    #[test]
+    fn rows_above_a_cut_table_lie_within_the_stated_errors() {
+        let judged = [
+            Quantity::Load,
+            Quantity::LoadPress,
+            Quantity::Area,
+            Quantity::Friction,
+            Quantity::FrictionStatic,
+            Quantity::Mu,
+            Quantity::MuStatic,
+            Quantity::ContactRadius,
+            Quantity::InceptionSlip,
+            Quantity::EnergyRelease,
+            Quantity::TemperatureMax,
+        ];
+        let mut scores = judged.map(|quantity| (quantity, 0, 0, 0.0_f64));
+        for name in names() {
+            let whole = table(name).unwrap();
+            let rows = whole.axes().interference.clone();
+            let radius = whole.metadata().asperity_radius;
+            for last in (0..rows.len() - 1).filter(|last| rows[*last] >= 10.0) {
+                let cut = cut(&whole, last + 1);
+                for (i, j) in whole.grid().filter(|(i, _)| *i > last && rows[*i] < cut.contact_limit()) {
+                    let (omega, rate) = whole.coordinates(i, j);
+                    for (quantity, inside, asked, farthest) in &mut scores {
+                        let found = cut.estimate(*quantity, radius, omega, rate).unwrap();
+                        let cell = whole.cell(i, j).unwrap()[*quantity];
+                        if found.value == whole.metadata().temperature
+                            && *quantity == Quantity::TemperatureMax
+                        {
+                            continue;
+                        }
+                        let off = (found.value - cell.value).abs();
+                        *asked += 1;
+                        *inside += usize::from(off <= found.error + cell.error);
+                        *farthest = farthest.max(off / (found.error + cell.error));
+                    }
+                }
+            }
+        }
+        println!("within the errors, judged, largest deviation over the error: {scores:?}");
+        for (quantity, inside, asked, farthest) in scores {
+            assert!(
+                asked >= 100 && inside as f64 >= 0.95 * asked as f64,
+                "{quantity:?}: {inside} of {asked}"
+            );
+            assert!(farthest < 2.5, "{quantity:?}: {farthest}");
         }
     }
 }

@@ -11,8 +11,8 @@ use tables::law::LookupError;
 
 /// Share of the load outside the range of a law that may be ignored.
 ///
-/// A tenth of a per cent is far below the errors of any table; more is refused
-/// unless extrapolation is enabled.
+/// A tenth of a per cent is far below the errors of any table. More of it on the extrapolated part of the law draws a
+/// warning, more of it beyond the largest contact of the model is refused.
 pub const NEGLIGIBLE_SHARE: f64 = 1e-3;
 
 /// Largest number of halvings of a panel; its error then enters the estimate.
@@ -21,9 +21,6 @@ const MOST_ROUNDS: usize = 60;
 /// Largest change of ln φ across a panel; its points resolve the exponential up to there, and beyond it the
 /// panel is halved without an error estimate.
 const DENSITY_RANGE: f64 = 25.0;
-
-/// Relative accuracy, in √ω, of how far a table would have to reach.
-const REACH_ACCURACY: f64 = 0.005;
 
 /// First panel of a law without kinks, in √(ω/ω_c). Beyond the last kink each panel is twice as long as the
 /// one before.
@@ -116,11 +113,7 @@ impl<'a> HeightIntegral<'a> {
         let refined = self.refine(separation, &mut leaves);
         self.leaves = leaves;
         refined?;
-        let mut state = self.state(separation, &self.leaves);
-        if state.outside > NEGLIGIBLE_SHARE {
-            state.reach = self.reach(separation)?;
-        }
-        Ok(state)
+        Ok(self.state(separation, &self.leaves))
     }
 
     /// Panels fine enough for the tolerance, by ascending interference.
@@ -304,42 +297,8 @@ impl<'a> HeightIntegral<'a> {
             contact_density: density * tail,
             loaded_radius: share(LOAD_RADIUS),
             outside: share(LOAD_OUTSIDE),
-            reach: self.asperity.limit(),
+            beyond: share(LOAD_BEYOND),
         }
-    }
-
-    /// Interference beyond which a negligible share of the load remains.
-    fn reach(&mut self, separation: f64) -> Result<f64, LookupError> {
-        let negligible = NEGLIGIBLE_SHARE * self.leaves.iter().map(|leaf| leaf.value[LOAD]).sum::<f64>();
-        let mut beyond = 0.0;
-        let crossed = |leaf: &&Leaf| {
-            let with_leaf = beyond + leaf.value[LOAD];
-            let crossed = with_leaf > negligible;
-            if !crossed {
-                beyond = with_leaf;
-            }
-            crossed
-        };
-        let Some(mut leaf) = self.leaves.iter().rev().find(crossed).copied() else {
-            return Ok(self.asperity.limit());
-        };
-        // Halve towards the interference that bounds the share, until the ends agree.
-        for _ in 0..MOST_ROUNDS {
-            let panel = self.tree(leaf.kept).panel(leaf.panel);
-            let (from, to) = (panel.from, panel.to);
-            if to - from <= REACH_ACCURACY * to {
-                return Ok(to * to);
-            }
-            for panel in self.finer(leaf.kept, leaf.panel)?.panels().rev() {
-                leaf = self.leaf(leaf.kept, panel, separation);
-                if beyond + leaf.value[LOAD] > negligible {
-                    break;
-                }
-                beyond += leaf.value[LOAD];
-            }
-        }
-        let panel = self.tree(leaf.kept).panel(leaf.panel);
-        Ok(panel.to * panel.to)
     }
 
     /// Sum over a finite set of heights, highest first.
@@ -348,26 +307,13 @@ impl<'a> HeightIntegral<'a> {
         let weight = 1.0 / heights.len() as f64;
         let mut total = [0.0; QUANTITIES];
         let touching = heights.iter().take_while(|&&height| height > separation);
-        for &height in touching.clone() {
+        for &height in touching {
             let values = quantities(&self.asperity, (height - separation) / critical)?;
             for (sum, value) in total.iter_mut().zip(values) {
                 *sum += weight * value;
             }
         }
-        let tail = self.heights.tail(separation);
-        let mut state = self.scaled(tail, &total, &Errors::default());
-        if state.outside > NEGLIGIBLE_SHARE {
-            let mut beyond = 0.0;
-            for &height in touching {
-                let interference = (height - separation) / critical;
-                beyond += weight * quantities(&self.asperity, interference)?[LOAD];
-                if beyond > NEGLIGIBLE_SHARE * total[LOAD] {
-                    state.reach = interference;
-                    break;
-                }
-            }
-        }
-        Ok(state)
+        Ok(self.scaled(self.heights.tail(separation), &total, &Errors::default()))
     }
 }
 

@@ -80,13 +80,12 @@ impl DrawnSurface {
         for (row, &value) in query.loading.values().iter().enumerate() {
             for (law, predictor) in laws.iter().zip(&predictors[row * laws.len()..]) {
                 let (separation, state) = self.slid(law, *predictor, query, value, settings.tolerance)?;
-                if state.outside > NEGLIGIBLE_SHARE && !settings.extrapolate {
-                    return Err(PredictionError::OutsideTable {
+                if state.beyond > NEGLIGIBLE_SHARE && !settings.extrapolate {
+                    return Err(PredictionError::ContactsTooLarge {
                         loading: query.loading.describe(row),
                         slip_rate: law.slip_rate,
                         limit,
-                        reach: state.reach,
-                        share: state.outside,
+                        share: state.beyond,
                     });
                 }
                 let contacts = state.contact_density / self.asperity_density * self.asperities as f64;

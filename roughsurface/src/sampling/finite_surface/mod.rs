@@ -105,9 +105,8 @@ pub fn sample(
     let surfaces: Vec<_> = seeds
         .into_par_iter()
         .map(|seed| {
-            let states = DrawnSurface::new(surface, sampling.asperities, seed).and_then(|drawn| {
-                drawn.states(&laws, &predictors, law.interference_limit(), query, settings)
-            });
+            let states = DrawnSurface::new(surface, sampling.asperities, seed)
+                .and_then(|drawn| drawn.states(&laws, &predictors, law.contact_limit(), query, settings));
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
             states
         })

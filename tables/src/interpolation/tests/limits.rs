@@ -1,4 +1,4 @@
-//! Below the first row, outside the table, and the errors of its points.
+//! Below the first row, above the last, outside the table, and the errors of its points.
 
 use super::*;
 
@@ -53,8 +53,9 @@ fn last_slip_is_held() {
 fn outside_and_missing_are_refused_with_their_reason() {
     let table = table();
     let lookup = |table: &InterpolatedTable, omega, rate| table.response(RADIUS, omega, rate, 1e-6);
-    assert!(matches!(lookup(&table, 101.0, 1.0), Err(LookupError::InterferenceAbove { .. })));
-    assert!(lookup(&table, 100.0, 10.0).is_ok());
+    let end = table.contact_limit();
+    assert!(end > 100.0 && lookup(&table, 0.999 * end, 10.0).is_ok());
+    assert!(matches!(lookup(&table, 1.001 * end, 1.0), Err(LookupError::ContactTooLarge { .. })));
     assert!(matches!(lookup(&table, 1.0, 11.0), Err(LookupError::SlipRateOutside { .. })));
     let table = changed(|slice| slice.mark_failed(3, 2, "no convergence"));
     let omega = table.axes().interference[3];
@@ -137,38 +138,46 @@ fn errors_of_the_points_are_carried_along() {
     }
 }
 
+/// A table of rows in the fully plastic limit is extrapolated exactly, and only its exponents are uncertain.
 #[test]
-fn extrapolation_is_explicit_and_flagged() {
-    let power = |omega: f64, rate: f64| 2.0 * omega.powf(1.3) * rate.powf(-0.2);
-    let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![0.1, 1.0], slip: vec![0.0, 1.0] };
-    let metadata = table().metadata().clone();
-    let mut table = Slice::new(axes, metadata).unwrap();
-    for (i, j) in table.grid() {
-        let (omega, rate) = table.coordinates(i, j);
-        let cell = Cell::new()
-            .with(Quantity::ContactRadius, 1e-5, 0.0)
-            .with(Quantity::Load, power(omega, rate), 0.0)
-            .with_history(Quantity::Load, vec![1.0, 1.0])
-            .with_history(Quantity::Friction, vec![1.0, 1.0])
-            .with_history(Quantity::Area, vec![1.0, 1.0]);
-        table.set_cell(i, j, cell).unwrap();
+fn power_laws_of_the_plastic_limit_are_exact_above_the_last_row() {
+    let state = |omega: f64| [3.0 * omega, 0.4 * omega, 1e-9 * omega];
+    let axes =
+        Axes { interference: vec![100.0, 200.0, 400.0], slip_rate: vec![1.0], slip: vec![0.0, 1.0, 2.0] };
+    let metadata = Metadata { asperity_radius: 1.0, ..table().metadata().clone() };
+    let mut plastic = Slice::new(axes.clone(), metadata).unwrap();
+    for (i, &omega) in axes.interference.iter().enumerate() {
+        let mut cell = Cell::new().with(Quantity::ContactRadius, 1e-5 * omega.sqrt(), 0.0);
+        for (quantity, value) in
+            [Quantity::Load, Quantity::Friction, Quantity::Area].into_iter().zip(state(omega))
+        {
+            cell = cell.with(quantity, value, 0.01 * value).with_history(quantity, vec![value; 3]);
+        }
+        cell = cell.with(Quantity::Mu, 0.4 / 3.0, 0.0).with(Quantity::MuStatic, 0.3 / omega, 0.0);
+        cell = cell.with_history(Quantity::TemperatureMax, vec![BASE + omega.sqrt(); 3]);
+        plastic.set_cell(i, 0, cell).unwrap();
     }
-    let table = table.interpolated();
-    let lookup = |omega, rate| table.extrapolate(Quantity::Load, RADIUS, omega, rate).unwrap();
-    assert!(table.estimate(Quantity::Load, RADIUS, 20.0, 1.0).is_err());
-    let inside = lookup(3.0, 0.3);
-    assert!(!inside.outside && inside.estimate == table.estimate(Quantity::Load, RADIUS, 3.0, 0.3).unwrap());
-    for (omega, rate) in [(20.0, 0.5), (5.0, 3.0), (30.0, 7.0)] {
-        let there = lookup(omega, rate);
-        assert!(there.outside);
-        assert!(relative(there.estimate.value, power(omega, rate)) < 1e-9, "{omega} {rate}");
-        let held = power(omega.min(10.0), rate.min(1.0));
-        assert!(there.estimate.error >= 0.999 * (power(omega, rate) - held).abs());
+    let plastic = plastic.interpolated();
+    let mut last = 0.01;
+    for omega in [400.0, 401.0, 1e3, 1e4] {
+        let found = plastic.response(1.0, omega, 1.0, 1e-4).unwrap();
+        for (found, expected) in [found.load, found.friction, found.area].into_iter().zip(state(omega)) {
+            assert!(relative(found.value, expected) < 1e-9, "{omega}: {found:?} {expected}");
+        }
+        let error = found.area.error / found.area.value;
+        assert!(error >= last && error < 0.5, "{omega}: {error} after {last}");
+        last = error;
+        let estimate = |quantity| plastic.estimate(quantity, 1.0, omega, 1.0).unwrap();
+        assert!(relative(estimate(Quantity::Mu).value, 0.4 / 3.0) < 1e-9);
+        assert!(relative(estimate(Quantity::Friction).value, found.friction.value) < 1e-9);
+        assert!(relative(estimate(Quantity::ContactRadius).value, 1e-5 * omega.sqrt()) < 1e-9);
+        // Its exponent of −1 relaxes to 0.
+        let (held, power) = (0.3 / 400.0, 0.3 / omega);
+        let relaxing = estimate(Quantity::MuStatic).value;
+        assert!((power..=held * (1.0 + 1e-9)).contains(&(relaxing * (1.0 + 1e-10))), "{omega}: {relaxing}");
     }
-    // Towards rest it is held, and covers the power law.
-    let slow = lookup(5.0, 0.01);
-    assert!(slow.outside && relative(slow.estimate.value, power(5.0, 0.1)) < 1e-9);
-    assert!(slow.estimate.error >= 0.999 * (power(5.0, 0.01) - power(5.0, 0.1)));
+    // a = 0.4 R.
+    assert!(relative(plastic.contact_limit(), (0.4f64 / 1e-5).powi(2)) < 1e-6);
 }
 
 #[test]

@@ -207,7 +207,7 @@ fn fixed_slip_rate_gives_the_same_response() {
                 assert!(slip == 0.0 || (0.7..1.4).contains(&errors), "{omega} {slip} {errors}");
             }
         }
-        assert!(fixed(101.0, 0.0).is_err());
+        assert!(fixed(1.01 * table.contact_limit(), 0.0).is_err());
     }
     assert!(table.at_slip_rate(RADIUS, 11.0).is_err());
 }
