@@ -80,7 +80,7 @@ fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Displ
     display
         .print(json, || format!("{output}: the table of this request is complete, nothing was computed\n"));
     if let Some(plot) = &arguments.plot {
-        outputs::plot(table, plot)?;
+        outputs::plot(table, plot, &arguments.panel)?;
     }
     match failed {
         0 => Ok(()),
