@@ -14,8 +14,6 @@
 //! ∝ x^{3/2} outside), 1 for the almost constant pressure of a plastic one. The bluntness is that at which both ratios
 //! give the same t. Constants: [`crate::scene::fitted_constants::contact_edge`].
 
-use roots::{SimpleConvergency, find_root_brent};
-
 use crate::scene::fitted_constants::contact_edge::{
     Blunt, FIRST_PLACE, FULL_LOAD, GAP_CURVATURE, LOAD_CURVATURE, OPEN_GAP,
 };
@@ -40,15 +38,20 @@ fn passed(load: f64, gap: f64, bluntness: f64) -> (f64, f64) {
 
 /// Place of the edge in ring spacings from the last ring in contact, −0.50 to 0.62, from ρ and γ.
 pub fn place(load: f64, gap: f64) -> f64 {
-    // t from ρ falls and t from γ rises with the bluntness. Where a ring has just touched, both are 0 or both 1 over an
-    // interval: its upper end is taken.
-    let difference = |bluntness: f64| {
-        let (from_load, from_gap) = passed(load, gap, bluntness);
-        from_load - from_gap + ROUNDING
-    };
-    let mut accuracy = SimpleConvergency { eps: 1e-12, max_iter: 100 };
-    let outside = if difference(0.0) < 0.0 { 0.0 } else { 1.0 };
-    let bluntness = find_root_brent(0.0, 1.0, difference, &mut accuracy).unwrap_or(outside);
+    // t from ρ falls and t from γ rises with the bluntness. By bisection: hot slides amplify the rounding of
+    // faster methods.
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        let (from_load, from_gap) = passed(load, gap, middle);
+        // Where a ring has just touched, both are 0 or both 1 over an interval: its upper end is taken.
+        if from_load >= from_gap - ROUNDING {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let bluntness = 0.5 * (low + high);
     let (from_load, from_gap) = passed(load, gap, bluntness);
     at(FIRST_PLACE, bluntness) + 0.5 * (from_load + from_gap)
 }
