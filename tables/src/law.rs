@@ -38,6 +38,17 @@ pub enum LookupError {
     Missing { interference: f64, slip_rate: f64, reason: String },
 }
 
+/// What is taken above the range of a law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AboveRange {
+    /// An extrapolation, with an error that grows.
+    Extrapolated,
+    /// Formulae beyond the range that they were made for, without an error.
+    Formulae,
+    /// Formulae of load and area; there is none of friction.
+    NoFriction,
+}
+
 /// Response at a fixed radius and slip rate against interference (ω/ω_c) and slip (m).
 pub type SlidingResponse<'a> = Box<dyn Fn(f64, f64) -> Result<Response, LookupError> + Send + Sync + 'a>;
 
@@ -91,13 +102,16 @@ pub trait AsperityLaw: Send + Sync {
     fn name(&self) -> String;
     /// ω_c in metres for a sphere of `radius` metres.
     fn critical_interference(&self, radius: f64) -> f64;
-    /// Largest ω/ω_c of the range of the law; infinite for closed forms. Above it the law is extrapolated, with an
-    /// error that grows.
+    /// Largest ω/ω_c of the range of the law: of the rows of a table, of the published formulae. Above it holds
+    /// [`above_range`](AsperityLaw::above_range).
     fn interference_limit(&self) -> f64;
-    /// ω/ω_c at which the model ends, as the contact radius is [`LARGEST_CONTACT`] of that of the asperity; infinite
-    /// for closed forms.
+    /// ω/ω_c at which the model ends, as the contact radius is [`LARGEST_CONTACT`] of that of the asperity.
     fn contact_limit(&self) -> f64 {
         f64::INFINITY
+    }
+    /// What is taken above [`interference_limit`](AsperityLaw::interference_limit).
+    fn above_range(&self) -> AboveRange {
+        AboveRange::Extrapolated
     }
     /// Values of ω/ω_c where the law or its derivatives have kinks: integrate between them.
     fn breaks(&self) -> Vec<f64>;
@@ -121,6 +135,16 @@ pub trait AsperityLaw: Send + Sync {
     /// which a law can precompute data.
     fn at_slip_rate(&self, radius: f64, slip_rate: f64) -> Result<SlidingResponse<'_>, LookupError> {
         Ok(Box::new(move |interference, slip| self.response(radius, interference, slip_rate, slip)))
+    }
+
+    /// Mean temperature of the contact at the end of the slide of the law, K; none if the law has no temperature.
+    fn temperature_mean(
+        &self,
+        _radius: f64,
+        _interference: f64,
+        _slip_rate: f64,
+    ) -> Result<Option<Estimate>, LookupError> {
+        Ok(None)
     }
 
     /// Energy that one asperity releases from full stick to full slip, J: work of the flat less

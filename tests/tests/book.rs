@@ -218,7 +218,7 @@ fn undocumented(file: &Path, name: &str) -> Vec<String> {
     let text = chapter(name);
     let spans: BTreeSet<&str> = text.split('`').skip(1).step_by(2).collect();
     let known = |name: &str| {
-        let sources = ["_mesh", "_sectors", "_steps", "_solver", "_model"];
+        let sources = ["_by_source", "_mesh", "_sectors", "_steps", "_solver", "_model"];
         let base = sources.iter().find_map(|source| name.strip_suffix(source)).unwrap_or(name);
         let base = base.strip_suffix("_error").unwrap_or(base);
         let statistics = ["_mean", "_mean_error", "_std", "_lower", "_upper"];

@@ -5,8 +5,10 @@ use crate::friction::predict::predict;
 use crate::friction::result::Friction;
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::warning::Warning;
+use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::{Query, Surface};
 use tables::closed_forms::{ElasticPlastic, closed_form};
+use tables::numbers::digits;
 
 /// Friction of a model at each pressure or separation; none depends on the slip rate.
 #[derive(Clone, Debug)]
@@ -15,7 +17,20 @@ pub struct Comparison {
     pub model: String,
     /// In words.
     pub description: &'static str,
+    /// ω/ω_c at which its formulae end.
+    pub limit: f64,
     pub friction: Vec<Friction>,
+}
+
+impl Comparison {
+    /// Whether the contacts of a row lie in the range of the model, in words.
+    pub fn validity(&self, row: usize) -> String {
+        let share = self.friction[row].outside_table;
+        if share <= NEGLIGIBLE_SHARE {
+            return "in range".into();
+        }
+        format!("{:.1} % of load above {} omega_c", 100.0 * share, digits(self.limit, 3))
+    }
 }
 
 /// A closed form in words.
@@ -24,7 +39,7 @@ pub fn description(model: &str) -> &'static str {
         "hertz" => "elastic (Greenwood & Williamson), constant shear strength",
         "constant-shear" => "elastic-plastic, constant shear strength",
         "chang-etsion-bogy" => "elastic-plastic, no friction after yield",
-        "kogut-etsion" => "elastic-plastic, friction ends at 6 omega_c",
+        "kogut-etsion" => "elastic-plastic, no formula of friction above 6 omega_c",
         "jackson-green" => "elastic-plastic with falling hardness, constant shear strength",
         "brizmer" => "full stick, friction by load",
         "cohen" => "full stick, friction by interference",
@@ -47,6 +62,8 @@ pub fn compare(
     query: &Query,
     settings: &Settings,
 ) -> Result<Vec<Comparison>, PredictionError> {
+    // A model is compared beyond its range as well, which `validity` says.
+    let settings = &Settings { extrapolate: true, ..*settings };
     // Closed forms do not depend on the slip rate.
     let query = Query { slip_rates: vec![1.0], ..query.clone() };
     let mut compared = Vec::new();
@@ -56,7 +73,8 @@ pub fn compare(
         };
         let prediction = predict(law.as_ref(), surface, &query, settings, &|_, _| ())?;
         let friction = prediction.friction.into_iter().flatten().collect();
-        compared.push(Comparison { model: model.clone(), description: description(model), friction });
+        let limit = law.interference_limit();
+        compared.push(Comparison { model: model.clone(), description: description(model), limit, friction });
     }
     Ok(compared)
 }
@@ -71,9 +89,11 @@ mod tests {
 
     #[test]
     fn every_model_has_words_and_agrees_with_amontons() {
-        let critical = closed_form("hertz", &STEEL).unwrap().critical_interference(1e-4);
+        // First yield of Kogut & Etsion: KH against the exact peak pressure at ν = 0.3.
+        let unit = 2.8 * (0.454 + 0.41 * 0.3) / 1.61279656f64;
+        let critical = unit.powi(2) * closed_form("hertz", &STEEL).unwrap().critical_interference(1e-4);
         // ψ = 1 with exponential heights: friction does not depend on the pressure, and with
-        // Kogut & Etsion's load and area it is 0.42963.
+        // Kogut & Etsion's load and area it is 0.42963 in units of the exact first yield.
         let surface = Surface {
             asperity_density: 1e10,
             asperity_radius: 1e-4.into(),
@@ -89,6 +109,10 @@ mod tests {
         assert_eq!(compared.len(), NAMES.len());
         for comparison in &compared {
             assert!(!comparison.description.is_empty(), "{}", comparison.model);
+            // Some load is above first yield and above 6 times that, none above 150 times.
+            let in_range =
+                !["hertz", "chang-etsion-bogy", "kogut-etsion"].contains(&comparison.model.as_str());
+            assert_eq!(comparison.validity(0) == "in range", in_range, "{}", comparison.model);
             let [light, heavy] = &comparison.friction[..] else { panic!("two pressures") };
             let (light, heavy) = (light.sliding.mu.value, heavy.sliding.mu.value);
             assert!((light / heavy - 1.0).abs() < 1e-5, "{}: {light} {heavy}", comparison.model);
@@ -96,8 +120,8 @@ mod tests {
         let mu = |name: &str| {
             compared.iter().find(|c| c.model == name).map(|c| c.friction[0].sliding.mu.value).unwrap()
         };
-        assert!((mu("constant-shear") - 0.42963).abs() < 2e-5, "{}", mu("constant-shear"));
-        assert!((mu("hertz") - 0.4039).abs() < 1e-4, "{}", mu("hertz"));
+        assert!((mu("constant-shear") * unit - 0.42963).abs() < 2e-5, "{}", mu("constant-shear"));
+        assert!((mu("hertz") * unit - 0.4039).abs() < 1e-4, "{}", mu("hertz"));
         assert!(mu("chang-etsion-bogy") < mu("kogut-etsion") && mu("kogut-etsion") < mu("constant-shear"));
     }
 }

@@ -35,6 +35,8 @@ impl FlashHeating {
 pub enum NoFit {
     #[error("at least three slip rates above zero are needed")]
     TooFewSlipRates,
+    #[error("the friction coefficient is not known")]
+    NoFriction,
     #[error("friction does not depend on the slip rate")]
     NoRateDependence,
     #[error("the slip rates do not bracket the onset of weakening")]
@@ -102,6 +104,9 @@ pub fn fit(slip_rates: &[f64], mu: &[Estimate]) -> Result<FlashHeating, NoFit> {
     }
     let (rates, mu): (Vec<f64>, Vec<Estimate>) = points.into_iter().unzip();
     let values = || mu.iter().map(|m| m.value);
+    if values().any(f64::is_nan) {
+        return Err(NoFit::NoFriction);
+    }
     let (lowest, highest) =
         (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     // Below the tolerance of the integrals.

@@ -4,8 +4,9 @@
 //! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict()`]). Static
 //! friction and the weakening energy follow from that curve ([`slip_curve`]), dμ/d ln V and the
 //! flash-heating parameters from its end at several slip rates ([`rate_dependence`], [`flash_heating`]).
-//! [`comparison`] repeats the prediction with closed forms, [`cutoff`] with other cut-offs of a topography, [`regime`] gives the shares of elastic,
-//! plastic and melting contacts, and [`quantities`] lists every result. Depends on `integral`, `topography` and `surface`.
+//! [`contacts`] gives the temperatures of the contacts and the shares of the load by regime, [`regime`] the shares of
+//! elastic, plastic and melting contacts. [`comparison`] repeats the prediction with closed forms, [`cutoff`] with other
+//! cut-offs of a topography, and [`quantities`] lists every result. Depends on `integral`, `topography` and `surface`.
 //!
 //! Under load control the separation decreases as asperities lose load, so that the interference of each asperity grows
 //! during the slide. A table contains slides at constant interference only: the response of an asperity at ω after the
@@ -13,8 +14,10 @@
 //! error is small; the difference from `hold = "separation"` bounds it. Chapter "Rough surfaces" of the book.
 
 pub mod comparison;
+pub mod contacts;
 pub mod cutoff;
 pub mod flash_heating;
+pub mod limits;
 mod predict;
 pub mod quantities;
 pub mod rate_dependence;

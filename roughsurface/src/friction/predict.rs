@@ -7,6 +7,7 @@ use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::SlipState;
 use crate::friction::sweep::Sweep;
+use crate::friction::warning::Warning;
 use crate::integral::separation::EquilibriumState;
 use crate::surface::query::{Query, Surface};
 use rayon::prelude::*;
@@ -31,12 +32,17 @@ pub fn predict(
     let pressed = sweep.press_all()?;
     let slip = sweep.slip_grid(&pressed);
     let states = slide_all(&sweep, &slip, &pressed, progress)?;
+    let end = slip.len() - 1;
+    let at_end = |rate: usize| states[rate][end].iter().map(|state| state.separation);
+    let rate_by_rate = (0..states.len()).into_par_iter();
+    let contacts: Vec<_> =
+        rate_by_rate.map(|rate| sweep.contacts(rate, slip[end], at_end(rate))).collect::<Result<_, _>>()?;
 
     let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
     let mut warnings = Vec::new();
     let mut cell = |row: usize, rate: usize| {
         let curve: Vec<SlipState> = states[rate].iter().map(|rows| rows[row]).collect();
-        sweep.evaluate((row, rate), &pressed[rate][row], &slip, &curve, &mut warnings)
+        sweep.evaluate((row, rate), &pressed[rate][row], &slip, &curve, contacts[rate][row], &mut warnings)
     };
     let mut friction: Vec<Vec<Friction>> =
         (0..rows).map(|row| (0..rates).map(|rate| cell(row, rate)).collect()).collect();
@@ -48,6 +54,8 @@ pub fn predict(
         }
         flash_heating.push(flash_heating::fit(&query.slip_rates, &mu));
     }
+    let outside = friction.iter().flatten().map(|cell| cell.outside_table);
+    warnings.extend(Warning::beyond_formulae(law, outside));
     Ok(Prediction {
         query: query.clone(),
         law: law.name(),

@@ -31,7 +31,7 @@ pub enum Source {
 }
 
 /// Every result. To add one: a line here.
-pub static QUANTITIES: [Quantity; 22] = [
+pub static QUANTITIES: [Quantity; 27] = [
     Quantity::sliding("mu", "1", "sliding friction coefficient at the end of the slide", |s| s.mu).propagated(),
     Quantity::slide("mu_static", "1", "friction coefficient where the friction-slip curve of the surface starts to slide",
         |f| f.mu_static).propagated(),
@@ -67,17 +67,30 @@ pub static QUANTITIES: [Quantity; 22] = [
         |s| s.contact_density),
     Quantity::slide("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
         |f| f.pressed.contact_density),
+    Quantity::where_known("temperature_mean", "K",
+        "temperature of the contacts at the end of the slide, mean over the real contact area", |f| f.contacts.temperature_mean),
+    Quantity::where_known("temperature_max", "K",
+        "temperature that the hottest point of one contact in a thousand exceeds at the end of the slide",
+        |f| f.contacts.temperature_max),
+    Quantity::share("elastic_load_fraction", "share of the load on contacts below first yield at the end of the slide",
+        |f| f.contacts.elastic_load),
+    Quantity::share("elastic_plastic_load_fraction",
+        "share of the load on contacts between first yield and 110 times its interference at the end of the slide",
+        |f| f.contacts.elastic_plastic_load),
+    Quantity::share("fully_plastic_load_fraction",
+        "share of the load on contacts above 110 times the interference of first yield at the end of the slide",
+        |f| f.contacts.fully_plastic_load),
     Quantity::share("outside_table_fraction",
         "largest share of the load carried above the last interference of the table during the slide", |f| f.outside_table),
     Quantity::share("elastic_fraction",
         "share of the asperities in contact pressed less than first yield needs, at the end of the slide",
-        |f| f.shares.elastic),
+        |f| f.contacts.shares.elastic),
     Quantity::share("plastic_fraction",
         "share of the asperities in contact pressed beyond first yield and not melting, at the end of the slide",
-        |f| f.shares.plastic),
+        |f| f.contacts.shares.plastic),
     Quantity::share("melting_fraction",
         "share of the asperities in contact whose hottest point has the melting temperature, at the end of the slide",
-        |f| f.shares.melting),
+        |f| f.contacts.shares.melting),
 ];
 
 impl Quantity {

@@ -1,7 +1,7 @@
 //! Results of a prediction.
 
+use crate::friction::contacts::Contacts;
 use crate::friction::flash_heating::{FlashHeating, NoFit};
-use crate::friction::regime::RegimeShares;
 use crate::friction::slip_curve::SlipState;
 use crate::friction::warning::Warning;
 use crate::surface::query::Query;
@@ -28,8 +28,8 @@ pub struct Friction {
     pub pressed: SlipState,
     /// At the end of the slide: sliding friction.
     pub sliding: SlipState,
-    /// Share of the contacts in each regime at the end of the slide.
-    pub shares: RegimeShares,
+    /// Temperatures and regimes of the contacts at the end of the slide.
+    pub contacts: Contacts,
     /// dμ/d ln V of sliding friction, see
     /// [`rate_sensitivity`](crate::friction::rate_dependence::rate_sensitivity).
     pub rate_sensitivity: Estimate,

@@ -1,5 +1,6 @@
 //! Settings of a prediction, and the reasons of its failure.
 
+use crate::friction::warning::Place;
 use crate::integral::separation::SeparationError;
 use tables::law::{LARGEST_CONTACT, LookupError};
 
@@ -35,6 +36,13 @@ pub enum PredictionError {
         100.0 * .share
     )]
     ContactsTooLarge { loading: String, slip_rate: f64, limit: f64, share: f64 },
+    #[error(
+        "{at}: the contacts would cover {:.0} % of the nominal area; the model of separate asperities ends far below: lower the pressure, or check density, radius and heights of the summits",
+        100.0 * .share
+    )]
+    AreaAboveNominal { at: Place, share: f64 },
+    #[error("{at}: the {quantity} is not a finite number; check the table with `asperity table check`")]
+    NotFinite { at: Place, quantity: &'static str },
     #[error("{loading} leaves no asperity in contact")]
     NoContact { loading: String },
 }

@@ -1,17 +1,18 @@
 //! The states that a prediction is made of: the surface pressed, and after each slip.
 
-use crate::friction::regime::RegimeShares;
+use crate::friction::contacts::{Contacts, ContactsAtSlip};
 use crate::friction::result::Friction;
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::{SlipState, inception, slip_grid, weakening_distance, weakening_energy};
 use crate::friction::warning::{Place, Warning};
+use crate::integral::asperity_at_slip::Additional;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::predictor::{Predictor, PredictorHistory};
 use crate::integral::separation::{EquilibriumState, separation_for};
 use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use rayon::prelude::*;
-use tables::law::{AsperityLaw, Estimate, LookupError};
+use tables::law::{AboveRange, AsperityLaw, Estimate, LookupError};
 
 /// Real area fraction above which asperities no longer deform independently.
 const INTERACTION: f64 = 0.3;
@@ -53,7 +54,7 @@ impl<'a> Sweep<'a> {
 
     fn press(&self, rate: usize) -> Result<Vec<EquilibriumState>, PredictionError> {
         let heights = self.surface.heights.as_ref();
-        let mut integral = self.integral(&self.asperities[rate].with_energy());
+        let mut integral = self.integral(&self.asperities[rate].with(Additional::EnergyRelease));
         let mut predictor = Predictor::at(heights.mode(), heights);
         let mut pressed = Vec::new();
         for (row, &value) in self.query.loading.values().iter().enumerate() {
@@ -127,15 +128,20 @@ impl<'a> Sweep<'a> {
                 SlipState::at_pressure(&equilibrium, pressure)
             }
         };
-        if state.beyond > NEGLIGIBLE_SHARE && !self.settings.extrapolate {
-            return Err(PredictionError::ContactsTooLarge {
-                loading: self.query.loading.describe(row),
-                slip_rate: self.query.slip_rates[rate],
-                limit: self.law.contact_limit(),
-                share: state.beyond,
-            });
-        }
-        Ok(state)
+        state.within(self.law, self.settings, &|| Place::of(self.query, row, rate))
+    }
+
+    /// The contacts after `slip` (m) at one slip rate, under every separation (m).
+    pub(crate) fn contacts(
+        &self,
+        rate: usize,
+        slip: f64,
+        separations: impl Iterator<Item = Estimate>,
+    ) -> Result<Vec<Contacts>, LookupError> {
+        let Settings { tolerance, melting_temperature, .. } = *self.settings;
+        let asperities = self.asperities[rate].after(slip);
+        let mut contacts = ContactsAtSlip::new(asperities, self.surface, tolerance, melting_temperature);
+        separations.map(|separation| contacts.at(separation)).collect()
     }
 
     /// Static friction, energies and warnings of one cell.
@@ -145,6 +151,7 @@ impl<'a> Sweep<'a> {
         pressed: &EquilibriumState,
         slip: &[f64],
         curve: &[SlipState],
+        contacts: Contacts,
         warnings: &mut Vec<Warning>,
     ) -> Friction {
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
@@ -152,29 +159,28 @@ impl<'a> Sweep<'a> {
         let (start, sliding) = (inception(slip, &mu_history), curve[curve.len() - 1]);
         let outside_table = curve.iter().map(|state| state.outside).fold(0.0, f64::max);
         let at = || Place::of(self.query, row, rate);
-        if outside_table > NEGLIGIBLE_SHARE {
+        if outside_table > NEGLIGIBLE_SHARE && self.law.above_range() == AboveRange::Extrapolated {
             warnings.push(Warning::Extrapolated { at: at(), share: outside_table });
         }
-        if !start.reached {
+        if !start.reached && start.mu.value.is_finite() {
             warnings.push(Warning::StillRising { at: at() });
         }
         if sliding.area_fraction.value > INTERACTION {
             warnings.push(Warning::AsperitiesInteract { at: at(), share: sliding.area_fraction.value });
+        }
+        let molten = self.settings.melting_temperature.zip(contacts.temperature_max);
+        if let Some((melting, highest)) = molten.filter(|(melting, highest)| highest.value > *melting) {
+            warnings.push(Warning::AboveMelting { at: at(), highest: highest.value, melting });
         }
         Friction {
             mu_static: start.mu,
             inception_slip: start.slip,
             weakening_energy: weakening_energy(slip, &shear),
             weakening_distance: weakening_distance(slip, &shear),
-            shares: RegimeShares::of(
-                &self.asperities[rate].after(slip[slip.len() - 1]),
-                self.surface.heights.as_ref(),
-                sliding.separation.value,
-                self.settings.melting_temperature,
-            ),
+            contacts,
             // Follows from all slip rates together.
             rate_sensitivity: Estimate { value: f64::NAN, error: f64::NAN },
-            energy_release: self.energy_release(row, pressed),
+            energy_release: self.energy_release(row, pressed).filter(|_| !sliding.mu.value.is_nan()),
             pressed: curve[0],
             sliding,
             mu_history,
@@ -183,9 +189,9 @@ impl<'a> Sweep<'a> {
     }
 
     fn energy_release(&self, row: usize, pressed: &EquilibriumState) -> Option<Estimate> {
-        let mut energy = pressed.state.energy?.estimate();
+        let mut energy = pressed.state.additional?.estimate();
         if let NormalLoading::Pressure(pressures) = &self.query.loading {
-            let slope = (pressed.sensitivity.energy * energy.value).abs();
+            let slope = (pressed.sensitivity.additional * energy.value).abs();
             energy.error += pressed.separation_error(pressures[row]) * slope;
         }
         Some(energy)

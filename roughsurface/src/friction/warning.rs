@@ -1,8 +1,10 @@
 //! Warnings: limits of validity that a result reaches.
 
+use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::Query;
 use crate::topography::warning;
 use std::fmt;
+use tables::law::{AboveRange, AsperityLaw};
 
 /// Pressure or separation and slip rate that a warning is about.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +40,16 @@ pub enum Warning {
         100.0 * .share
     )]
     SamplesExtrapolated { at: Place, share: f64 },
+    #[error(
+        "{law}: its formulae end at {limit:.4} omega_c; asperities above carry up to {:.1} % of the load ({count} of {of} results){}",
+        100.0 * .share,
+        if *.without_friction { "; where it is above 5 %, there is no friction coefficient (n/a)" } else { "" }
+    )]
+    BeyondFormulae { law: String, limit: f64, share: f64, count: usize, of: usize, without_friction: bool },
+    #[error(
+        "{at}: the hottest contacts reach {highest:.0} K, above the melting temperature of {melting:.0} K"
+    )]
+    AboveMelting { at: Place, highest: f64, melting: f64 },
     #[error("{at}: friction still rises at the end of the slide; mu_static is the last value")]
     StillRising { at: Place },
     #[error(
@@ -55,4 +67,23 @@ pub enum Warning {
         "chang-etsion-bogy: its static friction was published for a Poisson ratio of 0.3, not {poisson_ratio}"
     )]
     PoissonRatioOfChangEtsionBogy { poisson_ratio: f64 },
+}
+
+impl Warning {
+    /// That formulae of the `law` are used above their range, if these shares of the load are there.
+    pub fn beyond_formulae(law: &dyn AsperityLaw, outside: impl Iterator<Item = f64>) -> Option<Self> {
+        let without_friction = match law.above_range() {
+            AboveRange::Extrapolated => return None,
+            AboveRange::Formulae => false,
+            AboveRange::NoFriction => true,
+        };
+        let (mut share, mut count, mut of) = (0.0, 0, 0);
+        for outside in outside {
+            share = f64::max(share, outside);
+            count += usize::from(outside > NEGLIGIBLE_SHARE);
+            of += 1;
+        }
+        let (law, limit) = (law.name(), law.interference_limit());
+        (count > 0).then_some(Self::BeyondFormulae { law, limit, share, count, of, without_friction })
+    }
 }

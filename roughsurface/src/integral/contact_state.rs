@@ -34,9 +34,9 @@ pub struct ContactState {
     pub shear: Integral,
     /// Real over nominal contact area, 1.
     pub area_fraction: Integral,
-    /// Energy released from full stick to full slip per nominal area, J/m², where the
-    /// law states it and it was requested.
-    pub energy: Option<Integral>,
+    /// An [additional quantity](crate::integral::asperity_at_slip::Additional) per nominal area, where the law states
+    /// it and it was requested.
+    pub additional: Option<Integral>,
     /// Contacts per nominal area, 1/m².
     pub contact_density: f64,
     /// Contact radius averaged over the load, m.
@@ -60,8 +60,8 @@ impl ContactState {
         self.pressure.add(share, other.pressure);
         self.shear.add(share, other.shear);
         self.area_fraction.add(share, other.area_fraction);
-        if let Some(energy) = other.energy {
-            self.energy.get_or_insert_default().add(share, energy);
+        if let Some(additional) = other.additional {
+            self.additional.get_or_insert_default().add(share, additional);
         }
     }
 

@@ -1,6 +1,6 @@
 //! The surface at one separation and slip (chapter "Rough surfaces" of the book, "Integrals over the heights").
 //!
-//! p(d) = η ∫ P(z − d) φ(z) dz, likewise friction Q, real contact area A and energy release G
+//! p(d) = η ∫ P(z − d) φ(z) dz, likewise friction Q, real contact area A, energy release G and mean temperature
 //! (Greenwood & Williamson 1966, doi 10.1098/rspa.1966.0242), summed over the classes of the summit radii.
 //!
 //! - [`law_source`]: the single-asperity response, a table or a closed form; [`asperity_at_slip`]: the response at

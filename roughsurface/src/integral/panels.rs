@@ -29,18 +29,18 @@ pub const AREA_ERROR: usize = 6;
 pub const LOAD_OUTSIDE: usize = 7;
 /// Load of asperities beyond the largest contact of the model.
 pub const LOAD_BEYOND: usize = 8;
-/// Energy released from full stick to full slip, last because it is often not required.
-pub const ENERGY: usize = 9;
-pub const ENERGY_ERROR: usize = 10;
+/// An [additional quantity](crate::integral::asperity_at_slip::Additional), last because it is often not required.
+pub const ADDITIONAL: usize = 9;
+pub const ADDITIONAL_ERROR: usize = 10;
 
 /// Sums over heights, per asperity and metre of height until multiplied out.
 pub type Sums = [f64; QUANTITIES];
 
-/// Errors of quadrature of the first three quantities and, last, of the energy.
+/// Errors of quadrature of the first three quantities and, last, of the additional one.
 pub type Errors = [f64; 4];
 
-/// Place of the energy among the errors.
-pub const OF_ENERGY: usize = 3;
+/// Place of the additional quantity among the errors.
+pub const OF_ADDITIONAL: usize = 3;
 
 /// Ratio of its ends below which a panel is narrow and few points suffice.
 const NARROW: f64 = 1.5;
@@ -48,7 +48,7 @@ const NARROW: f64 = 1.5;
 /// Quantities of one asperity at `interference` (ω/ω_c), in the order of [`Sums`].
 pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, LookupError> {
     let response = asperity.response(interference)?;
-    let energy = asperity.energy_release(interference)?;
+    let additional = asperity.additional(interference, &response)?;
     let load = response.load.value;
     let radius = (response.area.value.max(0.0) / std::f64::consts::PI).sqrt();
     let load_above = |limit: f64| if interference > limit { load } else { 0.0 };
@@ -62,8 +62,8 @@ pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, 
         response.area.error,
         load_above(asperity.limit()),
         load_above(asperity.contact_limit()),
-        energy.value,
-        energy.error,
+        additional.value,
+        additional.error,
     ])
 }
 
@@ -161,13 +161,13 @@ impl PanelTree {
 
     /// Integral over a panel with summits of density `heights` above a flat at `separation`,
     /// and its error, an upper bound: the difference from the Gauss rule within.
-    /// Energies are zero unless `with_energy` is set.
+    /// Additional quantities are zero unless `with_additional` is set.
     pub fn integral(
         &self,
         index: usize,
         heights: &dyn Heights,
         separation: f64,
-        with_energy: bool,
+        with_additional: bool,
     ) -> (Sums, Errors) {
         let Panel { rule, first_point, first_sums, .. } = self.panels[index];
         let count = rule.count();
@@ -181,18 +181,18 @@ impl PanelTree {
         let (mut sums, mut difference) = ([0.0; QUANTITIES], Errors::default());
         for ((density, excess), weighted) in terms() {
             let excess = density * excess;
-            for quantity in 0..ENERGY {
+            for quantity in 0..ADDITIONAL {
                 sums[quantity] += density * weighted[quantity];
             }
-            for quantity in 0..OF_ENERGY {
+            for quantity in 0..OF_ADDITIONAL {
                 difference[quantity] += excess * weighted[quantity];
             }
         }
-        if with_energy {
+        if with_additional {
             for ((density, excess), weighted) in terms() {
-                sums[ENERGY] += density * weighted[ENERGY];
-                sums[ENERGY_ERROR] += density * weighted[ENERGY_ERROR];
-                difference[OF_ENERGY] += density * excess * weighted[ENERGY];
+                sums[ADDITIONAL] += density * weighted[ADDITIONAL];
+                sums[ADDITIONAL_ERROR] += density * weighted[ADDITIONAL_ERROR];
+                difference[OF_ADDITIONAL] += density * excess * weighted[ADDITIONAL];
             }
         }
         (sums, difference.map(f64::abs))

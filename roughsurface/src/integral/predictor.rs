@@ -10,7 +10,7 @@ pub struct Sensitivity {
     pub friction_coefficient: f64,
     pub area_fraction: f64,
     pub contact_density: f64,
-    pub energy: f64,
+    pub additional: f64,
 }
 
 impl Sensitivity {
@@ -26,7 +26,7 @@ impl Sensitivity {
             friction_coefficient: relative(|state| state.friction_coefficient().value),
             area_fraction: relative(|state| state.area_fraction.value),
             contact_density: relative(|state| state.contact_density),
-            energy: relative(|state| state.energy.map_or(0.0, |energy| energy.value)),
+            additional: relative(|state| state.additional.map_or(0.0, |additional| additional.value)),
         }
     }
 
@@ -44,7 +44,7 @@ impl Sensitivity {
             pressure: scaled(state.pressure, self.pressure),
             shear: scaled(state.shear, self.pressure + self.friction_coefficient),
             area_fraction: scaled(state.area_fraction, self.area_fraction),
-            energy: state.energy.map(|energy| scaled(energy, self.energy)),
+            additional: state.additional.map(|additional| scaled(additional, self.additional)),
             contact_density: state.contact_density * (1.0 + self.contact_density * change),
             ..*state
         }

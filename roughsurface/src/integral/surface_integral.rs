@@ -1,6 +1,6 @@
 //! Integrals over heights and radii: the sum of those of single radii.
 
-use crate::integral::asperity_at_slip::AsperityAtSlip;
+use crate::integral::asperity_at_slip::{Additional, AsperityAtSlip};
 use crate::integral::contact_state::{ContactState, Integral};
 use crate::integral::height_integral::HeightIntegral;
 use crate::surface::heights::Heights;
@@ -54,9 +54,14 @@ impl<'a> Asperities<'a> {
         self.changed(|asperity| asperity.after(slip))
     }
 
-    /// The same asperities with their energy release, if the law states it.
-    pub fn with_energy(&self) -> Self {
-        self.changed(AsperityAtSlip::with_energy)
+    /// The same asperities with an additional quantity, if the law states it.
+    pub fn with(&self, additional: Additional) -> Self {
+        self.changed(|asperity| asperity.with(additional))
+    }
+
+    /// The same asperities, the load above `interference` (ω/ω_c) counted in [`ContactState::outside`].
+    pub fn counted_above(&self, interference: f64) -> Self {
+        self.changed(|asperity| asperity.counted_above(interference))
     }
 
     /// Share of the summits and asperity of each radius, by ascending radius.
@@ -108,8 +113,8 @@ impl ContactIntegral for SurfaceIntegral<'_> {
             widen(&mut state.pressure, other.pressure);
             widen(&mut state.shear, other.shear);
             widen(&mut state.area_fraction, other.area_fraction);
-            if let (Some(energy), Some(other)) = (&mut state.energy, other.energy) {
-                widen(energy, other);
+            if let (Some(additional), Some(other)) = (&mut state.additional, other.additional) {
+                widen(additional, other);
             }
         }
         Ok(())
@@ -136,10 +141,10 @@ mod tests {
     use crate::surface::radii::Radii;
     use tables::closed_forms::closed_form;
 
-    /// State and its errors at `separation` (m) after a slip of 1 mm, for exponential heights of 1 µm.
-    fn state(model: &str, asperity_radius: Radii, separation: f64) -> ContactState {
+    /// State and its errors at `separation` (m) after a slip of 1 mm, for exponential heights of mean `std` (m).
+    fn state(model: &str, asperity_radius: Radii, std: f64, separation: f64) -> ContactState {
         let law = closed_form(model, &STEEL).unwrap();
-        let heights = Box::new(Exponential::new(1e-6));
+        let heights = Box::new(Exponential::new(std));
         let surface = Surface { asperity_density: 1e10, asperity_radius, heights };
         let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-3);
         let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-12);
@@ -157,12 +162,13 @@ mod tests {
         };
         let pi = std::f64::consts::PI;
         for h in [0.0, 2.0f64] {
-            let state = state("hertz", radii.clone(), h * 1e-6);
-            let area = pi * 1e10 * 1e-6 * mean(1.0) * (-h).exp();
+            // Contacts far below 0.4 R.
+            let state = state("hertz", radii.clone(), 1e-8, h * 1e-8);
+            let area = pi * 1e10 * 1e-8 * mean(1.0) * (-h).exp();
             for (value, exact) in [
                 (
                     state.pressure.value,
-                    pi.sqrt() * 1e10 * STEEL.contact_modulus() * 1e-9 * mean(0.5) * (-h).exp(),
+                    pi.sqrt() * 1e10 * STEEL.contact_modulus() * 1e-12 * mean(0.5) * (-h).exp(),
                 ),
                 (state.area_fraction.value, area),
                 (state.shear.value, STEEL.shear_strength() * area),
@@ -175,7 +181,7 @@ mod tests {
 
     #[test]
     fn the_error_of_the_radius_classes_covers_their_deviation() {
-        let at = |radii: Radii| state("kogut-etsion", radii, 1e-6).pressure;
+        let at = |radii: Radii| state("kogut-etsion", radii, 1e-6, 1e-6).pressure;
         let classes = at(Radii::log_normal(1e-4, 4e-5));
         // A thousand classes by the midpoint rule in ln R, cut alike: the distribution itself.
         let spread = (1.0f64 + 0.16).ln().sqrt();

@@ -19,6 +19,8 @@ pub struct PowerLaw {
     pub relative_error: f64,
     /// Highest temperature of the contact (K) at ω/ω_c.
     pub temperature: fn(f64) -> f64,
+    /// Rise of the mean temperature above that without contact over that of the highest, if there is a temperature.
+    pub mean_rise: Option<f64>,
     /// Friction as a factor of slip rate (m/s), slip (m) and contact radius (m).
     pub history: fn(f64, f64, f64) -> f64,
 }
@@ -34,6 +36,7 @@ impl PowerLaw {
             limit: f64::INFINITY,
             relative_error: 0.0,
             temperature: |_| 0.0,
+            mean_rise: None,
             history: |_, _, _| 1.0,
         }
     }
@@ -78,5 +81,15 @@ impl AsperityLaw for PowerLaw {
         let friction = estimate((self.friction.0 * history, self.friction.1));
         let temperature_max = Estimate { value: (self.temperature)(interference), error: 0.0 };
         Ok(Response { load: estimate(self.load), friction, area, temperature_max })
+    }
+    fn temperature_mean(
+        &self,
+        _radius: f64,
+        interference: f64,
+        _slip_rate: f64,
+    ) -> Result<Option<Estimate>, LookupError> {
+        let initial = (self.temperature)(0.0);
+        let rise = self.mean_rise.map(|share| share * ((self.temperature)(interference) - initial));
+        Ok(rise.map(|rise| Estimate { value: initial + rise, error: self.relative_error * rise }))
     }
 }

@@ -53,6 +53,37 @@ pub fn figure(results: &Results) -> Figure {
             &[("", "separation_sliding")],
             1e6,
         ),
+    ];
+    panels.extend(shares(prediction));
+    if prediction.friction[0][0].contacts.temperature_mean.is_some() {
+        panels.push(over_loading(
+            prediction,
+            ("temperature", "Temperature of the contacts"),
+            Axis::linear("Temperature (K)"),
+            &[("mean, ", "temperature_mean"), ("highest, ", "temperature_max")],
+            1.0,
+        ));
+    }
+    if !results.comparisons.is_empty() {
+        panels.push(compared(results));
+    }
+    Figure::new(title(&prediction.law), panels)
+}
+
+/// Load and number of contacts by regime.
+fn shares(prediction: &Prediction) -> [Panel; 2] {
+    [
+        over_loading(
+            prediction,
+            ("load", "Share of the load"),
+            Axis::linear("Share of the load"),
+            &[
+                ("elastic, ", "elastic_load_fraction"),
+                ("elastic-plastic, ", "elastic_plastic_load_fraction"),
+                ("fully plastic, ", "fully_plastic_load_fraction"),
+            ],
+            1.0,
+        ),
         over_loading(
             prediction,
             ("regimes", "Share of the contacts"),
@@ -64,11 +95,7 @@ pub fn figure(results: &Results) -> Figure {
             ],
             1.0,
         ),
-    ];
-    if !results.comparisons.is_empty() {
-        panels.push(compared(results));
-    }
-    Figure::new(title(&prediction.law), panels)
+    ]
 }
 
 /// Sliding friction at the lowest rate in comparison with that of the models.

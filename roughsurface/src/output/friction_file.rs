@@ -20,7 +20,7 @@ Under held load the flat sinks as asperities lose load; each asperity then follo
 at its present interference.";
 
 /// Results that a comparison with a model of the literature has.
-pub(super) const COMPARED: [&str; 3] = ["mu", "mu_static", "real_area_fraction"];
+pub(super) const COMPARED: [&str; 4] = ["mu", "mu_static", "real_area_fraction", "outside_table_fraction"];
 
 /// Writes `friction.nc`: under a temporary name first, so the file appears whole or not at all.
 pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), DatasetError> {
@@ -101,6 +101,9 @@ fn compared(file: &mut DatasetWriter, comparisons: &[Comparison], row: &str) -> 
     file.dimension("model", names.len())?;
     let meaning = "closed form of the literature for one asperity, the same at any slip rate";
     file.texts("model", &["model"], &names, &[("long_name", meaning.into())])?;
+    let limits: Vec<f64> = comparisons.iter().map(|comparison| comparison.limit).collect();
+    let meaning = "interference over that of first yield at which the formulae of the model end";
+    file.reals("interference_limit_model", &["model"], &limits, &described("1", meaning))?;
     for quantity in COMPARED.map(Quantity::named) {
         let cells = comparisons.iter().flat_map(|comparison| &comparison.friction);
         let values: Vec<f64> = cells.map(|cell| quantity.estimate(cell).value).collect();

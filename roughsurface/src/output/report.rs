@@ -40,7 +40,7 @@ const CITATIONS: [&str; 4] = [
 const FLASH_HEATING: &str = "<p>μ = μ<sub>w</sub> + (μ<sub>0</sub> − μ<sub>w</sub>)/[1 + (V/V<sub>w</sub>)<sup>8</sup>]<sup>1/8</sup></p>\n";
 
 /// Columns of the results: quantity and heading.
-const COLUMNS: [(&str, &str); 14] = [
+const COLUMNS: [(&str, &str); 19] = [
     ("mu_static", "μ static"),
     ("mu", "μ sliding"),
     ("dmu_dlnV", "dμ/d ln V"),
@@ -50,10 +50,15 @@ const COLUMNS: [(&str, &str); 14] = [
     ("G_weakening_real_area", "G weakening per real area [J/m²]"),
     ("weakening_distance", "D_w [m]"),
     ("real_area_fraction", "real area fraction"),
+    ("temperature_mean", "T mean [K]"),
+    ("temperature_max", "T max [K]"),
     ("separation_sliding", "separation [m]"),
-    ("elastic_fraction", "elastic"),
-    ("plastic_fraction", "plastic"),
-    ("melting_fraction", "melting"),
+    ("elastic_load_fraction", "load, elastic"),
+    ("elastic_plastic_load_fraction", "load, elastic-plastic"),
+    ("fully_plastic_load_fraction", "load, fully plastic"),
+    ("elastic_fraction", "contacts, elastic"),
+    ("plastic_fraction", "contacts, plastic"),
+    ("melting_fraction", "contacts, melting"),
     ("outside_table_fraction", "outside table"),
 ];
 

@@ -10,9 +10,17 @@ use tables::quantity::Estimate;
 /// A heading and rows of cells. A row with fewer cells ends with a remark.
 pub(super) type Rows = Vec<Vec<String>>;
 
-/// Value and error of a number without unit; a dash where it is unknown.
+/// Shown in place of a number that is not known.
+const NOT_AVAILABLE: &str = "n/a";
+
+/// Value and error of a number without unit.
 fn with_error(estimate: Estimate) -> String {
-    if estimate.value.is_finite() { numbers::with_error(estimate, "1") } else { "-".into() }
+    if estimate.value.is_finite() { numbers::with_error(estimate, "1") } else { NOT_AVAILABLE.into() }
+}
+
+/// A number with a given number of decimals.
+fn plain(value: f64, decimals: usize) -> String {
+    if value.is_finite() { format!("{value:.decimals$}") } else { NOT_AVAILABLE.into() }
 }
 
 /// A quantity of a cell; `errors` also of those with a unit.
@@ -22,11 +30,15 @@ fn shown(name: &str, cell: &Friction, errors: bool) -> String {
         (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => "-".into(),
         (Source::Share(_), Some(Estimate { value, .. })) => format!("{:.2} %", 100.0 * value),
         (_, Some(estimate)) if matches!(name, "mu" | "mu_static" | "dmu_dlnV") => with_error(estimate),
+        (_, Some(Estimate { value, error })) if value.is_finite() && quantity.unit == "K" => match errors {
+            true => format!("{value:.1} ± {error:.1}"),
+            false => format!("{value:.1}"),
+        },
         (_, Some(Estimate { value, error })) if value.is_finite() => match errors {
             true => format!("{value:.3e} ± {error:.0e}"),
             false => format!("{value:.3e}"),
         },
-        _ => "-".into(),
+        _ => NOT_AVAILABLE.into(),
     }
 }
 
@@ -69,16 +81,17 @@ pub(super) fn compared(results: &Results) -> Rows {
     if results.comparisons.is_empty() {
         return Rows::new();
     }
-    let mut rows = head(results, ["model", "mu_static", "mu", "area fraction", "asperities"]);
+    let mut rows = head(results, ["model", "mu_static", "mu", "area fraction", "validity", "asperities"]);
     for (row, load) in results.prediction.query.loading.values().iter().enumerate() {
         for comparison in &results.comparisons {
             let cell = &comparison.friction[row];
             rows.push(vec![
                 format!("{load:.3e}"),
                 comparison.model.clone(),
-                format!("{:.4}", cell.mu_static.value),
-                format!("{:.4}", cell.sliding.mu.value),
+                plain(cell.mu_static.value, 4),
+                plain(cell.sliding.mu.value, 4),
                 format!("{:.3e}", cell.sliding.area_fraction.value),
+                comparison.validity(row),
                 comparison.description.to_string(),
             ]);
         }

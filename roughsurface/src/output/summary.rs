@@ -6,13 +6,15 @@ use crate::output::result_tables::{Rows, compared, flash_heating, parameters, qu
 use crate::output::results::Results;
 
 /// Columns of the summary: quantity and heading.
-const COLUMNS: [(&str, &str); 8] = [
+const COLUMNS: [(&str, &str); 10] = [
     ("mu_static", "mu_static"),
     ("mu", "mu"),
     ("Q", "Q [Pa]"),
     ("G", "G [J/m2]"),
     ("G_weakening", "G_weakening"),
     ("real_area_fraction", "area fraction"),
+    ("temperature_mean", "T mean [K]"),
+    ("temperature_max", "T max [K]"),
     ("separation", "separation [m]"),
     ("outside_table_fraction", "outside table"),
 ];

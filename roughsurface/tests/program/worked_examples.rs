@@ -60,7 +60,9 @@ fn brake_disc() {
             |cell| cell.sliding.contact_density.value,
         ],
     );
-    assert!(prediction.friction.iter().flatten().all(|cell| (cell.shares.plastic - 0.99).abs() < 0.005));
+    assert!(
+        prediction.friction.iter().flatten().all(|cell| (cell.contacts.shares.plastic - 0.99).abs() < 0.005)
+    );
     let propagated =
         propagate(&file, "model:jackson-green", &prediction, &Settings::default(), &|_, _| ()).unwrap();
     let std = propagated.std(0, 0);
@@ -75,7 +77,11 @@ fn bearing_steel() {
     assert_rows(
         "Bearing steel",
         &prediction,
-        &[|cell| cell.sliding.mu.value, |cell| cell.sliding.area_fraction.value, |cell| cell.shares.elastic],
+        &[
+            |cell| cell.sliding.mu.value,
+            |cell| cell.sliding.area_fraction.value,
+            |cell| cell.contacts.shares.elastic,
+        ],
     );
     for (model, from, to) in [("model:hertz", 0.325, 0.238), ("model:brizmer", 0.614, 0.475)] {
         let other = predicted(&file, model);

@@ -18,6 +18,9 @@
 //! Symbols: δ* = ω/δ_c and P* = P/L_c with δ_c, L_c interference and load of first yield in
 //! full stick.
 
+/// δ* up to which the fits were made.
+pub const LARGEST_INTERFERENCE: f64 = 150.0;
+
 /// p₀/σ_Y of first yield without friction, the authors' fit: 1.234 + 1.256ν.
 pub fn slip_yield_coefficient(poisson_ratio: f64) -> f64 {
     1.234 + 1.256 * poisson_ratio

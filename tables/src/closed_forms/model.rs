@@ -3,7 +3,7 @@
 use super::crossings::where_equal;
 use super::partial_slip::constant_shear;
 use super::{ElasticPlastic, brizmer, chang_etsion_bogy, hertz, jackson_green, kogut_etsion};
-use crate::law::{AsperityLaw, Estimate, LookupError, Response};
+use crate::law::{AboveRange, AsperityLaw, Estimate, LARGEST_CONTACT, LookupError, Response};
 
 /// Load and area against interference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,9 +20,11 @@ impl NormalContact {
     /// yield is a fit, and that of Brizmer et al. is in full stick.
     fn units(self, poisson_ratio: f64) -> (f64, f64) {
         let (fit, interference, load) = match self {
-            Self::Hertz | Self::KogutEtsion => return (1.0, 1.0),
+            Self::Hertz => return (1.0, 1.0),
             Self::JacksonGreen => (jackson_green::yield_coefficient(poisson_ratio), 1.0, 1.0),
-            Self::ChangEtsionBogy => (chang_etsion_bogy::yield_coefficient(poisson_ratio), 1.0, 1.0),
+            Self::ChangEtsionBogy | Self::KogutEtsion => {
+                (chang_etsion_bogy::yield_coefficient(poisson_ratio), 1.0, 1.0)
+            }
             Self::Brizmer => (
                 brizmer::slip_yield_coefficient(poisson_ratio),
                 brizmer::critical_interference_ratio(poisson_ratio),
@@ -72,6 +74,8 @@ pub struct ClosedForm {
     critical_over_radius: f64,
     /// Interference, in ω_c, and load, in P_c, by which the authors divide theirs.
     units: (f64, f64),
+    /// ω/ω_c at which the contact is [`LARGEST_CONTACT`].
+    contact_limit: f64,
     /// Temperature of the isothermal contact, K, reported as `temperature_max`; 298 by default.
     pub temperature: f64,
 }
@@ -88,7 +92,8 @@ pub struct ClosedForm {
 /// | `brizmer` | Brizmer et al. 2006, full stick | Brizmer et al. 2007 |
 /// | `cohen` | Brizmer et al. 2006, full stick | Cohen et al. 2008 |
 ///
-/// with τ₀ = σ_Y/√3. None depends on the slip rate or includes junction growth. The friction
+/// `hertz` and `chang-etsion-bogy` end at first yield, the friction of `kogut-etsion` at 6 ω_c, the fits of `brizmer` and
+/// `cohen` at 150 ω_c, in the units of the authors; with τ₀ = σ_Y/√3. None depends on the slip rate or includes junction growth. The friction
 /// force rises with slip as in elastic partial slip under a constant interfacial strength
 /// ([`constant_shear`](super::partial_slip::constant_shear)), the strength being the final
 /// force over the area. Errors are reported as zero: the errors of the fits are not published.
@@ -123,15 +128,34 @@ impl ClosedForm {
             "jackson-green" => (NormalContact::JacksonGreen, SlidingInception::ConstantShear),
             _ => (NormalContact::Brizmer, SlidingInception::Brizmer),
         };
-        Ok(Self {
+        let mut law = Self {
             name,
             material: *material,
             normal,
             inception,
             critical_over_radius: material.critical_interference(1.0),
             units: normal.units(material.poisson_ratio),
+            contact_limit: f64::INFINITY,
             temperature: 298.0,
-        })
+        };
+        law.contact_limit = law.largest_interference();
+        Ok(law)
+    }
+
+    /// ω/ω_c at which A = π (0.4 R)².
+    fn largest_interference(&self) -> f64 {
+        let (mut low, mut high) = (f64::MIN_POSITIVE.ln(), f64::MAX.ln());
+        for _ in 0..64 {
+            let middle = 0.5 * (low + high);
+            let (_, area) = self.load_and_area(middle.exp());
+            // A_c = π R ω_c.
+            if area * self.critical_over_radius < LARGEST_CONTACT.powi(2) {
+                low = middle
+            } else {
+                high = middle
+            }
+        }
+        low.exp()
     }
 
     /// (P/P_c, A/A_c) at ω/ω_c, with P_c and A_c of first yield without friction.
@@ -178,7 +202,9 @@ impl ClosedForm {
         let area = area_ratio * hertz::contact_area(radius, omega);
         let strength = match self.inception {
             SlidingInception::ConstantShear => self.material.shear_strength(),
-            SlidingInception::KogutEtsion => load * kogut_etsion::static_friction(interference) / area,
+            SlidingInception::KogutEtsion => {
+                load * kogut_etsion::static_friction(interference / self.units.0) / area
+            }
             SlidingInception::ChangEtsionBogy => {
                 load * chang_etsion_bogy::static_friction(interference / self.units.0) / area
             }
@@ -206,7 +232,25 @@ impl AsperityLaw for ClosedForm {
     }
 
     fn interference_limit(&self) -> f64 {
-        f64::INFINITY
+        let unit = self.units.0;
+        let published: f64 = match (self.normal, self.inception) {
+            (NormalContact::Hertz, _) | (_, SlidingInception::ChangEtsionBogy) => unit,
+            (_, SlidingInception::KogutEtsion) => kogut_etsion::FRICTION_LIMIT * unit,
+            (NormalContact::Brizmer, _) => brizmer::LARGEST_INTERFERENCE * unit,
+            _ => f64::INFINITY,
+        };
+        published.min(self.contact_limit)
+    }
+
+    fn contact_limit(&self) -> f64 {
+        self.contact_limit
+    }
+
+    fn above_range(&self) -> AboveRange {
+        match self.inception {
+            SlidingInception::KogutEtsion => AboveRange::NoFriction,
+            _ => AboveRange::Formulae,
+        }
     }
 
     fn breaks(&self) -> Vec<f64> {
@@ -214,7 +258,7 @@ impl AsperityLaw for ClosedForm {
             NormalContact::Hertz => Vec::new(),
             NormalContact::JacksonGreen => vec![jackson_green::ELASTIC_LIMIT * self.units.0],
             NormalContact::ChangEtsionBogy => chang_etsion_bogy::BREAKS.map(|w| w * self.units.0).to_vec(),
-            NormalContact::KogutEtsion => kogut_etsion::BREAKS.to_vec(),
+            NormalContact::KogutEtsion => kogut_etsion::BREAKS.map(|w| w * self.units.0).to_vec(),
             NormalContact::Brizmer => vec![self.units.0],
         }
     }

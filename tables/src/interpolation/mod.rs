@@ -210,6 +210,18 @@ impl AsperityLaw for InterpolatedTable {
         }))
     }
 
+    fn temperature_mean(
+        &self,
+        radius: f64,
+        interference: f64,
+        slip_rate: f64,
+    ) -> Result<Option<Estimate>, LookupError> {
+        if interference <= 0.0 {
+            return Ok(Some(Estimate { value: self.metadata().temperature, error: 0.0 }));
+        }
+        self.estimate(Quantity::TemperatureMean, radius, interference, slip_rate).map(Some)
+    }
+
     /// G times the area at inception.
     fn energy_release(
         &self,

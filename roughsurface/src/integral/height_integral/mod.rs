@@ -267,7 +267,7 @@ impl<'a> HeightIntegral<'a> {
 
     fn leaf(&self, kept: bool, panel: usize, separation: f64) -> Leaf {
         let (value, error) =
-            self.tree(kept).integral(panel, self.heights, separation, self.asperity.has_energy());
+            self.tree(kept).integral(panel, self.heights, separation, self.asperity.has_additional());
         Leaf { kept, panel, value, error }
     }
 
@@ -293,7 +293,10 @@ impl<'a> HeightIntegral<'a> {
             pressure: integral(LOAD, LOAD_ERROR, LOAD),
             shear: integral(FRICTION, FRICTION_ERROR, FRICTION),
             area_fraction: integral(AREA, AREA_ERROR, AREA),
-            energy: self.asperity.has_energy().then(|| integral(ENERGY, ENERGY_ERROR, OF_ENERGY)),
+            additional: self
+                .asperity
+                .has_additional()
+                .then(|| integral(ADDITIONAL, ADDITIONAL_ERROR, OF_ADDITIONAL)),
             contact_density: density * tail,
             loaded_radius: share(LOAD_RADIUS),
             outside: share(LOAD_OUTSIDE),

@@ -185,10 +185,17 @@ fn incomplete_gamma(a: f64, x: f64) -> f64 {
 fn kogut_etsion_asperities_with_exponential_heights() {
     let law = closed_form("constant-shear", &STEEL).unwrap();
     let radius = 1e-4;
-    let critical = law.critical_interference(radius);
-    let unit = law.response(radius, 1.0 - 1e-9, 1.0, 1.0).unwrap();
-    let (breaks, plastic) = ([0.0, 1.0, 6.0, 110.0, f64::INFINITY], 3.0 * 2.8 / 1.61279656);
-    let load = [(1.0, 1.5), (1.03, 1.425), (1.40, 1.263), (plastic, 1.0)];
+    // p₀/σ_Y of first yield, exact and after Chang et al., 2.8 (0.454 + 0.41ν), in units of which Kogut & Etsion write.
+    let (exact_yield, of_authors) = (1.61279656f64, 2.8 * (0.454 + 0.41 * 0.3));
+    let in_exact = (of_authors / exact_yield).powi(2);
+    let critical = in_exact * law.critical_interference(radius);
+    // P ∝ ω^{3/2} and A ∝ ω below first yield.
+    let quarter = law.response(radius, 0.25 * in_exact, 1.0, 1.0).unwrap();
+    let (unit_load, unit_area) = (8.0 * quarter.load.value, 4.0 * quarter.area.value);
+    let breaks = [0.0, 1.0, 6.0, 110.0, f64::INFINITY];
+    let load_of =
+        |coefficient: f64| [(1.0, 1.5), (1.03, 1.425), (1.40, 1.263), (3.0 * 2.8 / coefficient, 1.0)];
+    let load = load_of(of_authors);
     let area = [(1.0, 1.0), (0.93, 1.136), (0.94, 1.146), (2.0, 1.0)];
     for (psi, published_mu) in [(0.5, 0.80375), (1.0, 0.42963), (8.0, 0.21443)] {
         let psi: f64 = psi;
@@ -201,6 +208,10 @@ fn kogut_etsion_asperities_with_exponential_heights() {
                 })
                 .sum()
         };
+        // Five published digits, for the exact first yield: μ = (√3/2)/C · S_A/S_P.
+        let ratio =
+            |coefficient: f64| 0.75f64.sqrt() / coefficient * exact(&area) / exact(&load_of(coefficient));
+        assert_close(ratio(exact_yield), published_mu, 2e-5, "reference");
         let heights = Exponential::new(critical * psi * psi);
         let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 1.0).unwrap();
         let mut integral = HeightIntegral::new(asperity.clone(), &heights, 1.0, 1e-12);
@@ -211,12 +222,10 @@ fn kogut_etsion_asperities_with_exponential_heights() {
             // Amontons: the same at every load.
             let first = *first.get_or_insert(mu);
             assert_close(mu, first, 1e-10, "mu against load");
-            // Five published digits.
-            assert_close(mu, published_mu, 2e-5, "mu");
-            // The units are taken just below yield, 1e-9 off.
-            let load_sum = state.pressure.value * h.exp() / unit.load.value;
+            assert_close(mu, ratio(of_authors), 1e-8, "mu");
+            let load_sum = state.pressure.value * h.exp() / unit_load;
             assert_close(load_sum, exact(&load), 1e-8, "S_P");
-            let area_sum = state.area_fraction.value * h.exp() / unit.area.value;
+            let area_sum = state.area_fraction.value * h.exp() / unit_area;
             assert_close(area_sum, exact(&area), 1e-8, "S_A");
         }
     }

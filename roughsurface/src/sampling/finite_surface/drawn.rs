@@ -1,15 +1,17 @@
 //! One finite surface: its summits drawn at random, and its states.
 
 use crate::friction::slip_curve::SlipState;
+use crate::friction::warning::Place;
 use crate::friction::{PredictionError, Settings};
 use crate::integral::contact_state::ContactState;
-use crate::integral::height_integral::{HeightIntegral, NEGLIGIBLE_SHARE};
+use crate::integral::height_integral::HeightIntegral;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
 use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
 use crate::surface::heights::{Heights, Random, Sample};
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use rand::SeedableRng;
+use tables::law::AsperityLaw;
 
 /// One finite surface under one pressure at one slip rate.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,7 +24,6 @@ pub struct SampledState {
 
 /// The asperities at one slip rate.
 pub(super) struct LawAtRate<'a> {
-    pub slip_rate: f64,
     pub before: Asperities<'a>,
     pub after: Asperities<'a>,
 }
@@ -70,26 +71,22 @@ impl DrawnSurface {
     /// At every pressure or separation and slip rate, row by row.
     pub(super) fn states(
         &self,
+        law: &dyn AsperityLaw,
         laws: &[LawAtRate],
         predictors: &[Predictor],
-        limit: f64,
         query: &Query,
         settings: &Settings,
     ) -> Result<Vec<SampledState>, PredictionError> {
         let mut states = Vec::new();
         for (row, &value) in query.loading.values().iter().enumerate() {
-            for (law, predictor) in laws.iter().zip(&predictors[row * laws.len()..]) {
-                let (separation, state) = self.slid(law, *predictor, query, value, settings.tolerance)?;
-                if state.beyond > NEGLIGIBLE_SHARE && !settings.extrapolate {
-                    return Err(PredictionError::ContactsTooLarge {
-                        loading: query.loading.describe(row),
-                        slip_rate: law.slip_rate,
-                        limit,
-                        share: state.beyond,
-                    });
-                }
+            let of_row = &predictors[row * laws.len()..];
+            for (rate, (law_at_rate, predictor)) in laws.iter().zip(of_row).enumerate() {
+                let (separation, state) =
+                    self.slid(law_at_rate, *predictor, query, value, settings.tolerance)?;
                 let contacts = state.contact_density / self.asperity_density * self.asperities as f64;
-                states.push(SampledState { state: SlipState::at_separation(separation, &state), contacts });
+                let state = SlipState::at_separation(separation, &state);
+                let state = state.within(law, settings, &|| Place::of(query, row, rate))?;
+                states.push(SampledState { state, contacts });
             }
         }
         Ok(states)

@@ -24,7 +24,7 @@ use drawn::{DrawnSurface, LawAtRate};
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tables::law::{AsperityLaw, LookupError};
+use tables::law::{AboveRange, AsperityLaw, LookupError};
 
 /// Request of finite surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,7 +95,7 @@ pub fn sample(
     query.check_slip_rates(law, &surface.asperity_radius)?;
     let with_rate = |&rate: &f64| {
         let before = Asperities::new(law, surface, rate)?;
-        Ok(LawAtRate { slip_rate: rate, after: before.after(sampling.slip), before })
+        Ok(LawAtRate { after: before.after(sampling.slip), before })
     };
     let laws: Vec<LawAtRate> = query.slip_rates.iter().map(with_rate).collect::<Result<_, LookupError>>()?;
     let predictors = predictors(&laws, surface, query, settings);
@@ -106,7 +106,7 @@ pub fn sample(
         .into_par_iter()
         .map(|seed| {
             let states = DrawnSurface::new(surface, sampling.asperities, seed)
-                .and_then(|drawn| drawn.states(&laws, &predictors, law.contact_limit(), query, settings));
+                .and_then(|drawn| drawn.states(law, &laws, &predictors, query, settings));
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
             states
         })
@@ -118,7 +118,7 @@ pub fn sample(
     let states: Vec<Vec<Vec<SampledState>>> = (0..query.loading.values().len())
         .map(|row| (0..rates).map(|rate| cell(row * rates + rate)).collect())
         .collect();
-    let warnings = warnings(query, &states);
+    let warnings = warnings(law, query, &states);
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, warnings })
 }
 
@@ -147,20 +147,22 @@ fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &S
     predictors
 }
 
-fn warnings(query: &Query, states: &[Vec<Vec<SampledState>>]) -> Vec<Warning> {
+fn warnings(law: &dyn AsperityLaw, query: &Query, states: &[Vec<Vec<SampledState>>]) -> Vec<Warning> {
     let mut warnings = Vec::new();
     for (row, columns) in states.iter().enumerate() {
         for (rate, surfaces) in columns.iter().enumerate() {
             let at = || Place::of(query, row, rate);
             let outside = surfaces.iter().map(|one| one.state.outside).fold(0.0, f64::max);
-            if outside > NEGLIGIBLE_SHARE {
+            if outside > NEGLIGIBLE_SHARE && law.above_range() == AboveRange::Extrapolated {
                 warnings.push(Warning::SamplesExtrapolated { at: at(), share: outside });
             }
-            let idle = surfaces.iter().filter(|one| one.state.mu.value.is_nan()).count();
+            let idle = surfaces.iter().filter(|one| one.contacts == 0.0).count();
             if idle > 0 {
                 warnings.push(Warning::SamplesWithoutContact { at: at(), idle, count: surfaces.len() });
             }
         }
     }
+    let outside = states.iter().flatten().flatten().map(|one| one.state.outside);
+    warnings.extend(Warning::beyond_formulae(law, outside));
     warnings
 }

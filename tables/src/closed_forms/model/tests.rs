@@ -106,3 +106,34 @@ fn unknown_name_lists_the_known_ones() {
     let message = ClosedForm::new("herz", &STEEL).unwrap_err().to_string();
     assert!(message.contains("\"herz\"") && message.contains("kogut-etsion, jackson-green"));
 }
+
+#[test]
+fn units_of_first_yield_are_those_of_the_authors() {
+    // Kogut & Etsion, Chang et al.: KH with K = 0.454 + 0.41ν and H = 2.8 σ_Y.
+    let ratio: f64 = 2.8 * (0.454 + 0.41 * 0.3) / hertz::yield_coefficient(0.3);
+    for name in ["kogut-etsion", "constant-shear", "chang-etsion-bogy"] {
+        let law = ClosedForm::new(name, &STEEL).unwrap();
+        assert!((law.units.0 / ratio.powi(2) - 1.0).abs() < 1e-12, "{name}: {:?}", law.units);
+    }
+    // Friction of 2003 at 3 of their ω_c: −0.007·27 + 0.085·9 − 0.389·3 + 0.822.
+    assert!((friction_coefficient("kogut-etsion", 3.0 * ratio.powi(2)) - 0.231).abs() < 1e-12);
+}
+
+#[test]
+fn every_model_ends_where_it_was_published_and_within_the_sphere() {
+    for name in NAMES {
+        let law = ClosedForm::new(name, &STEEL).unwrap();
+        let largest = sliding(name, law.contact_limit());
+        let contact_radius = (largest.area.value / std::f64::consts::PI).sqrt();
+        assert!((contact_radius / 0.4e-4 - 1.0).abs() < 1e-9, "{name}: {contact_radius:e}");
+        let limit = law.interference_limit() / law.units.0;
+        let expected = match name {
+            "hertz" | "chang-etsion-bogy" => 1.0,
+            "kogut-etsion" => 6.0,
+            "brizmer" | "cohen" => 150.0,
+            _ => law.contact_limit() / law.units.0,
+        };
+        assert!((limit / expected - 1.0).abs() < 1e-12, "{name}: {limit}");
+        assert_eq!(law.above_range() == AboveRange::NoFriction, name == "kogut-etsion");
+    }
+}

@@ -1,0 +1,221 @@
+//! The contacts at the end of the slide: temperatures, and shares of the load by regime.
+
+use crate::friction::regime::RegimeShares;
+use crate::integral::asperity_at_slip::Additional;
+use crate::integral::contact_state::ContactState;
+use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
+use crate::root_finding::{Accuracy, root_between};
+use crate::surface::heights::Heights;
+use crate::surface::query::Surface;
+use std::convert::Infallible;
+use tables::closed_forms::kogut_etsion;
+use tables::law::{Estimate, LookupError};
+
+/// Interferences, in ω_c, of first yield and of the start of full plasticity (Kogut & Etsion 2002, doi
+/// 10.1115/1.1490373).
+const REGIMES: [f64; 2] = [kogut_etsion::BREAKS[0], kogut_etsion::BREAKS[2]];
+
+/// Share of the contacts that may be hotter than the highest temperature: heights without an upper end have no hottest
+/// contact.
+const HOTTER: f64 = 1e-3;
+
+/// The contacts of a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Contacts {
+    /// Share of the contacts in each regime.
+    pub shares: RegimeShares,
+    /// Share of the load on contacts below first yield, 1.
+    pub elastic_load: f64,
+    /// Share of the load on contacts between first yield and 110 ω_c, 1.
+    pub elastic_plastic_load: f64,
+    /// Share of the load on contacts above 110 ω_c, 1.
+    pub fully_plastic_load: f64,
+    /// Temperature of the contacts, mean over the real contact area, K; none if the law has no temperature.
+    pub temperature_mean: Option<Estimate>,
+    /// Temperature that the hottest point of one contact in a thousand exceeds, K; of fewer contacts that of the
+    /// largest. None if the law has no temperature.
+    pub temperature_max: Option<Estimate>,
+}
+
+/// The contacts at one slip rate and slip, for any separation.
+pub(crate) struct ContactsAtSlip<'a> {
+    asperities: Asperities<'a>,
+    heights: &'a dyn Heights,
+    /// The load of each counted above one of [`REGIMES`]; the first has the temperature.
+    above: [SurfaceIntegral<'a>; 2],
+    melting_temperature: Option<f64>,
+}
+
+impl<'a> ContactsAtSlip<'a> {
+    pub(crate) fn new(
+        asperities: Asperities<'a>,
+        surface: &'a Surface,
+        tolerance: f64,
+        melting_temperature: Option<f64>,
+    ) -> Self {
+        let heights = surface.heights.as_ref();
+        let with_temperature = asperities.with(Additional::TemperatureRise);
+        let above =
+            [(&with_temperature, REGIMES[0]), (&asperities, REGIMES[1])].map(|(asperities, regime)| {
+                let counted = asperities.counted_above(regime);
+                SurfaceIntegral::new(&counted, heights, surface.asperity_density, tolerance)
+            });
+        Self { asperities, heights, above, melting_temperature }
+    }
+
+    /// Under a flat at `separation` (m).
+    pub(crate) fn at(&mut self, separation: Estimate) -> Result<Contacts, LookupError> {
+        // Where the pressure hardly depends on the separation, its error may be infinite.
+        let error = separation.error.min(self.heights.standard_deviation());
+        let separation = Estimate { error, ..separation };
+        let yielded = self.above[0].at(separation.value)?;
+        let (plastic, flowing) = (yielded.outside, self.above[1].at(separation.value)?.outside);
+        let temperature_mean = self.temperature_mean(separation, yielded)?;
+        let temperature_max = match temperature_mean {
+            Some(_) => self.temperature_max(separation)?,
+            None => None,
+        };
+        Ok(Contacts {
+            shares: RegimeShares::of(
+                &self.asperities,
+                self.heights,
+                separation.value,
+                self.melting_temperature,
+            ),
+            elastic_load: 1.0 - plastic,
+            // Each of the two is exact to the tolerance of the integrals.
+            elastic_plastic_load: (plastic - flowing).max(0.0),
+            fully_plastic_load: flowing,
+            temperature_mean,
+            temperature_max,
+        })
+    }
+
+    /// ∫T̄Aφ dz/∫Aφ dz. Errors of the area, with one sign in all asperities, cancel.
+    fn temperature_mean(
+        &mut self,
+        separation: Estimate,
+        mut state: ContactState,
+    ) -> Result<Option<Estimate>, LookupError> {
+        let mean = |state: &ContactState| Some(state.additional?.value / state.area_fraction.value);
+        self.above[0].complete_errors(separation.value, &mut state)?;
+        let closer = self.above[0].at(separation.value - separation.error)?;
+        let (Some(rise), Some(value), Some(moved)) = (state.additional, mean(&state), mean(&closer)) else {
+            return Ok(None);
+        };
+        let area = state.area_fraction;
+        let of_area = value * area.quadrature_error;
+        let errors = [rise.law_error, rise.quadrature_error, of_area].map(|error| error / area.value);
+        let initial = self.asperities.classes()[0].1.initial_temperature()?;
+        Ok(Some(Estimate::with_errors(initial + value, errors.into_iter().chain([moved - value]))))
+    }
+
+    fn temperature_max(&self, separation: Estimate) -> Result<Option<Estimate>, LookupError> {
+        let tail = |share: f64, height: f64| share * self.heights.tail(height);
+        let touching: f64 =
+            self.asperities.classes().iter().map(|(share, _)| tail(*share, separation.value)).sum();
+        let mut highest: Option<Estimate> = None;
+        for (share, asperity) in self.asperities.classes() {
+            let excess = |height: f64| (tail(*share, height) / (HOTTER * touching)).ln().max(-1e3);
+            let Some(height) = height_of(excess, separation.value, self.heights.standard_deviation()) else {
+                continue;
+            };
+            let critical = asperity.critical_interference();
+            let at = |interference: f64| -> Result<Estimate, LookupError> {
+                Ok(asperity.response(interference)?.temperature_max)
+            };
+            let interference = (height - separation.value) / critical;
+            let (here, moved) = (at(interference)?, at(interference + separation.error / critical)?);
+            if highest.is_none_or(|highest| highest.value < here.value) {
+                highest = Some(Estimate::with_errors(here.value, [here.error, moved.value - here.value]));
+            }
+        }
+        Ok(highest)
+    }
+}
+
+/// Height (m) above `from` at which `excess`, which falls, is zero; none if it is negative from the start.
+fn height_of(excess: impl Fn(f64) -> f64, from: f64, standard_deviation: f64) -> Option<f64> {
+    let mut stride = standard_deviation;
+    while excess(from + stride) > 0.0 {
+        stride *= 2.0;
+    }
+    // Measured heights have steps in place of a zero.
+    let accuracy = Accuracy { value: 1e-9, width: 1e-12 * stride };
+    let Ok(height) =
+        root_between(from, from + stride, accuracy, |height| Ok::<f64, Infallible>(excess(height)));
+    height
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integral::test_laws::PowerLaw;
+    use crate::surface::heights::{Exponential, Sample};
+
+    /// T = 300 K + 100 K √(ω/ω_c), the mean rise 0.6 of that; ω_c = 1 µm.
+    fn law(relative_error: f64) -> PowerLaw {
+        let temperature = |interference: f64| 300.0 + 100.0 * interference.sqrt();
+        PowerLaw { critical: 1e-6, temperature, mean_rise: Some(0.6), relative_error, ..PowerLaw::hertz() }
+    }
+
+    fn surface(heights: Box<dyn Heights>) -> Surface {
+        Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
+    }
+
+    fn contacts(surface: &Surface, law: &PowerLaw, separation: Estimate) -> Contacts {
+        let asperities = Asperities::new(law, surface, 1.0).unwrap().after(1.0);
+        ContactsAtSlip::new(asperities, surface, 1e-10, None).at(separation).unwrap()
+    }
+
+    #[test]
+    fn temperatures_and_loads_of_exponential_heights_in_closed_form() {
+        let std = 2e-6;
+        let surface = surface(Box::new(Exponential::new(std)));
+        let exact = Estimate { value: 3e-6, error: 0.0 };
+        let found = contacts(&surface, &law(0.0), exact);
+        // x = ω/ω_c with mean 2: ∫ √x x e^{−x/2} dx/∫ x e^{−x/2} dx = √2 Γ(5/2).
+        let mean = 300.0 + 60.0 * 2f64.sqrt() * libm::tgamma(2.5);
+        let temperature = found.temperature_mean.unwrap();
+        assert!((temperature.value / mean - 1.0).abs() < 1e-9, "{temperature:?} {mean}");
+        assert!(temperature.error < 1e-6, "{temperature:?}");
+        // One contact in a thousand is pressed by more than σ ln 1000.
+        let highest = 300.0 + 100.0 * (2.0 * 1000f64.ln()).sqrt();
+        assert!((found.temperature_max.unwrap().value / highest - 1.0).abs() < 1e-8);
+        // P ∝ x^{3/2}: shares of an incomplete gamma function of 5/2 at 1/2 and 55.
+        let below = |x: f64| puruspe::gammp(2.5, x);
+        assert!((found.elastic_load - below(0.5)).abs() < 1e-8, "{found:?}");
+        assert!((found.elastic_plastic_load - (below(55.0) - below(0.5))).abs() < 1e-8);
+        assert!((found.fully_plastic_load - (1.0 - below(55.0))).abs() < 1e-12);
+        // The mean does not depend on the separation, nor on errors of the area that are in proportion to it.
+        let uncertain = contacts(&surface, &law(0.01), Estimate { error: 0.1e-6, ..exact });
+        assert!((uncertain.temperature_mean.unwrap().error / (0.01 * (mean - 300.0)) - 1.0).abs() < 1e-6);
+        let moved = 100.0 * ((2.0 * 1000f64.ln() + 0.1).sqrt() - (2.0 * 1000f64.ln()).sqrt());
+        assert!((uncertain.temperature_max.unwrap().error / moved - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn temperatures_of_a_few_summits_are_those_of_their_sum() {
+        let heights: Vec<f64> = (0..40).map(|i| 0.17e-6 * f64::from(i * i % 41)).collect();
+        let separation = 1.3e-6;
+        let touching = heights.iter().filter(|height| **height > separation);
+        let interference: Vec<f64> = touching.map(|height| (height - separation) / 1e-6).collect();
+        let sum = |of: fn(f64) -> f64| interference.iter().copied().map(of).sum::<f64>();
+        let mean = 300.0 + 60.0 * sum(|x| x * x.sqrt()) / sum(|x| x);
+        let elastic = sum(|x| if x <= 1.0 { x.powf(1.5) } else { 0.0 }) / sum(|x| x.powf(1.5));
+        let highest = interference.iter().copied().fold(0.0, f64::max);
+        let surface = surface(Box::new(Sample::new(heights).unwrap()));
+        let found = contacts(&surface, &law(0.0), Estimate { value: separation, error: 0.0 });
+        assert!((found.temperature_mean.unwrap().value / mean - 1.0).abs() < 1e-12, "{found:?} {mean}");
+        assert!((found.temperature_max.unwrap().value / (300.0 + 100.0 * highest.sqrt()) - 1.0).abs() < 1e-9);
+        assert!((found.elastic_load - elastic).abs() < 1e-12, "{found:?} {elastic}");
+    }
+
+    #[test]
+    fn a_law_without_temperature_has_none() {
+        let surface = surface(Box::new(Exponential::new(2e-6)));
+        let law = PowerLaw { mean_rise: None, ..law(0.0) };
+        let found = contacts(&surface, &law, Estimate { value: 0.0, error: 0.0 });
+        assert_eq!((found.temperature_mean, found.temperature_max), (None, None));
+    }
+}
