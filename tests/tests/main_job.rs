@@ -99,9 +99,10 @@ fn load_above_the_table_is_extrapolated_until_the_sphere_ends() {
         let first = |name| file.reals(name, &[1, 2]).unwrap()[0];
         (first("outside_table_fraction"), first("mu_error") / first("mu"))
     };
-    let (few, many) = (error(1.0), error(5.0));
-    assert!(few.0 < 0.01 && many.0 > 0.1, "{few:?} {many:?}");
-    assert!(many.1 > few.1 && many.1 < 0.5, "{few:?} {many:?}");
+    assert!(error(1.0).0 < 0.01);
+    let beyond = [5.0, 20.0, 60.0].map(error);
+    let grows = |pair: &[(f64, f64)]| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1;
+    assert!(beyond[0].0 > 0.1 && beyond.windows(2).all(grows), "{beyond:?}");
     std::fs::write(folder.join("rough.toml"), surface("[1e2]", 1e5 * critical_interference())).unwrap();
     refused(
         folder,
