@@ -44,7 +44,7 @@
 //!
 //! // The figure and the file.
 //! let results = Results::from(prediction);
-//! assert!(figure(&results).svg().contains("friction coefficient"));
+//! assert!(figure(&results).svg().contains("Friction coefficient"));
 //! let path = std::env::temp_dir().join(format!("roughsurface-example-{}.nc", std::process::id()));
 //! let origin = Origin { surface: &file.text, table: "model:jackson-green", history: "an example" };
 //! friction_file::write(&path, &results, &origin)?;
