@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 use asperity::scene::file::{key_names, parse_request, parse_scene};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::surface::heights::DISTRIBUTIONS;
+use tables::numbers::plain;
+use tables::quantity::plausible::ranges;
 use tests::programs::{execute, stderr};
 
 fn root() -> PathBuf {
@@ -204,6 +206,12 @@ fn keys_are_documented() {
         .filter(|key| !text.contains(**key) && !requests.contains(&format!("`{key}`")))
         .collect();
     assert!(wanted.len() > 40 && missing.is_empty(), "scene.md, request.md: {missing:?}");
+
+    for (keys, unit, least, most) in ranges() {
+        let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+        let row = format!("| {} | {unit} | {} | {} |", keys.join(", "), plain(least), plain(most));
+        assert!(text.contains(&row), "scene.md: {row}");
+    }
 
     let text = chapter("files/surface.md");
     for entry in DISTRIBUTIONS {

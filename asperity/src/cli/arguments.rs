@@ -74,6 +74,16 @@ pub(super) enum Command {
         /// Name of a preset
         name: Option<String>,
     },
+    /// Print the completion script of a shell
+    Completions {
+        /// Shell to complete in
+        shell: clap_complete::Shell,
+    },
+    /// Write the man pages
+    Man {
+        /// Folder to write them to, such as ~/.local/share/man/man1
+        directory: PathBuf,
+    },
 }
 
 #[derive(Args)]

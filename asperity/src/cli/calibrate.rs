@@ -15,6 +15,5 @@ pub fn calibrate(display: &Display) -> Result<(), Failure> {
         error => Failure::run(error),
     })?;
     progress.clear();
-    print(&markdown(&fits));
-    Ok(())
+    print(&markdown(&fits))
 }

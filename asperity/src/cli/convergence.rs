@@ -12,12 +12,13 @@ use super::{ConvergenceArguments, Display, Failure, command_line, outputs};
 /// Runs the sequence of meshes, writes the file and prints the least expensive mesh that meets the accuracy.
 pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
-    outputs::check_output(&arguments.output, &arguments.scene)?;
-    outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
+    let written = outputs::with_plot(&arguments.output, arguments.plot.as_deref());
+    outputs::check(&[("the scene", &arguments.scene)], &written)?;
     let finest = usize::from(arguments.finest);
     if !finest.is_multiple_of(DIVISOR) {
         return Err(Failure::input(format!("--finest: {finest} is not a multiple of {DIVISOR}")));
     }
+    display.warn(scene.remarks());
     watch_for_interrupt();
     let progress = Progress::new(display);
     let result = Convergence::sweep(&scene, finest, &progress);
@@ -26,14 +27,16 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
         SimulationError::Unsupported(_) => Failure::input(error),
         error => Failure::run(error),
     })?;
-    let saved = convergence::write(&arguments.output, &scene, &sweep, &provenance::history(&command_line()));
-    display.print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
-    saved.map_err(Failure::run)?;
+    let history = provenance::history(&command_line());
+    let saved = outputs::save(&arguments.output, |path| convergence::write(path, &scene, &sweep, &history));
+    let printed =
+        display.print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
+    saved?;
     if let Some(plot) = &arguments.plot {
         let drawn = convergence::figure(&sweep).only(&arguments.panel).and_then(|figure| figure.save(plot));
         drawn.map_err(Failure::run)?;
     }
-    Ok(())
+    printed
 }
 
 fn as_json(sweep: &Convergence) -> serde_json::Value {

@@ -1,10 +1,9 @@
 //! `asperity effectivity`: true errors against their estimates.
 
-use std::io::Write;
-
 use asperity::simulate::Watch;
 use asperity::studies::effectivity::{Record, Report, markdown, run, scenes};
 
+use tables::netcdf::streams::say;
 use tables::netcdf::write_atomically;
 
 use super::progress::{Progress, watch_for_interrupt};
@@ -12,7 +11,7 @@ use super::{Display, EffectivityArguments, Failure, outputs, print};
 
 /// Run the scenes that the journal lacks, evaluate all of it.
 pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Result<(), Failure> {
-    outputs::check_output(&arguments.output, &arguments.journal)?;
+    outputs::check(&[("--journal", &arguments.journal)], &[(outputs::OUTPUT, &arguments.output)])?;
     let all = scenes::SCENES.len();
     let which: Vec<usize> = match arguments.scenes.as_slice() {
         [] => (0..all).collect(),
@@ -28,7 +27,7 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
             let (preset, interference, slip_rate) = scenes::SCENES[record.scene];
             let name = scenes::name(preset, interference, slip_rate);
             let outcome = record.failure.as_deref().unwrap_or("done");
-            eprintln!("{name}, {:?}: {outcome}, {:.1} s", record.role, record.wall_time);
+            say(format!("{name}, {:?}: {outcome}, {:.1} s", record.role, record.wall_time));
         }
     };
     let which = if arguments.judge_only { &[] } else { which.as_slice() };
@@ -36,10 +35,10 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.journal.display())))?;
     let report = Report::new(&records);
     let text = markdown(&report);
-    write_atomically(&arguments.output, |file| file.write_all(text.as_bytes()))
+    write_atomically(&arguments.output, text.as_bytes())
         .map_err(|error| Failure::run(format!("{}: {error}", arguments.output.display())))?;
     if !display.quiet {
-        print(&text);
+        print(&text)?;
     }
     Ok(())
 }

@@ -25,7 +25,7 @@ From a material to the friction of a rough surface:
 Exit status: 0 done, 1 a run failed (what could be saved is saved), 2 bad input or usage.";
 
 pub(super) const RUN: &str = "\
-A scene (SI units, kelvin). Optional sections and keys are shown with their defaults:
+A scene (SI units, kelvin), or - for standard input. Optional sections and keys are shown with their defaults:
   [material]
   preset = \"steel-4340\"          # or every constant; `asperity materials` lists the presets
   [asperity]
@@ -55,6 +55,11 @@ A scene (SI units, kelvin). Optional sections and keys are shown with their defa
 youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
 temperature) may be tables, linear between the points and constant outside:
   thermal_conductivity = { temperature = [293.15, 1073.15], value = [53.3, 27.3] }    # K, W/(m K)
+
+Without a preset the material neither hardens nor softens unless it is given how:
+  hardening = { law = \"none\" }    # default; or linear (modulus), johnson-cook (modulus, exponent), table
+  softening = { law = \"none\" }    # default; or johnson-cook (reference, melting, exponent), table
+thermal_expansion = 0 leaves expansion out. -v prints every default in effect.
 
 With one of these in [material] the energy G is also given as a share of the shear fracture energy:
   shear_fracture_energy (J/m2), fracture_toughness_mode_ii (Pa sqrt(m)), or tensile_strength (Pa)

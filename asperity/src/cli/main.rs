@@ -7,6 +7,7 @@ mod calibrate;
 mod convergence;
 mod effectivity;
 mod help;
+mod manual;
 mod materials;
 mod merge;
 mod outputs;
@@ -22,6 +23,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use serde_json::Value;
+use tables::netcdf::streams::{self, say};
 
 use arguments::{
     Arguments, Command, ConvergenceArguments, Display, EffectivityArguments, MergeArguments, RunArguments,
@@ -48,7 +50,11 @@ impl Failure {
 
 fn main() -> ExitCode {
     tables::netcdf::enable_sandbox();
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        // Help and version, or an error of usage.
+        Err(message) => return streams::usage(message.exit_code(), message.print()),
+    };
     let display = &arguments.display;
     let work = || match &arguments.command {
         Command::Run(arguments) => run::run(arguments, display),
@@ -59,6 +65,8 @@ fn main() -> ExitCode {
         Command::Verify(arguments) => verify::verify(arguments, display),
         Command::Effectivity(arguments) => effectivity::effectivity(arguments, display),
         Command::Calibrate => calibrate::calibrate(display),
+        Command::Completions { shell } => manual::completions(*shell),
+        Command::Man { directory } => manual::man(directory),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
     let (status, reason) = match std::panic::catch_unwind(work) {
@@ -67,23 +75,29 @@ fn main() -> ExitCode {
         Ok(Err(Failure::Input(reason))) => (2, reason),
         Err(_) => (1, "internal error (see above); please report it".into()),
     };
-    eprintln!("error: {reason}");
+    say(format!("error: {reason}"));
     ExitCode::from(status)
 }
 
-/// Write to stdout; a closed pipe is no error.
-fn print(text: &str) {
-    use std::io::Write;
-    let _ = std::io::stdout().write_all(text.as_bytes());
+/// Write to standard output, after all files; text that is lost there is a failure.
+fn print(text: &str) -> Result<(), Failure> {
+    streams::print(text).map_err(|error| Failure::Run(format!("standard output cannot be written: {error}")))
 }
 
 impl Display {
+    /// Write warnings on standard error, a line each.
+    fn warn<W: std::fmt::Display>(&self, warnings: impl IntoIterator<Item = W>) {
+        if !self.quiet {
+            warnings.into_iter().for_each(|warning| say(format!("warning: {warning}")));
+        }
+    }
+
     /// Write the result of a command to stdout: JSON with `--json`, text otherwise.
-    fn print(&self, json: impl FnOnce() -> Value, text: impl FnOnce() -> String) {
-        if self.json {
-            print(&format!("{:#}\n", json()));
-        } else if !self.quiet {
-            print(&text());
+    fn print(&self, json: impl FnOnce() -> Value, text: impl FnOnce() -> String) -> Result<(), Failure> {
+        match (self.json, self.quiet) {
+            (true, _) => print(&format!("{:#}\n", json())),
+            (false, false) => print(&text()),
+            (false, true) => Ok(()),
         }
     }
 }

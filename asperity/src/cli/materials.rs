@@ -6,6 +6,7 @@ use asperity::scene::TemperatureTable;
 use asperity::scene::presets::{self, ConstantValue, Preset};
 use serde_json::{Map, Value, json};
 use tables::numbers;
+use tables::quantity::hint;
 
 use super::{Display, Failure};
 
@@ -23,13 +24,11 @@ pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
         None => chosen.iter().map(|preset| format!("{:21}{}\n", preset.name, preset.title)).collect(),
         Some(_) => constants(chosen[0]),
     };
-    display.print(json, text);
-    Ok(())
+    display.print(json, text)
 }
 
 fn unknown(name: &str) -> Failure {
-    let names = presets::names().join(", ");
-    Failure::input(format!("materials {name}: unknown preset; known: {names}"))
+    Failure::input(format!("materials {name}: unknown preset; {}", hint(name, &presets::names())))
 }
 
 fn constants(preset: &Preset) -> String {

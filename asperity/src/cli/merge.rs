@@ -4,16 +4,15 @@ use std::path::Path;
 
 use asperity::output::provenance;
 use serde_json::json;
+use tables::netcdf::streams::say;
 use tables::table::Table;
 
 use super::{Display, Failure, MergeArguments, command_line, outputs};
 
 /// Read the shards, check that they belong together, write the table.
 pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failure> {
-    for shard in &arguments.shards {
-        outputs::check_output(&arguments.output, shard)?;
-        outputs::check_plot(arguments.plot.as_deref(), shard)?;
-    }
+    let shards: Vec<_> = arguments.shards.iter().map(|shard| ("a shard", shard.as_path())).collect();
+    outputs::check(&shards, &outputs::with_plot(&arguments.output, arguments.plot.as_deref()))?;
     let table = merged(&arguments.shards)?;
     let missing = table.missing();
     let cells: usize = table.slices().iter().map(|slice| slice.shape().0 * slice.shape().1).sum();
@@ -26,14 +25,16 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         )));
     }
     let missing = missing.len();
-    table.write(&arguments.output).map_err(Failure::run)?;
+    table.write(&arguments.output).map_err(|error| {
+        Failure::Run(format!("{error}; the shards are unchanged: repeat with another output, or more space"))
+    })?;
     if let Some(plot) = &arguments.plot {
         outputs::plot(&table, plot, &arguments.panel)?;
     }
     let failed = table.failures();
     if !display.quiet {
         for (label, reason) in &failed {
-            eprintln!("failed: {label}: {reason}");
+            say(format!("failed: {label}: {reason}"));
         }
     }
     let done = cells - missing - failed.len();
@@ -41,8 +42,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
     display.print(
         || json!({ "output": output, "done": done, "not_run": missing, "failed": failed }),
         || format!("{done} of {cells} cells done, {missing} not run, {failed} failed\n"),
-    );
-    Ok(())
+    )
 }
 
 /// All shards in one table, which is not a shard if no cell is missing.

@@ -8,6 +8,7 @@ use asperity::simulate::Watch;
 use asperity::simulate::expected_time::EXPECTED_TIME_FACTOR;
 use asperity::tabulate::{CellProgress, CellResult, Index, TableWatch};
 use indicatif::{ProgressBar, ProgressStyle};
+use tables::netcdf::streams::say;
 
 use super::Display;
 
@@ -24,7 +25,7 @@ pub fn watch_for_interrupt() {
     let handler = || match INTERRUPTED.get() {
         None => {
             let _ = INTERRUPTED.set(Instant::now());
-            eprintln!("stopping; interrupt again to stop without saving");
+            say("stopping; interrupt again to stop without saving");
         }
         Some(first) if first.elapsed() > SAME_REQUEST => std::process::exit(130),
         Some(_) => {}
@@ -76,7 +77,7 @@ impl Progress {
     }
 
     /// Print something while the bar is shown.
-    pub fn aside(&self, print: impl FnOnce()) {
+    pub fn aside<R>(&self, print: impl FnOnce() -> R) -> R {
         match &self.shown {
             Shown::Bar(bar) => bar.suspend(print),
             _ => print(),
@@ -120,7 +121,7 @@ impl Shown {
                 let tenth = (done * 10.0) as u64;
                 let Ok(mut last) = last.lock() else { return };
                 if last.0 != stage || last.1 != tenth {
-                    eprintln!("{stage} {:3.0} % {detail}", done * 100.0);
+                    say(format!("{stage} {:3.0} % {detail}", done * 100.0));
                     *last = (stage.to_owned(), tenth);
                 }
             }
@@ -130,10 +131,10 @@ impl Shown {
 
 /// Tells the processor time to expect, s, before the work begins.
 pub fn tell_expected_time(seconds: f64) {
-    eprintln!(
+    say(format!(
         "note: about {} of processor time expected (within a factor of {EXPECTED_TIME_FACTOR})",
         duration(seconds)
-    );
+    ));
 }
 
 /// An estimate, in two units at most.

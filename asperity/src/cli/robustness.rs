@@ -27,7 +27,7 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
     watch_for_interrupt();
     let text = !display.json && !display.quiet;
     if text {
-        print(&header());
+        print(&header())?;
     }
     let mut results = Vec::new();
     for case in cases {
@@ -37,10 +37,10 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
         let Some(result) = result else {
             return Err(Failure::Run("stopped on request".into()));
         };
-        if text {
-            print(&line(&case, &result));
-        }
         save(arguments, &case, &result)?;
+        if text {
+            print(&line(&case, &result))?;
+        }
         results.push((case, result));
     }
     let count = |is: fn(&Verdict) -> bool| results.iter().filter(|(_, result)| is(&result.verdict)).count();
@@ -54,7 +54,7 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
     let all = results.len();
     display.print(json, || {
         format!("{all} cases: {solved} solved, {refused} refused as expected, {failed} failed\n")
-    });
+    })?;
     match (solved + refused) as f64 >= REQUIRED_SHARE * results.len() as f64 {
         true => Ok(()),
         false => Err(Failure::Run(format!("{failed} of {} cases failed", results.len()))),

@@ -11,9 +11,11 @@ use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
 use asperity::simulate::expected_time::expected_time;
 use asperity::simulate::fracture;
-use asperity::simulate::outcome::{ErrorSource, Kernel, Outcome, Warning};
+use asperity::simulate::outcome::{ErrorSource, Kernel, Note, Outcome, Warning};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
+use tables::netcdf::check_distinct;
+use tables::netcdf::streams::say;
 use tables::quantity::Quantity;
 
 use super::progress::{self, Progress, watch_for_interrupt};
@@ -30,9 +32,9 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
             numbers::plain(end)
         )));
     }
-    outputs::check_output(&arguments.output, &arguments.scene)?;
-    outputs::check_plot(arguments.plot.as_deref(), &arguments.scene)?;
-    outputs::check_directory(arguments.vtu.as_deref())?;
+    check_outputs(arguments)?;
+    let remarks = scene.remarks();
+    display.warn(&remarks);
     if !display.quiet {
         progress::tell_expected_time(expected_time(&scene));
     }
@@ -56,7 +58,8 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
             }
         }
     };
-    outcome.account.warnings.extend(scene.reference_temperature_warning().map(Warning::Scene));
+    outcome.account.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
+    outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
     report(&scene, &outcome, failure.as_deref(), arguments, display)?;
     match failure {
         None => Ok(()),
@@ -65,6 +68,17 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
             arguments.output.display()
         ))),
     }
+}
+
+fn check_outputs(arguments: &RunArguments) -> Result<(), Failure> {
+    let inputs = [("the scene", arguments.scene.as_path())];
+    let written = outputs::with_plot(&arguments.output, arguments.plot.as_deref());
+    let Some(directory) = &arguments.vtu else { return outputs::check(&inputs, &written) };
+    let collection = directory.join(vtu::COLLECTION);
+    let all = [&written[..], &[("a file of --vtu", &collection)]].concat();
+    check_distinct(&inputs, &all).map_err(Failure::input)?;
+    outputs::check(&inputs, &written)?;
+    outputs::check_directory(directory)
 }
 
 fn report(
@@ -76,20 +90,17 @@ fn report(
 ) -> Result<(), Failure> {
     let about = About { history: provenance::history(&command_line()), incomplete };
     let clock = Instant::now();
-    let saved = run_file::write(&arguments.output, scene, outcome, &about);
+    let saved = outputs::save(&arguments.output, |path| run_file::write(path, scene, outcome, &about));
     let mut spent = outcome.account.timings;
     spent.since(Kernel::Output, clock);
     // Results are printed even if the disk is full.
-    if !display.quiet {
-        for warning in &outcome.account.warnings {
-            eprintln!("warning: {warning}");
-        }
-    }
+    // Those about the scene were printed before the run.
+    display.warn(outcome.account.warnings.iter().filter(|warning| !matches!(warning, Warning::Scene(_))));
     if display.verbose {
-        eprint!("{}", account(outcome));
+        say(account(outcome).trim_end());
     }
     if arguments.timings && !display.json {
-        eprint!("{}", timings::as_text(&spent));
+        say(timings::as_text(&spent).trim_end());
     }
     let json = || {
         let mut json = as_json(scene, outcome, incomplete, arguments);
@@ -98,8 +109,8 @@ fn report(
         }
         json
     };
-    display.print(json, || summary(scene, outcome));
-    saved.map_err(Failure::run)?;
+    let printed = display.print(json, || summary(scene, outcome));
+    saved?;
     if let Some(plot) = &arguments.plot {
         let figure = figures::run_figure(scene, outcome);
         let drawn = figure.only(&arguments.panel).and_then(|figure| figure.save(plot));
@@ -109,7 +120,7 @@ fn report(
         let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
         vtu::write(directory, outcome, extent).map_err(Failure::run)?;
     }
-    Ok(())
+    printed
 }
 
 fn summary(scene: &Scene, outcome: &Outcome) -> String {

@@ -6,9 +6,11 @@ use std::time::Instant;
 
 use asperity::output::{numbers, provenance};
 use asperity::scene::file::read_request;
+use asperity::simulate::outcome::Note;
 use asperity::solver::timings::{Kernel, Timings};
 use asperity::tabulate::{self, Options, TabulateError, Tabulation};
 use serde_json::{Value, json};
+use tables::netcdf::streams::say;
 use tables::quantity::Quantity;
 use tables::table::Table;
 
@@ -18,12 +20,14 @@ use super::{Display, Failure, TabulateArguments, command_line, outputs, timings}
 /// Run the missing cells of the request, write the table, print a summary.
 pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
-    outputs::check_output(&arguments.output, &arguments.request)?;
-    if let (Some(warning), false) = (request.template.reference_temperature_warning(), display.quiet) {
-        eprintln!("warning: {warning}");
-    }
-    outputs::check_plot(arguments.plot.as_deref(), &arguments.request)?;
     let journal = journal_beside(&arguments.output);
+    let mut written = outputs::with_plot(&arguments.output, arguments.plot.as_deref());
+    written.push(("the journal", &journal));
+    outputs::check(&[("the request", &arguments.request)], &written)?;
+    display.warn(request.remarks());
+    if display.verbose {
+        say(format!("note: {}", Note::Defaults(request.template.defaults_in_effect())));
+    }
     if arguments.resume
         && !journal.exists()
         && let Some(table) = tabulate::completed(&request, arguments.shard, &arguments.output)
@@ -54,14 +58,18 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     }
     let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
     let clock = Instant::now();
-    table.write(&arguments.output).map_err(Failure::run)?;
+    table.write(&arguments.output).map_err(|error| {
+        let continued = resuming(&command_line());
+        Failure::Run(format!("{error}; the finished cells are kept in the journal; to continue: {continued}"))
+    })?;
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
     journal.remove().map_err(Failure::run)?;
-    report(&tabulation, &spent, arguments, display);
+    let printed = report(&tabulation, &spent, arguments, display);
     if let Some(plot) = &arguments.plot {
         outputs::plot(&table, plot, &arguments.panel)?;
     }
+    printed?;
     match tabulation.failures().count() {
         0 => Ok(()),
         failed => Err(Failure::Run(format!(
@@ -77,11 +85,12 @@ fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Displ
     let output = arguments.output.display().to_string();
     let failed = table.failures().len();
     let json = || json!({ "output": output, "complete": true, "failed": failed });
-    display
-        .print(json, || format!("{output}: the table of this request is complete, nothing was computed\n"));
+    let text = || format!("{output}: the table of this request is complete, nothing was computed\n");
+    let printed = display.print(json, text);
     if let Some(plot) = &arguments.plot {
         outputs::plot(table, plot, &arguments.panel)?;
     }
+    printed?;
     match failed {
         0 => Ok(()),
         failed => Err(Failure::Run(format!(
@@ -110,27 +119,30 @@ fn journal_beside(output: &Path) -> PathBuf {
     output.with_file_name(name)
 }
 
-fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArguments, display: &Display) {
+fn report(
+    tabulation: &Tabulation,
+    spent: &Timings,
+    arguments: &TabulateArguments,
+    display: &Display,
+) -> Result<(), Failure> {
+    display.warn(tabulation.warnings());
     if !display.quiet {
-        for warning in tabulation.warnings() {
-            eprintln!("warning: {warning}");
-        }
         for (index, reason) in tabulation.failures() {
-            eprintln!("failed: {}: {reason}", tabulation.label(index));
+            say(format!("failed: {}: {reason}", tabulation.label(index)));
         }
     }
     if display.verbose {
         if arguments.resume {
-            eprintln!("{} cells were taken from the interrupted run", tabulation.resumed);
+            say(format!("{} cells were taken from the interrupted run", tabulation.resumed));
         }
         for (index, finished) in tabulation.done() {
             for note in &finished.notes {
-                eprintln!("note: {}: {note}", tabulation.label(index));
+                say(format!("note: {}: {note}", tabulation.label(index)));
             }
         }
     }
     if arguments.timings && !display.json {
-        eprint!("{}", timings::as_text(spent));
+        say(timings::as_text(spent).trim_end());
     }
     let json = || {
         let mut json = as_json(tabulation, arguments);
@@ -139,7 +151,7 @@ fn report(tabulation: &Tabulation, spent: &Timings, arguments: &TabulateArgument
         }
         json
     };
-    display.print(json, || summary(tabulation));
+    display.print(json, || summary(tabulation))
 }
 
 /// One line per cell.

@@ -29,7 +29,7 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
         };
         failed.extend(rows.iter().filter(|row| !row.passes()).map(|row| row.quantity.clone()));
         if !display.json && !display.quiet {
-            progress.aside(|| print(&table(group.name, &rows)));
+            progress.aside(|| print(&table(group.name, &rows)))?;
         }
         groups.push(json!({ "group": group.name, "rows": rows.iter().map(as_json).collect::<Vec<_>>() }));
         all.extend(rows);
@@ -54,7 +54,7 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
                 tally.passed, tally.rows, tally.covered, tally.stated
             )
         },
-    );
+    )?;
     match passed {
         true => Ok(()),
         false => Err(Failure::run(format!("failed: {}", failed.join("; ")))),

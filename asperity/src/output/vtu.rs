@@ -1,8 +1,7 @@
 //! The body for ParaView: one file of an unstructured grid (`.vtu`) per state, and `body.pvd`, the
 //! collection of them over slip in units of a₀.
 
-use std::fmt::Write as _;
-use std::io::{BufWriter, Write as _};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use tables::netcdf::write_atomically;
@@ -25,6 +24,9 @@ pub enum VtuError {
     #[error("cannot write {path}: {reason}")]
     Write { path: PathBuf, reason: String },
 }
+
+/// Name of the collection.
+pub const COLLECTION: &str = "body.pvd";
 
 /// Of zlib: half of what there is to gain, in a tenth of the time.
 const COMPRESSION: u32 = 3;
@@ -54,9 +56,8 @@ pub fn write(directory: &Path, outcome: &Outcome, extent: Extent) -> Result<Path
         let _ = writeln!(collection, "    <DataSet timestep=\"{slip}\" part=\"0\" file=\"{name}\"/>");
     }
     collection.push_str("  </Collection>\n</VTKFile>\n");
-    let path = directory.join("body.pvd");
-    write_atomically(&path, |file| file.write_all(collection.as_bytes()))
-        .map_err(|error| failed(&path, error.to_string()))?;
+    let path = directory.join(COLLECTION);
+    write_atomically(&path, collection.as_bytes()).map_err(|error| failed(&path, error.to_string()))?;
     Ok(path)
 }
 
@@ -85,8 +86,9 @@ fn write_grid(path: &Path, body: &RevolvedBody, fields: &PointFields) -> Result<
         data: DataSet::inline(piece),
     };
     let xml = grid.try_into_xml_format(Compressor::ZLib, COMPRESSION).map_err(|error| error.to_string())?;
-    write_atomically(path, |file| xml.write(BufWriter::new(file)).map_err(std::io::Error::other))
-        .map_err(|error| error.to_string())
+    let mut bytes = Vec::new();
+    xml.write(&mut bytes).map_err(|error| error.to_string())?;
+    write_atomically(path, &bytes).map_err(|error| error.to_string())
 }
 
 fn cells(body: &RevolvedBody) -> Cells {

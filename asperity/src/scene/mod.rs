@@ -12,6 +12,7 @@ pub(crate) mod fitted_constants;
 mod friction_law;
 mod material;
 pub mod presets;
+mod remarks;
 
 use serde::{Deserialize, Serialize};
 
@@ -212,22 +213,6 @@ impl Scene {
         material.evaluate_at_temperature(temperature);
         scene.loading.temperature = temperature;
         scene
-    }
-
-    /// A warning where the initial temperature is not the one at which the softening factor is 1, since
-    /// the constants of the material are taken to hold at the initial temperature. Meant for scenes as
-    /// they are read.
-    pub fn reference_temperature_warning(&self) -> Option<String> {
-        const TOLERANCE: f64 = 0.01;
-        let temperature = self.loading.temperature;
-        let factor = self.material.softening.factor(temperature);
-        ((factor - 1.0).abs() > TOLERANCE).then(|| {
-            format!(
-                "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor \
-                 is {factor:.3}; constants of a preset hold where it is 1: use a table with table.temperature = [..] \
-                 for other temperatures"
-            )
-        })
     }
 }
 

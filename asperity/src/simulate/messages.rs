@@ -38,6 +38,8 @@ pub enum Note {
         /// The same that the mesh has room for.
         room: f64,
     },
+    /// Optional keys of the scene with their default values.
+    Defaults(Vec<String>),
 }
 
 /// Small or finite strain.
@@ -87,6 +89,7 @@ impl Display for Note {
                 100.0 * before,
                 100.0 * after
             ),
+            Self::Defaults(keys) => write!(f, "at their defaults: {}", keys.join(", ")),
             Self::Remeshed { growth, room } => write!(
                 f,
                 "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine mesh, \

@@ -37,10 +37,19 @@ fn bad_input_is_refused_before_any_work() {
         (format!("{run} --fields-at 1,5"), &["--fields-at 5", "loading.slip_distance = 2"]),
         ("run none.toml -o run.nc".into(), &["none.toml", "cannot be read"]),
         ("run scene.toml -o none/run.nc".into(), &["none/run.nc", "cannot be written"]),
-        ("run scene.toml -o scene.toml".into(), &["is the input"]),
+        ("run scene.toml -o ./scene.toml".into(), &["--output and the scene are the same file"]),
+        (format!("{run} --plot scene.toml"), &["scene.toml", "svg, png"]),
+        ("run scene.toml -o x.svg --plot x.svg".into(), &["--plot and --output are the same file"]),
+        ("run scene.toml -o a/body.pvd --vtu a".into(), &["a file of --vtu and --output are the same file"]),
+        ("tabulate request.toml -o request.toml".into(), &["--output and the request are the same file"]),
+        ("convergence scene.toml -o scene.toml".into(), &["--output and the scene are the same file"]),
+        ("merge request.toml scene.toml -o scene.toml".into(), &["--output and a shard are the same file"]),
+        ("table export scene.csv -o scene.csv".into(), &["--output and the table are the same file"]),
+        (format!("{run} --set material.preset=stel-4340"), &["did you mean steel-4340?"]),
+        ("table info stel-4340".into(), &["did you mean steel-4340?"]),
         ("run request.toml -o run.nc".into(), &["asperity tabulate"]),
         ("tabulate scene.toml -o table.nc".into(), &["table is missing"]),
-        (format!("{tabulate} --set table.tolerance=2"), &["table.tolerance = 2", "at most 0.5"]),
+        (format!("{tabulate} --set table.tolerance=2"), &["table.tolerance = 2", "1e-6 to 0.5"]),
         (format!("{tabulate} --set table.max_cells=100"), &["table.max_cells = 100", "unless tolerance"]),
         (format!("{tabulate} --set table.tolerance=0.1 --shard 1/2"), &["--shard 1/2", "table.tolerance"]),
         ("merge scene.toml none.nc -o table.nc".into(), &["scene.toml"]),
@@ -57,6 +66,13 @@ fn usage_errors_have_status_2_and_help_has_0() {
     for line in ["", "run", "run scene.toml", "fly"] {
         assert_eq!(asperity(here, line).status.code(), Some(2), "{line}");
     }
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        assert!(done(here, &format!("completions {shell}")).contains("tabulate"), "{shell}");
+    }
+    let pages = tempfile::tempdir().unwrap();
+    done(pages.path(), "man pages");
+    let page = std::fs::read_to_string(pages.path().join("pages/asperity-run.1")).unwrap();
+    assert!(page.contains("single") || page.contains("fields\\-at"), "{page}");
     for line in ["--help", "run --help", "tabulate --help", "honesty --help", "--version"] {
         assert!(done(here, line).contains("asperity"), "{line}");
     }

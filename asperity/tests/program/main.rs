@@ -7,6 +7,8 @@ mod initial_temperatures;
 mod interrupt;
 mod shards_and_tables;
 mod shipped_tables;
+#[cfg(target_os = "linux")]
+mod streams_and_disks;
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -42,18 +42,12 @@ pub struct Characterize {
     /// Only this panel of the plot, 85 mm wide; may be repeated
     #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(report::PANELS))]
     panel: Vec<String>,
-    /// Print the result as JSON
-    #[arg(long)]
-    json: bool,
-    /// Print errors only (and the JSON with --json)
-    #[arg(short, long)]
-    quiet: bool,
     #[command(flatten)]
     measured: TopographyOptions,
 }
 
 /// Reads, characterises, writes.
-pub fn run(options: &Characterize) -> Result<(), Failure> {
+pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
     let shown = options.topography.display();
     let of_found = options.summits == WhichSummits::Found;
     let heights = options.output.as_ref().filter(|_| of_found).map(|path| path.with_extension("heights.txt"));
@@ -82,6 +76,5 @@ pub fn run(options: &Characterize) -> Result<(), Failure> {
         let drawn = report::figure(&found).only(&options.panel).and_then(|figure| figure.save(plot));
         drawn.map_err(|error| Failure::Run(error.into()))?;
     }
-    summarise(options.quiet, options.json, &found.warnings, || report::text(&found), || report::json(&found));
-    Ok(())
+    summarise(display, &found.warnings, || report::text(&found), || report::json(&found))
 }

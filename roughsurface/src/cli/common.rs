@@ -4,9 +4,9 @@ use anyhow::{Context, anyhow};
 use clap::Args;
 use roughsurface::friction::PredictionError;
 use roughsurface::integral::separation::SeparationError;
-use std::io::Write;
 use std::path::Path;
 use tables::law::LookupError;
+use tables::netcdf::streams::{print, say};
 use tables::netcdf::{check_distinct, destination, write_atomically};
 
 #[derive(Args)]
@@ -14,18 +14,23 @@ pub struct RunOptions {
     /// Threads; all cores by default. Results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
+}
+
+/// What is printed, by any command.
+#[derive(Args)]
+pub struct Display {
     /// Print the summary as JSON
-    #[arg(long)]
+    #[arg(long, global = true)]
     pub json: bool,
     /// Print errors only (and the JSON with --json)
-    #[arg(short, long)]
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Show progress even if stderr is not a terminal
-    #[arg(long)]
-    pub progress: bool,
     /// Report the steps of the computation
-    #[arg(short, long)]
+    #[arg(short, long, global = true)]
     pub verbose: bool,
+    /// Show progress even if stderr is not a terminal
+    #[arg(long, global = true, conflicts_with = "quiet")]
+    pub progress: bool,
 }
 
 /// Files that a command reads or writes, with their roles in messages.
@@ -76,27 +81,27 @@ pub fn failure(error: PredictionError) -> Failure {
 
 /// Warnings to stderr, the summary to stdout.
 pub fn summarise(
-    quiet: bool,
-    as_json: bool,
+    display: &Display,
     warnings: &[impl std::fmt::Display],
     text: impl Fn() -> String,
     json: impl Fn() -> serde_json::Value,
-) {
-    if !quiet {
+) -> Result<(), Failure> {
+    if !display.quiet {
         for warning in warnings {
-            eprintln!("warning: {warning}");
+            say(format!("warning: {warning}"));
         }
     }
-    if as_json {
-        print(&format!("{:#}\n", json()));
-    } else if !quiet {
-        print(&text());
-    }
+    let printed = match (display.json, display.quiet) {
+        (true, _) => print(&format!("{:#}\n", json())),
+        (false, false) => print(&text()),
+        (false, true) => Ok(()),
+    };
+    printed.map_err(|error| Failure::Run(anyhow!("standard output cannot be written: {error}")))
 }
 
 /// Writes a file that appears whole or not at all.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    write_atomically(path, |file| file.write_all(bytes))
+    write_atomically(path, bytes)
         .map_err(|error| Failure::Run(anyhow!("cannot write {}: {error}", path.display())))
 }
 
@@ -135,9 +140,4 @@ pub fn command_line() -> String {
     // The folder of the binary does not influence the result.
     words[0] = "roughsurface".into();
     words.join(" ")
-}
-
-/// Writes to stdout; a closed pipe (`| head`) is no error.
-fn print(text: &str) {
-    let _ = std::io::stdout().write_all(text.as_bytes());
 }

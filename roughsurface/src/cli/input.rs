@@ -11,11 +11,12 @@ use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
 use roughsurface::topography::report;
 use std::path::{Path, PathBuf};
+use tables::quantity::plausible::remarks;
 use tables::shipped;
 
 #[derive(Args)]
 pub struct InputOptions {
-    /// Surface file (TOML): summits, heights, pressures, slip rates; or a topography, which is characterised first
+    /// Surface file (TOML; - for standard input): summits, heights, pressures, slip rates; or a topography, which is characterised first
     surface: PathBuf,
     /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
     /// aluminium-6061, copper, titanium-6al4v), or model:NAME for a closed form
@@ -130,6 +131,8 @@ impl InputOptions {
         let source = source.map_err(input)?;
         let of_topography = measured.iter().flat_map(|found| found.warnings.iter().cloned());
         let mut warnings: Vec<Warning> = of_topography.map(Warning::Topography).collect();
+        let implausible = file.text.parse().as_ref().map(remarks).unwrap_or_default();
+        warnings.extend(implausible.into_iter().map(Warning::Implausible));
         if !source.interpolated_cells.is_empty() {
             warnings.push(Warning::CellsInterpolated { cells: source.interpolated_cells.clone() });
         }

@@ -4,15 +4,17 @@ mod characterize;
 mod common;
 mod help;
 mod input;
+mod manual;
 mod predict;
 mod progress;
 mod sample;
 mod topography;
 
 use clap::{Parser, Subcommand};
-use common::Failure;
+use common::{Display, Failure};
 use help::{EXAMPLES, after_help};
 use std::process::ExitCode;
+use tables::netcdf::streams::{self, say};
 
 /// Friction of a rough surface from the friction of one asperity
 #[derive(Parser)]
@@ -20,6 +22,8 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    display: Display,
 }
 
 #[derive(Subcommand)]
@@ -33,20 +37,37 @@ enum Command {
     /// Summits of a measured topography, as a surface file
     #[command(after_help = characterize::HELP)]
     Characterize(characterize::Characterize),
+    /// Print the completion script of a shell
+    Completions {
+        /// Shell to complete in
+        shell: clap_complete::Shell,
+    },
+    /// Write the man pages
+    Man {
+        /// Folder to write them to, such as ~/.local/share/man/man1
+        directory: std::path::PathBuf,
+    },
 }
 
 fn main() -> ExitCode {
     tables::netcdf::enable_sandbox();
-    let result = match Cli::parse().command {
-        Command::Predict(options) => predict::run(&options),
-        Command::Sample(options) => sample::run(&options),
-        Command::Characterize(options) => characterize::run(&options),
+    let arguments = match Cli::try_parse() {
+        Ok(arguments) => arguments,
+        Err(message) => return streams::usage(message.exit_code(), message.print()),
+    };
+    let display = &arguments.display;
+    let result = match arguments.command {
+        Command::Predict(options) => predict::run(&options, display),
+        Command::Sample(options) => sample::run(&options, display),
+        Command::Characterize(options) => characterize::run(&options, display),
+        Command::Completions { shell } => manual::completions(shell),
+        Command::Man { directory } => manual::man(&directory),
     };
     let (error, status) = match result {
         Ok(()) => return ExitCode::SUCCESS,
         Err(Failure::Input(error)) => (error, 2),
         Err(Failure::Run(error)) => (error, 1),
     };
-    eprintln!("error: {error:#}");
+    say(format!("error: {error:#}"));
     ExitCode::from(status)
 }

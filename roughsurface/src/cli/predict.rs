@@ -9,6 +9,7 @@ use clap::builder::PossibleValuesParser;
 use roughsurface::friction::comparison::{caveat, compare};
 use roughsurface::friction::cutoff::AtCutoff;
 use roughsurface::friction::regime::plasticity_index;
+use roughsurface::friction::warning::Warning;
 use roughsurface::friction::{Settings, predict};
 use roughsurface::output::figure::{PANELS, figure};
 use roughsurface::output::{Origin, Results, friction_file, report, summary, summary_json};
@@ -19,6 +20,7 @@ use tables::closed_forms::NAMES;
 use tables::figures::Figure;
 use tables::law::AsperityLaw;
 use tables::netcdf::history;
+use tables::netcdf::streams::say;
 
 pub const HELP: &str = "\
 Examples:
@@ -100,7 +102,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 /// Reads, predicts, writes.
-pub fn run(options: &Predict) -> Result<(), Failure> {
+pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     let models = models(&options.compare)?;
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(input)?;
@@ -110,11 +112,11 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
         ("--plot", options.plot.as_deref()),
         ("--report", options.report.as_deref()),
     ])?;
-    if options.run.verbose {
+    if display.verbose {
         describe(read.source.law.as_ref(), &read.file.surface);
     }
     let started = std::time::Instant::now();
-    let progress = Progress::new(&options.run, "slips");
+    let progress = Progress::new(display, "slips");
     let computed = thread_pool(&options.run)?.install(|| compute(options, &read, &models, &progress));
     progress.clear();
     let mut results = computed?;
@@ -122,24 +124,24 @@ pub fn run(options: &Predict) -> Result<(), Failure> {
     let caveats = caveats.filter_map(|model| caveat(model, &read.source.material));
     results.prediction.warnings.splice(..0, read.warnings.iter().cloned());
     results.prediction.warnings.extend(caveats);
-    if options.run.verbose {
+    if display.verbose {
         let slip = &results.prediction.slip;
         let (count, first, last) = (slip.len(), slip[1], slip[slip.len() - 1]);
         let seconds = started.elapsed().as_secs_f64();
-        eprintln!("{count} slips from {first:.3e} to {last:.3e} m in {seconds:.2} s");
+        say(format!("{count} slips from {first:.3e} to {last:.3e} m in {seconds:.2} s"));
     }
-    write(options, &results, &read.file.text)
+    write(options, display, &results, &read.file.text)
 }
 
 fn describe(law: &dyn AsperityLaw, surface: &Surface) {
     let radius = surface.asperity_radius.mean();
-    eprintln!(
+    say(format!(
         "law {}: omega_c = {:.4e} m at R = {radius:e} m, plasticity index {:.3}, up to {} omega_c",
         law.name(),
         law.critical_interference(radius),
         plasticity_index(law, surface),
         law.interference_limit()
-    );
+    ));
 }
 
 fn compute(
@@ -170,7 +172,7 @@ fn compute(
     Ok(results)
 }
 
-fn write(options: &Predict, results: &Results, surface: &str) -> Result<(), Failure> {
+fn write(options: &Predict, display: &Display, results: &Results, surface: &str) -> Result<(), Failure> {
     let failed = |error: anyhow::Error| Failure::Run(error);
     let origin = Origin { surface, table: options.input.table(), history: &history(&command_line()) };
     friction_file::write(&options.output, results, &origin).map_err(|error| failed(error.into()))?;
@@ -182,11 +184,9 @@ fn write(options: &Predict, results: &Results, surface: &str) -> Result<(), Fail
         write_whole(report, report::html(results, &origin).as_bytes())?;
     }
     summarise(
-        options.run.quiet,
-        options.run.json,
-        &results.prediction.warnings,
+        display,
+        &Warning::condensed(&results.prediction.warnings),
         || summary::text(results),
         || summary_json::json(results),
-    );
-    Ok(())
+    )
 }

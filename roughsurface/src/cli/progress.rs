@@ -1,9 +1,10 @@
 //! Progress on stderr.
 
-use super::common::RunOptions;
+use super::common::Display;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use tables::netcdf::streams::say;
 
 /// A bar on a terminal, a line per tenth in a log, or no output.
 pub enum Progress {
@@ -15,14 +16,14 @@ pub enum Progress {
 
 impl Progress {
     /// A count of `what`; by default only on a terminal.
-    pub fn new(options: &RunOptions, what: &'static str) -> Self {
+    pub fn new(display: &Display, what: &'static str) -> Self {
         let terminal = std::io::stderr().is_terminal();
-        if terminal && (options.progress || !options.quiet) {
+        if terminal && !display.quiet {
             let style = ProgressStyle::with_template("{bar:30} {pos} of {len} {msg}, {eta} left");
             let style = style.expect("a valid template");
             return Self::Bar(ProgressBar::new(0).with_style(style).with_message(what));
         }
-        if options.progress { Self::Lines(what, AtomicUsize::new(0)) } else { Self::Hidden }
+        if display.progress { Self::Lines(what, AtomicUsize::new(0)) } else { Self::Hidden }
     }
 
     pub fn show(&self, done: usize, total: usize) {
@@ -35,7 +36,7 @@ impl Progress {
             Self::Lines(what, shown) => {
                 let tenths = 10 * done / total;
                 if shown.fetch_max(tenths, Ordering::Relaxed) < tenths {
-                    eprintln!("{done} of {total} {what}");
+                    say(format!("{done} of {total} {what}"));
                 }
             }
         }

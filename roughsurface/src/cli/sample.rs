@@ -4,6 +4,7 @@ use super::common::*;
 use super::input::{Input, InputOptions};
 use super::progress::Progress;
 use clap::Args;
+use roughsurface::friction::warning::Warning;
 use roughsurface::friction::{Settings, end_of_slide};
 use roughsurface::output::{Origin, sample_file};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
@@ -46,12 +47,12 @@ fn slip_length(text: &str) -> Result<f64, String> {
 }
 
 /// Draws, slides, writes.
-pub fn run(options: &Sample) -> Result<(), Failure> {
+pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let Input { file, source, warnings, .. } = options.input.read(&[("--output", Some(&options.output))])?;
     let law = source.law.as_ref();
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     let pool = thread_pool(&options.run)?;
-    let progress = Progress::new(&options.run, "surfaces");
+    let progress = Progress::new(display, "surfaces");
     let sampled = pool.install(|| {
         let slip = match options.slip {
             Some(slip) => slip,
@@ -73,11 +74,9 @@ pub fn run(options: &Sample) -> Result<(), Failure> {
     let origin = Origin { surface: &file.text, table: options.input.table(), history: &history };
     sample_file::write(&options.output, &samples, &origin).map_err(|error| Failure::Run(error.into()))?;
     summarise(
-        options.run.quiet,
-        options.run.json,
-        &samples.warnings,
+        display,
+        &Warning::condensed(&samples.warnings),
         || sample_file::text(&samples),
         || sample_file::json(&samples),
-    );
-    Ok(())
+    )
 }

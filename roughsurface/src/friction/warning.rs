@@ -59,6 +59,8 @@ pub enum Warning {
     AsperitiesInteract { at: Place, share: f64 },
     #[error("{at}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient")]
     SamplesWithoutContact { at: Place, idle: usize, count: usize },
+    #[error("{0}")]
+    Implausible(String),
     #[error("topography: {0}")]
     Topography(warning::Warning),
     #[error("cells without results, interpolated around: {}", .cells.join("; "))]
@@ -85,5 +87,59 @@ impl Warning {
         }
         let (law, limit) = (law.name(), law.interference_limit());
         (count > 0).then_some(Self::BeyondFormulae { law, limit, share, count, of, without_friction })
+    }
+
+    /// Sentences, one for all warnings of a kind at several places.
+    pub fn condensed(warnings: &[Warning]) -> Vec<String> {
+        let mut sentences: Vec<(&Warning, usize)> = Vec::new();
+        for warning in warnings {
+            let alike = |known: &Warning| {
+                warning.place().is_some() && std::mem::discriminant(known) == std::mem::discriminant(warning)
+            };
+            match sentences.iter_mut().find(|(known, _)| alike(known)) {
+                Some((_, others)) => *others += 1,
+                None => sentences.push((warning, 0)),
+            }
+        }
+        let text = |(warning, others): (&Warning, usize)| match others {
+            0 => warning.to_string(),
+            1 => format!("{warning}; likewise at another point"),
+            others => format!("{warning}; likewise at {others} other points"),
+        };
+        sentences.into_iter().map(text).collect()
+    }
+
+    fn place(&self) -> Option<&Place> {
+        match self {
+            Self::Extrapolated { at, .. }
+            | Self::SamplesExtrapolated { at, .. }
+            | Self::StillRising { at }
+            | Self::AsperitiesInteract { at, .. }
+            | Self::SamplesWithoutContact { at, .. } => Some(at),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warnings_of_a_kind_are_one_sentence_with_their_number() {
+        let at = |slip_rate| Place { loading: "1e6 Pa".into(), slip_rate };
+        let mut warnings: Vec<Warning> =
+            (1..=9).map(|rate| Warning::StillRising { at: at(f64::from(rate)) }).collect();
+        warnings.push(Warning::Extrapolated { at: at(1.0), share: 0.01 });
+        for remark in ["one", "two"] {
+            warnings.push(Warning::Implausible(remark.into()));
+        }
+        let said = Warning::condensed(&warnings);
+        assert_eq!(said.len(), 4, "{said:?}");
+        assert!(
+            said[0].starts_with("1e6 Pa, 1 m/s") && said[0].ends_with("likewise at 8 other points"),
+            "{said:?}"
+        );
+        assert!(!said[1].contains("likewise"));
     }
 }

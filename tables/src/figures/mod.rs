@@ -17,7 +17,6 @@ mod png;
 mod svg;
 mod table;
 
-use std::io::Write;
 use std::path::Path;
 
 use crate::netcdf::write_atomically;
@@ -203,7 +202,7 @@ impl Figure {
             Extension::Png => png::png(&self.page()).map_err(|error| failed(error.to_string()))?,
             Extension::Pdf => pdf::pdf(&self.page()).map_err(|error| failed(error.to_string()))?,
         };
-        write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| failed(error.to_string()))
+        write_atomically(path, &bytes).map_err(|error| failed(error.to_string()))
     }
 
     /// The figure as SVG. Every panel is a group with the classes `panel` and the name of the panel.

@@ -1,66 +1,62 @@
 //! Files that appear whole or not at all.
 
-use std::fs::File;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::TempPath;
+use rustix::process::{Resource, getrlimit};
 
 /// Writes a file under a temporary name in the folder of `path`, and renames it once it is complete and on the disk.
 /// A file of that name is replaced; symbolic links are followed.
 ///
 /// ```
-/// use std::io::Write;
 /// use tables::netcdf::write_atomically;
 ///
 /// let path = std::env::temp_dir().join(format!("atomic-example-{}.txt", std::process::id()));
-/// write_atomically(&path, |file| writeln!(file, "whole"))?;
+/// write_atomically(&path, b"whole\n")?;
 /// assert_eq!(std::fs::read_to_string(&path)?, "whole\n");
-/// // A file that could not be completed is removed, and the previous one is unchanged.
-/// assert!(write_atomically(&path, |_| Err(std::io::Error::other("no data"))).is_err());
-/// assert_eq!(std::fs::read_to_string(&path)?, "whole\n");
+/// // A file that cannot be completed leaves nothing behind.
+/// assert!(write_atomically(&path.join("below-a-file"), b"text").is_err());
 /// # std::fs::remove_file(&path)?;
 /// # Ok::<(), std::io::Error>(())
 /// ```
-pub fn write_atomically(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
-    let temporary = Temporary::beside(path)?;
-    let mut file = File::options().write(true).open(&temporary.place)?;
-    write(&mut file)?;
-    file.sync_all()?;
-    drop(file);
-    temporary.persist()
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // The system ends a program that exceeds it, by a signal.
+    let limit = getrlimit(Resource::Fsize).current;
+    if limit.is_some_and(|limit| limit < bytes.len() as u64) {
+        return Err(in_words(io::ErrorKind::FileTooLarge.into()));
+    }
+    write(path, bytes).map_err(in_words)
 }
 
-/// An empty file under a temporary name, removed when it is dropped.
-pub(super) struct Temporary {
-    /// Where it is.
-    pub(super) place: TempPath,
-    destination: PathBuf,
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let destination = destination(path);
+    let folder = match destination.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".asperity-").suffix(".partial");
+    // As for any new file: temporary files are for their owner only.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    // The message of the library names the temporary file instead of the requested one.
+    let mut file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+    file.write_all(bytes)?;
+    // On the disk before it has its name: a name without content would be a damaged file.
+    file.as_file().sync_all()?;
+    file.persist(&destination).map_err(|error| error.error)?;
+    Ok(())
 }
 
-impl Temporary {
-    pub(super) fn beside(path: &Path) -> io::Result<Self> {
-        let destination = destination(path);
-        let folder = match destination.parent() {
-            Some(folder) if folder != Path::new("") => folder,
-            _ => Path::new("."),
-        };
-        let name = destination.file_name().unwrap_or_default().to_string_lossy();
-        let prefix = format!(".{name}.");
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(&prefix).suffix(".partial");
-        // As for any new file: temporary files are for their owner only.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        // The message of the library names the temporary file instead of the requested one.
-        let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
-        Ok(Self { place: file.into_temp_path(), destination })
-    }
-
-    /// Gives the file its name.
-    pub(super) fn persist(self) -> io::Result<()> {
-        self.place.persist(&self.destination).map_err(|error| error.error)
-    }
+/// The error with a message for those that name what to do.
+fn in_words(error: io::Error) -> io::Error {
+    let text = match error.kind() {
+        io::ErrorKind::StorageFull => "no space left on the disk",
+        io::ErrorKind::QuotaExceeded => "the quota of the disk is used up",
+        io::ErrorKind::FileTooLarge => "larger than the system allows a file to be (ulimit -f)",
+        _ => return error,
+    };
+    io::Error::new(error.kind(), text)
 }
 
 /// The path that a file called `path` is written to: links are followed, also those without a target.

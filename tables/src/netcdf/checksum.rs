@@ -10,7 +10,6 @@
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
-use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
@@ -25,14 +24,11 @@ const BYTES_OF_PLACES: u8 = 8;
 const END_OF_DATA: usize = 28;
 const HEAD: usize = END_OF_DATA + 8;
 
-/// Appends the line to a complete file and writes it through to the disk.
-pub(super) fn append(path: &Path) -> io::Result<()> {
-    let mut file = File::options().read(true).write(true).open(path)?;
-    let length = file.metadata()?.len();
-    let line = line(&mut file, length)?;
-    file.seek(SeekFrom::End(0))?;
-    file.write_all(&line)?;
-    file.sync_all()
+/// Appends the line to the bytes of a complete file.
+pub(super) fn append(bytes: &mut Vec<u8>) -> io::Result<()> {
+    let line = line(bytes.as_slice())?;
+    bytes.extend(line);
+    Ok(())
 }
 
 /// Whether the bytes of a file agree with the line at its end.
@@ -53,7 +49,8 @@ pub(super) fn inspect(file: &mut File) -> io::Result<Checksum> {
     let mut end = [0; LENGTH];
     let found = read_up_to(file, before, &mut end)?;
     if found == LENGTH && end.starts_with(MARK) {
-        let whole = line(file, before)? == end;
+        file.seek(SeekFrom::Start(0))?;
+        let whole = line(file.take(before))? == end;
         let broken = || Checksum::Damaged("damaged: its bytes do not agree with their checksum".to_string());
         return Ok(if whole { Checksum::Agrees } else { broken() });
     }
@@ -64,11 +61,10 @@ pub(super) fn inspect(file: &mut File) -> io::Result<Checksum> {
     }))
 }
 
-/// The line with the checksum of the first `length` bytes.
-fn line(file: &mut File, length: u64) -> io::Result<Vec<u8>> {
-    file.seek(SeekFrom::Start(0))?;
+/// The line with the checksum of all bytes.
+fn line(mut bytes: impl Read) -> io::Result<Vec<u8>> {
     let mut digest = Sha256::new();
-    io::copy(&mut file.take(length), &mut digest)?;
+    io::copy(&mut bytes, &mut digest)?;
     let mut line = MARK.to_vec();
     for byte in digest.finalize() {
         write!(line, "{byte:02x}")?;
@@ -100,6 +96,8 @@ fn read_up_to(file: &mut File, from: u64, buffer: &mut [u8]) -> io::Result<usize
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
     use crate::netcdf::{DatasetReader, DatasetWriter};
 

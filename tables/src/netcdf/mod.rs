@@ -4,10 +4,12 @@
 //!   equal content gives equal bytes.
 //! - [`Table::read`](crate::table::Table::read) and `write`: the schema of tables ([`schema`]) with a checksum of
 //!   their content; the same as comma-separated values.
+//! - A file is built in memory, so that no library meets a full disk (`memory`).
 //! - A checksum of all bytes, verified before the netCDF library opens the file; a sandbox in which files of other
 //!   programs are read first ([`enable_sandbox`]).
 //! - [`write_atomically`]: every file of the project is written completely or not at all; [`check_distinct`]: no
 //!   output replaces an input or another output.
+//! - [`streams`]: standard output and standard error.
 //!
 //! Depends on `table` and `quantity`. Chapter "Table: table.nc" of the book.
 
@@ -16,9 +18,12 @@ mod checksum;
 mod classic_header;
 mod csv;
 mod distinct;
+mod memory;
 mod reader;
 mod sandbox;
 pub mod schema;
+pub mod streams;
+mod superblock;
 mod table_format;
 mod table_reader;
 mod table_writer;

@@ -1,11 +1,11 @@
 //! A netCDF file being written.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use ::netcdf::{AttributeValue, FileMut};
 
-use super::atomic::Temporary;
-use super::{CONVENTIONS, DatasetError, FILL_VALUE, checksum, indices, silence_hdf5};
+use super::memory::MemoryFile;
+use super::{CONVENTIONS, DatasetError, FILL_VALUE, checksum, indices, write_atomically};
 
 const DEFLATE_LEVEL: i32 = 4;
 
@@ -15,7 +15,7 @@ pub fn history(command: &str) -> String {
     format!("{now}: {command}")
 }
 
-/// A netCDF-4 file being written under a temporary name in the directory of the final one.
+/// A netCDF-4 file being built in memory; [`finish`](Self::finish) writes it.
 ///
 /// ```
 /// use tables::netcdf::{DatasetReader, DatasetWriter};
@@ -35,21 +35,15 @@ pub fn history(command: &str) -> String {
 /// ```
 pub struct DatasetWriter {
     /// Path as given.
-    path: String,
-    /// Closed before the temporary file is removed.
-    file: Option<FileMut>,
-    temporary: Option<Temporary>,
+    path: PathBuf,
+    memory: MemoryFile,
 }
 
 impl DatasetWriter {
     /// Starts a file with the attributes `Conventions` and `title`.
     pub fn create(path: &Path, title: &str) -> Result<Self, DatasetError> {
-        let shown = path.display().to_string();
-        let failed = |reason: String| DatasetError::Write { path: shown.clone(), reason };
-        let temporary = Temporary::beside(path).map_err(|error| failed(error.to_string()))?;
-        silence_hdf5();
-        let file = ::netcdf::create(&temporary.place).map_err(|error| failed(error.to_string()))?;
-        let mut writer = Self { path: shown, file: Some(file), temporary: Some(temporary) };
+        let memory = MemoryFile::create().map_err(|error| failed(path, error))?;
+        let mut writer = Self { path: path.to_owned(), memory };
         writer.attribute("Conventions", CONVENTIONS)?;
         writer.attribute("title", title)?;
         Ok(writer)
@@ -127,16 +121,13 @@ impl DatasetWriter {
         })
     }
 
-    /// Closes the file and gives it its name, replacing a file that has it.
-    pub fn finish(mut self) -> Result<(), DatasetError> {
-        if let Some(file) = self.file.take() {
-            file.close().map_err(|error| self.failed(error))?;
-        }
-        let temporary = self.temporary.take().expect("the file is open until finish");
-        // On the disk before it has its name: a name without content would be a damaged file.
-        checksum::append(&temporary.place)
-            .and_then(|()| temporary.persist())
-            .map_err(|error| self.failed(error))
+    /// Writes the file, which appears whole or not at all, and replaces one of its name.
+    pub fn finish(self) -> Result<(), DatasetError> {
+        let Self { path, memory } = self;
+        let mut bytes = memory.into_bytes().map_err(|error| failed(&path, error))?;
+        checksum::append(&mut bytes)
+            .and_then(|()| write_atomically(&path, &bytes))
+            .map_err(|error| failed(&path, error))
     }
 
     fn variable<T: ::netcdf::NcTypeDescriptor + Copy>(
@@ -170,26 +161,24 @@ impl DatasetWriter {
     /// Lengths of the dimensions. The library writes a short record without complaint, so the
     /// number of values is checked here.
     fn shape(&self, variable: &str, dimensions: &[&str], found: usize) -> Result<Vec<usize>, DatasetError> {
-        let file = self.file.as_ref().expect("the file is open until finish");
-        let length = |name: &&str| file.dimension_len(name).unwrap_or(0);
+        let length = |name: &&str| self.memory.file.dimension_len(name).unwrap_or(0);
         let shape: Vec<usize> = dimensions.iter().map(length).collect();
         let expected: usize = shape.iter().product();
         if found == expected {
             return Ok(shape);
         }
         let reason = format!("variable \"{variable}\" has {found} values instead of {expected}");
-        Err(self.failed(reason))
+        Err(failed(&self.path, reason))
     }
 
     fn change(
         &mut self,
         action: impl FnOnce(&mut FileMut) -> ::netcdf::Result<()>,
     ) -> Result<(), DatasetError> {
-        let file = self.file.as_mut().expect("the file is open until finish");
-        action(file).map_err(|error| self.failed(error))
+        action(&mut self.memory.file).map_err(|error| failed(&self.path, error))
     }
+}
 
-    fn failed(&self, reason: impl std::fmt::Display) -> DatasetError {
-        DatasetError::Write { path: self.path.clone(), reason: reason.to_string() }
-    }
+fn failed(path: &Path, reason: impl std::fmt::Display) -> DatasetError {
+    DatasetError::Write { path: path.display().to_string(), reason: reason.to_string() }
 }

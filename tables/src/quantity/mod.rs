@@ -6,16 +6,20 @@
 //! loop over this list. To add an output, add an entry here and the formula that computes it in
 //! `asperity`.
 //!
-//! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. Depends on no
+//! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. [`plausible`] has the
+//! ranges of input quantities. Depends on no
 //! other room. Chapter "What is reported" of the book.
 
 mod history;
 mod list;
 pub mod numbers;
+pub mod plausible;
 mod scalars;
+mod words;
 
 pub use history::{History, State};
 pub use scalars::{Estimate, Scalars, WithUnit};
+pub use words::{hint, nearest};
 
 /// A result of one asperity; see [`Quantity::descriptor`].
 ///

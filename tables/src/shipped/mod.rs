@@ -9,6 +9,7 @@ use std::path::Path;
 
 use crate::interpolation::InterpolatedTable;
 use crate::netcdf::DatasetError;
+use crate::quantity::hint;
 use crate::table::{Table, TemperatureError};
 
 macro_rules! shipped {
@@ -29,12 +30,12 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 #[derive(Debug, thiserror::Error)]
 pub enum TableSourceError {
     /// Neither a file nor shipped.
-    #[error("{asked}: there is no such file, nor is a table of that name shipped ({shipped})")]
+    #[error("{asked}: there is no such file, nor is a table of that name shipped; {hint}")]
     Unknown {
         /// File or name.
         asked: String,
-        /// Names of the shipped tables.
-        shipped: String,
+        /// Nearest name and all names of shipped tables.
+        hint: String,
     },
     /// The file is no table.
     #[error(transparent)]
@@ -88,7 +89,7 @@ pub fn load(asked: &str) -> Result<Table, TableSourceError> {
         None if asked.contains(['/', '.']) => Ok(Table::read(Path::new(asked))?),
         None => Err(TableSourceError::Unknown {
             asked: asked.to_owned(),
-            shipped: names().collect::<Vec<_>>().join(", "),
+            hint: hint(asked, &names().collect::<Vec<_>>()),
         }),
     }
 }

@@ -33,7 +33,7 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
             format!("largest difference {:.2e} of {name}", difference.largest)
         });
         if !display.quiet {
-            print(&format!("{}: {}: {difference}\n", arguments.table, table.label(i, j)));
+            print(&format!("{}: {}: {difference}\n", arguments.table, table.label(i, j)))?;
         }
         let states = comparison.states.iter().map(|(_, here, there)| format!("{here} and {there}"));
         let what: Vec<String> = states.chain(beyond.into_iter().map(str::to_owned)).collect();

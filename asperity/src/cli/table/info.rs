@@ -12,12 +12,12 @@ use tables::table::{Axes, Metadata, Slice, Table};
 use crate::{Display, Failure};
 
 /// Print the contents of a table.
-pub fn info(table: &Table, table_name: &str, display: &Display) {
+pub fn info(table: &Table, table_name: &str, display: &Display) -> Result<(), Failure> {
     let json = || match table.only() {
         Ok(slice) => as_json(table, slice, table_name),
         Err(_) => by_temperature(table, table_name),
     };
-    display.print(json, || text(table, table_name, display.verbose));
+    display.print(json, || text(table, table_name, display.verbose))
 }
 
 /// Print the shipped tables, a line each.
@@ -50,8 +50,7 @@ pub fn list(display: &Display) -> Result<(), Failure> {
             percent(*mu),
         )
     };
-    display.print(|| rows.iter().map(as_json).collect(), || rows.iter().map(line).collect());
-    Ok(())
+    display.print(|| rows.iter().map(as_json).collect(), || rows.iter().map(line).collect())
 }
 
 fn text(table: &Table, table_name: &str, verbose: bool) -> String {

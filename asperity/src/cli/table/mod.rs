@@ -7,7 +7,6 @@ mod check;
 mod diff;
 mod info;
 
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
@@ -122,21 +121,18 @@ fn tolerance(text: &str) -> Result<f64, String> {
 /// Run the subcommand.
 pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
     match command {
-        TableCommand::Info { table, at } => {
-            info::info(&read_all(table, at)?, table, display);
-            Ok(())
-        }
+        TableCommand::Info { table, at } => info::info(&read_all(table, at)?, table, display),
         TableCommand::List => info::list(display),
         TableCommand::Check(arguments) => check::check(arguments, display),
         TableCommand::Diff(arguments) => diff::diff(arguments, display),
         TableCommand::Plot { table, output, panel, at } => {
-            outputs::check_plot(Some(output), Path::new(table))?;
+            outputs::check(&[("the table", Path::new(table))], &[(outputs::PLOT, output)])?;
             let figure = read(table, at)?.figure().only(panel).map_err(Failure::run)?;
             figure.save(output).map_err(Failure::run)
         }
         TableCommand::Export { table, output, histories, at } => {
             check_csv(output)?;
-            outputs::check_output(output, Path::new(table))?;
+            outputs::check(&[("the table", Path::new(table))], &[(outputs::OUTPUT, output)])?;
             export(&read_all(table, at)?, output, *histories)
         }
     }
@@ -167,12 +163,12 @@ fn check_csv(output: &Path) -> Result<(), Failure> {
 }
 
 fn export(table: &Table, output: &Path, histories: bool) -> Result<(), Failure> {
-    let written = write_atomically(output, |file| {
-        let file = BufWriter::new(file);
-        match histories {
-            true => table.write_histories_csv(file),
-            false => table.write_csv(file),
-        }
-    });
-    written.map_err(|error| Failure::Run(format!("{}: cannot be written: {error}", output.display())))
+    let mut text = Vec::new();
+    let written = match histories {
+        true => table.write_histories_csv(&mut text),
+        false => table.write_csv(&mut text),
+    };
+    written
+        .and_then(|()| write_atomically(output, &text))
+        .map_err(|error| Failure::Run(format!("{}: cannot be written: {error}", output.display())))
 }

@@ -1,10 +1,12 @@
 //! A section checked against the list of its keys.
 
+use tables::quantity::hint;
 use toml::{Table, Value};
 
-use super::error::{SceneFileError, hint};
+use super::error::SceneFileError;
 use super::keys::{Key, Kind, NOT_NEGATIVE, Order, key};
 use super::source::{Source, join};
+use super::synonyms::meant;
 
 /// Whether all keys of the section at `path` are among `keys`, taken by its law, and within their ranges.
 pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result<(), SceneFileError> {
@@ -15,7 +17,10 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
             return Err(SceneFileError::UnknownKey {
                 place: source.place(&full),
                 key: full,
-                hint: hint(name, &known),
+                hint: match meant(path, name) {
+                    Some(key) => format!("did you mean {key}? (known: {})", known.join(", ")),
+                    None => hint(name, &known),
+                },
             });
         }
     }

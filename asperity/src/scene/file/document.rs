@@ -3,10 +3,11 @@
 use std::io::Read;
 use std::path::Path;
 
+use tables::quantity::hint;
 use toml::{Table, Value};
 
 use super::deserialise::{read, set_at};
-use super::error::{SceneFileError, hint};
+use super::error::SceneFileError;
 use super::keys::SCENE;
 use super::relations;
 use super::source::Source;
@@ -18,13 +19,27 @@ pub struct Document {
     pub source: Source,
 }
 
-/// The text of a file.
+/// Path that stands for the standard input.
+const STANDARD_INPUT: &str = "-";
+
+/// A path as named in messages.
+pub fn name_of(path: &Path) -> String {
+    match path == Path::new(STANDARD_INPUT) {
+        true => "standard input".into(),
+        false => path.display().to_string(),
+    }
+}
+
+/// The text of a file, or of the standard input for the path `-`.
 pub fn text_of(path: &Path) -> Result<String, SceneFileError> {
     /// Above the size of any scene file; bounds the read from an endless device.
     const LONGEST: u64 = 16 << 20;
-    let unreadable = |reason: String| SceneFileError::Unreadable { file: path.display().to_string(), reason };
+    let unreadable = |reason: String| SceneFileError::Unreadable { file: name_of(path), reason };
     let mut text = String::new();
-    let file = std::fs::File::open(path).map_err(|error| unreadable(error.to_string()))?;
+    let file: Box<dyn Read> = match path == Path::new(STANDARD_INPUT) {
+        true => Box::new(std::io::stdin()),
+        false => Box::new(std::fs::File::open(path).map_err(|error| unreadable(error.to_string()))?),
+    };
     file.take(LONGEST + 1).read_to_string(&mut text).map_err(|error| unreadable(error.to_string()))?;
     match text.len() as u64 > LONGEST {
         true => Err(unreadable(format!("is longer than {} MB", LONGEST >> 20))),

@@ -72,16 +72,3 @@ fn short(text: &str) -> String {
         Some((end, _)) => format!("{}… ({} bytes)", &text[..end], text.len()),
     }
 }
-
-/// "did you mean …?" where a known key is near, all known keys otherwise.
-pub(super) fn hint(key: &str, known: &[&str]) -> String {
-    let score = |candidate: &&str| strsim::jaro_winkler(key, candidate);
-    let nearest = known.iter().copied().max_by(|a, b| score(a).total_cmp(&score(b)));
-    match nearest {
-        Some(nearest) if score(&nearest) > 0.75 => {
-            format!("did you mean {nearest}? (known: {})", known.join(", "))
-        }
-        Some(nearest) => format!("nearest is {nearest} (known: {})", known.join(", ")),
-        None => "no key is allowed here".into(),
-    }
-}

@@ -23,7 +23,11 @@ const SHARE: Range = Range { text: "a number from 0 to 1", accepts: |x| (0.0..=1
 /// Of an isotropic solid that is neither auxetic nor incompressible.
 const POISSON: Range =
     Range { text: "a number from 0 to less than 0.5", accepts: |x| (0.0..0.5).contains(&x) };
-const ACCURACY: Range = Range { text: "a number above 0, at most 0.5", accepts: |x| x > 0.0 && x <= 0.5 };
+const ACCURACY: Range = Range { text: "a number from 1e-6 to 0.5", accepts: |x| (1e-6..=0.5).contains(&x) };
+
+/// Far beyond the slip at which friction is steady.
+const SLIP_DISTANCE: Range =
+    Range { text: "a number from 0 to 10000", accepts: |x| (0.0..=1e4).contains(&x) };
 
 impl Range {
     pub fn accepts(&self, value: f64) -> bool {
@@ -147,7 +151,7 @@ const INTERFACE: &[Key] = &[
 const LOADING: &[Key] = &[
     key("interference", Number("omega_0/omega_c", POSITIVE)),
     key("slip_rate", Number("m/s, 0 is the isothermal limit", NOT_NEGATIVE)),
-    key("slip_distance", Number("contact radii", NOT_NEGATIVE)),
+    key("slip_distance", Number("contact radii", SLIP_DISTANCE)),
     key("control", Name),
     key("temperature", Number("K", POSITIVE)),
 ];

@@ -16,6 +16,7 @@ mod keys;
 mod relations;
 mod request;
 mod source;
+mod synonyms;
 #[cfg(test)]
 mod tests;
 
@@ -28,7 +29,7 @@ pub use request::{Request, parse_request, read_request, write_request};
 use crate::scene::Scene;
 use document::Document;
 
-/// Read a scene from a file, with `overrides` (`section.key=value`) laid over it.
+/// Read a scene from a file, or the standard input for the path `-`, with `overrides` (`section.key=value`) laid over it.
 ///
 /// ```no_run
 /// use asperity::scene::file::read_scene;
@@ -38,7 +39,7 @@ use document::Document;
 /// # Ok::<(), asperity::scene::file::SceneFileError>(())
 /// ```
 pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneFileError> {
-    parse_scene(&document::text_of(path)?, &path.display().to_string(), overrides)
+    parse_scene(&document::text_of(path)?, &document::name_of(path), overrides)
 }
 
 /// Read a scene from text; `file` is the name to use in messages.

@@ -7,7 +7,7 @@ use tables::refinement::Goal;
 use toml::{Table, Value};
 
 use super::deserialise::read;
-use super::document::{Document, text_of};
+use super::document::{Document, name_of, text_of};
 use super::error::SceneFileError;
 use super::keys::{NOT_NEGATIVE, POSITIVE, POSITIVE_FOR_LOG, Range, TABLE, range_keys};
 use super::relations;
@@ -44,6 +44,11 @@ impl Request {
             true => vec![self.template.clone()],
             false => self.temperatures.iter().map(|t| self.template.at_temperature(*t)).collect(),
         }
+    }
+
+    /// Warnings about all cells, a sentence each; see [`Scene::remarks`].
+    pub fn remarks(&self) -> Vec<String> {
+        self.template.remarks_with(&document(self))
     }
 
     /// The same grid at one initial temperature, K.
@@ -83,7 +88,7 @@ enum Spacing {
 
 /// Read a table request from a file, with `overrides` (`section.key=value`) laid over it.
 pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneFileError> {
-    parse_request(&text_of(path)?, &path.display().to_string(), overrides)
+    parse_request(&text_of(path)?, &name_of(path), overrides)
 }
 
 /// Read a table request from text; `file` is the name to use in messages.
@@ -201,8 +206,13 @@ fn points(
 
 /// The whole request as TOML, with every default filled in; reading it gives the same request.
 pub fn write_request(request: &Request) -> String {
-    let plain = "a request is plain data";
-    let mut document = Table::try_from(&request.template).expect(plain);
+    toml::to_string(&document(request)).expect(PLAIN)
+}
+
+const PLAIN: &str = "a request is plain data";
+
+fn document(request: &Request) -> Table {
+    let mut document = Table::try_from(&request.template).expect(PLAIN);
     if let Some(Value::Table(loading)) = document.get_mut("loading") {
         loading.remove("interference");
         loading.remove("slip_rate");
@@ -214,6 +224,6 @@ pub fn write_request(request: &Request) -> String {
         tolerance: request.goal.map(|goal| goal.tolerance),
         max_cells: request.goal.map(|goal| goal.most_cells),
     };
-    document.insert("table".into(), Value::try_from(table).expect(plain));
-    toml::to_string(&document).expect(plain)
+    document.insert("table".into(), Value::try_from(table).expect(PLAIN));
+    document
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use tables::numbers::exact;
 use toml::de::{DeTable, DeValue};
 
 use super::error::SceneFileError;
@@ -55,13 +56,22 @@ impl Source {
             place: self.place(key),
             key: key.to_owned(),
             // A message is one line, whatever the value.
-            value: value.to_string().replace('\n', " "),
+            value: readable(value.to_string()),
             allowed: allowed.into(),
         }
     }
 
     pub fn missing(&self, key: impl Into<String>, allowed: impl Into<String>) -> SceneFileError {
         SceneFileError::Missing { place: self.file.clone(), key: key.into(), allowed: allowed.into() }
+    }
+}
+
+/// A value in one line; a number of many digits in powers of ten.
+fn readable(value: String) -> String {
+    const MOST_DIGITS: usize = 20;
+    match value.parse() {
+        Ok(number) if value.len() > MOST_DIGITS => exact(number),
+        _ => value.replace('\n', " "),
     }
 }
 

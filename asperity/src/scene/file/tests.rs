@@ -375,6 +375,11 @@ fn unknown_names_get_the_nearest_known_one() {
     );
     refused(&["materials.density=1"], &["unknown key materials", "did you mean material?"]);
     refused(&["material.preset=steel4340"], &["did you mean steel-4340?"]);
+    refused(
+        &["material.melting=1500"],
+        &["unknown key material.melting", "did you mean material.softening.melting?"],
+    );
+    refused(&["loading.friction=0.3"], &["unknown key loading.friction", "did you mean interface.friction?"]);
 }
 
 #[test]

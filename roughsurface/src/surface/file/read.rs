@@ -41,7 +41,7 @@ pub enum SurfaceFileError {
 }
 
 impl SurfaceFile {
-    /// Reads and checks a surface file.
+    /// Reads and checks a surface file, or the standard input for the path `-`.
     pub fn read(file: &Path) -> Result<Self, SurfaceFileError> {
         Self::read_with(file, &[])
     }
@@ -54,7 +54,11 @@ impl SurfaceFile {
         const MOST: u64 = 16 << 20;
         let unreadable = |reason: String| SurfaceFileError::Unreadable { file: file.to_path_buf(), reason };
         let mut text = String::new();
-        std::fs::File::open(file)
+        let opened: std::io::Result<Box<dyn Read>> = match file == Path::new("-") {
+            true => Ok(Box::new(std::io::stdin())),
+            false => std::fs::File::open(file).map(|file| Box::new(file) as Box<dyn Read>),
+        };
+        opened
             .and_then(|opened| opened.take(MOST + 1).read_to_string(&mut text))
             .map_err(|reason| unreadable(reason.to_string()))?;
         match text.len() as u64 > MOST {

@@ -1,0 +1,200 @@
+//! What is worth knowing about a scene before it is run: implausible values, strengths that make the result depend on
+//! the mesh, defaults in effect.
+
+use tables::numbers::digits;
+use tables::quantity::plausible;
+use toml::{Table, Value};
+
+use crate::scene::{Hardening, Interface, Loading, Material, Model, Numerics, Scene, Softening};
+
+/// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
+/// B/A of Johnson and Cook's law for the metals among the presets.
+const MODULUS_SUGGESTED: f64 = 1.5;
+
+/// Paths of the optional keys, or of their sections.
+const OPTIONAL: [&str; 8] = [
+    "material.hardening",
+    "material.softening",
+    "interface",
+    "loading.slip_distance",
+    "loading.control",
+    "loading.temperature",
+    "model",
+    "numerics",
+];
+
+impl Scene {
+    /// Warnings, a sentence each.
+    pub fn remarks(&self) -> Vec<String> {
+        let document = Table::try_from(self).expect("a scene is plain data");
+        self.remarks_with(&document)
+    }
+
+    /// The same, with the implausible values of a document made from the scene.
+    pub(crate) fn remarks_with(&self, document: &Table) -> Vec<String> {
+        let strength = self.equal_strength().into_iter().chain(self.reference_temperature());
+        strength.chain(plausible::remarks(document)).collect()
+    }
+
+    /// Body and interface are equally strong, and the body does not harden.
+    fn equal_strength(&self) -> Option<String> {
+        let perfect = match self.material.hardening {
+            Hardening::None => true,
+            Hardening::Linear { modulus } | Hardening::JohnsonCook { modulus, .. } => modulus == 0.0,
+            Hardening::Table { .. } => false,
+        };
+        let strong = self.interface.law.as_strong_as_bulk() && self.interface.strength_factor >= 1.0;
+        (perfect && strong).then(|| {
+            let modulus = digits(MODULUS_SUGGESTED * self.material.yield_strength, 1);
+            format!(
+                "the material does not harden and the interface is as strong as the material: shear may localise in \
+                 one layer of elements, mu then follows the mesh and is accurate to 10 % at best; give [material] \
+                 hardening = {{ law = \"linear\", modulus = {modulus} }} (Pa; a plausible value for this yield \
+                 strength), or [interface] strength_factor below 1"
+            )
+        })
+    }
+
+    /// The initial temperature is not the one at which the softening factor is 1, since the constants of the material
+    /// are taken to hold at the initial temperature.
+    fn reference_temperature(&self) -> Option<String> {
+        const TOLERANCE: f64 = 0.01;
+        let temperature = self.loading.temperature;
+        let factor = self.material.softening.factor(temperature);
+        ((factor - 1.0).abs() > TOLERANCE).then(|| {
+            format!(
+                "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor \
+                 is {factor:.3}; constants of a preset hold where it is 1: use a table with table.temperature = [..] \
+                 for other temperatures"
+            )
+        })
+    }
+
+    /// Optional keys that have their default value, as in `material.softening.law = "none"`.
+    ///
+    /// ```
+    /// # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
+    /// #             [loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 3\n";
+    /// let scene = asperity::scene::file::parse_scene(text, "this example", &[])?;
+    /// let defaults = scene.defaults_in_effect();
+    /// assert!(defaults.contains(&"interface.taylor_quinney = 0.9".to_owned()));
+    /// assert!(!defaults.iter().any(|default| default.contains("slip_distance") || default.contains("hardening")));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn defaults_in_effect(&self) -> Vec<String> {
+        let (material, loading) = (self.material.clone(), self.loading.clone());
+        let default = Scene {
+            material: Material { hardening: Hardening::None, softening: Softening::None, ..material },
+            interface: Interface::default(),
+            loading: Loading {
+                slip_distance: super::default_slip_distance(),
+                control: Default::default(),
+                temperature: super::default_temperature(),
+                ..loading
+            },
+            model: Model::default(),
+            numerics: Numerics::default(),
+            ..self.clone()
+        };
+        let [here, default] = [self, &default].map(|scene| Value::try_from(scene).expect("plain data"));
+        let mut equal = Vec::new();
+        common_leaves("", &here, &default, &mut equal);
+        equal
+    }
+}
+
+/// Optional keys with equal values.
+fn common_leaves(path: &str, here: &Value, default: &Value, equal: &mut Vec<String>) {
+    match (here, default) {
+        (Value::Table(here), Value::Table(default)) => {
+            for (name, here) in here {
+                let path = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
+                if let Some(default) = default.get(name) {
+                    common_leaves(&path, here, default, equal);
+                }
+            }
+        }
+        _ if here == default => {
+            let within = |section: &&str| {
+                path.strip_prefix(*section).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            };
+            if OPTIONAL.iter().any(within) {
+                equal.push(format!("{path} = {default}"));
+            }
+        }
+        _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::file::parse_scene;
+
+    /// Brass from seven constants.
+    const BRASS: &str = "[material]\nyoungs_modulus = 105e9\npoisson_ratio = 0.34\nyield_strength = 300e6\n\
+                         thermal_conductivity = 120\nspecific_heat = 380\ndensity = 8500\nthermal_expansion = 2e-5\n\
+                         [asperity]\nradius = 50e-6\n[loading]\ninterference = 10\nslip_rate = 2\n";
+
+    fn remarks(overrides: &[&str]) -> Vec<String> {
+        let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
+        parse_scene(BRASS, "brass", &overrides).unwrap().remarks()
+    }
+
+    #[test]
+    fn a_material_without_hardening_draws_the_hardening_line_to_give() {
+        let said = remarks(&[]);
+        assert!(said.len() == 1 && said[0].contains("does not harden"), "{said:?}");
+        let (_, line) = said[0].split_once("hardening = ").unwrap();
+        let (line, _) = line.split_once(" (Pa").unwrap();
+        for cure in [
+            &*format!("material.hardening={line}"),
+            "interface.strength_factor=0.9",
+            "interface.law=frictionless",
+        ] {
+            assert_eq!(remarks(&[cure]), Vec::<String>::new(), "{cure}");
+        }
+        assert_eq!(remarks(&["interface.law=full-stick"]).len(), 1);
+    }
+
+    #[test]
+    fn values_in_another_unit_are_named() {
+        let said =
+            remarks(&["material.density=8.5", "loading.temperature=25", "interface.strength_factor=0.9"]);
+        assert_eq!(said.len(), 2, "{said:?}");
+        assert!(said[0].contains("g/cm3") && said[1].contains("degrees Celsius"), "{said:?}");
+    }
+
+    /// They are no plausible values, but refused.
+    #[test]
+    fn absurd_settings_are_refused_with_their_range_and_in_few_digits() {
+        for (setting, message) in [
+            (
+                "loading.slip_distance=1e15",
+                "slip_distance = 1000000000000000.0: must be a number from 0 to 10000",
+            ),
+            ("numerics.accuracy=1e-150", "numerics.accuracy = 1e-150: must be a number from 1e-6 to 0.5"),
+            ("asperity.radius=-1e-80", "asperity.radius = -1e-80: must be"),
+        ] {
+            let error = parse_scene(BRASS, "brass", &[setting.to_owned()]).unwrap_err().to_string();
+            assert!(error.contains(message), "{error}");
+        }
+    }
+
+    #[test]
+    fn presets_are_plausible_and_their_hardening_spans_the_suggested_one() {
+        let mut ratios = Vec::new();
+        for name in crate::scene::presets::names() {
+            let text = format!(
+                "[material]\npreset = \"{name}\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 20\nslip_rate = 1\n"
+            );
+            let scene = parse_scene(&text, name, &[]).unwrap();
+            let said = scene.remarks();
+            assert!(!said.iter().any(|said| said.contains("implausible")), "{name}: {said:?}");
+            if let super::Hardening::JohnsonCook { modulus, .. } = scene.material.hardening {
+                ratios.push(modulus / scene.material.yield_strength);
+            }
+        }
+        assert!(ratios.iter().any(|ratio| *ratio < super::MODULUS_SUGGESTED));
+        assert!(ratios.iter().any(|ratio| *ratio > super::MODULUS_SUGGESTED));
+    }
+}

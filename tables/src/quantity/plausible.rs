@@ -1,0 +1,190 @@
+//! Ranges of the input quantities of solids and rough surfaces, wide enough for any of them: a value outside is legal,
+//! and probably in another unit.
+
+use toml::{Table, Value};
+
+use super::numbers::plain;
+
+/// An input quantity by its key in the input files, or the end of the path of the key.
+struct Plausible {
+    keys: &'static [&'static str],
+    unit: &'static str,
+    /// Smallest and largest plausible value, in `unit`.
+    range: (f64, f64),
+    /// Units that are mistaken for `unit`: name, factor and offset of the conversion into `unit`.
+    mistaken: &'static [(&'static str, f64, f64)],
+}
+
+const LENGTH: &[(&str, f64, f64)] = &[("um", 1e-6, 0.0), ("mm", 1e-3, 0.0), ("nm", 1e-9, 0.0)];
+const STRESS: &[(&str, f64, f64)] = &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)];
+
+/// Where a key has no range, any legal value is plausible. Zero, where it is legal, switches an effect off.
+const PLAUSIBLE: &[Plausible] = &[
+    // Lithium 534 kg/m3, osmium 22 590 kg/m3.
+    Plausible {
+        keys: &["density"],
+        unit: "kg/m3",
+        range: (500.0, 25e3),
+        mistaken: &[("g/cm3", 1e3, 0.0), ("t/mm3", 1e12, 0.0)],
+    },
+    // Heavy metals above room temperature 130 J/(kg K), lithium 3600 J/(kg K).
+    Plausible {
+        keys: &["specific_heat"],
+        unit: "J/(kg K)",
+        range: (50.0, 5e3),
+        mistaken: &[("kJ/(kg K)", 1e3, 0.0), ("mJ/(t K)", 1e-6, 0.0)],
+    },
+    // Polymers 0.1 W/(m K), diamond 2500 W/(m K).
+    Plausible {
+        keys: &["thermal_conductivity"],
+        unit: "W/(m K)",
+        range: (0.1, 3e3),
+        mistaken: &[("W/(mm K)", 1e3, 0.0), ("mW/(m K)", 1e-3, 0.0)],
+    },
+    // Fused silica 5e-7/K, polymers 2e-4/K.
+    Plausible {
+        keys: &["thermal_expansion"],
+        unit: "1/K",
+        range: (1e-8, 1e-3),
+        mistaken: &[("1e-6/K", 1e-6, 0.0), ("mm/(m K)", 1e-3, 0.0)],
+    },
+    // Polyethylene 2e8 Pa, diamond 1.2e12 Pa.
+    Plausible { keys: &["youngs_modulus"], unit: "Pa", range: (1e8, 1.5e12), mistaken: STRESS },
+    // Indium 2 MPa, hardest ceramics some 30 GPa.
+    Plausible {
+        keys: &["yield_strength", "tensile_strength", "film_strength"],
+        unit: "Pa",
+        range: (1e5, 5e10),
+        mistaken: STRESS,
+    },
+    Plausible { keys: &["hardening.modulus"], unit: "Pa", range: (1e5, 1e12), mistaken: STRESS },
+    Plausible {
+        keys: &["temperature", "softening.reference", "softening.melting"],
+        unit: "K",
+        range: (50.0, 5e3),
+        mistaken: &[("degrees Celsius", 1.0, 273.15)],
+    },
+    Plausible { keys: &["slip_rate"], unit: "m/s", range: (1e-13, 1e3), mistaken: &[("mm/s", 1e-3, 0.0)] },
+    Plausible { keys: &["radius", "asperity_radius"], unit: "m", range: (1e-9, 0.1), mistaken: LENGTH },
+    // Heights of a rough surface.
+    Plausible { keys: &["std", "separation"], unit: "m", range: (1e-12, 1e-3), mistaken: LENGTH },
+    Plausible {
+        keys: &["asperity_density"],
+        unit: "1/m2",
+        range: (1e5, 1e17),
+        mistaken: &[("1/mm2", 1e6, 0.0), ("1/um2", 1e12, 0.0)],
+    },
+    Plausible {
+        keys: &["pressure"],
+        unit: "Pa",
+        range: (100.0, 1e11),
+        mistaken: &[("MPa", 1e6, 0.0), ("GPa", 1e9, 0.0)],
+    },
+];
+
+/// Keys, unit, and smallest and largest plausible value of every input quantity with a range.
+pub fn ranges() -> impl Iterator<Item = (&'static [&'static str], &'static str, f64, f64)> {
+    PLAUSIBLE.iter().map(|known| (known.keys, known.unit, known.range.0, known.range.1))
+}
+
+/// A sentence for every key of the sections of an input file with a value that is implausible, of a list the first.
+///
+/// ```
+/// use tables::quantity::plausible::remarks;
+///
+/// let sections = "material.density = 7.85\nmaterial.specific_heat = 475\n[loading]\ntemperature = 25".parse()?;
+/// assert_eq!(
+///     remarks(&sections),
+///     [
+///         "material.density = 7.85 kg/m3 is implausible (500 to 25000 kg/m3); if it is in g/cm3, write 7850",
+///         "loading.temperature = 25 K is implausible (50 to 5000 K); if it is in degrees Celsius, write 298.15",
+///     ]
+/// );
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn remarks(sections: &Table) -> Vec<String> {
+    let mut found = Vec::new();
+    for (key, value) in sections {
+        collect(key, value, &mut found);
+    }
+    found
+}
+
+/// Those of the value at a path.
+fn collect(path: &str, value: &Value, found: &mut Vec<String>) {
+    match value {
+        Value::Table(inner) => {
+            for (name, value) in inner {
+                collect(&format!("{path}.{name}"), value, found);
+            }
+        }
+        Value::Array(values) => {
+            found.extend(values.iter().filter_map(number).find_map(|number| remark(path, number)));
+        }
+        value => found.extend(number(value).and_then(|number| remark(path, number))),
+    }
+}
+
+fn number(value: &Value) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|number| number as f64))
+}
+
+fn remark(path: &str, value: f64) -> Option<String> {
+    // The values of a property over temperature and the ends of a range have the meaning of their section.
+    let meaning =
+        [".value", ".from", ".to"].into_iter().find_map(|end| path.strip_suffix(end)).unwrap_or(path);
+    let means = |key: &&str| {
+        let before = meaning.strip_suffix(*key);
+        before.is_some_and(|before| before.is_empty() || before.ends_with('.'))
+    };
+    let known = PLAUSIBLE.iter().find(|known| known.keys.iter().any(means))?;
+    let (least, most) = known.range;
+    let plausible = |value: f64| (least..=most).contains(&value);
+    if value == 0.0 || plausible(value.abs()) {
+        return None;
+    }
+    let unit = known.unit;
+    let range = format!("{} to {} {unit}", plain(least), plain(most));
+    let mut text = format!("{path} = {} {unit} is implausible ({range})", plain(value));
+    let converted = known.mistaken.iter().map(|(name, factor, offset)| (name, value * factor + offset));
+    if let Some((name, converted)) = converted.into_iter().find(|(_, converted)| plausible(*converted)) {
+        text += &format!("; if it is in {name}, write {}", plain(converted));
+    }
+    Some(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_unit_that_was_probably_meant_is_named() {
+        for (key, value, unit) in [
+            ("density", "7.85", "g/cm3, write 7850"),
+            ("density", "7.85e-9", "t/mm3, write 7850"),
+            ("youngs_modulus", "200", "GPa, write 2e11"),
+            ("youngs_modulus", "210000", "MPa, write 2.1e11"),
+            ("yield_strength", "400", "MPa, write 4e8"),
+            ("thermal_conductivity", "0.045", "W/(mm K), write 45"),
+            ("thermal_expansion", "12", "1e-6/K, write 1.2e-5"),
+            ("specific_heat", "0.475", "kJ/(kg K), write 475"),
+            ("temperature", "25", "degrees Celsius, write 298.15"),
+            ("radius", "50", "um, write 5e-5"),
+            ("pressure", "[1, 10]", "MPa, write 1e6"),
+            ("asperity_density", "1e4", "1/mm2, write 1e10"),
+        ] {
+            let sections: Table = format!("[section]\n{key} = {value}").parse().unwrap();
+            let found = remarks(&sections);
+            assert!(found.len() == 1 && found[0].contains(unit), "{key} = {value}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn ordinary_values_zeros_and_other_keys_draw_no_remark() {
+        let text = "[a]\ndensity = 7850\nthermal_expansion = 0\nslip_rate = [0, 1e-9]\nexponent = 1e-30\nmodulus = 1\n\
+                    specific_heat = { temperature = [293, 1000], value = [440, 800] }\npressure = [1e5]";
+        assert_eq!(remarks(&text.parse().unwrap()), Vec::<String>::new());
+        let range = "[table]\ntemperature = { from = 20, to = 500, points = 3 }";
+        assert!(remarks(&range.parse().unwrap())[0].contains("table.temperature.from = 20 K"));
+    }
+}
