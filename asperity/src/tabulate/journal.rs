@@ -13,6 +13,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
+use tables::netcdf::in_words;
 
 use super::cell::Finished;
 use super::shard::Shard;
@@ -68,7 +69,13 @@ enum Fault {
     #[error("no room for {cells} results, about {kilobytes} kB: {source}")]
     NoRoom { cells: usize, kilobytes: usize, source: io::Error },
     #[error("{0}")]
-    Io(#[from] io::Error),
+    Io(io::Error),
+}
+
+impl From<io::Error> for Fault {
+    fn from(error: io::Error) -> Self {
+        Self::Io(in_words(error))
+    }
 }
 
 impl JournalError {
@@ -153,7 +160,8 @@ impl Journal {
     /// to a full disk.
     pub fn reserve(&self, cells: usize) -> Result<(), JournalError> {
         let bytes = cells * MOST_OF_A_LINE;
-        let no_room = |source| self.error(Fault::NoRoom { cells, kilobytes: bytes >> 10, source });
+        let no_room =
+            |error| self.error(Fault::NoRoom { cells, kilobytes: bytes >> 10, source: in_words(error) });
         self.file.reserve(bytes).map_err(no_room)
     }
 

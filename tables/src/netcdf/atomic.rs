@@ -48,8 +48,8 @@ fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// The error with a message for those that name what to do.
-fn in_words(error: io::Error) -> io::Error {
+/// The error with a message on disks without room in place of the system's.
+pub fn in_words(error: io::Error) -> io::Error {
     let text = match error.kind() {
         io::ErrorKind::StorageFull => "no space left on the disk",
         io::ErrorKind::QuotaExceeded => "the quota of the disk is used up",

@@ -31,7 +31,7 @@ mod writer;
 
 pub use ::netcdf::AttributeValue;
 
-pub use atomic::{destination, write_atomically};
+pub use atomic::{destination, in_words, write_atomically};
 pub use distinct::{SameFile, check_distinct};
 pub use reader::DatasetReader;
 pub use sandbox::enable as enable_sandbox;

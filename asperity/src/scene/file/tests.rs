@@ -226,7 +226,7 @@ fn bad_requests_are_refused() {
         ("table.interference=[0, 1]", "positive"),
         ("table.slip_rate=[-1]", "zero or a positive"),
         ("table.slip_rate=[nan]", "zero or a positive"),
-        ("table.tolerance=0", "at most 0.5"),
+        ("table.tolerance=0", "from 1e-6 to 0.5"),
         ("table.max_cells=100", "left out unless tolerance is given"),
         ("table.interference={from=0, to=1, points=3}", "positive"),
         ("table.interference={from=2, to=1, points=3}", "above from"),
@@ -277,8 +277,8 @@ fn numbers_out_of_range_are_refused() {
         let text = format!("material.poisson_ratio={value}");
         refused(&[&text], &["material.poisson_ratio", "less than 0.5"]);
     }
-    for value in ["0", "0.6", "-0.1", "nan"] {
-        refused(&[&format!("numerics.accuracy={value}")], &["at most 0.5"]);
+    for value in ["0", "0.6", "-0.1", "nan", "1e-150"] {
+        refused(&[&format!("numerics.accuracy={value}")], &["from 1e-6 to 0.5"]);
     }
     for value in ["0", "3", "-8", "8.5", "1000000000"] {
         let text = format!("numerics.elements_per_radius={value}");
@@ -287,7 +287,10 @@ fn numbers_out_of_range_are_refused() {
     for value in ["0", "2", "6", "-4", "16.0"] {
         refused(&[&format!("numerics.sectors={value}")], &["a multiple of 4"]);
     }
-    refused(&["loading.slip_distance=-1"], &["loading.slip_distance", "-1", "zero or a positive"]);
+    for value in ["-1", "1e15"] {
+        let text = format!("loading.slip_distance={value}");
+        refused(&[&text], &["loading.slip_distance", value, "a number from 0 to 10000"]);
+    }
     refused(&["loading.slip_rate=-1"], &["loading.slip_rate", "-1", "zero or a positive"]);
     refused(&["interface.heat_partition=1.1"], &["from 0 to 1"]);
     refused(&["interface.gap_conductance=-1"], &["gap_conductance"]);
