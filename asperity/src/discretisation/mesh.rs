@@ -53,6 +53,10 @@ impl MeshSize {
 pub struct MeridianMesh {
     /// (r, z) of each node.
     pub nodes: Vec<[f64; 2]>,
+    /// Weight of each node in the rational map of the elements: 1 in the block, ρ₀/ρ in the fan, with ρ the distance
+    /// from the apex and ρ₀ that of the block's outline on the same ray. With it, fields linear in an element are linear
+    /// in 1/ρ, as the far field of a loaded or heated contact is.
+    pub weights: Vec<f64>,
     /// Corners, counter-clockwise in (r, z).
     pub quads: Vec<[u32; 4]>,
     /// Nodes of the surface that can come into contact, by growing r; the apex is first.
@@ -110,12 +114,16 @@ impl MeridianMesh {
         let shells = ((1.0 / block_size).ln() / growth.ln()).ceil().max(2.0) as usize;
         let (start, last) = (outline.clone(), outline.len() - 1);
         let mut previous = outline;
+        let mut weights = vec![1.0; nodes.len()];
         for shell in 1..=shells {
             let t = shell as f64 / shells as f64;
             let current: Vec<u32> = (0..=last)
                 .map(|p| {
                     let uniform = p as f64 / last as f64;
-                    nodes.push(fan_point(nodes[start[p] as usize], uniform, t));
+                    let inner = nodes[start[p] as usize];
+                    let point = fan_point(inner, uniform, t);
+                    nodes.push(point);
+                    weights.push(inner[0].hypot(inner[1]) / point[0].hypot(point[1]));
                     (nodes.len() - 1) as u32
                 })
                 .collect();
@@ -135,7 +143,7 @@ impl MeridianMesh {
             }
         }
         let contact = (0..=columns).map(|i| block(i, 0)).collect();
-        Self { nodes, quads, contact, is_base }
+        Self { nodes, weights, quads, contact, is_base }
     }
 
     /// Radii of the rings that can come into contact.

@@ -33,7 +33,9 @@ fn solid_with(hardening: Hardening, dependence: TemperatureDependence) -> Solid 
 }
 
 fn body_with(hardening: Hardening, sectors: Collocation, dependence: TemperatureDependence) -> Body {
-    let meridian = MeridianMesh::new(MeshSize::new(0.1, 4));
+    let mut meridian = MeridianMesh::new(MeshSize::new(0.1, 4));
+    // With equal weights linear displacements have uniform strains in the fan too.
+    meridian.weights.fill(1.0);
     Body::new(RevolvedMesh::new(meridian, sectors), solid_with(hardening, dependence))
 }
 

@@ -1,6 +1,11 @@
 //! Bilinear ring elements on the meridian, trigonometric in θ: geometry, gather and scatter
 //! between nodes and lanes, and the mean-dilatation (B̄) strain and force operators.
 //!
+//! The map of an element is rational, x = Σ N w X/Σ N w with the weights w of the mesh, and displacements are bilinear
+//! in the reference square: in the shells of the fan they are linear in 1/ρ, with as few shells as a far field that
+//! falls with 1/ρ needs (Zienkiewicz, Emson & Bettess 1983, Int. J. Numer. Meth. Engng 19, 393, map infinite elements so).
+//! With equal weights the map is bilinear.
+//!
 //! At each angle a meridian quadrilateral has 2 × 2 Gauss points. Strains there follow from the
 //! nodal displacements at that angle and from their exact derivatives in θ, so all angles share
 //! one set of coefficients and are lanes. The mean dilatation (Hughes 1980, Int. J. Numer. Meth.
@@ -63,8 +68,10 @@ pub fn shape_at_points() -> [[f64; CORNERS]; POINTS] {
 }
 
 impl Element {
-    fn new(corners: [[f64; 2]; CORNERS], nodes: [u32; CORNERS], sectors: &Collocation) -> Self {
+    fn new(meridian: &MeridianMesh, nodes: [u32; CORNERS], sectors: &Collocation) -> Self {
         let shapes = shape_at_points();
+        let corners = nodes.map(|n| meridian.nodes[n as usize]);
+        let weights = nodes.map(|n| meridian.weights[n as usize]);
         let mut weight = [0.0; POINTS];
         let shape = std::array::from_fn(|q| {
             let [xi, eta] = gauss_point(q);
@@ -73,15 +80,18 @@ impl Element {
                 [0.25 * cx * (1.0 + ce * eta), 0.25 * ce * (1.0 + cx * xi)]
             });
             let mut jacobian = nalgebra::Matrix2::<f64>::zeros();
-            let mut r = 0.0;
+            let parts: [f64; CORNERS] = std::array::from_fn(|n| shapes[q][n] * weights[n]);
+            let whole: f64 = parts.iter().sum();
+            let point: [f64; 2] =
+                std::array::from_fn(|d| (0..CORNERS).map(|n| parts[n] * corners[n][d]).sum::<f64>() / whole);
             for n in 0..CORNERS {
-                r += shapes[q][n] * corners[n][0];
                 for d in 0..2 {
                     for k in 0..2 {
-                        jacobian[(d, k)] += local[n][k] * corners[n][d];
+                        jacobian[(d, k)] += local[n][k] * weights[n] * (corners[n][d] - point[d]) / whole;
                     }
                 }
             }
+            let r = point[0];
             let determinant = jacobian.determinant();
             assert!(determinant > 0.0, "inverted element at r, z = {:?}", corners[0]);
             weight[q] = determinant * r * sectors.weight();
@@ -106,11 +116,7 @@ pub struct RevolvedMesh {
 
 impl RevolvedMesh {
     pub fn new(meridian: MeridianMesh, sectors: Collocation) -> Self {
-        let elements = meridian
-            .quads
-            .iter()
-            .map(|quad| Element::new(quad.map(|n| meridian.nodes[n as usize]), *quad, &sectors))
-            .collect();
+        let elements = meridian.quads.iter().map(|quad| Element::new(&meridian, *quad, &sectors)).collect();
         Self { meridian, sectors, elements }
     }
 

@@ -5,7 +5,13 @@ use crate::discretisation::collocation::VECTOR_PARITY;
 use crate::discretisation::mesh::MeshSize;
 
 fn mesh(sectors: Collocation) -> RevolvedMesh {
-    let meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
+    RevolvedMesh::new(MeridianMesh::new(MeshSize::new(0.05, 4)), sectors)
+}
+
+/// With equal weights, which make the map bilinear.
+fn bilinear_mesh(sectors: Collocation) -> RevolvedMesh {
+    let mut meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
+    meridian.weights.fill(1.0);
     RevolvedMesh::new(meridian, sectors)
 }
 
@@ -27,7 +33,7 @@ pub(crate) fn nodal(mesh: &RevolvedMesh, u: impl Fn([f64; 3]) -> [f64; 3]) -> Ve
 
 #[test]
 fn linear_displacements_have_their_exact_strain_everywhere() {
-    let mesh = mesh(Collocation::full(8));
+    let mesh = bilinear_mesh(Collocation::full(8));
     // Symmetric about y = 0: u_x, u_z even and u_y odd in y.
     let u = nodal(&mesh, |[x, y, z]| [0.3 * x - 0.2 * z + 1.0, 0.7 * y, 0.5 * x + 0.1 * z]);
     let mut slope = vec![0.0; u.len()];
@@ -61,14 +67,58 @@ fn linear_displacements_have_their_exact_strain_everywhere() {
     }
 }
 
+fn error_of_volume(mesh: &RevolvedMesh) -> f64 {
+    let total: f64 = mesh.nodal_volumes().iter().sum();
+    let exact = 0.5 * crate::discretisation::mesh::revolved_volume(&mesh.meridian);
+    (total / exact - 1.0).abs()
+}
+
 #[test]
 fn volumes_are_those_of_the_body_of_revolution() {
     for count in [1, 4, 8] {
-        let mesh = mesh(Collocation::full(count));
-        let total: f64 = mesh.nodal_volumes().iter().sum();
-        let exact = 0.5 * crate::discretisation::mesh::revolved_volume(&mesh.meridian);
-        assert!((total / exact - 1.0).abs() < 1e-12, "{total} {exact}");
+        assert!(error_of_volume(&bilinear_mesh(Collocation::full(count))) < 1e-12);
     }
+}
+
+/// Of the rational map Gauss's rule is not exact: the error of the volume falls faster than the square of the size.
+#[test]
+fn volumes_of_the_rational_map_converge() {
+    let [coarse, fine] = [4, 8].map(|elements| {
+        let meridian = MeridianMesh::new(MeshSize::new(0.05, elements));
+        error_of_volume(&RevolvedMesh::new(meridian, Collocation::axisymmetric()))
+    });
+    assert!(coarse < 0.01 && fine < coarse / 5.0, "{coarse} {fine}");
+}
+
+/// Largest error of the gradient of 1/ρ at the Gauss points of the fan, relative to 1/ρ².
+fn error_of_far_field(mesh: &RevolvedMesh) -> f64 {
+    let shapes = shape_at_points();
+    let distance = |node: &u32| {
+        let [r, z] = mesh.meridian.nodes[*node as usize];
+        r.hypot(z)
+    };
+    let of_fan = |element: &&Element| element.nodes.iter().all(|node| distance(node) > 0.1);
+    let mut largest: f64 = 0.0;
+    for element in mesh.elements.iter().filter(of_fan) {
+        let values = element.nodes.map(|node| 1.0 / distance(&node));
+        for (derivatives, shape) in element.shape.iter().zip(&shapes) {
+            let along = |of: fn(&ShapeAtPoint) -> f64| -> f64 {
+                derivatives.iter().zip(&values).map(|(n, value)| of(n) * value).sum()
+            };
+            let inverse: f64 = shape.iter().zip(&values).map(|(n, value)| n * value).sum();
+            let gradient = along(|n| n.dr).hypot(along(|n| n.dz));
+            largest = largest.max((gradient / inverse.powi(2) - 1.0).abs());
+        }
+    }
+    largest
+}
+
+/// The far field 1/ρ has a gradient three times as exact as by the bilinear map; what remains is the angle of elements.
+#[test]
+fn shells_follow_the_inverse_distance() {
+    let [rational, bilinear] =
+        [mesh, bilinear_mesh].map(|of| error_of_far_field(&of(Collocation::axisymmetric())));
+    assert!(rational < 0.12 && bilinear > 0.3, "{rational} {bilinear}");
 }
 
 #[test]

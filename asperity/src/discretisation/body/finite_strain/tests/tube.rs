@@ -25,7 +25,8 @@ impl Tube {
             rings.flat_map(|i| [[radius(i, elements), 0.0], [radius(i, elements), HEIGHT]]).collect();
         let quads = (0..elements as u32).map(|i| [2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1]).collect();
         let is_base = vec![false; nodes.len()];
-        let meridian = MeridianMesh { nodes, quads, contact: Vec::new(), is_base };
+        let weights = vec![1.0; nodes.len()];
+        let meridian = MeridianMesh { nodes, weights, quads, contact: Vec::new(), is_base };
         let mut solid = body(Hardening::None, Collocation::axisymmetric()).solid;
         solid.moduli.bulk = 1e3 * solid.moduli.shear;
         let mesh = RevolvedMesh::new(meridian, Collocation::axisymmetric());
