@@ -25,6 +25,7 @@ pub(crate) mod values;
 
 use std::time::Instant;
 
+use crate::interface::contact::Contact;
 use crate::loading::press::Increment;
 use crate::loading::recording::Recording;
 use crate::loading::slide::SlideFailure;
@@ -35,7 +36,7 @@ use crate::simulate::outcome::Outcome;
 use messages::{RunKind, RunProgress};
 pub(crate) use pressed::bisect;
 pub use pressed::{Pressed, PressedContact, press};
-use runs::Runner;
+use runs::{Run, Runner};
 
 /// Times that a run is repeated more finely, at most.
 const REFINEMENTS: usize = 2;
@@ -175,11 +176,31 @@ pub(crate) fn sample(
     resolution: &Resolution,
     watch: &dyn Watch,
 ) -> Result<Sample, SimulationError> {
+    let run = run_alone(scene, slip_rate, resolution, watch)?;
+    Ok(Sample { press: run.press.increments.clone(), history: run.history })
+}
+
+/// The contact at the end of such a run.
+pub(crate) fn contact_after_slide(
+    scene: &Scene,
+    slip_rate: f64,
+    resolution: &Resolution,
+    watch: &dyn Watch,
+) -> Result<Contact, SimulationError> {
+    run_alone(scene, slip_rate, resolution, watch).map(|run| run.contact)
+}
+
+fn run_alone(
+    scene: &Scene,
+    slip_rate: f64,
+    resolution: &Resolution,
+    watch: &dyn Watch,
+) -> Result<Run, SimulationError> {
     let pressed = pressed::press_coarsely(scene, watch)?;
     let progress = RunProgress { kind: RunKind::Main, span: (0.0, 1.0) };
-    let run = Runner::new(&pressed, slip_rate, watch).run(resolution, progress)?;
-    match run.failure {
-        None => Ok(Sample { press: run.press.increments.clone(), history: run.history }),
+    let mut run = Runner::new(&pressed, slip_rate, watch).run(resolution, progress)?;
+    match run.failure.take() {
+        None => Ok(run),
         Some(failure) => Err(slide_error(failure, run.history.last(), &pressed, None)),
     }
 }

@@ -10,7 +10,7 @@ use tables::quantity::Estimate;
 use super::messages::StrainChoice;
 use super::strain::{choose_strain, shears_without_limit};
 use super::{SimulationError, Watch};
-use crate::discretisation::body::{Body, LargestMises};
+use crate::discretisation::body::{Body, MeanStress};
 use crate::discretisation::mesh::MeshSize;
 use crate::interface::contact::Contact;
 use crate::loading::press::{self, Increment, PressFailure};
@@ -202,9 +202,9 @@ impl Pressed {
         }
     }
 
-    /// How near to yield the press on the coarse and on the fine mesh comes.
-    pub(crate) fn largest_mises(&self) -> [LargestMises; 2] {
-        [0, 1].map(|i| self.meshes[i].body.largest_mises(&self.meshes[i].body.committed))
+    pub(crate) fn mean_stresses_on_axis(&self) -> Vec<MeanStress> {
+        let body = &self.meshes[1].body;
+        body.mean_stresses_on_axis(&body.committed)
     }
 
     /// The same, with the fields chosen by `recording`.

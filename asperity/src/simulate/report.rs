@@ -118,7 +118,7 @@ fn warnings_of_strength(scene: &Scene, plastic_strain: f64) -> Vec<Warning> {
 /// The whole outcome in SI units.
 fn outcome(problem: &Problem, run: &mut Run, budget: ErrorBudget, account: Account) -> Outcome {
     let units = problem.units;
-    let (rings, columns) = (run.radii.len(), run.angles.len());
+    let (rings, columns) = (run.contact.radii.len(), run.contact.angles.len());
     Outcome {
         critical_interference: problem.critical_interference * units.length,
         scalars: Scalars::from_fn(|quantity| Estimate {
@@ -131,8 +131,8 @@ fn outcome(problem: &Problem, run: &mut Run, budget: ErrorBudget, account: Accou
         press: press_history(problem, &run.press.increments),
         slide: slide_history(problem, &run.history),
         grid: ContactGrid {
-            theta: run.angles.clone(),
-            r: run.radii.iter().map(|r| r * units.length).collect(),
+            theta: run.contact.angles.clone(),
+            r: run.contact.radii.iter().map(|r| r * units.length).collect(),
         },
         snapshots: run.fields.iter().map(|fields| snapshot(&units, fields, (rings, columns))).collect(),
         body: run.body.take(),

@@ -11,6 +11,7 @@ use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
 use super::{SimulationError, Watch};
 use crate::discretisation::collocation::Collocation;
 use crate::heat::conduction::Conduction;
+use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
 use crate::loading::problem::Discretisation;
 use crate::loading::recording::{Fields, Recorder};
@@ -39,9 +40,8 @@ pub(super) struct Run {
     pub values: Values,
     pub fields: Vec<Fields>,
     pub body: Option<BodyFields>,
-    /// Of the contact points, over R.
-    pub radii: Vec<f64>,
-    pub angles: Vec<f64>,
+    /// At its end.
+    pub contact: Contact,
     pub unknowns: usize,
     pub effort: Effort,
     pub timings: Timings,
@@ -277,10 +277,9 @@ impl<'a> Runner<'a> {
             history: slide.history,
             fields: slide.recorder.contact,
             body: BodyFields::new(mesh, &slide.recorder.bodies, &problem.units),
-            radii: slide.mechanics.contact.radii.clone(),
-            angles: mesh.sectors.angles(),
             unknowns: mesh.field_length(3),
             cutbacks: slide.cutbacks,
+            contact: slide.mechanics.into_parts().1,
             failure,
             press,
         })

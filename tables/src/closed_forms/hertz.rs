@@ -55,6 +55,23 @@ fn inverse_tangent(s: f64) -> f64 {
     1.0_f64.atan2(s)
 }
 
+/// Stresses below the surface, r > 0 and z > 0 in units of a, in units of p₀, tension positive: (σ_r, σ_θ, σ_z, τ_rz).
+///
+/// With u the positive root of r²/(1 + u) + z²/u = 1. M. T. Huber, Ann. Phys. 319, 153 (1904), doi
+/// 10.1002/andp.19043190612.
+pub fn stresses(poisson_ratio: f64, [r, z]: [f64; 2]) -> [f64; 4] {
+    let offset = 0.5 * (r * r + z * z - 1.0);
+    let u = offset + (offset * offset + z * z).sqrt();
+    let root = u.sqrt();
+    let (ratio, fall) = (z / root, u / (u * u + z * z));
+    let bent = (1.0 - 2.0 * poisson_ratio) / (3.0 * r * r) * (1.0 - ratio.powi(3));
+    let plane = (1.0 - poisson_ratio) * u / (1.0 + u);
+    let angle = (1.0 + poisson_ratio) * root * (1.0 / root).atan();
+    let radial = bent + ratio.powi(3) * fall + ratio * (plane + angle - 2.0);
+    let hoop = -bent - ratio * (2.0 * poisson_ratio + plane - angle);
+    [radial, hoop, -ratio.powi(3) * fall, -r * z * z / (u * u + z * z) * root / (1.0 + u)]
+}
+
 /// Where the von Mises stress on the axis is largest: z/a.
 pub fn first_yield_depth(poisson_ratio: f64) -> f64 {
     // The derivative of σ_r − σ_z along the axis changes sign once between surface and z = a.
@@ -153,6 +170,29 @@ mod tests {
         close(peak_pressure(e_star, radius, omega), 645.119e6, 5e-6);
         let area = critical_area(e_star, nu, yield_strength, radius);
         close(area, PI * 0.46107e-6 * 0.46107e-6, 5e-5);
+    }
+
+    /// Near the axis those of the axis, near the surface the pressure, and in equilibrium between.
+    #[test]
+    fn stresses_are_in_equilibrium() {
+        for depth in [0.1, 0.48, 2.0] {
+            let (radial, axial) = axis_stresses(0.3, depth);
+            let [near, hoop, down, shear] = stresses(0.3, [1e-4, depth]);
+            assert!((near - radial).abs() < 1e-6 && (hoop - radial).abs() < 1e-6);
+            assert!((down - axial).abs() < 1e-6 && shear.abs() < 1e-4);
+        }
+        let [_, _, down, shear] = stresses(0.3, [0.6, 1e-9]);
+        assert!((down + 0.8).abs() < 1e-8 && shear.abs() < 1e-8);
+        let step = 1e-5;
+        for [r, z] in [[0.3, 0.4], [0.9, 0.2], [1.5, 1.0]] {
+            let [radial, hoop, _, shear] = stresses(0.3, [r, z]);
+            let (out, inner) = (stresses(0.3, [r + step, z]), stresses(0.3, [r - step, z]));
+            let (deep, shallow) = (stresses(0.3, [r, z + step]), stresses(0.3, [r, z - step]));
+            let slope = |a: [f64; 4], b: [f64; 4], i: usize| (a[i] - b[i]) / (2.0 * step);
+            let along_r = slope(out, inner, 0) + slope(deep, shallow, 3) + (radial - hoop) / r;
+            let along_z = slope(out, inner, 3) + slope(deep, shallow, 2) + shear / r;
+            assert!(along_r.abs() < 1e-8 && along_z.abs() < 1e-8, "{along_r} {along_z}");
+        }
     }
 
     #[test]

@@ -29,7 +29,7 @@ mod surface;
 mod tangent;
 mod temperature;
 
-pub use mises::LargestMises;
+pub use mises::{MeanStress, mises};
 pub use nodal::NODAL;
 pub use state::BodyState;
 pub use tangent::InelasticZone;

@@ -1,7 +1,7 @@
 //! Contact fraction of each node: the part of its area inside the contact edge, 1 but at the edge.
 
 use super::{Contact, ContactState, Status};
-use crate::interface::contact_edge;
+use crate::interface::contact_edge::FITTED;
 use crate::scene::fitted_constants::contact_edge::LARGEST_FRACTION;
 
 impl Contact {
@@ -11,7 +11,7 @@ impl Contact {
         self.set_edges(&edges);
     }
 
-    /// Place of the edge of the trial state at each angle (see [`contact_edge`]), in cells of the rings from the axis
+    /// Place of the edge of the trial state at each angle (see `interface::contact_edge`), in cells of the rings from the axis
     /// on; the cell of a ring extends half a spacing to both sides.
     pub fn trial_edges(&self) -> Vec<f64> {
         (0..self.columns).map(|j| self.trial_edge(j)).collect()
@@ -30,7 +30,7 @@ impl Contact {
         let closing = if beyond > gap { (gap / (beyond - gap) * widths).clamp(0.0, 1.0) } else { 1.0 };
         let inner = self.trial.pressure[at(last - 1)];
         let load = if inner > 0.0 { (self.trial.pressure[at(last)] / inner).min(1.0) } else { 1.0 };
-        last as f64 + (0.5 + contact_edge::place(load, closing)).max(0.0)
+        last as f64 + (0.5 + FITTED.place(load, closing)).max(0.0)
     }
 
     /// Outermost ring that touches at an angle in the trial state.

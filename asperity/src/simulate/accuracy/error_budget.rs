@@ -13,7 +13,9 @@
 use tables::quantity::Quantity;
 
 use crate::discretisation::mesh::EDGE_SIZE;
-use crate::scene::fitted_constants::error_estimates::{EDGE_OF_SPACING, ORDER, ORDER_OF_ELASTIC_FRICTION};
+use crate::scene::fitted_constants::error_estimates::{
+    EDGE_OF_ELASTIC_FRICTION, EDGE_OF_SPACING, ORDER, ORDER_OF_ELASTIC_FRICTION,
+};
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{RelativeParts, Resolution};
 use crate::simulate::values::Values;
@@ -141,7 +143,7 @@ impl ErrorBudget {
         let elements = run.resolution.elements_per_radius as f64;
         let refinement = elements / coarser.resolution.elements_per_radius as f64;
         self.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|quantity| {
-            let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
+            let floor = edge_floor(quantity, elements, fine.elastic) * fine.magnitude(quantity);
             let share = mesh_share(refinement, mesh_order(quantity, fine.elastic));
             share * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
         });
@@ -224,10 +226,13 @@ pub fn edge_share(elements_per_radius: f64) -> f64 {
 }
 
 /// Of a quantity, relative: the place of the edge is as uncertain after the slide as after the press.
-fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
+fn edge_floor(quantity: Quantity, elements_per_radius: f64, elastic: bool) -> f64 {
     use Quantity::*;
     let edge = edge_share(elements_per_radius);
     match quantity {
+        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic if elastic => {
+            2.0 * EDGE_OF_ELASTIC_FRICTION * edge
+        }
         // Friction is strength times area.
         Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area | AreaPress => 2.0 * edge,
         // The rise is proportional to the radius of the source.

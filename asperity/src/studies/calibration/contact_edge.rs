@@ -1,21 +1,26 @@
 //! The place of the contact edge between two rings of nodes from the pressures and gaps near it, see
 //! `interface::contact_edge`.
 //!
-//! Elastic presses: edges at a of Hertz, moved over more than a ring spacing by the interference on a fixed mesh; the
-//! constants of bluntness 0 are fitted anew, in ring spacings t from where the last ring touches,
-//! ρ = F((1 + p)t − pt²), γ = G(1 − (1 − q)t − qt²). Plastic presses: edges on meshes four times as fine; the residual
-//! of the stored constants.
+//! Elastic presses: edges at a of Hertz, moved over more than a ring spacing by the interference on a fixed mesh. Plastic
+//! presses and slides: edges on meshes four and three times as fine.
 
 use super::{Fit, FittedConstant, Residual, pressed, rms, two_terms};
 use crate::interface::contact::{Contact, Status};
-use crate::interface::contact_edge::place;
-use crate::scene::fitted_constants::contact_edge::{
-    FIRST_PLACE, FULL_LOAD, GAP_CURVATURE, LOAD_CURVATURE, OPEN_GAP,
-};
+use crate::interface::contact_edge::{EdgeConstants, FITTED};
 use crate::scene::fitted_constants::error_estimates::EDGE_OF_SPACING;
 use crate::scene::{FrictionLaw, Material, Scene};
-use crate::simulate::{SimulationError, Watch};
-use crate::studies::verification::setup::{Hertz, mesh, plain_material, scene, steel_4340};
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::{SimulationError, Watch, contact_after_slide};
+use crate::studies::verification::setup::{Hertz, mesh, plain_material, preset, scene, steel_4340};
+
+/// Material and ω₀/ω_c.
+const SLIDES: [(&str, f64); 5] = [
+    ("steel-4340", 2.0),
+    ("steel-4340", 10.0),
+    ("copper", 5.0),
+    ("aluminium-6061", 20.0),
+    ("steel-1045", 50.0),
+];
 
 /// An edge whose place is known.
 #[derive(Clone, Copy)]
@@ -29,71 +34,75 @@ struct Edge {
 }
 
 impl Edge {
-    /// Of an axisymmetric contact whose edge is at `radius`.
-    fn of(contact: &Contact, radius: f64) -> Option<Self> {
+    /// Of a contact whose edge is at `radius` at an angle.
+    fn at(contact: &Contact, angle: usize, radius: f64) -> Option<Self> {
         let (radii, state) = (&contact.radii, &contact.committed);
-        let last = (0..radii.len()).rev().find(|&ring| state.status[ring] != Status::Open)?;
+        let point = |ring: usize| ring * contact.columns + angle;
+        let last = (0..radii.len()).rev().find(|&ring| state.status[point(ring)] != Status::Open)?;
         if last == 0 || last + 2 >= radii.len() {
             return None;
         }
         let spacing = radii[last + 1] - radii[last];
-        let (gap, beyond) = (state.gap[last + 1], state.gap[last + 2]);
+        let (gap, beyond) = (state.gap[point(last + 1)], state.gap[point(last + 2)]);
         Some(Self {
             place: (radius - radii[last]) / spacing,
-            load: (state.pressure[last] / state.pressure[last - 1]).min(1.0),
+            load: (state.pressure[point(last)] / state.pressure[point(last - 1)]).min(1.0),
             gap: (gap / (beyond - gap) * (radii[last + 2] - radii[last + 1]) / spacing).clamp(0.0, 1.0),
         })
     }
+}
 
-    /// Place as found less place as known.
-    fn error(&self) -> f64 {
-        place(self.load, self.gap) - self.place
+/// Misfit of ρ and γ at bluntness 0, rms.
+fn misfit(constants: &EdgeConstants, edges: &[Edge]) -> f64 {
+    let EdgeConstants { first_place, full_load: [full, _], open_gap: [open, _], .. } = *constants;
+    let (p, q) = (constants.load_curvature, constants.gap_curvature);
+    let misfits = edges.iter().flat_map(|edge| {
+        let t = (edge.place - first_place).clamp(0.0, 1.0);
+        let load = full * ((1.0 + p) * t - p * t * t);
+        let gap = open * (1.0 - (1.0 - q) * t - q * t * t);
+        [load - edge.load, gap - edge.gap]
+    });
+    rms(misfits.collect::<Vec<_>>().into_iter())
+}
+
+/// EdgeConstants of bluntness 0 for a given first place: the other four are linear.
+fn with_first_place(edges: &[Edge], first: f64) -> EdgeConstants {
+    let rows = |of: fn(f64, &Edge) -> [f64; 3]| -> Vec<[f64; 3]> {
+        edges.iter().map(|edge| of((edge.place - first).clamp(0.0, 1.0), edge)).collect()
+    };
+    let [full, bent] = two_terms(&rows(|t, edge| [t, t - t * t, edge.load]));
+    let [open, bent_gap] = two_terms(&rows(|t, edge| [1.0 - t, t - t * t, edge.gap]));
+    EdgeConstants {
+        first_place: first,
+        full_load: [full, 0.0],
+        load_curvature: bent / full,
+        open_gap: [open, 0.0],
+        gap_curvature: bent_gap / open,
     }
 }
 
-/// Constants of bluntness 0: first place, full load, load curvature, open gap, gap curvature.
-struct Elastic {
-    constants: [f64; 5],
-    /// Sum of the squares of the misfits of ρ and γ.
-    misfit: f64,
+/// EdgeConstants of bluntness 0; the first place by a scan in steps of 0.001.
+fn fit_elastic(edges: &[Edge]) -> EdgeConstants {
+    let scan = (0..=400).map(|step| with_first_place(edges, -0.5 + 1e-3 * f64::from(step)));
+    scan.min_by(|a, b| misfit(a, edges).total_cmp(&misfit(b, edges))).expect("a scan has steps")
 }
 
-impl Elastic {
-    /// Linear in the other four for a given first place.
-    fn with_first_place(edges: &[Edge], first: f64) -> Self {
-        let inside = |edge: &&Edge| (0.0..=1.0).contains(&(edge.place - first));
-        let rows = |of: fn(f64, &Edge) -> [f64; 3]| -> Vec<[f64; 3]> {
-            edges.iter().filter(inside).map(|edge| of(edge.place - first, edge)).collect()
-        };
-        let loads = rows(|t, edge| [t, t - t * t, edge.load]);
-        let gaps = rows(|t, edge| [1.0 - t, t - t * t, edge.gap]);
-        let ([full, bent], [open, bent_gap]) = (two_terms(&loads), two_terms(&gaps));
-        let squares = |rows: &[[f64; 3]], a: f64, b: f64| -> f64 {
-            rows.iter().map(|r| (a * r[0] + b * r[1] - r[2]).powi(2)).sum()
-        };
-        Self {
-            constants: [first, full, bent / full, open, bent_gap / open],
-            misfit: squares(&loads, full, bent) + squares(&gaps, open, bent_gap),
-        }
-    }
+/// Error of the places by the constants, rms.
+fn error_of_places(constants: &EdgeConstants, edges: &[Edge]) -> f64 {
+    rms(edges.iter().map(|edge| constants.place(edge.load, edge.gap) - edge.place))
+}
 
-    /// The best first place of a scan in steps of 0.001.
-    fn fitted(edges: &[Edge]) -> Self {
-        let scan = (0..=400).map(|step| Self::with_first_place(edges, -0.7 + 1e-3 * f64::from(step)));
-        scan.min_by(|a, b| a.misfit.total_cmp(&b.misfit)).expect("a scan has steps")
-    }
-
-    /// Misfit of ρ and γ by the stored constants and these, rms.
-    fn residual(&self, edges: &[Edge], constants: [f64; 5]) -> f64 {
-        let [first, full, p, open, q] = constants;
-        let misfits = edges.iter().flat_map(|edge| {
-            let t = (edge.place - first).clamp(0.0, 1.0);
-            let load = full * ((1.0 + p) * t - p * t * t);
-            let gap = open * (1.0 - (1.0 - q) * t - q * t * t);
-            [load - edge.load, gap - edge.gap]
-        });
-        rms(misfits.collect::<Vec<_>>().into_iter())
-    }
+/// Changes of ρ₁ and γ₀ to bluntness 1 by the smallest error of the places, in a scan in steps of 0.01.
+fn fit_blunt(elastic: &EdgeConstants, edges: &[Edge]) -> EdgeConstants {
+    let changes = |k: i32| 0.01 * f64::from(k);
+    let scan = (0..=60).flat_map(|load| (0..=40).map(move |gap| (changes(load), changes(gap))));
+    let changed = scan.map(|(load, gap)| EdgeConstants {
+        full_load: [elastic.full_load[0], load],
+        open_gap: [elastic.open_gap[0], gap],
+        ..*elastic
+    });
+    let error = |constants: &EdgeConstants| error_of_places(constants, edges);
+    changed.min_by(|a, b| error(a).total_cmp(&error(b))).expect("a scan has steps")
 }
 
 /// The scene with its contact radius changed by `share`, if it goes with √ω.
@@ -118,7 +127,7 @@ fn elastic(watch: &dyn Watch) -> Result<Vec<Edge>, SimulationError> {
             let share = 0.4 / elements as f64 * (step as f64 / (PLACES - 1) as f64 - 0.5);
             let scene = moved(&base, share);
             let contact = pressed(&scene, laid_out, elements, watch)?;
-            edges.extend(Edge::of(&contact, Hertz::of(&scene).contact_radius / scene.radius));
+            edges.extend(Edge::at(&contact, 0, Hertz::of(&scene).contact_radius / scene.radius));
         }
     }
     Ok(edges)
@@ -135,51 +144,88 @@ fn plastic(material: &Material, interference: f64, watch: &dyn Watch) -> Result<
     for share in [-0.012, 0.0, 0.012] {
         let scene = moved(&base, share);
         let known = radius(&pressed(&scene, laid_out, 32, watch)?);
-        edges.extend(Edge::of(&pressed(&scene, laid_out, 8, watch)?, known));
+        edges.extend(Edge::at(&pressed(&scene, laid_out, 8, watch)?, 0, known));
     }
     Ok(edges)
 }
 
-pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
-    let edges = elastic(watch)?;
-    let elastic = Elastic::fitted(&edges);
-    let stored =
-        [FIRST_PLACE, FULL_LOAD, LOAD_CURVATURE, OPEN_GAP, GAP_CURVATURE].map(|constant| constant[0]);
-    let names = ["FIRST_PLACE", "FULL_LOAD", "LOAD_CURVATURE", "OPEN_GAP", "GAP_CURVATURE"];
-    let mut constants: Vec<FittedConstant> = (0..names.len())
-        .map(|k| FittedConstant { name: names[k], stored: stored[k], fitted: elastic.constants[k] })
-        .collect();
-    let of_place = |of: String, edges: &[Edge]| Residual {
-        of,
-        points: edges.len(),
-        stored: rms(edges.iter().map(Edge::error)),
-        fitted: None,
+/// Radius of the edge at each angle, over R.
+fn radii_of_edge(contact: &Contact) -> Vec<f64> {
+    let radius = |cells: f64| {
+        let ring = (cells - 0.5).max(0.0);
+        let inner = (ring as usize).min(contact.radii.len() - 2);
+        let [near, far] = [contact.radii[inner], contact.radii[inner + 1]];
+        near + (ring - inner as f64) * (far - near)
     };
-    let mut residuals = vec![
-        Residual {
-            of: "ratios of pressures and gaps, elastic".to_owned(),
-            points: 2 * edges.len(),
-            stored: elastic.residual(&edges, stored),
-            fitted: Some(elastic.residual(&edges, elastic.constants)),
-        },
-        of_place("place in ring spacings, elastic".to_owned(), &edges),
-    ];
-    let mut all = edges;
-    for (name, material) in [("no hardening", plain_material(0.3)), ("4340 steel", steel_4340())] {
+    contact.edges().into_iter().map(radius).collect()
+}
+
+/// Edges at all angles after a slide by a contact radius on 8 elements, known from 24.
+fn slid(material: &str, interference: f64, watch: &dyn Watch) -> Result<Vec<Edge>, SimulationError> {
+    let contact = |elements: usize| {
+        let mut scene = scene(preset(material), FrictionLaw::ShearStrength, interference, mesh(elements, 4));
+        scene.loading.slip_distance = 1.0;
+        contact_after_slide(&scene, 0.0, &Resolution::choose(&scene.numerics), watch)
+    };
+    let known = radii_of_edge(&contact(24)?);
+    let coarse = contact(8)?;
+    Ok((0..known.len()).filter_map(|angle| Edge::at(&coarse, angle, known[angle])).collect())
+}
+
+pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
+    let elastic = elastic(watch)?;
+    let mut groups = Vec::new();
+    for (name, material) in [("without hardening", plain_material(0.3)), ("of 4340 steel", steel_4340())] {
         for interference in [5.0, 50.0] {
             let edges = plastic(&material, interference, watch)?;
-            residuals
-                .push(of_place(format!("place in ring spacings, {name}, {interference} omega_c"), &edges));
-            all.extend(edges);
+            groups.push((format!("press {name}, {interference} omega_c"), edges));
         }
     }
-    let fitted = rms(all.iter().map(Edge::error));
-    constants.push(FittedConstant { name: "EDGE_OF_SPACING", stored: EDGE_OF_SPACING, fitted });
+    for (name, interference) in SLIDES {
+        groups.push((format!("slide of {name}, {interference} omega_c"), slid(name, interference, watch)?));
+    }
+    let blunt: Vec<Edge> = groups.iter().flat_map(|(_, edges)| edges).copied().collect();
+    let of_elastic = fit_elastic(&elastic);
+    let fitted = fit_blunt(&of_elastic, &blunt);
+    let constant = |name, of: fn(&EdgeConstants) -> f64| FittedConstant {
+        name,
+        stored: of(&FITTED),
+        fitted: of(&fitted),
+    };
+    let mut constants = vec![
+        constant("FIRST_PLACE", |c| c.first_place),
+        constant("FULL_LOAD", |c| c.full_load[0]),
+        constant("FULL_LOAD, change", |c| c.full_load[1]),
+        constant("OPEN_GAP", |c| c.open_gap[0]),
+        constant("OPEN_GAP, change", |c| c.open_gap[1]),
+        constant("LOAD_CURVATURE", |c| c.load_curvature),
+        constant("GAP_CURVATURE", |c| c.gap_curvature),
+    ];
+    let all: Vec<Edge> = elastic.iter().chain(&blunt).copied().collect();
+    constants.push(FittedConstant {
+        name: "EDGE_OF_SPACING",
+        stored: EDGE_OF_SPACING,
+        fitted: error_of_places(&FITTED, &all),
+    });
+    let mut residuals = vec![Residual {
+        of: "ratios of pressures and gaps, elastic".to_owned(),
+        points: 2 * elastic.len(),
+        stored: misfit(&FITTED, &elastic),
+        fitted: Some(misfit(&fitted, &elastic)),
+    }];
+    groups.insert(0, ("elastic press".to_owned(), elastic));
+    residuals.extend(groups.into_iter().map(|(name, edges)| Residual {
+        of: format!("place in ring spacings, {name}"),
+        points: edges.len(),
+        stored: error_of_places(&FITTED, &edges),
+        fitted: Some(error_of_places(&fitted, &edges)),
+    }));
     Ok(Fit {
         name: "Contact edge",
-        method: "Least squares of the ratios of pressures and gaps of elastic presses on 6, 8 and 12 elements, whose edges \
-                 are Hertz's; places of plastic edges on 8 elements against 32. EDGE_OF_SPACING against the rms error of \
-                 all places.",
+        method: "Bluntness 0: least squares of the ratios of pressures and gaps of elastic presses on 6, 8 and 12 elements, \
+                 whose edges are Hertz's. Changes to bluntness 1: least squares of the places of edges of plastic presses \
+                 on 8 elements against 32 and of slides on 8 against 24. EDGE_OF_SPACING against the rms error of all \
+                 places.",
         constants,
         residuals,
     })
