@@ -61,7 +61,9 @@ fn inverse_tangent(s: f64) -> f64 {
 /// 10.1002/andp.19043190612.
 pub fn stresses(poisson_ratio: f64, [r, z]: [f64; 2]) -> [f64; 4] {
     let offset = 0.5 * (r * r + z * z - 1.0);
-    let u = offset + (offset * offset + z * z).sqrt();
+    let distance = (offset * offset + z * z).sqrt();
+    // Without cancellation of the two terms near the surface.
+    let u = if offset > 0.0 { distance + offset } else { z * z / (distance - offset) };
     let root = u.sqrt();
     let (ratio, fall) = (z / root, u / (u * u + z * z));
     let bent = (1.0 - 2.0 * poisson_ratio) / (3.0 * r * r) * (1.0 - ratio.powi(3));
