@@ -4,8 +4,8 @@
 #   examples/friction-of-steel.sh [OUTPUT_DIR]          default: friction-of-steel
 #
 # 1. Installs missing system packages (examples/system-packages.sh) and builds both programs.
-# 2. asperity tabulate: one asperity of 4340 steel, pressed and slid at 4 interferences and
-#    3 slip rates (examples/scenes/steel-4340-table.toml) -> table.nc, table.png
+# 2. asperity tabulate: one asperity of 4340 steel, pressed and slid at 6 interferences and
+#    5 slip rates (examples/scenes/steel-4340-table.toml) -> table.nc, table.png
 # 3. roughsurface predict: friction of a ground steel surface of such asperities
 #    (examples/scenes/ground-steel-surface.toml)          -> friction.nc, friction.png
 #
@@ -32,7 +32,7 @@ examples/system-packages.sh
 cargo build --locked --release --workspace
 programs=$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')/release
 
-section "One asperity of 4340 steel, R = 1 mm: 4 interferences x 3 slip rates"
+section "One asperity of 4340 steel, R = 1 mm: 6 interferences x 5 slip rates"
 # The journal of an interrupted run, if there is one, is continued.
 "$programs/asperity" tabulate examples/scenes/steel-4340-table.toml --resume \
     -o "$output/table.nc" --plot "$output/table.png"

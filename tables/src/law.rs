@@ -17,6 +17,19 @@ pub struct Response {
     pub area: Estimate,
     /// Hottest point of the contact, K.
     pub temperature_max: Estimate,
+    /// Relative error of Q/P. Errors of Q and P of the same sign cancel in it.
+    pub coefficient_error: f64,
+}
+
+impl Response {
+    /// With errors of `load` and `friction` that are independent: those of Q/P add up.
+    pub fn new(load: Estimate, friction: Estimate, area: Estimate, temperature_max: Estimate) -> Self {
+        let relative = |estimate: Estimate| match estimate.error {
+            0.0 => 0.0,
+            error => (error / estimate.value).abs(),
+        };
+        Self { load, friction, area, temperature_max, coefficient_error: relative(load) + relative(friction) }
+    }
 }
 
 /// Reason why a law has no response for a state.
@@ -84,12 +97,8 @@ pub type SlidingResponse<'a> = Box<dyn Fn(f64, f64) -> Result<Response, LookupEr
 ///         let omega = interference * self.critical_interference(radius);
 ///         let exact = |value: f64| Estimate { value, error: 0.0 };
 ///         let area = contact_area(radius, omega);
-///         Ok(Response {
-///             load: exact(hertz_load(contact_modulus(205e9, 0.29), radius, omega)),
-///             friction: exact(50e6 * area),
-///             area: exact(area),
-///             temperature_max: exact(f64::NAN),
-///         })
+///         let load = exact(hertz_load(contact_modulus(205e9, 0.29), radius, omega));
+///         Ok(Response::new(load, exact(50e6 * area), exact(area), exact(f64::NAN)))
 ///     }
 /// }
 ///

@@ -7,6 +7,8 @@ use tables::quantity::Quantity;
 use tables::table::{Metadata, Slice, Status, Table};
 
 use super::*;
+use crate::discretisation::mesh::MeshSize;
+use crate::loading::problem::Problem;
 use crate::scene::file::parse_request;
 use crate::simulate::Unwatched;
 use crate::tabulate::fake::Fake;
@@ -332,5 +334,21 @@ fn between_temperatures_a_computed_table_agrees_with_the_interpolated_one() {
         }
         let strength = alone.metadata().yield_strength;
         assert!((between.metadata().yield_strength / strength - 1.0).abs() < 2e-3, "{strength}");
+    }
+}
+
+/// Requests without interferences end where the mesh fills the hemisphere: twice the largest has no room.
+#[test]
+fn default_requests_reach_as_far_as_the_hemisphere() {
+    for preset in crate::scene::presets::names() {
+        let text = format!("[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n[table]\n");
+        let request = parse_request(&text, "this test", &[]).unwrap();
+        let largest = *request.interferences.last().unwrap();
+        let fits = |interference: f64| {
+            let mut scene = request.template.clone();
+            scene.loading.interference = interference;
+            MeshSize::new(Problem::new(&scene).expected_contact_radius(), 12).fits()
+        };
+        assert!(fits(largest) && !fits(2.0 * largest), "{preset}: {largest}");
     }
 }

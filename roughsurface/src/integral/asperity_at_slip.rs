@@ -116,6 +116,7 @@ impl<'a> AsperityAtSlip<'a> {
             friction: self.in_proportion(last.friction, interference),
             area: self.in_proportion(last.area, interference),
             temperature_max: last.temperature_max,
+            coefficient_error: last.coefficient_error,
         })
     }
 

@@ -45,6 +45,10 @@ pub struct ContactState {
     pub outside: f64,
     /// Share of the load on asperities beyond the largest contact of the model, 1.
     pub beyond: f64,
+    /// Friction stress times the relative error of Q/P of each asperity, Pa.
+    pub coefficient_error: f64,
+    /// Friction stress times the relative error of the load of each asperity, Pa.
+    pub shear_by_load_error: f64,
 }
 
 impl ContactState {
@@ -60,14 +64,26 @@ impl ContactState {
         self.pressure.add(share, other.pressure);
         self.shear.add(share, other.shear);
         self.area_fraction.add(share, other.area_fraction);
+        self.coefficient_error += share * other.coefficient_error;
+        self.shear_by_load_error += share * other.shear_by_load_error;
         if let Some(additional) = other.additional {
             self.additional.get_or_insert_default().add(share, additional);
         }
     }
 
-    /// Friction over load, with its error if the errors of `shear` and `pressure` have
-    /// opposite signs.
+    /// Friction over load.
+    ///
+    /// With μ = Q/P of the asperity and ⟨·⟩ a mean over asperities weighted by friction or by load, the error of the law
+    /// is δ(q̄/p̄)/(q̄/p̄) = ⟨δμ/μ⟩_Q + ⟨δP/P⟩_Q − ⟨δP/P⟩_P. It is at most that of independent errors of Q and P.
     pub fn friction_coefficient(&self) -> Estimate {
-        self.shear.estimate().over(self.pressure.estimate())
+        let Self { shear, pressure, .. } = *self;
+        let value = shear.value / pressure.value;
+        let of_friction = |part: f64| if shear.value > 0.0 { part / shear.value } else { 0.0 };
+        let load_error = pressure.law_error / pressure.value;
+        let correlated = of_friction(self.coefficient_error)
+            + (of_friction(self.shear_by_load_error) - load_error).abs();
+        let law_error = correlated.min(of_friction(shear.law_error) + load_error);
+        let quadrature = of_friction(shear.quadrature_error) + pressure.quadrature_error / pressure.value;
+        Estimate { value, error: value * (law_error + quadrature) }
     }
 }

@@ -15,7 +15,7 @@ const LANES: usize = 8;
 const MOST_POINTS: usize = MANY.count().next_multiple_of(LANES);
 
 /// Quantities summed in one pass.
-pub const QUANTITIES: usize = 11;
+pub const QUANTITIES: usize = 13;
 
 pub const LOAD: usize = 0;
 pub const FRICTION: usize = 1;
@@ -29,9 +29,12 @@ pub const AREA_ERROR: usize = 6;
 pub const LOAD_OUTSIDE: usize = 7;
 /// Load of asperities beyond the largest contact of the model.
 pub const LOAD_BEYOND: usize = 8;
+/// Friction times the relative error of Q/P of the asperity, and times that of its load.
+pub const COEFFICIENT_ERROR: usize = 9;
+pub const FRICTION_BY_LOAD_ERROR: usize = 10;
 /// An [additional quantity](crate::integral::asperity_at_slip::Additional), last because it is often not required.
-pub const ADDITIONAL: usize = 9;
-pub const ADDITIONAL_ERROR: usize = 10;
+pub const ADDITIONAL: usize = 11;
+pub const ADDITIONAL_ERROR: usize = 12;
 
 /// Sums over heights, per asperity and metre of height until multiplied out.
 pub type Sums = [f64; QUANTITIES];
@@ -62,6 +65,8 @@ pub fn quantities(asperity: &AsperityAtSlip, interference: f64) -> Result<Sums, 
         response.area.error,
         load_above(asperity.limit()),
         load_above(asperity.contact_limit()),
+        response.coefficient_error * response.friction.value,
+        if load > 0.0 { response.load.error / load * response.friction.value } else { 0.0 },
         additional.value,
         additional.error,
     ])

@@ -40,12 +40,15 @@ impl Sensitivity {
                 quadrature_error: integral.quadrature_error * factor,
             }
         };
+        let of_shear = 1.0 + (self.pressure + self.friction_coefficient) * change;
         ContactState {
             pressure: scaled(state.pressure, self.pressure),
             shear: scaled(state.shear, self.pressure + self.friction_coefficient),
             area_fraction: scaled(state.area_fraction, self.area_fraction),
             additional: state.additional.map(|additional| scaled(additional, self.additional)),
             contact_density: state.contact_density * (1.0 + self.contact_density * change),
+            coefficient_error: state.coefficient_error * of_shear,
+            shear_by_load_error: state.shear_by_load_error * of_shear,
             ..*state
         }
     }

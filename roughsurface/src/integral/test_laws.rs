@@ -80,7 +80,7 @@ impl AsperityLaw for PowerLaw {
         let history = (self.history)(slip_rate, slip, contact_radius);
         let friction = estimate((self.friction.0 * history, self.friction.1));
         let temperature_max = Estimate { value: (self.temperature)(interference), error: 0.0 };
-        Ok(Response { load: estimate(self.load), friction, area, temperature_max })
+        Ok(Response::new(estimate(self.load), friction, area, temperature_max))
     }
     fn temperature_mean(
         &self,

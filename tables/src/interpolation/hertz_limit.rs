@@ -15,7 +15,7 @@
 //! The temperature rise is in proportion to the contact radius. If the law of the interface has no shear strength, Q/P
 //! has the value of the first row.
 
-use super::nodes::{FIELDS, Field, Values};
+use super::nodes::{COEFFICIENT, Errors, FIELDS, Field, Values};
 use crate::closed_forms::hertz;
 use crate::closed_forms::partial_slip::constant_shear;
 use crate::table::Metadata;
@@ -110,12 +110,12 @@ impl ElasticSphere {
     }
 
     /// State below the first row, whose state at the same s/a₀ = `slip` is `row`, and its relative uncertainty.
-    pub(super) fn state_below(&self, below: BelowFirstRow, slip: f64, row: &Values) -> (Values, Values) {
+    pub(super) fn state_below(&self, below: BelowFirstRow, slip: f64, row: &Values) -> (Values, Errors) {
         let (here, first) = (below.interference(), below.first_row);
         let (load, area) = (Field::Load as usize, Field::Area as usize);
         let (friction, rise) = (Field::Friction as usize, Field::TemperatureRise as usize);
         let mut values = [0.0; FIELDS];
-        let mut uncertainty = [0.0; FIELDS];
+        let mut uncertainty = Errors::default();
         let uplift = self.uplift_uncertainty(below);
         for (field, elastic, elastic_at_row) in
             [(load, self.load(here), self.load(first)), (area, self.area(here), self.area(first))]
@@ -130,7 +130,10 @@ impl ElasticSphere {
             let of_strength = extrapolated(elastic, elastic_at_row, row_per_area, below.thermal_weight());
             values[friction] = per_area * of_strength;
             let ratio = if elastic > 0.0 { of_strength / elastic } else { 1.0 };
-            uncertainty[friction] = uncertainty[area] + (ratio - 1.0).abs() * (1.0 - below.thermal_weight());
+            let thermal = (ratio - 1.0).abs() * (1.0 - below.thermal_weight());
+            uncertainty[friction] = uncertainty[area] + thermal;
+            // As a scalar has it: uplift decreases load and area alike.
+            uncertainty[COEFFICIENT] = uncertainty[area].max(uncertainty[load]) + thermal;
         } else if row[load] != 0.0 {
             values[friction] = values[load] * row[friction] / row[load];
             uncertainty[friction] = uncertainty[load];

@@ -4,7 +4,7 @@ use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
-use super::nodes::{self, FIELDS, Nodes, Values};
+use super::nodes::{self, Errors, FIELDS, Nodes, Values};
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
 use crate::law::LARGEST_CONTACT;
@@ -134,7 +134,7 @@ impl Interpolant {
         interference: f64,
         rate: Location,
         slip: f64,
-    ) -> Result<(Values, Values), Absent> {
+    ) -> Result<(Values, Errors), Absent> {
         let rows @ (first, last) = self.rows.ok_or((0, 0))?;
         let place = self.place(rows, interference.ln());
         let ratio = slip / self.contact_radius(rows, &place);
@@ -146,7 +146,7 @@ impl Interpolant {
             }
             Place::Inside(place) => {
                 let values = Self::blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
-                (place, 1.0, (values, [0.0; FIELDS]))
+                (place, 1.0, (values, Errors::default()))
             }
             Place::Above(above) => {
                 let before = last.checked_sub(1).and_then(|before| self.row(before, rate, slip).ok());

@@ -39,7 +39,7 @@ pub(crate) use nodes::{blend_one, cubic};
 use crate::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 use crate::quantity::Quantity;
 use crate::table::Slice;
-use nodes::{FIELDS, Field, Values};
+use nodes::{COEFFICIENT, Errors, Field, Values};
 use steffen::Location;
 
 /// A slip rate or interference closer than this to the end of an axis, relatively, is on it.
@@ -106,11 +106,11 @@ impl InterpolatedTable {
         interference: f64,
         ratio: f64,
         slip: f64,
-        state: impl Fn(f64) -> Result<(Values, Values), Absent>,
+        state: impl Fn(f64) -> Result<(Values, Errors), Absent>,
     ) -> Result<Response, Absent> {
         let base = self.metadata().temperature;
         let (values, errors) =
-            if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { ([0.0; FIELDS], [0.0; FIELDS]) };
+            if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { Default::default() };
         let estimate = |field: Field, scale: f64| Estimate {
             value: scale * values[field as usize],
             error: scale * (values[field as usize] * errors[field as usize]).abs(),
@@ -122,6 +122,7 @@ impl InterpolatedTable {
             friction: estimate(Field::Friction, squared),
             area: estimate(Field::Area, squared),
             temperature_max: Estimate { value: base + rise.value, error: rise.error },
+            coefficient_error: errors[COEFFICIENT],
         })
     }
 

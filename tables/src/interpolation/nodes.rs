@@ -25,12 +25,28 @@ pub(super) const FIELDS: usize = 4;
 /// One number for each [`Field`].
 pub(super) type Values = [f64; FIELDS];
 
-const QUANTITIES: [Quantity; FIELDS] =
-    [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax];
+/// Place of Q/P among the errors.
+pub(super) const COEFFICIENT: usize = FIELDS;
+
+/// Relative errors of each [`Field`] and of Q/P, in which errors of Q and P of the same sign cancel.
+pub(super) type Errors = [f64; FIELDS + 1];
+
+/// The last has no history of its own.
+const QUANTITIES: [Quantity; FIELDS + 1] =
+    [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax, Quantity::Mu];
 
 /// The same up to sliding inception.
-const BEFORE_SLIDING: [Quantity; FIELDS] =
-    [Quantity::LoadPress, Quantity::FrictionStatic, Quantity::AreaPress, Quantity::TemperatureMax];
+const BEFORE_SLIDING: [Quantity; FIELDS + 1] = [
+    Quantity::LoadPress,
+    Quantity::FrictionStatic,
+    Quantity::AreaPress,
+    Quantity::TemperatureMax,
+    Quantity::MuStatic,
+];
+
+/// Least exponent of what starts from zero: a temperature rise is in proportion to the root of the slip rate at large
+/// Péclet numbers, and bounded by melting.
+const LEAST_EXPONENT: f64 = 0.25;
 
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
@@ -42,9 +58,9 @@ pub(super) struct Nodes {
     /// Histories of each (i, j), or none: values and slopes per unit of s/a₀ for each slip.
     histories: Vec<Option<Vec<[Values; 2]>>>,
     /// Relative error of the results at each (i, j, k).
-    given: Vec<Values>,
+    given: Vec<Errors>,
     /// Relative misfit of the point (i, j, k) when predicted along interference, slip rate, slip.
-    misfit: [Vec<Values>; 3],
+    misfit: [Vec<Errors>; 3],
 }
 
 impl Nodes {
@@ -101,8 +117,8 @@ impl Nodes {
     }
 
     /// Relative error at a place: that of the results, linearly, and that of interpolation.
-    pub(super) fn relative_error(&self, place: Location, rate: Location, slip: Location) -> Values {
-        let mut error = [0.0; FIELDS];
+    pub(super) fn relative_error(&self, place: Location, rate: Location, slip: Location) -> Errors {
+        let mut error = Errors::default();
         let corner = |i: usize, j: usize, k: usize| (i * self.rates + j) * self.slip.len() + k;
         let nearest = |at: Location| at.index + usize::from(at.t > 0.5);
         let (i, j, k) = (nearest(place), nearest(rate), nearest(slip));
@@ -147,7 +163,7 @@ impl Nodes {
         };
         let place = |i: usize| Location { index: i, t: 0.0 };
         let slips = self.slip.len();
-        let column = |misfit: &Vec<Values>| -> Vec<Values> {
+        let column = |misfit: &Vec<Errors>| -> Vec<Errors> {
             if misfit.is_empty() {
                 return Vec::new();
             }
@@ -171,7 +187,7 @@ impl Nodes {
         axis: &[f64],
         step: impl Fn((usize, usize, usize), usize) -> (usize, usize, usize),
         index: impl Fn((usize, usize, usize)) -> usize,
-    ) -> Vec<Values> {
+    ) -> Vec<Errors> {
         let value = |(i, j, k): (usize, usize, usize)| {
             let history = self.histories[i * self.rates + j].as_ref()?;
             Some(history[k][0])
@@ -180,7 +196,7 @@ impl Nodes {
         let points = (0..self.histories.len())
             .flat_map(|cell| (0..slips).map(move |k| (cell, k)))
             .map(|(cell, k)| (cell / self.rates, cell % self.rates, k));
-        let misfit = |point: (usize, usize, usize)| -> Values {
+        let misfit = |point: (usize, usize, usize)| -> Errors {
             // The origin of the line through this point along the axis.
             let own = index(point);
             let origin = match step((0, 0, 0), 1) {
@@ -191,17 +207,18 @@ impl Nodes {
             let line = |n: usize| value(step(origin, n));
             // End points cannot be left out: they take the misfit of their neighbour.
             let inner = own.clamp(1, axis.len().saturating_sub(2).max(1));
-            left_out(axis, line, inner).unwrap_or([0.0; FIELDS])
+            left_out(axis, line, inner).unwrap_or_default()
         };
         points.map(misfit).collect()
     }
 }
 
 /// Relative misfit of the point `own` of a line when predicted from the others.
-fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) -> Option<Values> {
+fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) -> Option<Errors> {
     if axis.len() == 2 {
         // No inner point to leave out: the difference of the two possible means in the middle.
         let (a, b) = (line(0)?, line(1)?);
+        let (a, b) = (with_coefficient(a), with_coefficient(b));
         return Some(std::array::from_fn(|f| {
             let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
             let misfit = (mean - geometric).abs() / geometric.abs().max(f64::MIN_POSITIVE);
@@ -219,15 +236,29 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
     let t = (axis[own] - axis[own - 1]) / h;
     let gaps =
         [outer_left.map(|(i, _)| axis[own - 1] - axis[i]), outer_right.map(|(i, _)| axis[i] - axis[own + 1])];
-    Some(std::array::from_fn(|f| {
+    let predicted: Values = std::array::from_fn(|f| {
         let outer = [outer_left.map(|(_, v)| v[f]), outer_right.map(|(_, v)| v[f])];
-        let predicted = blend_one(gaps, h, t, outer, [left[f], right[f]]);
-        if actual[f] == 0.0 { 0.0 } else { ((predicted - actual[f]) / actual[f]).abs() }
+        blend_one(gaps, h, t, outer, [left[f], right[f]])
+    });
+    let (predicted, actual) = (with_coefficient(predicted), with_coefficient(actual));
+    Some(std::array::from_fn(|f| {
+        if actual[f] == 0.0 { 0.0 } else { ((predicted[f] - actual[f]) / actual[f]).abs() }
     }))
 }
 
-/// Monotone cubic between two points with optional outer ones; of the logarithms if all are
-/// positive. `gaps` are the distances to the outer points.
+/// A state and Q/P.
+fn with_coefficient(values: Values) -> Errors {
+    let [load, friction, ..] = values;
+    let mut all = Errors::default();
+    all[..FIELDS].copy_from_slice(&values);
+    all[COEFFICIENT] = if load == 0.0 { 0.0 } else { friction / load };
+    all
+}
+
+/// Monotone cubic between two points with optional outer ones; of the logarithms if both are
+/// positive, without outer ones that are not. From zero to a positive value y with the exponent p beyond it the function
+/// y t/(p + (1 − p)t): in proportion to t at first, as a temperature rise to the slip rate, then less. `gaps` are the
+/// distances to the outer points.
 pub(crate) fn blend_one(
     gaps: [Option<f64>; 2],
     h: f64,
@@ -235,11 +266,18 @@ pub(crate) fn blend_one(
     outer: [Option<f64>; 2],
     inner: [f64; 2],
 ) -> f64 {
-    let positive = |value: Option<f64>| value.is_none_or(|value| value > 0.0);
-    let logarithmic = inner[0] > 0.0 && inner[1] > 0.0 && positive(outer[0]) && positive(outer[1]);
-    let scale = |value: f64| if logarithmic { value.ln() } else { value };
-    let value = cubic(gaps, h, t, outer.map(|value| value.map(scale)), inner.map(scale));
-    if logarithmic { value.exp() } else { value }
+    let [start, end] = inner;
+    if start > 0.0 && end > 0.0 {
+        let outer = outer.map(|value| value.filter(|value| *value > 0.0).map(f64::ln));
+        return cubic(gaps, h, t, outer, inner.map(f64::ln)).exp();
+    }
+    if let (0.0, [None, Some(gap)], [None, Some(next)]) = (start, gaps, outer)
+        && (0.0..next).contains(&end)
+    {
+        let exponent = ((next / end).ln() / gap).clamp(LEAST_EXPONENT, 1.0);
+        return end * t / (exponent + (1.0 - exponent) * t);
+    }
+    cubic(gaps, h, t, outer, inner)
 }
 
 /// The same of the values as they are.
@@ -275,10 +313,9 @@ fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 
     // A slip has its place on the slip axis by a₀.
     let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
     let slip = &table.axes().slip;
-    let columns = QUANTITIES.map(|quantity| {
-        let shift = quantity.origin(base);
-        let values = cell.history(quantity).iter().map(|value| value - shift);
-        values.collect::<Vec<f64>>()
+    let columns: [Vec<f64>; FIELDS] = std::array::from_fn(|field| {
+        let (quantity, shift) = (QUANTITIES[field], QUANTITIES[field].origin(base));
+        cell.history(quantity).iter().map(|value| value - shift).collect()
     });
     let mechanical = &columns[..Field::TemperatureRise as usize];
     if mechanical.iter().flatten().any(|value| !value.is_finite()) {
@@ -300,10 +337,10 @@ fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
 
 /// Relative error of the results of a cell at each slip: from those of static friction, and of load and area after
 /// the press, up to inception, along straight lines to those at the end.
-fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Values> {
+fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Errors> {
     let slips = &table.axes().slip;
     let Some(cell) = table.cell(i, j) else {
-        return vec![[f64::NAN; FIELDS]; slips.len()];
+        return vec![[f64::NAN; FIELDS + 1]; slips.len()];
     };
     let relative = |quantity: Quantity| {
         let shift = quantity.origin(base);
@@ -316,7 +353,7 @@ fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Values> {
     let ends = slips.last().copied().unwrap_or(0.0);
     let last = QUANTITIES.map(relative);
     // Without errors at the start, those at the end.
-    let first: Values = std::array::from_fn(|f| match relative(BEFORE_SLIDING[f]) {
+    let first: Errors = std::array::from_fn(|f| match relative(BEFORE_SLIDING[f]) {
         error if error.is_nan() => last[f],
         error => error,
     });

@@ -48,8 +48,9 @@ impl InterpolatedTable {
                     (before, of_row(quantity, origin, last))
                 };
                 let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| rows(quantity, 0.0));
-                let limit = quantity.descriptor().elastic_limit;
-                let growth = above.of_scalar(limit, rows(quantity, origin), load, area);
+                let descriptor = quantity.descriptor();
+                let (limit, of_press) = (descriptor.elastic_limit, descriptor.of_press);
+                let growth = above.of_scalar(limit, of_press, rows(quantity, origin), load, area);
                 let factor = growth.factor();
                 let relative = growth.relative() * value.abs();
                 (factor * value, factor * (above.error_factor() * error + relative))

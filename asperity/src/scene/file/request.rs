@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use tables::refinement::Goal;
 use toml::{Table, Value};
 
+use super::default_grid::{self, SLIP_RATES, SMALLEST_INTERFERENCE};
 use super::deserialise::read;
 use super::document::{Document, name_of, text_of};
 use super::error::SceneFileError;
@@ -61,8 +62,8 @@ impl Request {
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct TableSection {
-    interference: Vec<f64>,
-    slip_rate: Vec<f64>,
+    interference: Option<Vec<f64>>,
+    slip_rate: Option<Vec<f64>>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     temperature: Vec<f64>,
     tolerance: Option<f64>,
@@ -95,13 +96,15 @@ pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneF
 pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Request, SceneFileError> {
     let mut document = Document::parse(text, file, overrides)?;
     let Some(Value::Table(table)) = document.sections.remove("table") else {
-        return Err(document.source.missing("table", "a section with interference and slip_rate"));
+        return Err(document.source.missing("table", "a section, which may be empty"));
     };
     let source = &document.source;
     let section = table_section(table, source)?;
+    let slip_rates = section.slip_rate.clone().unwrap_or(SLIP_RATES.to_vec());
+    let smallest = section.interference.as_ref().map_or(SMALLEST_INTERFERENCE, |given| given[0]);
     if let Some(Value::Table(loading)) = document.sections.get_mut("loading") {
-        for (key, points) in [("interference", &section.interference), ("slip_rate", &section.slip_rate)] {
-            if let Some(value) = loading.insert(key.to_owned(), Value::Float(points[0])) {
+        for (key, first) in [("interference", smallest), ("slip_rate", slip_rates[0])] {
+            if let Some(value) = loading.insert(key.to_owned(), Value::Float(first)) {
                 let allowed = format!("left out of a request, which has table.{key}");
                 return Err(source.invalid(&format!("loading.{key}"), value, allowed));
             }
@@ -113,27 +116,31 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
         let found = format!("{:?}", template.loading.slip_distance);
         return Err(source.invalid("loading.slip_distance", found, allowed));
     }
-    relations::check_heat(&template, &section.slip_rate, source)?;
+    relations::check_heat(&template, &slip_rates, source)?;
     for &temperature in &section.temperature {
         relations::check_temperature(&template, "table.temperature", temperature, source)?;
     }
-    Ok(Request {
+    let mut request = Request {
         template,
-        goal: goal(&section),
-        interferences: section.interference,
-        slip_rates: section.slip_rate,
+        interferences: Vec::new(),
+        slip_rates,
         temperatures: section.temperature,
-    })
+        goal: None,
+    };
+    request.interferences =
+        section.interference.unwrap_or_else(|| default_grid::interferences(&request.templates()));
+    let cells = request.interferences.len() * request.slip_rates.len();
+    if let Some(most) = section.max_cells.filter(|most| *most < cells) {
+        let allowed = format!("a whole number from {cells} to 1000000");
+        return Err(source.invalid("table.max_cells", most.to_string(), allowed));
+    }
+    let most_cells = section.max_cells.unwrap_or(MOST_CELLS.max(cells));
+    request.goal = section.tolerance.map(|tolerance| Goal { tolerance, most_cells });
+    Ok(request)
 }
 
 /// A grid that is to be refined has at most this number of cells by default; `max_cells` overrides it.
 const MOST_CELLS: usize = 400;
-
-fn goal(section: &TableSection) -> Option<Goal> {
-    let cells = section.interference.len() * section.slip_rate.len();
-    let most_cells = section.max_cells.unwrap_or(MOST_CELLS.max(cells));
-    section.tolerance.map(|tolerance| Goal { tolerance, most_cells })
-}
 
 fn table_section(mut table: Table, source: &Source) -> Result<TableSection, SceneFileError> {
     for (key, unit, range, spacing) in [
@@ -144,22 +151,12 @@ fn table_section(mut table: Table, source: &Source) -> Result<TableSection, Scen
         match table.get_mut(key) {
             Some(value @ Value::Table(_)) => *value = points(value, key, (unit, range, spacing), source)?,
             Some(value @ (Value::Float(_) | Value::Integer(_))) => *value = Value::Array(vec![value.clone()]),
-            None if key != "temperature" => {
-                return Err(source.missing(
-                    format!("table.{key}"),
-                    format!(
-                        "a list such as [1, 10] or a range such as \
-                         {{ from = 1, to = 100, points = 8, spacing = \"log\" }} ({unit})"
-                    ),
-                ));
-            }
             _ => {}
         }
     }
     let section: TableSection = read("table", &table, TABLE, source)?;
     let refuse =
         |key: &str, allowed: &str| Err(source.invalid(&format!("table.{key}"), &table[key], allowed));
-    let cells = section.interference.len() * section.slip_rate.len();
     match (&section.temperature[..], section.tolerance, section.max_cells) {
         ([_], ..) => refuse("temperature", "two or more temperatures; a single one is loading.temperature"),
         ([_, ..], Some(_), _) => refuse(
@@ -167,9 +164,6 @@ fn table_section(mut table: Table, source: &Source) -> Result<TableSection, Scen
             "left out where table.temperature is given: points are added to a table of one initial temperature only",
         ),
         (_, None, Some(_)) => refuse("max_cells", "left out unless tolerance is given"),
-        (_, Some(_), Some(most)) if most < cells => {
-            refuse("max_cells", &format!("a whole number from {cells} to 1000000"))
-        }
         _ => Ok(section),
     }
 }
@@ -218,8 +212,8 @@ fn document(request: &Request) -> Table {
         loading.remove("slip_rate");
     }
     let table = TableSection {
-        interference: request.interferences.clone(),
-        slip_rate: request.slip_rates.clone(),
+        interference: Some(request.interferences.clone()),
+        slip_rate: Some(request.slip_rates.clone()),
         temperature: request.temperatures.clone(),
         tolerance: request.goal.map(|goal| goal.tolerance),
         max_cells: request.goal.map(|goal| goal.most_cells),

@@ -301,6 +301,8 @@ impl<'a> HeightIntegral<'a> {
             loaded_radius: share(LOAD_RADIUS),
             outside: share(LOAD_OUTSIDE),
             beyond: share(LOAD_BEYOND),
+            coefficient_error: density * total[COEFFICIENT_ERROR],
+            shear_by_load_error: density * total[FRICTION_BY_LOAD_ERROR],
         }
     }
 

@@ -138,22 +138,22 @@ fn errors_of_the_points_are_carried_along() {
     }
 }
 
-/// A table of rows in the fully plastic limit is extrapolated exactly, and only its exponents are uncertain.
+/// Power laws with the exponents of an ideal plastic body, and small contacts: they lie within the errors, which grow.
 #[test]
-fn power_laws_of_the_plastic_limit_are_exact_above_the_last_row() {
+fn power_laws_of_the_plastic_limit_lie_within_the_errors_above_the_last_row() {
     let state = |omega: f64| [3.0 * omega, 0.4 * omega, 1e-9 * omega];
     let axes =
         Axes { interference: vec![100.0, 200.0, 400.0], slip_rate: vec![1.0], slip: vec![0.0, 1.0, 2.0] };
     let metadata = Metadata { asperity_radius: 1.0, ..table().metadata().clone() };
     let mut plastic = Slice::new(axes.clone(), metadata).unwrap();
     for (i, &omega) in axes.interference.iter().enumerate() {
-        let mut cell = Cell::new().with(Quantity::ContactRadius, 1e-5 * omega.sqrt(), 0.0);
+        let mut cell = Cell::new().with(Quantity::ContactRadius, 1e-6 * omega.sqrt(), 0.0);
         for (quantity, value) in
             [Quantity::Load, Quantity::Friction, Quantity::Area].into_iter().zip(state(omega))
         {
             cell = cell.with(quantity, value, 0.01 * value).with_history(quantity, vec![value; 3]);
         }
-        cell = cell.with(Quantity::Mu, 0.4 / 3.0, 0.0).with(Quantity::MuStatic, 0.3 / omega, 0.0);
+        cell = cell.with(Quantity::Mu, 0.4 / 3.0, 0.004 / 3.0).with(Quantity::MuStatic, 0.3 / omega, 0.0);
         cell = cell.with_history(Quantity::TemperatureMax, vec![BASE + omega.sqrt(); 3]);
         plastic.set_cell(i, 0, cell).unwrap();
     }
@@ -162,22 +162,23 @@ fn power_laws_of_the_plastic_limit_are_exact_above_the_last_row() {
     for omega in [400.0, 401.0, 1e3, 1e4] {
         let found = plastic.response(1.0, omega, 1.0, 1e-4).unwrap();
         for (found, expected) in [found.load, found.friction, found.area].into_iter().zip(state(omega)) {
-            assert!(relative(found.value, expected) < 1e-9, "{omega}: {found:?} {expected}");
+            assert!((found.value - expected).abs() <= found.error, "{omega}: {found:?} {expected}");
         }
         let error = found.area.error / found.area.value;
-        assert!(error >= last && error < 0.5, "{omega}: {error} after {last}");
+        assert!(error >= last && error < 0.3, "{omega}: {error} after {last}");
         last = error;
         let estimate = |quantity| plastic.estimate(quantity, 1.0, omega, 1.0).unwrap();
-        assert!(relative(estimate(Quantity::Mu).value, 0.4 / 3.0) < 1e-9);
+        let mu = estimate(Quantity::Mu);
+        assert!((mu.value - 0.4 / 3.0).abs() <= mu.error, "{omega}: {mu:?}");
+        assert!(relative(mu.value, found.friction.value / found.load.value) < 1e-9);
         assert!(relative(estimate(Quantity::Friction).value, found.friction.value) < 1e-9);
-        assert!(relative(estimate(Quantity::ContactRadius).value, 1e-5 * omega.sqrt()) < 1e-9);
-        // Its exponent of −1 relaxes to 0.
-        let (held, power) = (0.3 / 400.0, 0.3 / omega);
-        let relaxing = estimate(Quantity::MuStatic).value;
-        assert!((power..=held * (1.0 + 1e-9)).contains(&(relaxing * (1.0 + 1e-10))), "{omega}: {relaxing}");
+        assert!(relative(estimate(Quantity::ContactRadius).value, 1e-6 * omega.sqrt()) < 1e-9);
+        // Its exponent of −1 relaxes to a small one.
+        let relaxing = estimate(Quantity::MuStatic).value * (1.0 + 1e-10);
+        assert!((0.3 / omega..=0.3 / 400.0 * (1.0 + 1e-9)).contains(&relaxing), "{omega}: {relaxing}");
     }
     // a = 0.4 R.
-    assert!(relative(plastic.contact_limit(), (0.4f64 / 1e-5).powi(2)) < 1e-6);
+    assert!(relative(plastic.contact_limit(), (0.4f64 / 1e-6).powi(2)) < 1e-6);
 }
 
 #[test]

@@ -25,12 +25,8 @@ fn truth(interference: f64, slip_rate: f64, slip: f64) -> Response {
     let heating = slip_rate / WEAKENING_RATE * contact_radius / critical * (ratio / (1.0 + ratio));
     let drop = 1.0 - 0.1 * ratio / (1.0 + ratio);
     let exact = |value| Estimate { value, error: 0.0 };
-    Response {
-        load: exact(cold.load.value * drop),
-        friction: exact(cold.friction.value / (1.0 + heating)),
-        area: cold.area,
-        temperature_max: exact(BASE + 900.0 * heating / (1.0 + heating)),
-    }
+    let (load, friction) = (exact(cold.load.value * drop), exact(cold.friction.value / (1.0 + heating)));
+    Response::new(load, friction, cold.area, exact(BASE + 900.0 * heating / (1.0 + heating)))
 }
 
 fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {

@@ -1,0 +1,69 @@
+//! Interferences and slip rates of a request that leaves them out.
+
+use tables::closed_forms::{hertz, jackson_green};
+
+use crate::scene::Scene;
+
+/// Largest contact radius over that of the asperity, after Jackson & Green (2005): the mesh still fits into the
+/// hemisphere, with room for the contact to grow while it slides.
+const LARGEST_CONTACT: f64 = 0.33;
+
+/// ω₀/ω_c below the largest. Closest where friction departs from that of an elastic contact.
+const INTERFERENCES: [f64; 13] =
+    [0.1, 0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 40.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0];
+
+/// The largest interference is at least this factor above the one before.
+const LEAST_RATIO: f64 = 1.5;
+
+/// V, m/s: the isothermal limit, and closest where friction falls fastest.
+pub const SLIP_RATES: [f64; 7] = [0.0, 0.03, 0.12, 0.5, 1.6, 4.0, 10.0];
+
+/// Smallest ω₀/ω_c of the grid.
+pub const SMALLEST_INTERFERENCE: f64 = INTERFERENCES[0];
+
+/// From 0.1 ω_c to the largest interference that the hemisphere has room for, in all of the `scenes`.
+pub fn interferences(scenes: &[Scene]) -> Vec<f64> {
+    let largest = scenes.iter().map(largest_interference).fold(f64::INFINITY, f64::min);
+    let mut grid: Vec<f64> =
+        INTERFERENCES.into_iter().filter(|interference| interference * LEAST_RATIO < largest).collect();
+    grid.push(largest);
+    grid
+}
+
+/// ω₀/ω_c of [`LARGEST_CONTACT`], to two digits; at least 1.
+fn largest_interference(scene: &Scene) -> f64 {
+    let material = &scene.material;
+    let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
+    let critical = hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);
+    // a² = (A/A_c)·Rω_c; A/A_c is a power of ω/ω_c, of which the exponent is known from two values.
+    let wanted = LARGEST_CONTACT * LARGEST_CONTACT / critical;
+    let area = |interference: f64| jackson_green::area(interference, material.yield_strength / modulus);
+    let decade = 10.0 * jackson_green::ELASTIC_LIMIT;
+    let exponent = (area(decade) / jackson_green::ELASTIC_LIMIT).log10();
+    let found = jackson_green::ELASTIC_LIMIT * (wanted / jackson_green::ELASTIC_LIMIT).powf(1.0 / exponent);
+    // Above the rounding a contact is a little larger than asked for.
+    format!("{:.1e}", found.max(1.0)).parse().unwrap_or(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::file::{parse_request, write_request};
+
+    #[test]
+    fn an_empty_section_asks_for_the_default_grid() {
+        let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[table]\n";
+        let request = parse_request(text, "this test", &[]).unwrap();
+        let expected = [0.1, 0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 40.0, 100.0, 300.0, 580.0];
+        assert_eq!(request.interferences, expected);
+        assert_eq!(request.slip_rates, SLIP_RATES);
+        assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
+        // Without softening a hotter sphere has the same limit, with it a higher one: the lowest temperature decides.
+        let hot = ["table.temperature=[298, 900]".to_owned()];
+        assert_eq!(parse_request(text, "this test", &hot).unwrap().interferences, expected);
+        // An interference of its own leaves the slip rates.
+        let own = ["table.interference=3".to_owned()];
+        let request = parse_request(text, "this test", &own).unwrap();
+        assert_eq!((request.interferences, request.slip_rates.len()), (vec![3.0], 7));
+    }
+}
