@@ -268,7 +268,7 @@ mod tests {
         for name in ["interference_press", "P_press", "area_press"] {
             assert_eq!(dimensions(name), ["step_press"]);
         }
-        for name in "mu_static mu_peak mu_mean mu_mean_error Q_static G G_weakening contact_radius wall_time \
+        for name in "mu_static mu_peak mu_mean mu_mean_error mu_steady Q_static G G_weakening contact_radius wall_time \
                      mu_static_error G_error mu_error Q_error P_error"
             .split_whitespace()
         {

@@ -54,7 +54,7 @@ fn scalar(scene: &Scene, quantity: Quantity) -> f64 {
     let (radius, load) = contact(scene);
     match quantity {
         Quantity::MuStatic | Quantity::MuPeak => state(scene, 0.2, Quantity::Mu),
-        Quantity::MuMean => state(scene, 1.0, Quantity::Mu),
+        Quantity::MuMean | Quantity::MuSteady => state(scene, 1.0, Quantity::Mu),
         Quantity::FrictionStatic => state(scene, 0.2, Quantity::Friction),
         Quantity::LoadPress => load,
         Quantity::AreaPress => PI * radius * radius,

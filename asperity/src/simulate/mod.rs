@@ -20,6 +20,7 @@ pub mod outcome;
 mod pressed;
 mod report;
 mod runs;
+mod steady;
 mod strain;
 pub(crate) mod values;
 

@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
-use tables::quantity::Quantity;
+use tables::quantity::{Estimate, Quantity};
 
 use crate::loading::inception::{Inception, InceptionCriterion, between, inception};
 use crate::loading::press::Increment;
 use crate::loading::problem::Problem;
 use crate::loading::state::SlideState;
+use crate::simulate::steady::steady_friction;
 
 /// Relative change of μ over the last quarter of the slide below which it is steady.
 const STEADY_CHANGE: f64 = 0.02;
@@ -16,7 +17,7 @@ const STEADY_CHANGE: f64 = 0.02;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Values {
     values: [f64; QUANTITIES],
-    /// Half the difference between the states on both sides of sliding inception.
+    /// Half the difference between the states on both sides of sliding inception; distance to the steady state.
     brackets: [f64; QUANTITIES],
     /// T₀, K.
     start: f64,
@@ -41,6 +42,7 @@ impl Values {
         let mu = |i: &SlideState| {
             if has_friction && i.load > 0.0 { i.friction / i.load } else { 0.0 }
         };
+        let steady = if has_friction { steady_friction(history) } else { Estimate::default() };
         let energy = units.stress * units.length;
         let start = units.temperature;
         let values = Quantity::SCALARS.map(|quantity| match quantity {
@@ -63,11 +65,13 @@ impl Values {
             Quantity::TemperatureMax => start + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
             Quantity::TemperatureMean => start + last.rise_mean,
             Quantity::InceptionSlip => inception.slip * units.length,
+            Quantity::MuSteady => steady.value,
             _ => unreachable!("{quantity:?} is not a scalar"),
         });
         let brackets = Quantity::SCALARS.map(|quantity| match quantity {
             Quantity::EnergyRelease => inception.energy_bracket * energy,
             Quantity::InceptionSlip => inception.slip_bracket * units.length,
+            Quantity::MuSteady => steady.error,
             _ => 0.0,
         });
         let elastic = problem.interference < problem.critical_interference;
@@ -105,7 +109,8 @@ impl Values {
         (self.value(quantity) - origin).abs()
     }
 
-    /// Half the difference between the states on both sides of sliding inception.
+    /// Half the difference between the states on both sides of sliding inception; of the steady friction, its uncertainty
+    /// by the length of the slide.
     pub fn bracket(&self, quantity: Quantity) -> f64 {
         self.brackets[quantity as usize]
     }

@@ -36,6 +36,7 @@ pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
     scalar(TemperatureMax, "temperature_max", "K", NUMBER, Limit::TemperatureRise, "highest temperature of the contact").history(Stored::RunAndTable, "highest of the slide"),
     scalar(TemperatureMean, "temperature_mean", "K", NUMBER, Limit::TemperatureRise, "mean temperature of the contact").history(Stored::Run, "last value"),
     scalar(InceptionSlip, "inception_slip", "m", ELASTIC_SLIP, Limit::InceptionSlip, "slip at sliding inception"),
+    scalar(MuSteady, "mu_steady", "1", NUMBER, Limit::SlidingCoefficient, "friction coefficient Q/P that a longer slide tends to").since(2),
     history(InterferencePress, "interference_press", "1", NUMBER, "interference over that of first yield").history(Stored::Press, ""),
     history(Slip, "slip", "m", LENGTH, "slip: displacement of the flat since the end of the press"),
     history(Interference, "interference", "1", NUMBER, "interference over that of first yield"),

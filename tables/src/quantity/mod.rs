@@ -58,6 +58,8 @@ pub enum Quantity {
     TemperatureMean,
     /// s at sliding inception.
     InceptionSlip,
+    /// Q/P that the slide tends to as it goes on.
+    MuSteady,
     /// ω/ω_c during the press.
     InterferencePress,
     /// s: displacement of the flat.

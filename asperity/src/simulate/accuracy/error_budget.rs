@@ -61,7 +61,8 @@ const QUANTITIES: usize = Quantity::SCALARS.len();
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
-    /// Uncertainty by the width of the inception bracket, a part of the error of the increments.
+    /// Uncertainty by the width of the inception bracket, and of the steady value by the length of the slide: a part of
+    /// the error of the increments.
     brackets: [f64; QUANTITIES],
 }
 
@@ -234,7 +235,9 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64, elastic: bool) -> f6
             2.0 * EDGE_OF_ELASTIC_FRICTION * edge
         }
         // Friction is strength times area.
-        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area | AreaPress => 2.0 * edge,
+        Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area | AreaPress => {
+            2.0 * edge
+        }
         // The rise is proportional to the radius of the source.
         ContactRadius | InceptionSlip | EnergyRelease | EnergyWeakening | TemperatureMax
         | TemperatureMean => edge,
@@ -252,7 +255,7 @@ fn sectors_share(sectors: usize, others: usize) -> f64 {
 fn mesh_order(quantity: Quantity, elastic: bool) -> f64 {
     use Quantity::*;
     match quantity {
-        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area if elastic => {
+        Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area if elastic => {
             ORDER_OF_ELASTIC_FRICTION
         }
         _ => ORDER,

@@ -24,7 +24,7 @@ impl ModellingError {
         use Quantity::*;
         let (softening, load) = self.heat.map_or((0.0, 0.0), |effect| (effect.softening, effect.load));
         match quantity {
-            Mu | MuPeak | MuMean => softening + load + self.strain,
+            Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
             MuStatic | FrictionStatic | EnergyRelease => self.strain,
             Friction | EnergyWeakening => softening + self.strain,
             Area => load + self.strain,

@@ -1,0 +1,77 @@
+//! Steady friction: the value that μ tends to as the slide goes on.
+//!
+//! The contact is a heat source at rest in the asperity. Its temperature rise approaches that of the steady state as
+//! 1/√t (Carslaw & Jaeger 1959, section 10.4), and so does the strength of the interface:
+//!
+//! μ(s) = μ_∞ + c/√s,   μ_∞ = 2μ(s) − μ(s/4)
+//!
+//! While heat has not yet diffused through the contact, Fo = κt/a² < 4, the rise grows as √t instead, and a change by
+//! Δμ from s/4 to s is one by up to 2Δμ/√Fo from s to the steady state.
+
+use std::f64::consts::PI;
+
+use tables::quantity::Estimate;
+
+use crate::loading::inception::between;
+use crate::loading::state::SlideState;
+
+/// μ_∞ of a slide up to its last state. The uncertainty is the change from there to the steady state, and the difference
+/// to the value of a slide half as long: thermal expansion of the asperity changes friction with the logarithm of slip,
+/// which the two cover for a tenfold slip.
+pub fn steady_friction(history: &[SlideState]) -> Estimate {
+    let Some(last) = history.last() else { return Estimate::UNKNOWN };
+    let mu = |slip: f64| between(history, slip).mu();
+    let tends_to = |slip: f64| 2.0 * mu(slip) - mu(0.25 * slip);
+    let value = tends_to(last.slip);
+    let fourier = if last.area > 0.0 { PI * last.time / last.area } else { 0.0 };
+    // Time does not pass in a slide without heat.
+    let early = if fourier > 0.0 { (2.0 / fourier.sqrt()).max(1.0) } else { 1.0 };
+    Estimate::with_errors(value, [early * (value - mu(last.slip)), value - tends_to(0.5 * last.slip)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// μ of a slip, at slips that grow by a tenth.
+    fn slide(end: f64, mu: impl Fn(f64) -> f64) -> Vec<SlideState> {
+        let slips = (0..).map(|n| 1e-3 * 1.1f64.powi(n)).take_while(|slip| *slip < end).chain([end]);
+        slips
+            .map(|slip| SlideState { slip, load: 2.0, friction: 2.0 * mu(slip), ..SlideState::default() })
+            .collect()
+    }
+
+    #[test]
+    fn friction_of_a_source_at_rest_is_extrapolated() {
+        let found = steady_friction(&slide(20.0, |slip| 0.1 + 0.05 / slip.sqrt()));
+        // Linear between states a tenth apart: up to 3/32 of 0.01 of the transient part.
+        assert!((found.value - 0.1).abs() < 1e-4, "{found:?}");
+        assert!((found.error - 0.05 / 20f64.sqrt()).abs() < 3e-4, "{found:?}");
+    }
+
+    /// Before heat has diffused through the contact.
+    #[test]
+    fn friction_that_falls_with_the_square_root_of_slip_is_not_steady() {
+        let (fourier, end) = (0.01f64, 2.0f64);
+        let history: Vec<SlideState> = slide(end, |slip| 0.3 - 0.01 * (slip / end).sqrt())
+            .into_iter()
+            .map(|state| SlideState { area: PI, time: fourier * state.slip / end, ..state })
+            .collect();
+        // Up to Fo = 1 it falls to 0.2.
+        let found = steady_friction(&history);
+        assert!((found.value - 0.2).abs() < found.error, "{found:?}");
+    }
+
+    #[test]
+    fn a_steady_slide_has_no_uncertainty() {
+        let found = steady_friction(&slide(2.0, |_| 0.3));
+        assert!((found.value - 0.3).abs() < 1e-15 && found.error < 1e-15);
+    }
+
+    #[test]
+    fn friction_that_falls_with_the_logarithm_of_slip_is_covered_for_a_tenfold_slip() {
+        let mu = |slip: f64| 0.3 - 0.02 * (1.0 + slip).ln();
+        let found = steady_friction(&slide(20.0, mu));
+        assert!((found.value - mu(200.0)).abs() < found.error, "{found:?}, {}", mu(200.0));
+    }
+}
