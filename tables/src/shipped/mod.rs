@@ -175,7 +175,9 @@ mod tests {
                 }
             }
             let sharpness = deviation / stated;
-            println!("{quantity:?}: {inside} of {all}, at most {farthest:.2}, mean {sharpness:.2} of the error");
+            println!(
+                "{quantity:?}: {inside} of {all}, at most {farthest:.2}, mean {sharpness:.2} of the error"
+            );
             assert!(all >= 300 && inside as f64 >= 0.95 * all as f64, "{quantity:?}: {inside} of {all}");
             assert!(farthest < 1.5 && sharpness > 0.1, "{quantity:?}: {farthest} {sharpness}");
         }

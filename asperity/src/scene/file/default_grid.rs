@@ -34,7 +34,8 @@ pub fn interferences(scenes: &[Scene]) -> Vec<f64> {
 fn largest_interference(scene: &Scene) -> f64 {
     let material = &scene.material;
     let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
-    let critical = hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);
+    let critical =
+        hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);
     // a² = (A/A_c)·Rω_c; A/A_c is a power of ω/ω_c, of which the exponent is known from two values.
     let wanted = LARGEST_CONTACT * LARGEST_CONTACT / critical;
     let area = |interference: f64| jackson_green::area(interference, material.yield_strength / modulus);
