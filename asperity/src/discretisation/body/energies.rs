@@ -1,5 +1,6 @@
 //! Mechanical energies of the body and of a step.
 
+use super::state::place_of;
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::{CORNERS, POINTS};
 
@@ -24,7 +25,7 @@ impl Body {
                 let stiffness = self.solid.stiffness_factor(state.rise[e * lanes + l]);
                 energy += element.volume * p * p / (2.0 * moduli.bulk) / stiffness;
                 for q in 0..POINTS {
-                    let s = |i: usize| state.deviator[((e * POINTS + q) * TENSOR + i) * lanes + l];
+                    let s = |i: usize| state.deviator[place_of(TENSOR, [e, i, q], lanes) + l];
                     let squared: f64 =
                         (0..TENSOR).map(|i| if i < 3 { s(i) * s(i) } else { 2.0 * s(i) * s(i) }).sum();
                     energy += element.weight[q] * squared / (4.0 * moduli.shear) / stiffness;
@@ -36,11 +37,11 @@ impl Body {
 
     /// Plastic work of the step at each Gauss point, by the trapezoidal rule, which closes the
     /// energy balance of the step exactly: ½(s₀ + s₁):Δε_p per volume.
-    fn point_plastic_work(&self, point: usize, l: usize) -> f64 {
+    fn point_plastic_work(&self, e: usize, q: usize, l: usize) -> f64 {
         let lanes = self.mesh.sectors.columns();
         (0..TENSOR)
             .map(|i| {
-                let at = (point * TENSOR + i) * lanes + l;
+                let at = place_of(TENSOR, [e, i, q], lanes) + l;
                 let mean = 0.5 * (self.committed.deviator[at] + self.trial.deviator[at]);
                 let change = self.trial.plastic_strain[at] - self.committed.plastic_strain[at];
                 if i < 3 { mean * change } else { 2.0 * mean * change }
@@ -64,7 +65,7 @@ impl Body {
                     energies.moduli_softening += self.element_moduli_softening(e, l);
                 }
                 for q in (0..POINTS).filter(|_| self.group_flows(e, l)) {
-                    energies.plastic += element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
+                    energies.plastic += element.weight[q] * self.point_plastic_work(e, q, l);
                 }
             }
         }
@@ -85,7 +86,7 @@ impl Body {
         for q in 0..POINTS {
             let product: f64 = (0..TENSOR)
                 .map(|i| {
-                    let at = ((e * POINTS + q) * TENSOR + i) * lanes + l;
+                    let at = place_of(TENSOR, [e, i, q], lanes) + l;
                     let product = self.committed.deviator[at] * self.trial.deviator[at];
                     if i < 3 { product } else { 2.0 * product }
                 })
@@ -105,7 +106,7 @@ impl Body {
                 }
                 let mut share = [[0.0; 1]; CORNERS];
                 for q in 0..POINTS {
-                    let work = factor * element.weight[q] * self.point_plastic_work(e * POINTS + q, l);
+                    let work = factor * element.weight[q] * self.point_plastic_work(e, q, l);
                     for (n, value) in share.iter_mut().enumerate() {
                         value[0] += self.shapes[q][n] * work;
                     }

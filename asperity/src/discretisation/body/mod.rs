@@ -22,6 +22,7 @@ mod energies;
 mod finite_strain;
 mod mises;
 mod nodal;
+mod packing;
 mod point_stress;
 mod small_strain;
 mod state;
@@ -40,8 +41,8 @@ struct Tangent {
     /// Per element and group of lanes: whether any point flows. Where none does, trial and committed plastic strains
     /// are equal.
     flows: Vec<bool>,
-    /// (2G-factor, radial factor, n) per point, 8 values; relative to E(T)/E(T₀). At elastic
-    /// points the first two are 2G and 0, and n is not updated.
+    /// (2G-factor, radial factor, n): 8 values of each point, see [`state::place_of`]; relative to E(T)/E(T₀). At
+    /// elastic points the first two are 2G and 0, and n is not updated.
     coefficients: Vec<f64>,
     /// E(T)/E(T₀) per element; empty if constant.
     stiffness: Vec<f64>,
@@ -65,25 +66,14 @@ pub struct Body {
 const TENSOR: usize = 6;
 const COEFFICIENTS: usize = 8;
 
-/// Calls a method with the number of angles that are computed together and the pack that they fill.
-macro_rules! by_lanes {
-    ($self:ident . $method:ident ( $($argument:expr),* )) => {
-        match $self.mesh.sectors.columns() {
-            1 => $self.$method::<1, f64>($($argument),*),
-            n if n % 8 == 0 => $self.$method::<8, f64x8>($($argument),*),
-            _ => $self.$method::<4, f64x4>($($argument),*),
-        }
-    };
-}
-
 impl Body {
     /// Virgin body.
     pub fn new(mesh: RevolvedMesh, solid: Solid) -> Self {
         let (elements, lanes) = (mesh.elements.len(), mesh.sectors.columns());
         let state = BodyState::new(elements, lanes);
         let mut coefficients = vec![0.0; elements * POINTS * COEFFICIENTS * lanes];
-        for point in coefficients.chunks_exact_mut(COEFFICIENTS * lanes) {
-            point[..lanes].fill(2.0 * solid.moduli.shear);
+        for element in coefficients.chunks_exact_mut(COEFFICIENTS * POINTS * lanes) {
+            element[..POINTS * lanes].fill(2.0 * solid.moduli.shear);
         }
         let tangent = Tangent {
             flows: vec![false; elements * lanes],
@@ -135,16 +125,17 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent. The force of an inverted element is NaN.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        // At finite strain several points share a vector register where the angles alone do not fill it.
+        // Several points share a vector register where the angles alone do not fill it.
         match self.mesh.sectors.columns() {
-            1 => self.force_by_lanes::<1, 4, f64, f64x4>(u, rise, force),
-            n if n.is_multiple_of(8) => self.force_by_lanes::<8, 1, f64x8, f64x8>(u, rise, force),
-            _ => self.force_by_lanes::<4, 2, f64x4, f64x8>(u, rise, force),
+            1 => self.force_by_lanes::<1, 4, 4, f64, f64x4>(u, rise, force),
+            4 => self.force_by_lanes::<4, 2, 8, f64x4, f64x8>(u, rise, force),
+            n if n.is_multiple_of(8) => self.force_by_lanes::<8, 1, 8, f64x8, f64x8>(u, rise, force),
+            _ => self.force_by_lanes::<4, 1, 4, f64x4, f64x4>(u, rise, force),
         }
     }
 
-    /// W angles at a time, which fill A, and at finite strain P points of them, which fill V.
-    fn force_by_lanes<const W: usize, const P: usize, A: Pack, V: Pack>(
+    /// W angles at a time, which fill A, and P points of them, which fill the N lanes of V.
+    fn force_by_lanes<const W: usize, const P: usize, const N: usize, A: Pack, V: Pack>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
@@ -152,16 +143,16 @@ impl Body {
     ) {
         if let Some(mut tangent) = self.finite_strain.take() {
             self.assemble::<W, A>(u, force, |body, e, first, displacement| {
-                body.finite_strain_force::<W, P, A, V>(e, first, displacement, rise, &mut tangent)
+                body.finite_strain_force::<W, P, N, A, V>(e, first, displacement, rise, &mut tangent)
             });
             self.finite_strain = Some(tangent);
         } else if self.solid.stiffness_varies() {
             self.assemble::<W, A>(u, force, |body, e, first, displacement| {
-                body.small_strain_force::<W, A, true>(e, first, displacement, rise)
+                body.small_strain_force::<W, P, N, A, V, true>(e, first, displacement, rise)
             });
         } else {
             self.assemble::<W, A>(u, force, |body, e, first, displacement| {
-                body.small_strain_force::<W, A, false>(e, first, displacement, rise)
+                body.small_strain_force::<W, P, N, A, V, false>(e, first, displacement, rise)
             });
         }
     }
@@ -189,7 +180,7 @@ impl Body {
         self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
     }
 
-    /// Angles that are computed together, see `by_lanes`.
+    /// Angles that are computed together.
     fn group(&self) -> usize {
         match self.mesh.sectors.columns() {
             1 => 1,
@@ -209,17 +200,15 @@ impl Body {
         groups.clone().filter(|flows| **flows).count() as f64 / groups.len() as f64
     }
 
-    /// Coefficient i of the tangent at a point.
-    #[inline(always)]
-    fn coefficient<const W: usize>(&self, e: usize, q: usize, i: usize, first: usize) -> &[f64] {
-        let at = ((e * POINTS + q) * COEFFICIENTS + i) * self.mesh.sectors.columns() + first;
-        &self.tangent.coefficients[at..at + W]
-    }
-
     /// Product of the stiffness loss, elastic stiffness at T₀ minus consistent tangent at the last internal force, with
     /// a displacement. Reads and writes the entries of the zone alone: elsewhere the product is zero.
     pub fn stiffness_loss(&mut self, zone: &InelasticZone, u: &[f64], force: &mut [f64]) {
-        by_lanes!(self.stiffness_loss_lanes(zone, u, force));
+        match self.mesh.sectors.columns() {
+            1 => self.stiffness_loss_lanes::<1, 4, f64, f64x4>(zone, u, force),
+            4 => self.stiffness_loss_lanes::<4, 2, f64x4, f64x8>(zone, u, force),
+            n if n.is_multiple_of(8) => self.stiffness_loss_lanes::<8, 1, f64x8, f64x8>(zone, u, force),
+            _ => self.stiffness_loss_lanes::<4, 1, f64x4, f64x4>(zone, u, force),
+        }
     }
 
     /// Product with the consistent tangent itself.
@@ -228,7 +217,7 @@ impl Body {
         let mut loss = vec![0.0; force.len()];
         let zone = self.inelastic_zone();
         self.stiffness_loss(&zone, u, &mut loss);
-        by_lanes!(self.elastic_product_lanes(u, force));
+        self.elastic_product_lanes::<1, f64>(u, force);
         force.iter_mut().zip(&loss).for_each(|(force, loss)| *force -= loss);
     }
 }

@@ -1,5 +1,6 @@
 //! Stress and plastic strain at the nodes of the meridian.
 
+use super::state::place_of;
 use super::{Body, BodyState, TENSOR};
 use crate::discretisation::element::POINTS;
 
@@ -19,12 +20,11 @@ impl Body {
                 for q in 0..POINTS {
                     let weight = self.shapes[q][n] * element.weight[q];
                     volume[node] += weight;
-                    let point = e * POINTS + q;
                     for component in 0..NODAL {
                         let target = &mut sum[(node * NODAL + component) * columns..][..columns];
                         let values = match component {
-                            TENSOR => &state.accumulated[point * columns..],
-                            i => &state.deviator[(point * TENSOR + i) * columns..],
+                            TENSOR => &state.accumulated[(e * POINTS + q) * columns..],
+                            i => &state.deviator[place_of(TENSOR, [e, i, q], columns)..],
                         };
                         for (target, value) in target.iter_mut().zip(values) {
                             *target += weight * value;

@@ -1,58 +1,64 @@
-//! Stress at a Gauss point at the end of a step.
+//! Stress at Gauss points at the end of a step.
 
-use super::temperature::PointTemperature;
+use super::state::place_of;
+use super::temperature::{ElementHeat, PointTemperature};
 use super::{Body, COEFFICIENTS, TENSOR};
-use crate::discretisation::element::POINTS;
 use crate::material::StrainPath;
 use crate::material::lanes::{Lanes, Pack, lanes_of};
 
-/// A Gauss point and the first of a group of angles, as places in the history and the tangent.
+/// Gauss points of an element from `chunk` on and a group of angles, side by side in the history and the tangent.
 #[derive(Clone, Copy)]
-struct PointPlace {
-    point: usize,
-    lanes: usize,
-    first: usize,
+pub(super) struct Points {
+    pub(super) e: usize,
+    pub(super) chunk: usize,
+    pub(super) first: usize,
+    /// Angles of the mesh.
+    pub(super) lanes: usize,
 }
 
-impl PointPlace {
+impl Points {
     #[inline(always)]
     fn scalar(self) -> usize {
-        self.point * self.lanes + self.first
+        self.of_values(1, 0)
     }
 
     #[inline(always)]
     fn tensor(self, i: usize) -> usize {
-        (self.point * TENSOR + i) * self.lanes + self.first
+        self.of_values(TENSOR, i)
     }
 
     #[inline(always)]
-    fn coefficient(self, i: usize) -> usize {
-        (self.point * COEFFICIENTS + i) * self.lanes + self.first
+    pub(super) fn coefficient(self, i: usize) -> usize {
+        self.of_values(COEFFICIENTS, i)
+    }
+
+    /// Place of value i of `count`.
+    #[inline(always)]
+    pub(super) fn of_values(self, count: usize, i: usize) -> usize {
+        place_of(count, [self.e, i, self.chunk], self.lanes) + self.first
     }
 }
 
 /// Lanes whose elastic stress is above the yield strength.
-struct Yielding<const W: usize> {
-    flowing: [bool; W],
+struct Yielding<const N: usize> {
+    flowing: [bool; N],
     any: bool,
     /// f(T)/f(T₀) over E(T)/E(T₀); evaluated where any lane is near yield.
-    softening: Lanes<W>,
+    softening: Lanes<N>,
 }
 
 impl Body {
-    /// Stress deviator at one point, and whether any lane flows; `stale`: whether any point of the element did at the
-    /// internal force before.
+    /// Stress deviator at points of W angles each, which fill N lanes, and whether any flows.
     #[inline(always)]
-    pub(super) fn point_stress<const W: usize, V: Pack>(
+    pub(super) fn point_stress<const W: usize, const N: usize, V: Pack>(
         &mut self,
-        e: usize,
-        q: usize,
-        first: usize,
+        at: Points,
         deviator: &[V; TENSOR],
-        heat: PointTemperature<'_, W>,
-        stale: bool,
+        heat: &ElementHeat<W>,
     ) -> ([V; TENSOR], bool) {
-        let at = PointPlace { point: e * POINTS + q, lanes: self.mesh.sectors.columns(), first };
+        let heat = heat.at_points::<N>(at.chunk);
+        // Whether any point of the element flowed at the internal force before.
+        let stale = self.tangent.flows[at.e * at.lanes + at.first];
         let two_shear = 2.0 * self.solid.moduli.shear;
         let mut squared = V::splat(0.0);
         let mut stress: [V; TENSOR] = std::array::from_fn(|i| {
@@ -64,16 +70,16 @@ impl Body {
         let yielding = self.yielding(at, &lanes_of(squared), &heat);
         let any = yielding.any;
         // First guess: the increment of the previous iteration.
-        let guess = if any || stale { self.reset_history(at) } else { [0.0; W] };
+        let guess = if any || stale { self.reset_history(at) } else { [0.0; N] };
         if stale && !any {
-            self.tangent.coefficients[at.coefficient(0)..][..W].fill(two_shear);
-            self.tangent.coefficients[at.coefficient(1)..][..W].fill(0.0);
+            self.tangent.coefficients[at.coefficient(0)..][..N].fill(two_shear);
+            self.tangent.coefficients[at.coefficient(1)..][..N].fill(0.0);
         }
         if any {
             self.flow_point(at, &mut stress, &yielding, &heat, guess);
         }
         for (i, component) in stress.iter_mut().enumerate() {
-            if let Some([now, _]) = heat.stiffness {
+            if let Some([now, _]) = &heat.stiffness {
                 *component = *component * V::load(now);
             }
             component.store(&mut self.trial.deviator[at.tensor(i)..]);
@@ -83,25 +89,25 @@ impl Body {
 
     /// Compares q² with the square of the strength.
     #[inline(always)]
-    fn yielding<const W: usize>(
+    fn yielding<const N: usize>(
         &self,
-        at: PointPlace,
-        squared: &Lanes<W>,
-        heat: &PointTemperature<'_, W>,
-    ) -> Yielding<W> {
+        at: Points,
+        squared: &Lanes<N>,
+        heat: &PointTemperature<N>,
+    ) -> Yielding<N> {
         let over_stiffness =
-            |factor: f64, l: usize| heat.stiffness.map_or(factor, |[now, _]| factor / now[l]);
+            |factor: f64, l: usize| heat.stiffness.as_ref().map_or(factor, |[now, _]| factor / now[l]);
         // Where the lowest softening factor of the element keeps the point elastic, none is evaluated.
-        let strength = &self.committed.strength[at.scalar()..][..W];
+        let strength = &self.committed.strength[at.scalar()..][..N];
         let mut near = false;
-        for l in 0..W {
+        for l in 0..N {
             let least = over_stiffness(heat.weakest, l) * strength[l];
             near |= squared[l] > least * least;
         }
-        let mut yielding = Yielding { flowing: [false; W], any: false, softening: [1.0; W] };
+        let mut yielding = Yielding { flowing: [false; N], any: false, softening: [1.0; N] };
         if near {
-            yielding.softening = self.solid.softening_factors(heat.rise);
-            for l in 0..W {
+            yielding.softening = self.solid.softening_factors(&heat.rise);
+            for l in 0..N {
                 yielding.softening[l] = over_stiffness(yielding.softening[l], l);
                 let limit = strength[l] * yielding.softening[l];
                 yielding.flowing[l] = squared[l] > limit * limit;
@@ -113,12 +119,12 @@ impl Body {
 
     /// Sets the trial history of a point to the committed one; returns the increments of ε_p that it had.
     #[inline(always)]
-    fn reset_history<const W: usize>(&mut self, at: PointPlace) -> Lanes<W> {
+    fn reset_history<const N: usize>(&mut self, at: Points) -> Lanes<N> {
         for i in 0..TENSOR {
-            let range = at.tensor(i)..at.tensor(i) + W;
+            let range = at.tensor(i)..at.tensor(i) + N;
             self.trial.plastic_strain[range.clone()].copy_from_slice(&self.committed.plastic_strain[range]);
         }
-        let mut increments = [0.0; W];
+        let mut increments = [0.0; N];
         for (l, increment) in increments.iter_mut().enumerate() {
             let place = at.scalar() + l;
             *increment = self.trial.accumulated[place] - self.committed.accumulated[place];
@@ -130,24 +136,24 @@ impl Body {
 
     /// Plastic flow of the flowing lanes of a point: sets their history, tangent and stress deviator.
     #[inline(always)]
-    fn flow_point<const W: usize, V: Pack>(
+    fn flow_point<const N: usize, V: Pack>(
         &mut self,
-        at: PointPlace,
+        at: Points,
         stress: &mut [V; TENSOR],
-        yielding: &Yielding<W>,
-        heat: &PointTemperature<'_, W>,
-        guess: Lanes<W>,
+        yielding: &Yielding<N>,
+        heat: &PointTemperature<N>,
+        guess: Lanes<N>,
     ) {
         let flowing = yielding.flowing;
-        let at_start = |values: &[f64]| -> Lanes<W> { std::array::from_fn(|l| values[at.scalar() + l]) };
-        let mut start = [[0.0; W]; TENSOR];
+        let at_start = |values: &[f64]| -> Lanes<N> { std::array::from_fn(|l| values[at.scalar() + l]) };
+        let mut start = [[0.0; N]; TENSOR];
         for (i, start) in start.iter_mut().enumerate() {
-            start.copy_from_slice(&self.committed.deviator[at.tensor(i)..][..W]);
-            if let Some([_, before]) = heat.stiffness {
-                (0..W).for_each(|l| start[l] /= before[l]);
+            start.copy_from_slice(&self.committed.deviator[at.tensor(i)..][..N]);
+            if let Some([_, before]) = &heat.stiffness {
+                (0..N).for_each(|l| start[l] /= before[l]);
             }
         }
-        let elastic: [Lanes<W>; TENSOR] = stress.map(lanes_of);
+        let elastic: [Lanes<N>; TENSOR] = stress.map(lanes_of);
         let path = StrainPath {
             flowing,
             start: &start,
@@ -161,8 +167,8 @@ impl Body {
         let two_shear = 2.0 * self.solid.moduli.shear;
         let stiffness = 3.0 * self.solid.moduli.shear;
         // Elastic values in the lanes that do not flow; the loops below act on all lanes.
-        let (mut across, mut radial) = ([two_shear; W], [0.0; W]);
-        for l in (0..W).filter(|&l| flowing[l]) {
+        let (mut across, mut radial) = ([two_shear; N], [0.0; N]);
+        for l in (0..N).filter(|&l| flowing[l]) {
             self.trial.accumulated[at.scalar() + l] = path.strain[l] + end.increment[l];
             self.trial.strength[at.scalar() + l] = end.strength[l];
             // Along the stress the tangent is 2GH/(3G + H). A falling strength counts as constant, so that the tangent
@@ -171,13 +177,13 @@ impl Body {
             across[l] = two_shear * end.across[l];
             radial[l] = (two_shear * (1.0 - stiffness / (stiffness + slope)) - across[l]).min(0.0);
         }
-        self.tangent.coefficients[at.coefficient(0)..][..W].copy_from_slice(&across);
-        self.tangent.coefficients[at.coefficient(1)..][..W].copy_from_slice(&radial);
+        self.tangent.coefficients[at.coefficient(0)..][..N].copy_from_slice(&across);
+        self.tangent.coefficients[at.coefficient(1)..][..N].copy_from_slice(&radial);
         for (i, stress) in stress.iter_mut().enumerate() {
-            let direction = &mut self.tangent.coefficients[at.coefficient(2 + i)..][..W];
-            let plastic = &mut self.trial.plastic_strain[at.tensor(i)..][..W];
+            let direction = &mut self.tangent.coefficients[at.coefficient(2 + i)..][..N];
+            let plastic = &mut self.trial.plastic_strain[at.tensor(i)..][..N];
             let mut at_end = elastic[i];
-            for l in 0..W {
+            for l in 0..N {
                 let flows = flowing[l];
                 let flown = end.radius[l] * end.direction[i][l];
                 direction[l] = if flows { end.direction[i][l] } else { 0.0 };

@@ -3,21 +3,32 @@
 //! Stress at a Gauss point: deviator s = 2G(e − e_p), mean stress p = K(ε̄_v − 3∫α dθ̄), where the dilatation ε̄_v and
 //! the temperature rise θ̄ are means over the element (B̄).
 
+use super::packing::{joined, unpack};
+use super::point_stress::Points;
 use super::{Body, TENSOR};
 use crate::discretisation::element::{CORNERS, POINTS, VALUES, deviators_and_dilatation, stress_force};
 use crate::material::lanes::{Lanes, Pack, lanes_of};
 
 impl Body {
-    /// Forces on the corners; VARYING: whether the moduli depend on temperature.
+    /// Forces on the corners; W angles at a time, which fill A, and P points of them, which fill the N lanes of V.
+    /// VARYING: whether the moduli depend on temperature.
     #[inline(always)]
-    pub(super) fn small_strain_force<const W: usize, V: Pack, const VARYING: bool>(
+    pub(super) fn small_strain_force<
+        const W: usize,
+        const P: usize,
+        const N: usize,
+        A: Pack,
+        V: Pack,
+        const VARYING: bool,
+    >(
         &mut self,
         e: usize,
         first: usize,
-        displacement: &[[V; VALUES]; CORNERS],
+        displacement: &[[A; VALUES]; CORNERS],
         rise: Option<&[f64]>,
-    ) -> [[V; VALUES]; CORNERS] {
-        let at = e * self.mesh.sectors.columns() + first;
+    ) -> [[A; VALUES]; CORNERS] {
+        let lanes = self.mesh.sectors.columns();
+        let at = e * lanes + first;
         let heat = self.element_heat::<W>(e, first, rise, VARYING);
         let (deviators, dilatation) = deviators_and_dilatation(&self.mesh.elements[e], displacement);
         let dilatation: Lanes<W> = lanes_of(dilatation);
@@ -31,16 +42,25 @@ impl Body {
         }
         self.trial.mean_stress[at..at + W].copy_from_slice(&mean_stress);
         self.trial.rise[at..at + W].copy_from_slice(&heat.mean_rise);
-        let mean_stress = V::load(&mean_stress);
+        let mean_stress = A::load(&mean_stress);
         let mut stresses = [[mean_stress; TENSOR]; POINTS];
-        let (stale, mut flows) = (self.tangent.flows[at], false);
-        for q in 0..POINTS {
+        let mut flows = false;
+        for chunk in (0..POINTS).step_by(P) {
+            let mut deviator = [V::splat(0.0); TENSOR];
+            for (i, component) in deviator.iter_mut().enumerate() {
+                let of_points: [A; P] = std::array::from_fn(|p| deviators[chunk + p][i]);
+                *component = joined::<W, A, V>(&of_points);
+            }
             let (stress, flowing) =
-                self.point_stress::<W, V>(e, q, first, &deviators[q], heat.at_point(q), stale);
+                self.point_stress::<W, N, V>(Points { e, chunk, first, lanes }, &deviator, &heat);
             flows |= flowing;
-            let weight = V::splat(self.mesh.elements[e].weight[q]);
-            for (i, (joined, &deviatoric)) in stresses[q].iter_mut().zip(&stress).enumerate() {
-                *joined = weight * if i < 3 { deviatoric + mean_stress } else { deviatoric };
+            for p in 0..P {
+                let weight = A::splat(self.mesh.elements[e].weight[chunk + p]);
+                for i in 0..TENSOR {
+                    let deviatoric = A::load(&unpack::<W, V>(stress[i], p));
+                    stresses[chunk + p][i] =
+                        weight * if i < 3 { deviatoric + mean_stress } else { deviatoric };
+                }
             }
         }
         self.tangent.flows[at] = flows;

@@ -3,8 +3,14 @@
 use super::TENSOR;
 use crate::discretisation::element::POINTS;
 
-/// History of all Gauss points: element by element, point by point, component by component,
-/// angles as lanes.
+/// Place of value i of `count` at Gauss point q of element e and the first angle: element by element, value by value,
+/// points and angles within, so that several points fill a vector register where the angles alone do not.
+#[inline(always)]
+pub(super) fn place_of(count: usize, [e, i, q]: [usize; 3], lanes: usize) -> usize {
+    ((e * count + i) * POINTS + q) * lanes
+}
+
+/// History of all Gauss points: element by element, component by component, points and angles as lanes.
 #[derive(Clone, Debug)]
 pub struct BodyState {
     /// Plastic strain (deviatoric), 6 components.

@@ -4,6 +4,7 @@
 //! direction is a sum of known residuals, and only the elements with another tangent contribute: those that flow, 30
 //! to 40 % of them in a slide at 20 ω_c.
 
+use super::point_stress::Points;
 use super::{Body, TENSOR};
 use crate::discretisation::collocation::VECTOR_PARITY;
 #[cfg(test)]
@@ -51,8 +52,8 @@ impl Body {
         self.finite_strain.as_ref().is_some_and(|tangent| !tangent.is_small(at))
     }
 
-    /// W angles at a time, which fill V.
-    pub(super) fn stiffness_loss_lanes<const W: usize, V: Pack>(
+    /// W angles at a time, which fill A, and P points of them, which fill V.
+    pub(super) fn stiffness_loss_lanes<const W: usize, const P: usize, A: Pack, V: Pack>(
         &mut self,
         zone: &InelasticZone,
         u: &[f64],
@@ -71,11 +72,11 @@ impl Body {
                 if !self.is_inelastic(at) {
                     continue;
                 }
-                let displacement = self.mesh.gather_vector::<V>(u, &self.slope, element, first);
+                let displacement = self.mesh.gather_vector::<A>(u, &self.slope, element, first);
                 let loss = if self.is_large(at) {
-                    self.finite_loss::<V>(e, first, &displacement)
+                    self.finite_loss::<W, P, A, V>(e, first, &displacement)
                 } else {
-                    self.small_loss::<W, V>(e, first, &displacement)
+                    self.small_loss::<A>(e, first, &displacement)
                 };
                 self.mesh.scatter_vector(&loss, element, first, force, &mut self.on_slope);
             }
@@ -87,14 +88,15 @@ impl Body {
 
     /// Contribution of an element at small strain.
     #[inline(always)]
-    fn small_loss<const W: usize, V: Pack>(
+    fn small_loss<V: Pack>(
         &self,
         e: usize,
         first: usize,
         displacement: &[[V; VALUES]; CORNERS],
     ) -> [[V; VALUES]; CORNERS] {
         let element = &self.mesh.elements[e];
-        let at = e * self.mesh.sectors.columns() + first;
+        let lanes = self.mesh.sectors.columns();
+        let at = e * lanes + first;
         let one = V::splat(1.0);
         let stiffness =
             if self.tangent.stiffness.is_empty() { one } else { V::load(&self.tangent.stiffness[at..]) };
@@ -102,7 +104,8 @@ impl Body {
         let (mut stresses, dilatation) = deviators_and_dilatation(element, displacement);
         let mean = (one - stiffness) * V::splat(self.solid.moduli.bulk) * dilatation;
         for q in 0..POINTS {
-            let coefficient = |i: usize| V::load(self.coefficient::<W>(e, q, i, first));
+            let point = Points { e, chunk: q, first, lanes };
+            let coefficient = |i: usize| V::load(&self.tangent.coefficients[point.coefficient(i)..]);
             let stress = &mut stresses[q];
             // n is not updated at elastic points, where its factor is zero.
             let mut projection = V::splat(0.0);

@@ -4,14 +4,13 @@ use super::Body;
 use crate::discretisation::element::{CORNERS, Element, POINTS};
 use crate::material::lanes::Lanes;
 
-/// Temperature and temperature-dependent properties at one Gauss point.
-#[derive(Clone, Copy)]
-pub(super) struct PointTemperature<'a, const W: usize> {
-    pub(super) rise: &'a Lanes<W>,
+/// Temperature and temperature-dependent properties at Gauss points side by side.
+pub(super) struct PointTemperature<const N: usize> {
+    pub(super) rise: Lanes<N>,
     /// No point of the element has a lower softening factor.
     pub(super) weakest: f64,
     /// E(T)/E(T₀) of the element, now and at the end of the step before, unless constant.
-    pub(super) stiffness: Option<[&'a Lanes<W>; 2]>,
+    pub(super) stiffness: Option<[Lanes<N>; 2]>,
 }
 
 /// Temperature and temperature-dependent properties in one element.
@@ -29,9 +28,16 @@ pub(super) struct ElementHeat<const W: usize> {
 }
 
 impl<const W: usize> ElementHeat<W> {
-    pub(super) fn at_point(&self, q: usize) -> PointTemperature<'_, W> {
-        let stiffness = self.stiffness.as_ref().map(|now| [now, &self.stiffness_before]);
-        PointTemperature { rise: &self.point_rise[q], weakest: self.weakest, stiffness }
+    /// At the points from `first` on that fill N lanes.
+    #[inline(always)]
+    pub(super) fn at_points<const N: usize>(&self, first: usize) -> PointTemperature<N> {
+        let rise = &self.point_rise.as_flattened()[first * W..];
+        let of_element = |values: &Lanes<W>| std::array::from_fn(|l| values[l % W]);
+        PointTemperature {
+            rise: std::array::from_fn(|l| rise[l]),
+            weakest: self.weakest,
+            stiffness: self.stiffness.as_ref().map(|now| [now, &self.stiffness_before].map(of_element)),
+        }
     }
 }
 

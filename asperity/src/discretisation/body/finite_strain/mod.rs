@@ -17,8 +17,10 @@
 //!
 //! Depends on `element` and `crate::material`. Chapter "Mesh and elements" of the book.
 
+use super::Body;
+use super::packing::{joined, pack, packed_values, spread, summed, unpack};
+use super::point_stress::Points;
 use super::temperature::ElementHeat;
-use super::{Body, TENSOR};
 use crate::discretisation::elastic;
 use crate::discretisation::element::{CORNERS, POINTS, VALUES};
 use crate::material::lanes::{Lanes, Pack, lanes_of};
@@ -28,10 +30,8 @@ use crate::material::tensor::{
     Symmetric, TwoPoint, cauchy_green_excess, cofactors, deformation_gradient, volume_excess,
 };
 use gradient::{PackedShape, add_stress_force, displacement_gradient, packed_shape};
-use packing::{pack, packed_values, spread, summed, unpack};
 
 mod gradient;
-mod packing;
 
 /// Largest component of the displacement gradient up to which the moduli of small strain are used.
 const SMALL: f64 = 1e-2;
@@ -42,7 +42,7 @@ const POINT_VALUES: usize = ENTRIES + 9;
 /// Tangent at the last internal force.
 #[derive(Clone, Debug)]
 pub struct FiniteTangent {
-    /// Point by point, value by value, angles as lanes. In single precision: the products are bound by memory, and the
+    /// Values of each point, see [`super::state::place_of`]. In single precision: the products are bound by memory, and the
     /// convergence of Newton's method is the same.
     point: Vec<f32>,
     /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of small strain
@@ -53,14 +53,6 @@ pub struct FiniteTangent {
     volumetric: Vec<f64>,
     /// For the logarithm.
     rules: Rules,
-}
-
-/// Gauss points of an element from `chunk` on, and a group of angles.
-#[derive(Clone, Copy)]
-struct Points {
-    e: usize,
-    chunk: usize,
-    first: usize,
 }
 
 /// Displacement gradients of an element.
@@ -89,9 +81,9 @@ impl FiniteTangent {
 }
 
 impl Body {
-    /// Forces on the corners; W angles at a time, which fill A, and P points of them, which fill V.
+    /// Forces on the corners; W angles at a time, which fill A, and P points of them, which fill the N lanes of V.
     #[inline(always)]
-    pub(super) fn finite_strain_force<const W: usize, const P: usize, A: Pack, V: Pack>(
+    pub(super) fn finite_strain_force<const W: usize, const P: usize, const N: usize, A: Pack, V: Pack>(
         &mut self,
         e: usize,
         first: usize,
@@ -99,7 +91,8 @@ impl Body {
         rise: Option<&[f64]>,
         tangent: &mut FiniteTangent,
     ) -> [[A; VALUES]; CORNERS] {
-        let at = e * self.mesh.sectors.columns() + first;
+        let lanes = self.mesh.sectors.columns();
+        let at = e * lanes + first;
         let heat = self.element_heat::<W>(e, first, rise, self.solid.stiffness_varies());
         let kinematics = self.kinematics::<W, P, V>(e, &packed_values::<W, P, A, V>(displacement));
         tangent.small[at] = kinematics.largest <= SMALL;
@@ -108,11 +101,11 @@ impl Body {
         let mut any_flows = false;
         let mut force = [[V::splat(0.0); VALUES]; CORNERS];
         for (chunk, gradient) in kinematics.gradients[..POINTS / P].iter().enumerate() {
-            let points = Points { e, chunk: chunk * P, first };
+            let points = Points { e, chunk: chunk * P, first, lanes };
             let (stress, flows) =
-                self.weighted_stress::<W, P, A, V>(points, gradient, pressure, &heat, tangent);
+                self.weighted_stress::<W, P, N, V>(points, gradient, pressure, &heat, tangent);
             any_flows |= flows;
-            add_stress_force(&self.shapes_at::<W, P, V>(points), &stress, &mut force);
+            add_stress_force(&self.shapes_at::<W, P, V>(e, points.chunk), &stress, &mut force);
         }
         self.tangent.flows[at] = any_flows;
         summed::<W, P, A, V>(&force)
@@ -120,8 +113,8 @@ impl Body {
 
     /// Shape functions at P points.
     #[inline(always)]
-    fn shapes_at<const W: usize, const P: usize, V: Pack>(&self, points: Points) -> PackedShape<V> {
-        let of_points = std::array::from_fn(|p| &self.mesh.elements[points.e].shape[points.chunk + p]);
+    fn shapes_at<const W: usize, const P: usize, V: Pack>(&self, e: usize, chunk: usize) -> PackedShape<V> {
+        let of_points = std::array::from_fn(|p| &self.mesh.elements[e].shape[chunk + p]);
         packed_shape::<P, V>(of_points, spread::<W, P, V>)
     }
 
@@ -139,8 +132,7 @@ impl Body {
         let mut largest = zero;
         for (chunk, gradient) in gradients[..POINTS / P].iter_mut().enumerate() {
             let chunk = chunk * P;
-            *gradient =
-                displacement_gradient(&self.shapes_at::<W, P, V>(Points { e, chunk, first: 0 }), values);
+            *gradient = displacement_gradient(&self.shapes_at::<W, P, V>(e, chunk), values);
             largest = gradient.as_flattened().iter().fold(largest, |largest, &h| h.larger(largest));
             let of_points = volume_excess(gradient);
             for p in 0..P {
@@ -187,7 +179,7 @@ impl Body {
     /// First Piola-Kirchhoff stress times the weights at P points, and whether any flows; sets the tangent where the
     /// displacement gradient is not small.
     #[inline(always)]
-    fn weighted_stress<const W: usize, const P: usize, A: Pack, V: Pack>(
+    fn weighted_stress<const W: usize, const P: usize, const N: usize, V: Pack>(
         &mut self,
         points: Points,
         gradient: &TwoPoint<V>,
@@ -195,30 +187,25 @@ impl Body {
         heat: &ElementHeat<W>,
         tangent: &mut FiniteTangent,
     ) -> (TwoPoint<V>, bool) {
-        let Points { e, chunk, first } = points;
-        let lanes = self.mesh.sectors.columns();
+        let Points { e, chunk, first, lanes } = points;
         let weight = self.mesh.elements[e].weight;
+        let weight = spread::<W, P, V>(std::array::from_fn(|p| weight[chunk + p]));
         let f = deformation_gradient(gradient);
         let cofactors = cofactors(&f);
         let log = tangent.rules.log(&cauchy_green_excess(gradient));
-        let (log_stress, flows) = self.log_stress::<W, P, A, V>(points, &log.strain(), heat);
+        let (log_stress, flows) = self.log_stress::<W, N, V>(points, &log.strain(), heat);
         let second = log.second_piola(&log_stress);
         if !tangent.small[e * lanes + first] {
             let moduli = self.log_moduli::<W, P, V>(points, flows, heat.stiffness.as_ref());
             let mut moduli = log_moduli::tangent(&log, &f, &log_stress, &second, &moduli);
             add_volume_curvature(pressure, &f, &mut moduli);
-            let values = moduli.iter().chain(cofactors.as_flattened());
-            for p in 0..P {
-                let q = chunk + p;
-                let place = (e * POINTS + q) * POINT_VALUES * lanes + first;
-                for (target, &value) in tangent.point[place..].chunks_mut(lanes).zip(values.clone()) {
-                    let value = unpack::<W, V>(value, p);
-                    (0..W).for_each(|l| target[l] = (weight[q] * value[l]) as f32);
-                }
+            for (i, &value) in moduli.iter().chain(cofactors.as_flattened()).enumerate() {
+                let value: Lanes<N> = lanes_of(weight * value);
+                let target = &mut tangent.point[points.of_values(POINT_VALUES, i)..][..N];
+                (0..N).for_each(|l| target[l] = value[l] as f32);
             }
         }
         let mut stress = first_piola(&f, &second);
-        let weight = spread::<W, P, V>(std::array::from_fn(|p| weight[chunk + p]));
         for (stress, cofactor) in stress.as_flattened_mut().iter_mut().zip(cofactors.as_flattened()) {
             *stress = weight * pressure.mul_add(*cofactor, *stress);
         }
@@ -227,36 +214,27 @@ impl Body {
 
     /// Deviator of the stress that works on the logarithmic strain, and whether any point flows.
     #[inline(always)]
-    fn log_stress<const W: usize, const P: usize, A: Pack, V: Pack>(
+    fn log_stress<const W: usize, const N: usize, V: Pack>(
         &mut self,
-        Points { e, chunk, first }: Points,
+        points: Points,
         log_strain: &Symmetric<V>,
         heat: &ElementHeat<W>,
     ) -> (Symmetric<V>, bool) {
         let third = V::splat(1.0 / 3.0) * (log_strain[0] + log_strain[1] + log_strain[2]);
         let deviator: Symmetric<V> =
             std::array::from_fn(|v| if v < 3 { log_strain[v] - third } else { log_strain[v] });
-        let stale = self.tangent.flows[e * self.mesh.sectors.columns() + first];
-        let mut flows = false;
-        let of_points: [[Lanes<W>; TENSOR]; P] = std::array::from_fn(|p| {
-            let of_point = deviator.map(|component| A::load(&unpack::<W, V>(component, p)));
-            let (stress, flowing) =
-                self.point_stress::<W, A>(e, chunk + p, first, &of_point, heat.at_point(chunk + p), stale);
-            flows |= flowing;
-            stress.map(lanes_of)
-        });
-        (std::array::from_fn(|v| pack::<W, P, V>(|p| &of_points[p][v])), flows)
+        self.point_stress::<W, N, V>(points, &deviator, heat)
     }
 
     /// Moduli in logarithmic strain after [`Body::log_stress`].
     #[inline(always)]
     fn log_moduli<const W: usize, const P: usize, V: Pack>(
         &self,
-        Points { e, chunk, first }: Points,
+        points: Points,
         flows: bool,
         stiffness: Option<&Lanes<W>>,
     ) -> LogModuli<V> {
-        let coefficient = |i: usize| pack::<W, P, V>(|p| self.coefficient::<W>(e, chunk + p, i, first));
+        let coefficient = |i: usize| V::load(&self.tangent.coefficients[points.coefficient(i)..]);
         let stiffness = stiffness.map_or(V::splat(1.0), |factor| pack::<W, P, V>(|_| factor));
         LogModuli {
             shear: stiffness * coefficient(0),
@@ -268,38 +246,43 @@ impl Body {
 
     /// Contribution to [`Body::stiffness_loss`] of an element with large displacement gradients.
     #[inline(always)]
-    pub(super) fn finite_loss<V: Pack>(
+    pub(super) fn finite_loss<const W: usize, const P: usize, A: Pack, V: Pack>(
         &self,
         e: usize,
         first: usize,
-        displacement: &[[V; VALUES]; CORNERS],
-    ) -> [[V; VALUES]; CORNERS] {
+        displacement: &[[A; VALUES]; CORNERS],
+    ) -> [[A; VALUES]; CORNERS] {
         let element = &self.mesh.elements[e];
         let lanes = self.mesh.sectors.columns();
         let tangent = self.finite_strain.as_ref().expect("of a body at finite strain");
-        let value = |q: usize, i: usize| {
-            V::load_single(&tangent.point[((e * POINTS + q) * POINT_VALUES + i) * lanes + first..])
+        let value = |chunk: usize, i: usize| {
+            let points = Points { e, chunk, first, lanes };
+            V::load_single(&tangent.point[points.of_values(POINT_VALUES, i)..])
         };
+        let displacements = packed_values::<W, P, A, V>(displacement);
         let zero = V::splat(0.0);
-        let shape = |q: usize| packed_shape([&element.shape[q]], |[x]| V::splat(x));
         let mut stresses = [[[zero; 3]; 3]; POINTS];
         // Change of ∫J dV.
         let mut growth = zero;
-        for q in 0..POINTS {
-            let gradient = displacement_gradient(&shape(q), displacement);
-            stresses[q] = symmetric_product(|i| value(q, i), &gradient);
+        for chunk in (0..POINTS).step_by(P) {
+            let gradient = displacement_gradient(&self.shapes_at::<W, P, V>(e, chunk), &displacements);
+            stresses[chunk] = symmetric_product(|i| value(chunk, i), &gradient);
             for (i, component) in gradient.as_flattened().iter().enumerate() {
-                growth = value(q, ENTRIES + i).mul_add(*component, growth);
+                growth = value(chunk, ENTRIES + i).mul_add(*component, growth);
             }
         }
-        growth = growth * V::load(&tangent.volumetric[e * lanes + first..]);
+        let of_points = (0..P).map(|p| A::load(&unpack::<W, V>(growth, p)));
+        let growth = of_points.fold(A::splat(0.0), |sum, of_point| sum + of_point)
+            * A::load(&tangent.volumetric[e * lanes + first..]);
+        let growth = joined::<W, A, V>(&[growth; P]);
         let mut nodal_force = [[zero; VALUES]; CORNERS];
-        for q in 0..POINTS {
-            for (i, component) in stresses[q].as_flattened_mut().iter_mut().enumerate() {
-                *component = value(q, ENTRIES + i).mul_add(growth, *component);
+        for chunk in (0..POINTS).step_by(P) {
+            for (i, component) in stresses[chunk].as_flattened_mut().iter_mut().enumerate() {
+                *component = value(chunk, ENTRIES + i).mul_add(growth, *component);
             }
-            add_stress_force(&shape(q), &stresses[q], &mut nodal_force);
+            add_stress_force(&self.shapes_at::<W, P, V>(e, chunk), &stresses[chunk], &mut nodal_force);
         }
+        let nodal_force = summed::<W, P, A, V>(&nodal_force);
         let mut loss = elastic::element_force(element, self.solid.moduli, displacement);
         for (loss, force) in loss.as_flattened_mut().iter_mut().zip(nodal_force.as_flattened()) {
             *loss = *loss - *force;

@@ -16,6 +16,16 @@ pub fn pack<'a, const W: usize, const P: usize, V: Pack>(of_point: impl Fn(usize
     V::load(&lanes)
 }
 
+/// P points of W angles each, side by side, of single packs.
+#[inline(always)]
+pub fn joined<const W: usize, A: Pack, V: Pack>(of_points: &[A]) -> V {
+    let mut lanes = [0.0; MOST_LANES];
+    for (p, point) in of_points.iter().enumerate() {
+        point.store(&mut lanes[p * W..]);
+    }
+    V::load(&lanes)
+}
+
 /// The same number at all angles of a point.
 #[inline(always)]
 pub fn spread<const W: usize, const P: usize, V: Pack>(of_points: [f64; P]) -> V {
