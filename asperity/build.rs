@@ -1,5 +1,6 @@
-//! Lists the material presets, and computes the fingerprint of the sources that results depend on. It
-//! distinguishes builds of one version that give different results.
+//! Lists the material presets, and computes the fingerprint of what the numbers depend on: sources, versions of the
+//! dependencies, compiler, and instructions of the processor. It distinguishes builds of one version that give
+//! different results.
 
 use std::path::{Path, PathBuf};
 
@@ -21,6 +22,9 @@ const NOT_HASHED: [&str; 8] = [
 /// repository; a published one has the same version number.
 const OF_TABLES: [&str; 2] = ["../tables/src/interpolation/steffen.rs", "../tables/src/closed_forms"];
 
+/// Settings of the compiler, as cargo passes them.
+const SETTINGS: [&str; 4] = ["TARGET", "OPT_LEVEL", "CARGO_CFG_TARGET_FEATURE", "CARGO_ENCODED_RUSTFLAGS"];
+
 fn main() {
     let root = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").expect("set by cargo"));
     let mut files = Vec::new();
@@ -33,9 +37,19 @@ fn main() {
             println!("cargo::rerun-if-changed={}", path.display());
         }
     }
+    // Of the workspace, or of a published crate.
+    let locks = ["../Cargo.lock", "Cargo.lock"].map(|name| root.join(name));
+    if let Some(lock) = locks.into_iter().find(|file| file.exists()) {
+        println!("cargo::rerun-if-changed={}", lock.display());
+        files.push(lock);
+    }
     // Directories are not read in the order of names.
     files.sort();
     let mut hash = Sha256::new();
+    hash.update(compiler());
+    for setting in SETTINGS {
+        hash.update(std::env::var(setting).unwrap_or_default() + "\n");
+    }
     for file in files {
         let content = std::fs::read(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         let name = file.strip_prefix(&root).unwrap_or(&file).to_string_lossy().into_owned();
@@ -47,6 +61,13 @@ fn main() {
     println!("cargo::rustc-env=ASPERITY_FINGERPRINT={digits}");
     println!("cargo::rerun-if-changed=src");
     list_presets(&root.join("src/scene/presets"));
+}
+
+/// What the compiler says of its version.
+fn compiler() -> Vec<u8> {
+    let rustc = std::env::var_os("RUSTC").expect("set by cargo");
+    let said = std::process::Command::new(&rustc).arg("-vV").output();
+    said.unwrap_or_else(|error| panic!("{}: {error}", rustc.display())).stdout
 }
 
 /// Writes `const FILES: &[(name, content)]` of the files `NAME.toml` in a folder, by name.

@@ -1,44 +1,13 @@
 //! Every example runs and prints the expected results.
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::OnceLock;
+use std::path::Path;
 
-/// Where the examples are, built by the same profile as this test.
-fn examples() -> &'static Path {
-    static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    BUILT.get_or_init(|| {
-        // target/<profile>/deps/<this test>
-        let test = std::env::current_exe().unwrap();
-        let folder = test.parent().and_then(Path::parent).unwrap();
-        let profile = match folder.file_name().and_then(|name| name.to_str()) {
-            Some("debug") | None => "dev",
-            Some(profile) => profile,
-        };
-        // The whole workspace: for a part of it, cargo compiles dependencies anew.
-        let status = Command::new(env!("CARGO"))
-            .args(["build", "--quiet", "--offline", "--workspace", "--examples", "--profile", profile])
-            .arg("--target-dir")
-            .arg(folder.parent().unwrap())
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .status()
-            .unwrap();
-        assert!(status.success(), "the examples could not be built");
-        folder.join("examples")
-    })
-}
+use tests::programs::{example, execute_file, stderr};
 
 /// What an example prints.
-fn printed(name: &str, folder: &Path, arguments: &[&str]) -> String {
-    let built = examples().join(name);
-    let output = Command::new(&built)
-        .args(arguments)
-        .current_dir(folder)
-        .env("HDF5_USE_FILE_LOCKING", "FALSE")
-        .output()
-        .unwrap_or_else(|error| panic!("{}: {error}", built.display()));
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{name}: {errors}");
+fn printed(name: &str, folder: &Path, arguments: &str) -> String {
+    let output = execute_file(&example(name), folder, arguments);
+    assert!(output.status.success(), "{name}: {}", stderr(&output));
     String::from_utf8(output.stdout).unwrap()
 }
 
@@ -50,7 +19,7 @@ fn number(line: &str, place: usize) -> f64 {
 
 #[test]
 fn ten_lines_give_friction_with_its_error() {
-    let text = printed("ten_lines", Path::new("."), &[]);
+    let text = printed("ten_lines", Path::new("."), "");
     let [fixed, sliding] = ["static", "sliding"]
         .map(|name| number(text.lines().find(|line| line.starts_with(name)).unwrap(), 1));
     // As the same scene at its accuracy of 2 %: 0.2565 and 0.2350.
@@ -59,7 +28,7 @@ fn ten_lines_give_friction_with_its_error() {
 
 #[test]
 fn a_press_lies_near_jackson_and_green() {
-    let text = printed("hertz_to_slide", Path::new("."), &[]);
+    let text = printed("hertz_to_slide", Path::new("."), "");
     let load = |name: &str| {
         let line = text.lines().find(|line| line.trim_start().starts_with(name)).unwrap();
         let (_, load) = line.split_once("P = ").unwrap();
@@ -74,7 +43,7 @@ fn a_press_lies_near_jackson_and_green() {
 #[test]
 fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
     let folder = tempfile::tempdir().unwrap();
-    let text = printed("elastic_to_plastic", folder.path(), &["figure.svg"]);
+    let text = printed("elastic_to_plastic", folder.path(), "figure.svg");
     let rows: Vec<&str> = text.lines().filter(|line| line.contains('±')).collect();
     assert_eq!(rows.len(), 8, "{text}");
     for row in rows.iter().filter(|row| number(row, 0) < 1.0) {
@@ -90,7 +59,7 @@ fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
 
 #[test]
 fn presses_lie_between_the_fits() {
-    let text = printed("press_curves", Path::new("."), &["coarse"]);
+    let text = printed("press_curves", Path::new("."), "coarse");
     let rows: Vec<&str> = text.lines().filter(|line| line.ends_with('%')).collect();
     assert_eq!(rows.len(), 10, "{text}");
     // Off Jackson & Green, load and area, in per cent.
@@ -99,7 +68,7 @@ fn presses_lie_between_the_fits() {
 
 #[test]
 fn friction_follows_the_mesh_where_nothing_hardens_and_only_there() {
-    let text = printed("no_end_state", Path::new("."), &["coarse"]);
+    let text = printed("no_end_state", Path::new("."), "coarse");
     let ends: Vec<[f64; 2]> = text
         .lines()
         .skip(2)
@@ -115,7 +84,7 @@ fn friction_follows_the_mesh_where_nothing_hardens_and_only_there() {
 
 #[test]
 fn friction_of_a_rough_surface_from_a_closed_form_hardly_depends_on_pressure() {
-    let text = printed("rough_surface", Path::new("."), &[]);
+    let text = printed("rough_surface", Path::new("."), "");
     let rows: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("pressure")).skip(1).collect();
     let mu: Vec<f64> = rows.iter().filter(|row| !row.contains("warning")).map(|row| number(row, 3)).collect();
     assert_eq!(mu.len(), 9, "{text}");
@@ -125,7 +94,7 @@ fn friction_of_a_rough_surface_from_a_closed_form_hardly_depends_on_pressure() {
 #[test]
 fn the_study_compares_two_surfaces_and_is_not_computed_twice() {
     let folder = tempfile::tempdir().unwrap();
-    let text = printed("worn_surface", folder.path(), &["study"]);
+    let text = printed("worn_surface", folder.path(), "study");
     for name in ["table.nc", "fresh.nc", "worn.nc", "figure.svg"] {
         assert!(folder.path().join("study").join(name).exists(), "{name}");
     }
@@ -140,6 +109,6 @@ fn the_study_compares_two_surfaces_and_is_not_computed_twice() {
         assert!(number(row[4], 2) < number(row[0], 2) && number(row[4], 3) < number(row[0], 3), "{text}");
     }
     let begun = std::time::Instant::now();
-    assert_eq!(printed("worn_surface", folder.path(), &["study"]), text);
+    assert_eq!(printed("worn_surface", folder.path(), "study"), text);
     assert!(begun.elapsed().as_secs_f64() < 60.0);
 }

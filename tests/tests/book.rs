@@ -11,26 +11,7 @@ use roughsurface::surface::heights::DISTRIBUTIONS;
 use tables::numbers::plain;
 use tables::quantity::plausible::ranges;
 use tests::programs::{execute, stderr};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
-}
-
-/// Files below `folder` whose name ends so.
-fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap().flatten() {
-        let path = entry.path();
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if path.is_dir() && name != "target" && !name.starts_with('.') {
-            found.extend(files(&path, extension));
-        } else if name.ends_with(extension) {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
-}
+use tests::{files, root};
 
 fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))

@@ -1,6 +1,6 @@
 //! The structure of the source: rooms in one order, with arrows downwards only, and files of moderate length.
 
-use std::path::{Path, PathBuf};
+use tests::{files, root};
 
 /// Rooms of each crate from the bottom up, as named in CONTRIBUTING.md: a room may use those before it.
 const ROOMS: [(&str, &[&str]); 3] = [
@@ -45,22 +45,6 @@ const ENTRIES: [usize; 3] = [13, 10, 10];
 /// Lines of a file at most.
 const LINES: usize = 400;
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-        match entry.is_dir() {
-            true => found.extend(sources(&entry)),
-            false if entry.extension().is_some_and(|extension| extension == "rs") => found.push(entry),
-            false => {}
-        }
-    }
-    found
-}
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_path_buf()
-}
-
 /// First segments of the paths into the own crate that a file names, comments and documentation left out.
 fn rooms_used(text: &str, library: &str) -> Vec<String> {
     let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
@@ -84,7 +68,7 @@ fn rooms_use_only_the_rooms_below_them() {
     for (name, rooms) in ROOMS {
         let floor = |room: &str| rooms.iter().position(|known| *known == room);
         let src = root().join(name).join("src");
-        for file in sources(&src) {
+        for file in files(&src, ".rs") {
             let place = file.strip_prefix(&src).unwrap().iter().next().unwrap().to_str().unwrap();
             let Some(own) = floor(place.trim_end_matches(".rs")) else {
                 assert!(["lib.rs", "main.rs"].contains(&place), "{name}: {place} is not among its rooms");
@@ -108,10 +92,8 @@ fn folders_and_files_are_of_moderate_size() {
         assert!(entries <= most, "{name}/src has {entries} entries, {most} at most");
     }
     for folder in ["asperity", "tables", "roughsurface", "tests", "examples"] {
-        for file in
-            sources(&root().join(folder)).iter().filter(|file| !file.iter().any(|part| part == "target"))
-        {
-            let lines = std::fs::read_to_string(file).unwrap().lines().count();
+        for file in files(&root().join(folder), ".rs") {
+            let lines = std::fs::read_to_string(&file).unwrap().lines().count();
             assert!(lines <= LINES, "{} has {lines} lines, {LINES} at most", file.display());
         }
     }

@@ -12,7 +12,7 @@ use super::{ConvergenceArguments, Display, Failure, command_line, outputs};
 /// Runs the sequence of meshes, writes the file and prints the least expensive mesh that meets the accuracy.
 pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
-    let written = outputs::with_plot(&arguments.output, arguments.plot.as_deref());
+    let written = outputs::with_plots(&arguments.output, &arguments.plot);
     outputs::check(&[("the scene", &arguments.scene)], &written)?;
     let finest = usize::from(arguments.finest);
     if !finest.is_multiple_of(DIVISOR) {

@@ -49,6 +49,13 @@ impl Failure {
 }
 
 fn main() -> ExitCode {
+    tables::netcdf::check_processor();
+    program()
+}
+
+/// Not a part of `main`, whose first instructions might already be ones that the processor lacks.
+#[inline(never)]
+fn program() -> ExitCode {
     tables::netcdf::enable_sandbox();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,

@@ -12,8 +12,10 @@ use super::{Display, Failure, MergeArguments, command_line, outputs};
 /// Read the shards, check that they belong together, write the table.
 pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failure> {
     let shards: Vec<_> = arguments.shards.iter().map(|shard| ("a shard", shard.as_path())).collect();
-    outputs::check(&shards, &outputs::with_plot(&arguments.output, arguments.plot.as_deref()))?;
+    outputs::check(&shards, &outputs::with_plots(&arguments.output, &arguments.plot))?;
     let table = merged(&arguments.shards)?;
+    let plots = arguments.plot.iter().flat_map(|plot| outputs::plots(plot, &table.temperatures()));
+    outputs::check(&shards, &outputs::with_plots(&arguments.output, &plots.collect::<Vec<_>>()))?;
     let missing = table.missing();
     let cells: usize = table.slices().iter().map(|slice| slice.shape().0 * slice.shape().1).sum();
     if let Some(first) = missing.first()
@@ -25,9 +27,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         )));
     }
     let missing = missing.len();
-    table.write(&arguments.output).map_err(|error| {
-        Failure::Run(format!("{error}; the shards are unchanged: repeat with another output, or more space"))
-    })?;
+    outputs::save(&arguments.output, |path| table.write(path))?;
     if let Some(plot) = &arguments.plot {
         outputs::plot(&table, plot, &arguments.panel)?;
     }

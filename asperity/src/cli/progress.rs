@@ -8,6 +8,8 @@ use asperity::simulate::Watch;
 use asperity::simulate::expected_time::EXPECTED_TIME_FACTOR;
 use asperity::tabulate::{CellProgress, CellResult, Index, TableWatch};
 use indicatif::{ProgressBar, ProgressStyle};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::iterator::Signals;
 use tables::netcdf::streams::say;
 
 use super::Display;
@@ -19,19 +21,33 @@ static INTERRUPTED: OnceLock<Instant> = OnceLock::new();
 /// process group at once.
 const SAME_REQUEST: Duration = Duration::from_millis(500);
 
-/// From now on the first interrupt, or the signal that ends a batch job, requests a stop, so that results
-/// can be saved; the second ends the program at once.
+/// From now on the first interrupt, or the signal that ends a terminal or a batch job, requests a stop, so that results
+/// can be saved; the second ends the program at once. Signals that are ignored, as under `nohup`, stay ignored.
 pub fn watch_for_interrupt() {
-    let handler = || match INTERRUPTED.get() {
-        None => {
-            let _ = INTERRUPTED.set(Instant::now());
-            say("stopping; interrupt again to stop without saving");
-        }
-        Some(first) if first.elapsed() > SAME_REQUEST => std::process::exit(130),
-        Some(_) => {}
-    };
+    let ignored = ignored_signals();
+    let heard = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
     // Without a handler an interrupt ends the program, which is acceptable.
-    let _ = ctrlc::set_handler(handler);
+    let Ok(mut signals) = Signals::new(heard) else { return };
+    std::thread::spawn(move || {
+        for _ in signals.forever() {
+            match INTERRUPTED.get() {
+                None => {
+                    let _ = INTERRUPTED.set(Instant::now());
+                    say("stopping; interrupt again to stop without saving");
+                }
+                Some(first) if first.elapsed() > SAME_REQUEST => std::process::exit(130),
+                Some(_) => {}
+            }
+        }
+    });
+}
+
+/// The signals that the program was started to ignore, a bit each from signal 1 on; none where the system has no
+/// `/proc`.
+fn ignored_signals() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|digits| u64::from_str_radix(digits.trim(), 16).ok()).unwrap_or(0)
 }
 
 /// Shows the progress of a run or a tabulation.

@@ -72,7 +72,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
 
 fn check_outputs(arguments: &RunArguments) -> Result<(), Failure> {
     let inputs = [("the scene", arguments.scene.as_path())];
-    let written = outputs::with_plot(&arguments.output, arguments.plot.as_deref());
+    let written = outputs::with_plots(&arguments.output, &arguments.plot);
     let Some(directory) = &arguments.vtu else { return outputs::check(&inputs, &written) };
     let collection = directory.join(vtu::COLLECTION);
     let all = [&written[..], &[("a file of --vtu", &collection)]].concat();

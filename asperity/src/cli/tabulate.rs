@@ -21,9 +21,7 @@ use super::{Display, Failure, TabulateArguments, command_line, outputs, timings}
 pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
     let journal = journal_beside(&arguments.output);
-    let mut written = outputs::with_plot(&arguments.output, arguments.plot.as_deref());
-    written.push(("the journal", &journal));
-    outputs::check(&[("the request", &arguments.request)], &written)?;
+    check_outputs(arguments, &request.temperatures, &journal)?;
     display.warn(request.remarks());
     if display.verbose {
         say(format!("note: {}", Note::Defaults(request.template.defaults_in_effect())));
@@ -78,6 +76,14 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
             arguments.output.display()
         ))),
     }
+}
+
+fn check_outputs(arguments: &TabulateArguments, temperatures: &[f64], journal: &Path) -> Result<(), Failure> {
+    let plots = arguments.plot.iter().flat_map(|plot| outputs::plots(plot, temperatures));
+    let plots: Vec<PathBuf> = plots.collect();
+    let mut written = outputs::with_plots(&arguments.output, &plots);
+    written.push(("the journal", journal));
+    outputs::check(&[("the request", &arguments.request)], &written)
 }
 
 /// With --resume there is nothing to do.

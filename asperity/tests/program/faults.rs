@@ -366,6 +366,10 @@ fn what_is_no_file_is_not_replaced() {
     let _socket = std::os::unix::net::UnixListener::bind(folder.path().join("table.nc")).unwrap();
     let output = tabulate(folder.path(), &[]).output().unwrap();
     assert_eq!(output.status.code(), Some(2), "{}", message(&output));
-    assert!(message(&output).contains("table.nc: is not a regular file"), "{}", message(&output));
+    assert!(
+        message(&output).contains("table.nc: cannot be written: it is not a regular file"),
+        "{}",
+        message(&output)
+    );
     assert!(!folder.path().join("table.nc").metadata().unwrap().is_file());
 }

@@ -87,6 +87,47 @@ fn two_signals_at_once_are_one_request_and_lose_nothing() {
     assert_eq!(file.attribute_text("completion").unwrap(), "incomplete: stopped on request");
 }
 
+/// As `nohup` starts a program: the end of the terminal does not end it, a request to stop still does.
+#[test]
+fn signals_that_are_ignored_stay_ignored() {
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    let scene = format!("{MATERIAL}[loading]\ninterference = 5\nslip_rate = 0\n{NUMERICS}");
+    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    for (signals, expected) in [(&["-HUP"][..], 0), (&["-HUP", "-TERM"], 1)] {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", "trap '' HUP; exec \"$ASPERITY\" run scene.toml -o run.nc --progress"]);
+        shell.env("ASPERITY", env!("CARGO_BIN_EXE_asperity")).current_dir(directory.path());
+        let child = shell.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let (status, said) = interrupt_at(child, signals, |line| line.contains("coarse mesh"));
+        assert_eq!(status, Some(expected), "{signals:?}: {said}");
+        assert_eq!(said.contains("stopping"), expected == 1, "{signals:?}: {said}");
+    }
+}
+
+/// A mesh of which a single factorisation takes minutes: the stop is honoured within it.
+#[test]
+fn a_request_to_stop_is_honoured_within_a_factorisation() {
+    /// Of processor time; a second is promised, the machine may be busy.
+    const LATEST: std::time::Duration = std::time::Duration::from_secs(5);
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    let numerics = "[numerics]\nelements_per_radius = 192\n";
+    let scene = format!("{MATERIAL}[loading]\ninterference = 20\nslip_rate = 1\n{numerics}");
+    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    for after in [0.5, 2.0, 5.0] {
+        let mut child = start(directory.path(), "run scene.toml -o run.nc");
+        std::thread::sleep(std::time::Duration::from_secs_f64(after));
+        assert!(child.try_wait().unwrap().is_none(), "it ended before it could be interrupted");
+        let asked = std::time::Instant::now();
+        assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
+        let output = child.wait_with_output().unwrap();
+        assert!(asked.elapsed() < LATEST, "after {after} s: {:?}", asked.elapsed());
+        assert_eq!(output.status.code(), Some(1), "{}", message(&output));
+        assert!(message(&output).contains("stopped on request"), "{}", message(&output));
+    }
+}
+
 #[test]
 fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
     let _alone = alone();

@@ -13,13 +13,14 @@ const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius =
                        [table]\ninterference = [1, 10]\nslip_rate = [0, 1]\n\
                        [numerics]\nelements_per_radius = 4\nsectors = 4\n";
 
-/// A folder with the undivided table and both shards of it.
+/// A folder with the undivided table, by two threads, and both shards of it, by one.
 fn made() -> PathBuf {
     static MADE: OnceLock<tempfile::TempDir> = OnceLock::new();
     let folder = MADE.get_or_init(|| {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
-        for output in ["whole.nc --jobs 2", "1.nc --shard 1/2", "2.nc --shard 2/2 --resume"] {
+        for output in ["whole.nc --jobs 2", "1.nc --jobs 1 --shard 1/2", "2.nc --jobs 1 --shard 2/2 --resume"]
+        {
             done(folder.path(), &format!("tabulate request.toml -o {output}"));
         }
         folder

@@ -110,6 +110,40 @@ fn a_run_for_which_there_is_no_room_is_saved_elsewhere() {
     }
 }
 
+/// The same of shards in one.
+#[test]
+fn a_table_for_which_there_is_no_room_is_saved_elsewhere() {
+    let _alone = alone();
+    let folder = folder();
+    let request = SCENE.replace("interference = 1\nslip_rate = 0\n", "")
+        + "[table]\ninterference = [1]\nslip_rate = [0]\n";
+    std::fs::write(folder.path().join("request.toml"), request).unwrap();
+    crate::done(folder.path(), "tabulate request.toml -o shard.nc --jobs 1");
+    let whole = std::fs::metadata(folder.path().join("shard.nc")).unwrap().len() / 1024;
+    let mut saved_elsewhere = 0;
+    for kilobytes in [4, 16, 24, 32, 40, 48, 64, 96, 128, 180] {
+        let script = format!(
+            "mkdir -p disk; mount -t tmpfs -o size={kilobytes}k tmpfs disk; export TMPDIR=$PWD
+             $ASPERITY merge shard.nc -o disk/table.nc --quiet; status=$?; cp disk/table.nc .; exit $status"
+        );
+        let Some(output) = in_namespace(folder.path(), &script) else { return };
+        let said = message(&output);
+        let place = match output.status.code() {
+            Some(0) => folder.path().join("table.nc"),
+            status => {
+                assert_eq!(status, Some(1), "{kilobytes} kB: {said}");
+                assert!(said.contains("no space left on the disk"), "{kilobytes} kB: {said}");
+                saved_elsewhere += 1;
+                let (_, place) = said.split_once("the results are in ").expect(&said);
+                place.split_once(" instead").unwrap().0.into()
+            }
+        };
+        tables::table::Table::read(&place).expect(&said);
+        std::fs::remove_file(place).unwrap();
+    }
+    assert!(saved_elsewhere > 0 && whole < 180, "the shard has {whole} kB");
+}
+
 /// A request or scene from standard input, and remarks on it before the run.
 #[test]
 fn a_scene_may_come_from_standard_input() {
@@ -133,7 +167,7 @@ fn a_scene_may_come_from_standard_input() {
 fn names_that_become_too_long_are_refused_at_once() {
     let _alone = alone();
     let folder = folder();
-    let name = "n".repeat(248);
+    let name = "n".repeat(252);
     for place in [format!("{name}.svg"), format!("{name}.toolong")] {
         let output = crate::asperity(folder.path(), &format!("run scene.toml -o {place}"));
         assert_eq!(output.status.code(), Some(2), "{}", message(&output));

@@ -4,10 +4,11 @@ use anyhow::{Context, anyhow};
 use clap::Args;
 use roughsurface::friction::PredictionError;
 use roughsurface::integral::separation::SeparationError;
+use std::fmt::Display as Printable;
 use std::path::Path;
 use tables::law::LookupError;
 use tables::netcdf::streams::{print, say};
-use tables::netcdf::{check_distinct, destination, write_atomically};
+use tables::netcdf::{self, write_atomically};
 
 #[derive(Args)]
 pub struct RunOptions {
@@ -40,10 +41,7 @@ pub type Roles<'a> = [(&'a str, Option<&'a Path>)];
 pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
     let outputs: Vec<(&str, &Path)> =
         outputs.iter().filter_map(|(role, path)| path.map(|path| (*role, path))).collect();
-    for (_, path) in &outputs {
-        check_folder(path)?;
-    }
-    check_distinct(inputs, &outputs).map_err(input)
+    netcdf::check_outputs(inputs, &outputs).map_err(input)
 }
 
 /// Failure of a command, by exit status.
@@ -82,7 +80,7 @@ pub fn failure(error: PredictionError) -> Failure {
 /// Warnings to stderr, the summary to stdout.
 pub fn summarise(
     display: &Display,
-    warnings: &[impl std::fmt::Display],
+    warnings: &[impl Printable],
     text: impl Fn() -> String,
     json: impl Fn() -> serde_json::Value,
 ) -> Result<(), Failure> {
@@ -99,29 +97,15 @@ pub fn summarise(
     printed.map_err(|error| Failure::Run(anyhow!("standard output cannot be written: {error}")))
 }
 
+/// Writes a result, elsewhere where `output` cannot take it; see [`netcdf::save`].
+pub fn save<E: Printable>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -> Result<(), Failure> {
+    netcdf::save(output, write).map_err(|error| Failure::Run(error.into()))
+}
+
 /// Writes a file that appears whole or not at all.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_atomically(path, bytes)
         .map_err(|error| Failure::Run(anyhow!("cannot write {}: {error}", path.display())))
-}
-
-fn check_folder(path: &Path) -> Result<(), Failure> {
-    let place = destination(path);
-    let folder = match place.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let reason = if place.is_dir() {
-        "it is a folder"
-    } else if !folder.is_dir() {
-        "its folder does not exist"
-    } else if place.exists() && !place.is_file() {
-        // A device would be replaced by the file.
-        "it is not a regular file"
-    } else {
-        return Ok(());
-    };
-    Err(input(anyhow!("cannot write {}: {reason}", path.display())))
 }
 
 pub fn thread_pool(options: &RunOptions) -> Result<rayon::ThreadPool, Failure> {

@@ -173,20 +173,25 @@ fn compute(
 }
 
 fn write(options: &Predict, display: &Display, results: &Results, surface: &str) -> Result<(), Failure> {
-    let failed = |error: anyhow::Error| Failure::Run(error);
     let origin = Origin { surface, table: options.input.table(), history: &history(&command_line()) };
-    friction_file::write(&options.output, results, &origin).map_err(|error| failed(error.into()))?;
-    if let Some(plot) = &options.plot {
-        let drawn = figure(results).only(&options.panel).and_then(|figure| figure.save(plot));
-        drawn.map_err(|error| failed(error.into()))?;
-    }
-    if let Some(report) = &options.report {
-        write_whole(report, report::html(results, &origin).as_bytes())?;
-    }
-    summarise(
+    let saved = save(&options.output, |path| friction_file::write(path, results, &origin));
+    let drawn = draw(options, results, &origin);
+    let printed = summarise(
         display,
         &Warning::condensed(&results.prediction.warnings),
         || summary::text(results),
         || summary_json::json(results),
-    )
+    );
+    saved.and(drawn).and(printed)
+}
+
+fn draw(options: &Predict, results: &Results, origin: &Origin) -> Result<(), Failure> {
+    if let Some(plot) = &options.plot {
+        let drawn = figure(results).only(&options.panel).and_then(|figure| figure.save(plot));
+        drawn.map_err(|error| Failure::Run(error.into()))?;
+    }
+    match &options.report {
+        Some(report) => write_whole(report, report::html(results, origin).as_bytes()),
+        None => Ok(()),
+    }
 }

@@ -72,11 +72,12 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     samples.warnings.splice(..0, warnings);
     let history = netcdf::history(&command_line());
     let origin = Origin { surface: &file.text, table: options.input.table(), history: &history };
-    sample_file::write(&options.output, &samples, &origin).map_err(|error| Failure::Run(error.into()))?;
-    summarise(
+    let saved = save(&options.output, |path| sample_file::write(path, &samples, &origin));
+    let printed = summarise(
         display,
         &Warning::condensed(&samples.warnings),
         || sample_file::text(&samples),
         || sample_file::json(&samples),
-    )
+    );
+    saved.and(printed)
 }

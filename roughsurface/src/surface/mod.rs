@@ -15,13 +15,9 @@ pub mod radii;
 
 use std::io;
 use std::path::Path;
+use tables::netcdf::check_regular;
 
 /// The content of a regular file: reading a FIFO or a device might not end.
 pub(crate) fn read_regular(file: &Path) -> io::Result<Vec<u8>> {
-    let metadata = std::fs::metadata(file)?;
-    match (metadata.is_file(), metadata.is_dir()) {
-        (true, _) => std::fs::read(file),
-        (_, true) => Err(io::Error::other("it is a folder")),
-        _ => Err(io::Error::other("it is a FIFO, a socket or a device, not a regular file")),
-    }
+    check_regular(file).and_then(|()| std::fs::read(file))
 }

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use super::Topography;
 
 /// Transforms `data`, rows × columns, in place; the inverse is divided by the number of points.
-fn transform(data: &mut Vec<Complex<f64>>, rows: usize, columns: usize, inverse: bool) {
+pub(super) fn transform(data: &mut Vec<Complex<f64>>, rows: usize, columns: usize, inverse: bool) {
     let mut planner = FftPlanner::new();
     let mut along_rows = |data: &mut [Complex<f64>], columns: usize| {
         let plan = match inverse {

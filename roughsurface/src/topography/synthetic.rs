@@ -1,11 +1,10 @@
 //! Surfaces with known spectra, for tests.
 
 use super::Topography;
+use super::fft::transform;
 use super::filter::transmission;
-use gauss_quad::GaussLegendre;
 use rand::{RngExt, SeedableRng};
 use rand_distr::StandardNormal;
-use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
 
@@ -68,29 +67,17 @@ impl SelfAffine {
         1e-20 * (q.max(roll_off) / roll_off).powf(-2.0 - 2.0 * self.hurst)
     }
 
-    /// m_n after the filter: A/(2π)² ∫ power·transmission²·qⁿ·(1, 1/2, 3/8) 2πq dq.
-    pub fn moment(&self, n: i32, cutoff: f64) -> f64 {
-        let rule = GaussLegendre::new(40).unwrap();
-        let area = (self.points as f64 * PIXEL).powi(2);
-        let of = |q: f64| self.power(q) * transmission(q, cutoff).powi(2) * q.powi(n + 1);
-        let roll_off = 2.0 * PI / (self.roll_off_pixels * PIXEL);
-        let highest = 2.0 * PI / self.shortest() * (1.0 - 1e-12);
-        let middle = (roll_off * highest).sqrt();
-        let integral = rule.integrate(0.0, roll_off, of)
-            + rule.integrate(roll_off, middle, of)
-            + rule.integrate(middle, highest, of);
-        let share = [1.0, 0.0, 0.5, 0.0, 0.375][n as usize];
-        share * area / (2.0 * PI) * integral
+    /// Wavenumber of the wave at a place of the transform.
+    fn wavenumber(&self, place: usize) -> f64 {
+        let n = self.points;
+        let signed = |index: usize| if 2 * index > n { index as f64 - n as f64 } else { index as f64 };
+        2.0 * PI / (n as f64 * PIXEL) * signed(place / n).hypot(signed(place % n))
     }
 
     /// m_n of the map after the filter: the sum over its waves of power·transmission²·qⁿ·(1, 1/2, 3/8).
     pub fn sum(&self, n: i32, cutoff: f64) -> f64 {
-        let signed = |index: usize| {
-            if 2 * index > self.points { index as f64 - self.points as f64 } else { index as f64 }
-        };
         let of = |place: usize| {
-            let q = 2.0 * PI / (self.points as f64 * PIXEL)
-                * signed(place / self.points).hypot(signed(place % self.points));
+            let q = self.wavenumber(place);
             self.power(q) * transmission(q, cutoff).powi(2) * q.powi(n)
         };
         [1.0, 0.0, 0.5, 0.0, 0.375][n as usize] * (1..self.points * self.points).map(of).sum::<f64>()
@@ -107,15 +94,13 @@ impl SelfAffine {
         let mut random = crate::surface::heights::Random::seed_from_u64(seed);
         let mut waves: Vec<Complex<f64>> =
             (0..n * n).map(|_| Complex::new(random.sample::<f64, _>(StandardNormal), 0.0)).collect();
-        both_ways(&mut waves, n, false);
-        let signed = |index: usize| if 2 * index > n { index as f64 - n as f64 } else { index as f64 };
+        transform(&mut waves, n, n, false);
         for (place, wave) in waves.iter_mut().enumerate() {
-            let q = 2.0 * PI / (n as f64 * PIXEL) * signed(place / n).hypot(signed(place % n));
-            let power = if place == 0 { 0.0 } else { self.power(q) + noise };
+            let power = if place == 0 { 0.0 } else { self.power(self.wavenumber(place)) + noise };
             *wave *= (n * n) as f64 * power.sqrt() / wave.norm();
         }
-        both_ways(&mut waves, n, true);
-        square(n, waves.into_iter().map(|wave| wave.re / (n * n) as f64).collect())
+        transform(&mut waves, n, n, true);
+        square(n, waves.into_iter().map(|wave| wave.re).collect())
     }
 
     /// A quarter of the map, which does not continue at its edges.
@@ -123,18 +108,5 @@ impl SelfAffine {
         let (whole, half) = (self.map(seed), self.points / 2);
         let heights = (0..half * half).map(|p| whole.heights[p / half * self.points + p % half]).collect();
         Topography { periodic: false, ..square(half, heights) }
-    }
-}
-
-fn both_ways(waves: &mut [Complex<f64>], n: usize, inverse: bool) {
-    let mut planner = FftPlanner::new();
-    let plan = if inverse { planner.plan_fft_inverse(n) } else { planner.plan_fft_forward(n) };
-    for _ in 0..2 {
-        plan.process(waves);
-        for row in 0..n {
-            for column in 0..row {
-                waves.swap(row * n + column, column * n + row);
-            }
-        }
     }
 }

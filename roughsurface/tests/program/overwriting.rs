@@ -15,6 +15,17 @@ slip_rate = 1.0
 tables = { conductivity = "up.nc" }
 "#;
 
+#[cfg(target_os = "linux")]
+const PLAIN: &str = r#"
+[surface]
+asperity_density = 1e10
+asperity_radius = 100e-6
+heights = { distribution = "gaussian", std = 1e-7 }
+[query]
+pressure = 1e6
+slip_rate = 1.0
+"#;
+
 /// A folder with a table, two links to it, a surface, its heights, and a map.
 fn folder(name: &str) -> Folder {
     let folder = Folder::new(name);
@@ -63,6 +74,45 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
         assert!(before == after, "{command}");
     }
     assert!(!folder.path("f.nc").exists() && !folder.path("f.svg").exists());
+}
+
+/// A small disk: the prediction is on it, or in the place that the message names, and is printed.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_prediction_for_which_there_is_no_room_is_saved_elsewhere() {
+    use std::process::Command;
+    let folder = folder("full-disk");
+    let allowed = Command::new("unshare").args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"]).output();
+    if !allowed.is_ok_and(|output| output.status.success()) {
+        eprintln!("skipped: no mount namespaces here");
+        return;
+    }
+    folder.write("plain.toml", PLAIN);
+    for kilobytes in [4, 16, 24, 32, 40, 48, 64, 96, 128, 180] {
+        let script = format!(
+            "mkdir -p disk; mount -t tmpfs -o size={kilobytes}k tmpfs disk; export TMPDIR=$PWD
+             $ROUGHSURFACE predict plain.toml --table table.nc -o disk/f.nc; status=$?; cp disk/f.nc .; exit $status"
+        );
+        let mut command = Command::new("unshare");
+        command.args(["-rm", "sh", "-c", &script]).current_dir(folder.path("."));
+        let output = command.env("ROUGHSURFACE", env!("CARGO_BIN_EXE_roughsurface")).output().unwrap();
+        let said = stderr(&output);
+        assert!(
+            String::from_utf8_lossy(&output.stdout).contains("friction"),
+            "{kilobytes} kB: the summary is lost"
+        );
+        let place = match output.status.code() {
+            Some(0) => folder.path("f.nc"),
+            status => {
+                assert_eq!(status, Some(1), "{kilobytes} kB: {said}");
+                assert!(said.contains("no space left on the disk"), "{kilobytes} kB: {said}");
+                let (_, place) = said.split_once("the results are in ").expect(&said);
+                place.split_once(" instead").unwrap().0.into()
+            }
+        };
+        tables::netcdf::DatasetReader::open(&place).expect(&said);
+        std::fs::remove_file(place).unwrap();
+    }
 }
 
 /// The file of heights beside the surface file would replace the map.

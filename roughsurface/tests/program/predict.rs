@@ -1,13 +1,13 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
 use crate::demonstration::{STEEL, Weakening, table};
-use crate::folder::{Folder, program, stderr};
+use crate::folder::{Folder, program};
 use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
 use tables::closed_forms::hertz;
-use tables::netcdf::DatasetReader;
+use tables::netcdf::{DatasetReader, DatasetWriter};
 use tables::table::{Metadata, Table};
 
 const SURFACE: &str = r#"
@@ -98,32 +98,6 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
 }
 
 #[test]
-fn load_above_the_table_is_extrapolated_and_said_so() {
-    let folder = folder("beyond");
-    let law = Weakening::new();
-    table(&law, 20.0).write(&folder.path("table.nc")).unwrap();
-    let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc");
-    assert!(stderr(&output).contains("extrapolated towards the fully plastic limit"), "{}", stderr(&output));
-    let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
-    let outside = file.reals("outside_table_fraction", &[3, 5]).unwrap();
-    assert!(outside.iter().all(|share| *share > 1e-3 && *share < 1.0));
-}
-
-#[test]
-fn contacts_too_large_for_their_asperities_are_refused() {
-    let folder = folder("too-large");
-    table(&Weakening::new(), 20.0).write(&folder.path("table.nc")).unwrap();
-    let wide = SURFACE.replace("0.05e-6", "50e-6");
-    assert_ne!(wide, SURFACE);
-    std::fs::write(folder.path("surface.toml"), wide).unwrap();
-    let strict = "predict surface.toml --table table.nc -o friction.nc";
-    folder.refused(strict, "above 0.4 of their radius");
-    folder.refused(strict, "--extrapolate");
-    assert!(!folder.path("friction.nc").exists());
-    folder.run_well("predict surface.toml --table table.nc -o friction.nc --extrapolate");
-}
-
-#[test]
 fn elastic_asperities_of_constant_strength_with_exponential_heights() {
     // μ = 0.4039/ψ at ν = 0.3 and any load, for ψ small enough to stay elastic.
     let folder = folder("elastic");
@@ -166,11 +140,17 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
 fn bad_input_ends_with_status_two_and_one_line() {
     let folder = folder("input");
     folder.write("typo.toml", SURFACE.replace("pressure", "presure"));
+    // NetCDF, but not a table.
+    let mut foreign = DatasetWriter::create(&folder.path("foreign.nc"), "foreign").unwrap();
+    foreign.dimension("x", 2).unwrap();
+    foreign.finish().unwrap();
     for (arguments, message) in [
         ("predict typo.toml --table model:hertz -o f.nc", "did you mean pressure?"),
         ("predict none.toml --table model:hertz -o f.nc", "none.toml: cannot be read"),
         ("predict surface.toml --table model:herz -o f.nc", "kogut-etsion"),
         ("predict surface.toml --table none.nc -o f.nc", "cannot read none.nc"),
+        ("predict surface.toml --table surface.toml -o f.nc", "surface.toml"),
+        ("predict surface.toml --table foreign.nc -o f.nc", "foreign.nc"),
         ("predict surface.toml --table model:hertz -o no/f.nc", "its folder does not exist"),
         ("predict surface.toml --table model:hertz -o f.nc --plot f.gif", "must be one of svg, png, pdf"),
         ("predict surface.toml --table model:hertz -o f.nc --compare herz", "--compare herz: must be among"),

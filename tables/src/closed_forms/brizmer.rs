@@ -8,13 +8,6 @@
 //! Recalled from the literature; the yield fits agree with an independent computation to 8 %
 //! at ν = 0.3 and better elsewhere.
 //!
-//! ```
-//! use tables::closed_forms::brizmer::static_friction;
-//!
-//! // 0.27 coth(0.27 P*^0.35): 0.27 under heavy load.
-//! assert!((static_friction(1e6) - 0.27).abs() < 1e-3 && static_friction(1.0) > 1.0);
-//! ```
-//!
 //! Symbols: δ* = ω/δ_c and P* = P/L_c with δ_c, L_c interference and load of first yield in
 //! full stick.
 

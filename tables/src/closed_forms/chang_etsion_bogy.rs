@@ -6,13 +6,6 @@
 //! doi 10.1115/1.3261575 (static friction), the latter in the form that M. Eriten et al. gave it,
 //! for ν = 0.3.
 //!
-//! ```
-//! use tables::closed_forms::chang_etsion_bogy::static_friction;
-//!
-//! // None is left once the sphere has yielded.
-//! assert!(static_friction(0.3) > 0.5 && static_friction(1.0) == 0.0);
-//! ```
-//!
 //! Symbols: ω* = ω/ω_c with the authors' first yield at a peak pressure of KH, H = 2.8 σ_Y.
 //! Volume conservation makes the load jump by a half at ω* = 1, as published.
 

@@ -101,15 +101,13 @@ impl Frame {
         let ends = points().flat_map(|(_, y, error)| [y - if panel.y.log { 0.0 } else { *error }, y + error]);
         let y = ends.chain(corners().map(|corner| corner[1]));
         let (x, y) = (Range::new(&panel.x, x), Range::new(&panel.y, y));
-        let widest =
-            |ticks: &Ticks| ticks.labelled.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max);
         let bar = match panel.field.as_ref().and_then(|field| scale(&field.colors)) {
-            Some((_, range)) => 2.0 * GAP + BAR_WIDTH + widest(&range.ticks()) + GAP + LABEL,
+            Some((_, range)) => 2.0 * GAP + BAR_WIDTH + range.ticks().widest() + GAP + LABEL,
             None => 0.0,
         };
         let last_label = 0.5 * x.ticks().labelled.last().map_or(0.0, |(_, label)| width(label, SMALL));
         let mut frame = Self {
-            left: LABEL + 2.0 * GAP + widest(&y.ticks()),
+            left: LABEL + 2.0 * GAP + y.ticks().widest(),
             top: if panel.title.is_empty() { 2.0 * GAP } else { LABEL + 2.5 * GAP },
             right: SIZE.0 - bar - legend - (last_label + 1.0).max(2.0 * GAP),
             bottom: SIZE.1 - SMALL - LABEL - 3.0 * GAP,
@@ -147,19 +145,15 @@ impl Frame {
             vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)],
             0.6,
         );
-        for (ticks, length) in [(values(&x), TICK), (x.minor.clone(), 0.5 * TICK)] {
-            for value in ticks {
-                let along = self.place(value, self.y.from).0;
-                group.line(vec![(along, bottom), (along, bottom - length)], 0.5);
-                group.line(vec![(along, top), (along, top + length)], 0.5);
-            }
+        for (value, length) in x.all() {
+            let along = self.place(value, self.y.from).0;
+            group.line(vec![(along, bottom), (along, bottom - length)], 0.5);
+            group.line(vec![(along, top), (along, top + length)], 0.5);
         }
-        for (ticks, length) in [(values(&y), TICK), (y.minor.clone(), 0.5 * TICK)] {
-            for value in ticks {
-                let height = self.place(self.x.from, value).1;
-                group.line(vec![(left, height), (left + length, height)], 0.5);
-                group.line(vec![(right, height), (right - length, height)], 0.5);
-            }
+        for (value, length) in y.all() {
+            let height = self.place(self.x.from, value).1;
+            group.line(vec![(left, height), (left + length, height)], 0.5);
+            group.line(vec![(right, height), (right - length, height)], 0.5);
         }
         for (value, label) in &x.labelled {
             let along = self.place(*value, self.y.from).0;
@@ -179,9 +173,8 @@ impl Frame {
         let middle = (0.5 * (left + right), 0.5 * (top + bottom));
         let below = bottom + SMALL + LABEL + 1.5 * GAP;
         group.text((middle.0, below), &panel.x.label, LABEL, Anchor::Middle);
-        let widest = y.labelled.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max);
         let size = fitting(&panel.y.label, 2.0 * middle.1.min(SIZE.1 - middle.1));
-        group.text((left - widest - 1.5 * GAP, middle.1), &panel.y.label, size, Anchor::Upwards);
+        group.text((left - y.widest() - 1.5 * GAP, middle.1), &panel.y.label, size, Anchor::Upwards);
         let size = fitting(&panel.title, 2.0 * middle.0.min(SIZE.0 - middle.0));
         group.text((middle.0, top - 1.2 * GAP), &panel.title, size, Anchor::Middle);
     }
@@ -218,17 +211,15 @@ impl Frame {
         frame.extend_from_within(..2);
         group.line(frame, 0.5);
         let ticks = range.ticks();
-        let mut widest: f64 = 0.0;
         for (value, text) in &ticks.labelled {
             group.line(vec![(right, height(*value)), (right - 2.0, height(*value))], 0.5);
             group.text((right + 0.5 * GAP, height(*value) + 0.36 * SMALL), text, SMALL, Anchor::Start);
-            widest = widest.max(width(text, SMALL));
         }
         if ticks.exponent != 0 {
             group.text((left, self.top - 0.5 * GAP), multiplied(ticks.exponent), SMALL, Anchor::Start);
         }
         let middle = 0.5 * (self.top + self.bottom);
-        group.text((right + GAP + widest + 0.9 * LABEL, middle), label, LABEL, Anchor::Upwards);
+        group.text((right + GAP + ticks.widest() + 0.9 * LABEL, middle), label, LABEL, Anchor::Upwards);
     }
 
     fn curve(&self, drawing: &Drawing, group: &mut Group) {
@@ -316,8 +307,17 @@ fn fitting(text: &str, room: f64) -> f64 {
     LABEL.min(LABEL * room / width(text, LABEL))
 }
 
-fn values(ticks: &Ticks) -> Vec<f64> {
-    ticks.labelled.iter().map(|(value, _)| *value).collect()
+impl Ticks {
+    /// Values and lengths, those with labels first.
+    fn all(&self) -> impl Iterator<Item = (f64, f64)> {
+        let labelled = self.labelled.iter().map(|(value, _)| (*value, TICK));
+        labelled.chain(self.minor.iter().map(|value| (*value, 0.5 * TICK)))
+    }
+
+    /// Length of the longest label.
+    fn widest(&self) -> f64 {
+        self.labelled.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max)
+    }
 }
 
 fn multiplied(exponent: i32) -> String {

@@ -91,36 +91,32 @@ impl Slice {
             if mapped {
                 panels.push(map(&table, shown));
             }
-            panels.push(match positive >= 2 {
-                true => self.over_slip_rate(shown),
-                false => self.over_interference(shown),
-            });
+            panels.push(self.over(positive >= 2, shown));
         }
         panels.push(self.along_the_slide());
         Figure::new(self.metadata().title.replace("omega_c", "ω_{c}"), panels)
     }
 
-    fn over_slip_rate(&self, shown: &Shown) -> Panel {
+    /// A quantity along one axis, a curve for each point of the other.
+    fn over(&self, slip_rate: bool, shown: &Shown) -> Panel {
         let axes = self.axes();
-        let label = |i: usize| interference_label(axes.interference[i]);
-        let curve = |i: usize| {
-            let at = |j: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), shown.value);
-            let (y, error) = (0..axes.slip_rate.len()).map(at).unzip();
-            Curve::new(label(i), axes.slip_rate.clone(), y).with_error(error)
+        let (label, x, curves) = match slip_rate {
+            true => (RATE_LABEL, &axes.slip_rate, axes.interference.len()),
+            false => (INTERFERENCE_LABEL, &axes.interference, axes.slip_rate.len()),
         };
-        let curves = selection(axes.interference.len()).map(curve).collect();
-        shown.panel(Axis::logarithmic(RATE_LABEL), curves)
-    }
-
-    fn over_interference(&self, shown: &Shown) -> Panel {
-        let axes = self.axes();
-        let curve = |j: usize| {
-            let at = |i: usize| self.cell(i, j).map_or((f64::NAN, f64::NAN), shown.value);
-            let (y, error) = (0..axes.interference.len()).map(at).unzip();
-            Curve::new(rate_label(axes.slip_rate[j]), axes.interference.clone(), y).with_error(error)
+        let curve = |n: usize| {
+            let cell = |m: usize| if slip_rate { self.cell(n, m) } else { self.cell(m, n) };
+            let at = |m: usize| cell(m).map_or((f64::NAN, f64::NAN), shown.value);
+            let (y, error) = (0..x.len()).map(at).unzip();
+            let name = match slip_rate {
+                true => interference_label(axes.interference[n]),
+                false => rate_label(axes.slip_rate[n]),
+            };
+            Curve::new(name, x.clone(), y).with_error(error)
         };
-        let curves = selection(axes.slip_rate.len()).map(curve).collect();
-        shown.panel(Axis::logarithmic(INTERFERENCE_LABEL), curves)
+        let y = Axis { log: shown.log, ..Axis::linear(shown.label) };
+        let curves = selection(curves).map(curve).collect();
+        Panel::new(shown.name, shown.title, Axis::logarithmic(label), y, curves)
     }
 
     /// Friction against slip at the middle interference, a curve for each slip rate.
@@ -135,13 +131,6 @@ impl Slice {
         let title = format!("Along the slide, {}", interference_label(axes.interference[middle]));
         let (x, y) = (Axis::logarithmic("Slip s/a_{0}"), Axis::linear(FRICTION_LABEL));
         Panel::new("slide", title, x, y, selection(axes.slip_rate.len()).map(curve).collect())
-    }
-}
-
-impl Shown {
-    fn panel(&self, x: Axis, curves: Vec<Curve>) -> Panel {
-        let y = Axis { log: self.log, ..Axis::linear(self.label) };
-        Panel::new(self.name, self.title, x, y, curves)
     }
 }
 

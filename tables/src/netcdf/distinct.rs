@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::atomic::destination;
+use super::atomic::{destination, folder_of};
 
 /// Two files of a command that are one.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -60,8 +60,8 @@ fn identity(path: &Path) -> Identity {
         return Identity::Existing(metadata.dev(), metadata.ino());
     }
     let place = destination(path);
-    let folder = place.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     // A folder that does not exist is reported where the file is opened.
+    let folder = folder_of(&place);
     let folder = folder.canonicalize().unwrap_or(folder.to_path_buf());
     Identity::Place(folder.join(place.file_name().unwrap_or_default()))
 }

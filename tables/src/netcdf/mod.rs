@@ -7,9 +7,10 @@
 //! - A file is built in memory, so that no library meets a full disk (`memory`).
 //! - A checksum of all bytes, verified before the netCDF library opens the file; a sandbox in which files of other
 //!   programs are read first ([`enable_sandbox`]).
-//! - [`write_atomically`]: every file of the project is written completely or not at all; [`check_distinct`]: no
+//! - [`write_atomically`]: every file of the project is written completely or not at all; [`check_outputs`]: no
 //!   output replaces an input or another output.
-//! - [`streams`]: standard output and standard error.
+//! - [`streams`]: standard output and standard error; [`check_processor`]: the processor has the instructions of the
+//!   program.
 //!
 //! Depends on `table` and `quantity`. Chapter "Table: table.nc" of the book.
 
@@ -19,6 +20,8 @@ mod classic_header;
 mod csv;
 mod distinct;
 mod memory;
+mod outputs;
+mod processor;
 mod reader;
 mod sandbox;
 pub mod schema;
@@ -33,7 +36,9 @@ pub use ::netcdf::AttributeValue;
 
 pub use atomic::{destination, in_words, write_atomically};
 pub use distinct::{SameFile, check_distinct};
-pub use reader::DatasetReader;
+pub use outputs::{NotSaved, OutputError, check_outputs, probe, save};
+pub use processor::check_processor;
+pub use reader::{DatasetReader, check_regular};
 pub use sandbox::enable as enable_sandbox;
 pub use writer::{DatasetWriter, history};
 

@@ -16,6 +16,16 @@ pub struct DatasetReader {
     most_values: usize,
 }
 
+/// Refuses what is not a regular file: reading a FIFO or a device might not end.
+pub fn check_regular(path: &Path) -> std::io::Result<()> {
+    let metadata = std::fs::metadata(path)?;
+    match (metadata.is_file(), metadata.is_dir()) {
+        (true, _) => Ok(()),
+        (_, true) => Err(std::io::Error::other("it is a folder")),
+        _ => Err(std::io::Error::other("it is a FIFO, a socket or a device, not a regular file")),
+    }
+}
+
 /// Message for a file without a checksum; other programs write topographies, too.
 fn foreign_damage(path: &Path) -> std::io::Result<Option<String>> {
     let mut file = std::fs::File::open(path)?;
@@ -34,7 +44,7 @@ impl DatasetReader {
         let shown = path.display().to_string();
         let failed = |reason: String| DatasetError::Open { path: shown.clone(), reason };
         // The library's message for a missing file does not always name the reason.
-        let opened = std::fs::File::open(path).and_then(|mut file| {
+        let opened = check_regular(path).and_then(|()| std::fs::File::open(path)).and_then(|mut file| {
             let damage = match checksum::inspect(&mut file)? {
                 Checksum::Agrees => None,
                 Checksum::Damaged(damage) => Some(damage),

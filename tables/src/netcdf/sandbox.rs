@@ -7,6 +7,7 @@
 //! would not have read. That takes some hundredths of a second a file.
 
 use std::ffi::OsString;
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::OnceLock;
@@ -17,8 +18,8 @@ use rustix::process::{Resource, Rlimit, setrlimit};
 
 use super::{MOST_EXPANSION, indices};
 
-/// Path of the file that a copy of the program is to read; absent in the program itself.
-const FILE: &str = "ASPERITY_SANDBOX";
+/// Name under which a copy of the program is started, with the file that it is to read as its only argument.
+const NAME: &str = "asperity: reading in a sandbox";
 /// Address space in bytes, in addition to that of the expanded file.
 const MEMORY: u64 = 1 << 30;
 const TIME: Duration = Duration::from_secs(60);
@@ -32,8 +33,10 @@ static ENABLED: OnceLock<()> = OnceLock::new();
 ///
 /// Without it they are read at once; damaged ones may then crash the process.
 pub fn enable() {
-    if let Some(file) = std::env::var_os(FILE) {
-        std::process::exit(read_all(&PathBuf::from(file)));
+    let mut words = std::env::args_os();
+    if words.next().is_some_and(|name| name == NAME) {
+        let file = words.next().map(PathBuf::from).unwrap_or_default();
+        std::process::exit(read_all(&file));
     }
     ENABLED.get_or_init(|| ());
 }
@@ -45,7 +48,8 @@ pub(super) fn check(file: &Path) -> Result<(), String> {
     }
     let failed = |error: std::io::Error| format!("cannot be read in a process of its own first: {error}");
     let mut copy = Command::new(program().map_err(failed)?)
-        .env(FILE, file)
+        .arg0(NAME)
+        .arg(file)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
         .stderr(Stdio::null())

@@ -67,16 +67,12 @@ impl Slice {
         let (rows, columns) = self.shape();
         let empty = || vec![[None; Quantity::SCALARS.len()]; rows * columns];
         let mut along = coordinates(self.axes()).map(|coordinate| Misfits { coordinate, points: empty() });
-        for i in 1..rows.saturating_sub(1) {
-            let rest = self.without(Along::Interference, i);
-            for j in 0..columns {
-                along[0].points[i * columns + j] = self.misfit(&rest, i, j);
-            }
-        }
-        for j in 1..columns.saturating_sub(1) {
-            let rest = self.without(Along::SlipRate, j);
-            for i in 0..rows {
-                along[1].points[i * columns + j] = self.misfit(&rest, i, j);
+        for (axis, points) in [(Along::Interference, rows), (Along::SlipRate, columns)] {
+            for left_out in 1..points.saturating_sub(1) {
+                let rest = self.without(axis, left_out);
+                for (i, j) in self.grid().filter(|at| [at.0, at.1][axis as usize] == left_out) {
+                    along[axis as usize].points[i * columns + j] = self.misfit(&rest, i, j);
+                }
             }
         }
         CrossValidation { along, shape: (rows, columns) }

@@ -68,14 +68,14 @@ fn computed_again(
             false => request.at_temperature(table.metadata().temperature),
         }
     };
-    let journal = std::env::temp_dir().join(format!("asperity-check-{}.part", std::process::id()));
+    let folder = tempfile::tempdir().map_err(Failure::run)?;
+    let journal = folder.path().join("check.part");
     let options = Options { jobs: crate::processors(), journal: &journal, resume: false, shard: None };
     let progress = Progress::new(display);
     let result = tabulate(&request, &options, &progress);
     progress.clear();
-    let (tabulation, journal) = result.map_err(Failure::run)?;
+    let (tabulation, _) = result.map_err(Failure::run)?;
     let again = tabulation.table(String::new()).map_err(Failure::run)?;
-    journal.remove().map_err(Failure::run)?;
     if !tabulation.finished() {
         return Err(Failure::Run("stopped on request".into()));
     }

@@ -26,18 +26,15 @@ strength_factor = 1.0
 heat_partition = 0.5
 gap_conductance = 0.0
 taylor_quinney = 0.9
-
 [loading]
 interference = 20.0
 slip_rate = 1.0
 slip_distance = 2.0
 control = "interference"
 temperature = 298.0
-
 [model]
 heat = "auto"
 kinematics = "auto"
-
 [numerics]
 accuracy = 0.02
 elements_per_radius = 16

@@ -63,7 +63,7 @@ fn current_strength(watch: &dyn Watch) -> Rows {
     const YIELD: f64 = 40e6;
     const MODULUS: f64 = 2e9;
     let slide = |hardening: Hardening, strength: InterfaceStrength| {
-        let mut scene = scene(plain_material(0.3), FrictionLaw::ShearStrength, 20.0, mesh(6, 8));
+        let mut scene = scene(plain_material(0.3), FrictionLaw::ShearStrength, 20.0, mesh(8, 8));
         scene.material.hardening = hardening;
         scene.interface.strength = strength;
         scene.interface.strength_factor = FACTOR;

@@ -39,7 +39,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     if data.len() / 4 < count {
         return Err(format!("holds {} of {columns} x {rows} heights", data.len() / 4));
     }
-    let number = |bytes: &[u8]| f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
-    let heights = data.chunks_exact(4).take(count).map(|bytes| vertical * number(bytes)).collect();
+    let number = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
+    let heights = data.as_chunks().0.iter().take(count).map(|bytes| vertical * number(bytes)).collect();
     Ok(Topography::map((rows, height / rows as f64), (columns, width / columns as f64), heights))
 }

@@ -6,6 +6,7 @@ mod gsf;
 pub mod length;
 mod netcdf;
 mod npy;
+mod number;
 mod profile;
 mod reading;
 mod text;

@@ -1,6 +1,7 @@
 //! NPY, the format of `numpy.save`, versions 1 to 3: a header that is a Python dictionary, then the numbers
 //! (NumPy Enhancement Proposal 1).
 
+use super::number::Number;
 use super::reading::Reading;
 use crate::topography::Topography;
 
@@ -21,7 +22,11 @@ pub(super) fn parse(bytes: &[u8], reading: &Reading) -> Result<Topography, Strin
         value.ok_or_else(|| format!("{key} is missing from the npy header"))
     };
     let kind = field("descr")?.split('\'').nth(1).unwrap_or_default();
-    let number = Number::of(kind)?;
+    let number = Number::of(kind).ok_or_else(|| {
+        format!(
+            "numbers of type \"{kind}\" in the npy file: must be real numbers of 4 or 8 bytes or integers"
+        )
+    })?;
     let shape = field("shape")?.trim_start_matches('(').split(')').next().unwrap_or_default();
     let points: Vec<usize> = (shape.split(',').map(str::trim).filter(|count| !count.is_empty()))
         .map(|count| {
@@ -35,8 +40,7 @@ pub(super) fn parse(bytes: &[u8], reading: &Reading) -> Result<Topography, Strin
     }
     let mut remarks = Vec::new();
     let unit = reading.unit(None, &mut remarks);
-    let heights = data.chunks_exact(number.size).take(count.unwrap_or_default());
-    let heights: Vec<f64> = heights.map(|bytes| unit * number.read(bytes)).collect();
+    let heights: Vec<f64> = number.read(data).take(count.unwrap_or_default()).map(|z| unit * z).collect();
     let step = reading.pixel()?;
     let topography = match points[..] {
         [_] => Topography::profile(step, heights),
@@ -48,45 +52,6 @@ pub(super) fn parse(bytes: &[u8], reading: &Reading) -> Result<Topography, Strin
         _ => return Err(format!("the array has {} dimensions; a map has two, a profile one", points.len())),
     };
     Ok(Topography { remarks, ..topography })
-}
-
-/// Type of the numbers.
-struct Number {
-    /// `f`, `i` or `u`.
-    kind: char,
-    /// Bytes.
-    size: usize,
-    big_endian: bool,
-}
-
-impl Number {
-    /// Of a type such as `<f8`.
-    fn of(text: &str) -> Result<Self, String> {
-        let refused = || {
-            format!(
-                "numbers of type \"{text}\" in the npy file: must be real numbers of 4 or 8 bytes or integers"
-            )
-        };
-        let [order, kind, size] = text.chars().collect::<Vec<_>>()[..] else { return Err(refused()) };
-        let size = size.to_digit(10).unwrap_or(0) as usize;
-        match (kind, size) {
-            ('f', 4 | 8) | ('i' | 'u', 1 | 2 | 4 | 8) => Ok(Self { kind, size, big_endian: order == '>' }),
-            _ => Err(refused()),
-        }
-    }
-
-    fn read(&self, bytes: &[u8]) -> f64 {
-        let byte = |place: usize| bytes[if self.big_endian { self.size - 1 - place } else { place }];
-        let bits = (0..self.size).fold(0, |bits, place| bits | u64::from(byte(place)) << (8 * place));
-        let unused = 64 - 8 * self.size as u32;
-        match (self.kind, self.size) {
-            ('f', 4) => f64::from(f32::from_bits(bits as u32)),
-            ('f', _) => f64::from_bits(bits),
-            // The sign is that of the highest bit.
-            ('i', _) => ((bits << unused) as i64 >> unused) as f64,
-            _ => bits as f64,
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! X3P, ISO 25178-72: a ZIP archive with `main.xml` and a file of binary numbers.
 
+use super::number::Number;
 use crate::topography::Topography;
 use std::io::{Cursor, Read};
 
@@ -28,21 +29,18 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     }
     let count = rows.checked_mul(columns).ok_or("main.xml: SizeX x SizeY is too large")?;
     let kind = main.needed(&["Record1", "Axes", "CZ", "DataType"])?;
-    let size = match kind {
-        "I" => 2,
-        "L" | "F" => 4,
-        "D" => 8,
-        _ => return Err(format!("main.xml: DataType of CZ = {kind}: must be one of I, L, F, D")),
-    };
+    let number = [("I", "<i2"), ("L", "<i4"), ("F", "<f4"), ("D", "<f8")].into_iter();
+    let number = number.filter(|(name, _)| *name == kind).find_map(|(_, number)| Number::of(number));
+    let number =
+        number.ok_or_else(|| format!("main.xml: DataType of CZ = {kind}: must be one of I, L, F, D"))?;
     let data = member(&mut archive, main.needed(&["Record3", "DataLink", "PointDataLink"])?)?;
-    if data.len() / size < count {
-        return Err(format!("holds {} of {columns} x {rows} heights", data.len() / size));
+    if data.len() / number.size < count {
+        return Err(format!("holds {} of {columns} x {rows} heights", data.len() / number.size));
     }
     // Integers count increments; the increment of floating-point heights is one by the standard.
     let scale = main.number(&["Record1", "Axes", "CZ", "Increment"], 1.0)?;
     let offset = main.number(&["Record1", "Axes", "CZ", "Offset"], 0.0)?;
-    let mut heights: Vec<f64> =
-        (data.chunks_exact(size).take(count)).map(|bytes| offset + scale * binary(kind, bytes)).collect();
+    let mut heights: Vec<f64> = number.read(&data).take(count).map(|z| offset + scale * z).collect();
     let link = main.text(&["Record3", "DataLink", "ValidPointsLink"]);
     if let Some(link) = link.filter(|link| !link.is_empty()) {
         let valid = member(&mut archive, link)?;
@@ -85,16 +83,6 @@ impl<'a> Main<'a> {
         let text = self.needed(&["Record3", "MatrixDimension", name])?;
         let rule = || format!("main.xml: {name} = {text}: must be a positive number of points");
         text.parse().ok().filter(|points| *points > 0).ok_or_else(rule)
-    }
-}
-
-fn binary(kind: &str, bytes: &[u8]) -> f64 {
-    match (kind, bytes) {
-        ("I", &[a, b]) => f64::from(i16::from_le_bytes([a, b])),
-        ("L", &[a, b, c, d]) => f64::from(i32::from_le_bytes([a, b, c, d])),
-        ("F", &[a, b, c, d]) => f64::from(f32::from_le_bytes([a, b, c, d])),
-        (_, &[a, b, c, d, e, f, g, h]) => f64::from_le_bytes([a, b, c, d, e, f, g, h]),
-        _ => f64::NAN,
     }
 }
 

@@ -1,0 +1,101 @@
+//! Checks of the files to be written, before the work begins.
+
+use std::fmt::Display;
+use std::io::{self, ErrorKind};
+use std::path::Path;
+
+use super::atomic::{destination, folder_of};
+use super::distinct::{SameFile, check_distinct};
+
+/// Why an output is refused.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// It is an input or another output.
+    #[error(transparent)]
+    Same(#[from] SameFile),
+    /// It cannot be written.
+    #[error("{path}: cannot be written: {reason}")]
+    Unwritable {
+        /// The output.
+        path: String,
+        /// What is in the way.
+        reason: String,
+    },
+}
+
+/// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is
+/// given with its role, which is named in the error.
+///
+/// ```
+/// use std::path::Path;
+/// use tables::netcdf::check_outputs;
+///
+/// let (table, result) = (Path::new("Cargo.toml"), Path::new("no-such-folder/friction.nc"));
+/// assert!(check_outputs(&[("--table", table)], &[("--output", table)]).is_err());
+/// let error = check_outputs(&[("--table", table)], &[("--output", result)]).unwrap_err();
+/// assert!(error.to_string().starts_with("no-such-folder/friction.nc: cannot be written"));
+/// ```
+pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
+    check_distinct(inputs, outputs)?;
+    outputs.iter().try_for_each(|(_, output)| {
+        let refused = |reason: String| OutputError::Unwritable { path: output.display().to_string(), reason };
+        check_place(&destination(output)).map_err(refused)
+    })
+}
+
+fn check_place(place: &Path) -> Result<(), String> {
+    match place.symlink_metadata() {
+        Ok(data) if data.is_dir() => return Err("it is a folder, a file name is needed".into()),
+        // A device would be replaced by the file.
+        Ok(data) if !data.is_file() => return Err("it is not a regular file".into()),
+        // The temporary name of the file is short, so the probe would not notice.
+        Err(error) if error.kind() == ErrorKind::InvalidFilename => return Err("its name is too long".into()),
+        _ => {}
+    }
+    probe(folder_of(place)).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => "its folder does not exist".into(),
+        _ => error.to_string(),
+    })
+}
+
+/// Whether a file can be created in a folder.
+pub fn probe(folder: &Path) -> io::Result<()> {
+    tempfile::tempfile_in(folder).map(drop)
+}
+
+/// Why a result is not in its place, and where it is.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct NotSaved(String);
+
+/// Writes a result that took long to compute. Where `output` cannot take it, it is saved in a new folder in the current
+/// directory or in that of temporary files, which the error names.
+///
+/// ```
+/// use tables::netcdf::{save, write_atomically};
+///
+/// let nowhere = std::path::Path::new("no-such-folder/result.txt");
+/// let error = save(nowhere, |path| write_atomically(path, b"result")).unwrap_err().to_string();
+/// let (_, place) = error.split_once("the results are in ").unwrap();
+/// let place = std::path::Path::new(place.strip_suffix(" instead").unwrap());
+/// assert_eq!(std::fs::read_to_string(place)?, "result");
+/// # std::fs::remove_dir_all(place.parent().unwrap())?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -> Result<(), NotSaved> {
+    let Err(error) = write(output) else { return Ok(()) };
+    let folders = [std::env::current_dir().ok(), Some(std::env::temp_dir())];
+    for folder in folders.into_iter().flatten() {
+        // A new folder: nothing of that name is overwritten, and no link is followed.
+        let Ok(new) = tempfile::Builder::new().prefix("asperity-").tempdir_in(folder) else { continue };
+        let place = new.path().join(output.file_name().unwrap_or_default());
+        if write(&place).is_ok() {
+            let _ = new.keep();
+            return Err(NotSaved(format!("{error}; the results are in {} instead", place.display())));
+        }
+    }
+    Err(NotSaved(format!(
+        "{error}; nor can the current directory or {} be written: the results are lost",
+        std::env::temp_dir().display()
+    )))
+}

@@ -1,0 +1,110 @@
+//! The processor that the program was compiled for.
+//!
+//! A processor without an instruction of the program ends it by a signal (SIGILL) at a place that depends on the input.
+//! So its instruction sets are compared first, in integers only, and the message is a text that is there already.
+
+use std::io::Write;
+
+/// To be called first in `main`: ends the program with a message where the processor lacks an instruction set that the
+/// program was compiled with.
+#[inline(never)]
+pub fn check_processor() {
+    refuse(missing(instruction_sets()));
+}
+
+/// Its name with whether the program uses it and whether the processor has it.
+type InstructionSet = (&'static str, bool, bool);
+
+/// The first that the program uses and the processor lacks.
+fn missing<const N: usize>(sets: [InstructionSet; N]) -> Option<&'static str> {
+    let mut sets = sets.into_iter();
+    sets.find_map(|(name, used, present)| (used && !present).then_some(name))
+}
+
+/// The standard library reports those that the program uses as present without a test; so the processor is asked.
+/// Leaves and bits: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2, CPUID.
+#[cfg(target_arch = "x86_64")]
+fn instruction_sets() -> [InstructionSet; 14] {
+    use raw_cpuid::native_cpuid::cpuid_count;
+
+    let newest = cpuid_count(0, 0).eax;
+    let basic = cpuid_count(1, 0).ecx;
+    let extended = if newest >= 7 { cpuid_count(7, 0).ebx } else { 0 };
+    let amd = cpuid_count(0x8000_0001, 0).ecx;
+    let has = |register: u32, bit: u32| register >> bit & 1 == 1;
+    // The system saves the wider registers (bit 27) in addition to the processor's having them.
+    let avx = has(basic, 27) && has(basic, 28);
+    [
+        ("sse3", cfg!(target_feature = "sse3"), has(basic, 0)),
+        ("ssse3", cfg!(target_feature = "ssse3"), has(basic, 9)),
+        ("sse4.1", cfg!(target_feature = "sse4.1"), has(basic, 19)),
+        ("sse4.2", cfg!(target_feature = "sse4.2"), has(basic, 20)),
+        ("popcnt", cfg!(target_feature = "popcnt"), has(basic, 23)),
+        ("movbe", cfg!(target_feature = "movbe"), has(basic, 22)),
+        ("lzcnt", cfg!(target_feature = "lzcnt"), has(amd, 5)),
+        ("avx", cfg!(target_feature = "avx"), avx),
+        ("fma", cfg!(target_feature = "fma"), avx && has(basic, 12)),
+        ("avx2", cfg!(target_feature = "avx2"), avx && has(extended, 5)),
+        ("bmi1", cfg!(target_feature = "bmi1"), has(extended, 3)),
+        ("bmi2", cfg!(target_feature = "bmi2"), has(extended, 8)),
+        ("avx512f", cfg!(target_feature = "avx512f"), avx && has(extended, 16)),
+        ("avx512vl", cfg!(target_feature = "avx512vl"), avx && has(extended, 31)),
+    ]
+}
+
+/// Other processors are not asked.
+#[cfg(not(target_arch = "x86_64"))]
+fn instruction_sets() -> [InstructionSet; 0] {
+    []
+}
+
+fn refuse(missing: Option<&'static str>) {
+    let Some(name) = missing else { return };
+    let mut stderr = std::io::stderr();
+    for text in ["error: this program was compiled for a processor with ", name, REMEDY] {
+        // The end is the same if nothing can be written.
+        let _ = stderr.write_all(text.as_bytes());
+    }
+    std::process::exit(1);
+}
+
+const REMEDY: &str = ", which this one lacks; compile it on this machine, or for any processor with \
+                      RUSTFLAGS=\"-C target-cpu=x86-64\"\n";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_program_uses_must_be_there() {
+        assert_eq!(missing([("avx", true, true), ("avx2", false, false)]), None);
+        assert_eq!(missing([("avx", true, true), ("avx2", true, false), ("fma", true, false)]), Some("avx2"));
+        assert_eq!(missing(instruction_sets()), None, "this processor runs the test");
+    }
+
+    /// The names and bits agree with those of the standard library, which are independent of how this is compiled where
+    /// a set is not used.
+    #[cfg(target_arch = "x86_64")]
+    #[test]
+    fn the_processor_is_read_as_the_standard_library_reads_it() {
+        let standard = [
+            is_x86_feature_detected!("sse3"),
+            is_x86_feature_detected!("ssse3"),
+            is_x86_feature_detected!("sse4.1"),
+            is_x86_feature_detected!("sse4.2"),
+            is_x86_feature_detected!("popcnt"),
+            is_x86_feature_detected!("movbe"),
+            is_x86_feature_detected!("lzcnt"),
+            is_x86_feature_detected!("avx"),
+            is_x86_feature_detected!("fma"),
+            is_x86_feature_detected!("avx2"),
+            is_x86_feature_detected!("bmi1"),
+            is_x86_feature_detected!("bmi2"),
+            is_x86_feature_detected!("avx512f"),
+            is_x86_feature_detected!("avx512vl"),
+        ];
+        for ((name, _, present), standard) in instruction_sets().into_iter().zip(standard) {
+            assert_eq!(present, standard, "{name}");
+        }
+    }
+}
