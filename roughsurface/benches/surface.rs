@@ -13,7 +13,7 @@ use divan::counter::ItemsCount;
 use roughsurface::friction::{Settings, predict};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
 use roughsurface::surface::heights::Gaussian;
-use roughsurface::surface::query::{LoadingControl, NormalLoading, Query, Surface};
+use roughsurface::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
 use tables::interpolation::InterpolatedTable;
 
 fn main() {
@@ -44,6 +44,7 @@ fn prediction(bencher: Bencher) {
         loading: NormalLoading::Pressure(spaced(1e4, 1e7, 50)),
         slip_rates: spaced(0.1, 10.0, 20),
         control: LoadingControl::Load,
+        contact_life: ContactLife::default(),
     };
     let states = 50 * 20 * settings.slip_points;
     bencher
@@ -59,8 +60,9 @@ fn ten_million_asperities(bencher: Bencher, pressure: f64) {
         loading: NormalLoading::Pressure(vec![pressure]),
         slip_rates: vec![1.0],
         control: LoadingControl::Load,
+        contact_life: ContactLife::default(),
     };
-    let sampling = Sampling { asperities: 1_000_000, realizations: 10, seed: 1, slip: 1e-6 };
+    let sampling = Sampling { asperities: 1_000_000, realizations: 10, seed: 1, slip: Some(1e-6) };
     bencher.counter(ItemsCount::new(10_000_000_usize)).bench(|| {
         sample(&law, &surface, &query, &sampling, &settings, &|_, _| ()).expect("the table covers it")
     });

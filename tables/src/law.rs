@@ -146,6 +146,22 @@ pub trait AsperityLaw: Send + Sync {
         Ok(Box::new(move |interference, slip| self.response(radius, interference, slip_rate, slip)))
     }
 
+    /// Largest slip of the histories of the law, over the contact radius after the press: later the last state holds.
+    /// Infinite if the law holds at any slip.
+    fn last_slip(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Friction coefficient that the slide of one asperity tends to; none if the law does not state it.
+    fn steady_friction(
+        &self,
+        _radius: f64,
+        _interference: f64,
+        _slip_rate: f64,
+    ) -> Result<Option<Estimate>, LookupError> {
+        Ok(None)
+    }
+
     /// Mean temperature of the contact at the end of the slide of the law, K; none if the law has no temperature.
     fn temperature_mean(
         &self,

@@ -46,6 +46,7 @@ A surface file, surface.toml:
     pressure = [1e5, 1e6]       # nominal, Pa; or separation in m; a number, a list, or a range
     slip_rate = { from = 0.1, to = 10, points = 9, spacing = \"log\" }    # m/s
     hold = \"load\"               # or \"separation\"
+    contact_life = 1            # slip over which a contact lasts, in its diameters; or \"steady\"
 
 Heights, with their keys:
 {distributions}

@@ -6,7 +6,7 @@ use clap::Args;
 use roughsurface::friction::warning::Warning;
 use roughsurface::integral::law_source::LawSource;
 use roughsurface::surface::file::{Override, SurfaceFile, SurfaceFileError, Values};
-use roughsurface::surface::query::LoadingControl;
+use roughsurface::surface::query::{ContactLife, LoadingControl};
 use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
 use roughsurface::topography::report;
@@ -54,6 +54,9 @@ struct QueryOptions {
     /// Quantity held during the slide, load by default
     #[arg(long, value_name = "load|separation", value_parser = control)]
     hold: Option<LoadingControl>,
+    /// Slip over which a contact lasts, in contact diameters, or steady; 1 by default, as between two rough faces
+    #[arg(long, value_name = "DIAMETERS|steady")]
+    contact_life: Option<ContactLife>,
     /// Any key: section.key=value, such as surface.heights.std=1e-7; may be repeated
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     set: Vec<Override>,
@@ -90,6 +93,7 @@ impl QueryOptions {
         }
         overrides.extend(self.slip_rate.as_ref().map(|rates| Override::query("slip_rate", rates)));
         overrides.extend(self.hold.map(Override::hold));
+        overrides.extend(self.contact_life.map(Override::contact_life));
         overrides
     }
 }

@@ -4,8 +4,8 @@ use super::common::*;
 use super::input::{Input, InputOptions};
 use super::progress::Progress;
 use clap::Args;
+use roughsurface::friction::Settings;
 use roughsurface::friction::warning::Warning;
-use roughsurface::friction::{Settings, end_of_slide};
 use roughsurface::output::{Origin, sample_file};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ pub struct Sample {
     /// Seed of the heights: the same seed, the same surfaces
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// Slip at which friction is read, m; by default where `predict` ends
+    /// Slip after which friction is read, m; by default friction is the mean over the life of the contacts
     #[arg(long, value_name = "LENGTH", value_parser = slip_length)]
     slip: Option<f64>,
     /// Result (netCDF)
@@ -54,15 +54,11 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let pool = thread_pool(&options.run)?;
     let progress = Progress::new(display, "surfaces");
     let sampled = pool.install(|| {
-        let slip = match options.slip {
-            Some(slip) => slip,
-            None => end_of_slide(law, &file.surface, &file.query, &settings)?,
-        };
         let sampling = Sampling {
             asperities: options.asperities as usize,
             realizations: options.realizations as usize,
             seed: options.seed,
-            slip,
+            slip: options.slip,
         };
         let show = |done, total| progress.show(done, total);
         sample(law, &file.surface, &file.query, &sampling, &settings, &show)

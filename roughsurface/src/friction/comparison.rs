@@ -84,7 +84,7 @@ mod tests {
     use super::*;
     use crate::integral::test_laws::STEEL;
     use crate::surface::heights::Exponential;
-    use crate::surface::query::{LoadingControl, NormalLoading};
+    use crate::surface::query::{ContactLife, LoadingControl, NormalLoading};
     use tables::closed_forms::NAMES;
 
     #[test]
@@ -103,6 +103,7 @@ mod tests {
             loading: NormalLoading::Pressure(vec![1e4, 1e5]),
             slip_rates: vec![0.1, 5.0],
             control: LoadingControl::Load,
+            contact_life: ContactLife::Steady,
         };
         let models: Vec<String> = NAMES.iter().map(|name| name.to_string()).collect();
         let compared = compare(&models, &STEEL, &surface, &query, &Settings::default()).unwrap();

@@ -34,7 +34,7 @@ impl SlipState {
             return Err(PredictionError::NotFinite { at: at(), quantity });
         }
         if law.above_range() == AboveRange::NoFriction && self.outside > WITHOUT_FRICTION {
-            return Ok(Self { mu: Estimate::UNKNOWN, shear: Estimate::UNKNOWN, ..self });
+            return Ok(self.without_friction());
         }
         Ok(self)
     }

@@ -2,8 +2,9 @@
 //!
 //! For every pressure (or separation) and slip rate the surface is pressed, then slid; after the
 //! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict()`]). Static
-//! friction and the weakening energy follow from that curve ([`slip_curve`]), dμ/d ln V and the
-//! flash-heating parameters from its end at several slip rates ([`rate_dependence`], [`flash_heating`]).
+//! friction and the weakening energy follow from that curve ([`slip_curve`]). Sliding friction is that with Q and P
+//! averaged over the life of each contact; dμ/d ln V and the flash-heating parameters follow from it at several slip
+//! rates ([`rate_dependence`], [`flash_heating`]).
 //! [`contacts`] gives the temperatures of the contacts and the shares of the load by regime, [`regime`] the shares of
 //! elastic, plastic and melting contacts. [`comparison`] repeats the prediction with closed forms, [`cutoff`] with other
 //! cut-offs of a topography, and [`quantities`] lists every result. Depends on `integral`, `topography` and `surface`.
@@ -30,6 +31,6 @@ mod sweep;
 mod tests;
 pub mod warning;
 
-pub use predict::{end_of_slide, predict};
+pub use predict::predict;
 pub use result::{Friction, Prediction};
 pub use settings::{PredictionError, Settings};

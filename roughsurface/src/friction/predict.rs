@@ -6,10 +6,10 @@ use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::SlipState;
-use crate::friction::sweep::Sweep;
+use crate::friction::sweep::{Slide, Sweep};
 use crate::friction::warning::Warning;
 use crate::integral::separation::EquilibriumState;
-use crate::surface::query::{Query, Surface};
+use crate::surface::query::{ContactLife, Query, Surface};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AsperityLaw, Estimate};
@@ -38,14 +38,28 @@ pub fn predict(
     let contacts: Vec<_> =
         rate_by_rate.map(|rate| sweep.contacts(rate, slip[end], at_end(rate))).collect::<Result<_, _>>()?;
 
+    let of_all_ages = |life: ContactLife| -> Result<Vec<_>, PredictionError> {
+        let rates = (0..states.len()).into_par_iter();
+        rates.map(|rate| sweep.slide_steadily(rate, life, &pressed[rate])).collect()
+    };
+    let (sliding, lasting) = (of_all_ages(query.contact_life)?, of_all_ages(ContactLife::Steady)?);
+
     let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
     let mut warnings = Vec::new();
     let mut cell = |row: usize, rate: usize| {
-        let curve: Vec<SlipState> = states[rate].iter().map(|rows| rows[row]).collect();
-        sweep.evaluate((row, rate), &pressed[rate][row], &slip, &curve, contacts[rate][row], &mut warnings)
+        let slide = Slide {
+            curve: states[rate].iter().map(|rows| rows[row]).collect(),
+            contacts: contacts[rate][row],
+            sliding: sliding[rate][row],
+            lasting: lasting[rate][row],
+        };
+        sweep.evaluate((row, rate), &pressed[rate][row], &slip, slide, &mut warnings)
     };
     let mut friction: Vec<Vec<Friction>> =
         (0..rows).map(|row| (0..rates).map(|rate| cell(row, rate)).collect()).collect();
+    if lasting.iter().flatten().any(|state| state.unsteady > 0.0 && state.mu.value.is_nan()) {
+        warnings.push(Warning::NoSteadyFriction);
+    }
     let mut flash_heating = Vec::new();
     for row in &mut friction {
         let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
@@ -90,16 +104,4 @@ fn slide_all(
     // In order: the failure that is reported does not depend on the threads.
     let states = states.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
     Ok(states.chunks(slip.len()).map(<[_]>::to_vec).collect())
-}
-
-/// Slip (m) at which [`predict`] ends its slides.
-pub fn end_of_slide(
-    law: &dyn AsperityLaw,
-    surface: &Surface,
-    query: &Query,
-    settings: &Settings,
-) -> Result<f64, PredictionError> {
-    let sweep = Sweep::new(law, surface, query, settings)?;
-    let grid = sweep.slip_grid(&sweep.press_all()?);
-    Ok(grid[grid.len() - 1])
 }

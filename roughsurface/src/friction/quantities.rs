@@ -20,7 +20,7 @@ pub struct Quantity {
 
 /// Where a result is found.
 pub enum Source {
-    /// In the state at the end of the slide.
+    /// In the state while sliding.
     Sliding(fn(&SlipState) -> Estimate),
     /// In the results of the whole slide.
     Slide(fn(&Friction) -> Estimate),
@@ -31,19 +31,20 @@ pub enum Source {
 }
 
 /// Every result. To add one: a line here.
-pub static QUANTITIES: [Quantity; 27] = [
-    Quantity::sliding("mu", "1", "sliding friction coefficient at the end of the slide", |s| s.mu).propagated(),
+pub static QUANTITIES: [Quantity; 28] = [
+    Quantity::sliding("mu", "1", "sliding friction coefficient, mean over the life of the contacts", |s| s.mu).propagated(),
+    Quantity::slide("mu_steady", "1", "sliding friction coefficient of contacts that last", |f| f.mu_steady),
     Quantity::slide("mu_static", "1", "friction coefficient where the friction-slip curve of the surface starts to slide",
         |f| f.mu_static).propagated(),
     Quantity::slide("inception_slip", "m", "slip at which static friction is reached", |f| f.inception_slip),
-    Quantity::sliding("Q", "Pa", "friction stress on the nominal area at the end of the slide", |s| s.shear).propagated(),
+    Quantity::sliding("Q", "Pa", "friction stress on the nominal area while sliding", |s| s.shear).propagated(),
     Quantity::where_known("G", "J m-2", "energy that the asperities release from full stick to full slip per nominal area",
         |f| f.energy_release).propagated(),
     Quantity::slide("G_weakening", "J m-2",
         "energy of slip weakening per nominal area, from the peak of the friction stress to the end of the slide",
         |f| f.weakening_energy).propagated(),
     Quantity::slide("G_weakening_real_area", "J m-2",
-        "energy of slip weakening per real contact area at the end of the slide", Friction::weakening_of_real_area),
+        "energy of slip weakening per real contact area while sliding", Friction::weakening_of_real_area),
     Quantity::where_known("G_real_area", "J m-2",
         "energy that the asperities release from full stick to full slip per real contact area before the slide",
         Friction::release_of_real_area),
@@ -53,17 +54,17 @@ pub static QUANTITIES: [Quantity; 27] = [
     Quantity::slide("dmu_dlnV", "1",
         "derivative of the sliding friction coefficient with respect to the logarithm of the slip rate",
         |f| f.rate_sensitivity),
-    Quantity::sliding("real_area_fraction", "1", "real over nominal contact area at the end of the slide",
+    Quantity::sliding("real_area_fraction", "1", "real over nominal contact area while sliding",
         |s| s.area_fraction).propagated(),
     Quantity::slide("real_area_fraction_press", "1", "real over nominal contact area before the slide",
         |f| f.pressed.area_fraction),
     Quantity::slide("separation", "m", "distance of the flat from the reference plane of the heights before the slide",
         |f| f.pressed.separation).propagated(),
     Quantity::sliding("separation_sliding", "m",
-        "distance of the flat from the reference plane of the heights at the end of the slide", |s| s.separation),
+        "distance of the flat from the reference plane of the heights while sliding", |s| s.separation),
     Quantity::slide("pressure", "Pa", "nominal pressure before the slide", |f| f.pressed.pressure),
-    Quantity::sliding("pressure_sliding", "Pa", "nominal pressure at the end of the slide", |s| s.pressure),
-    Quantity::sliding("contact_density", "m-2", "asperities in contact per nominal area at the end of the slide",
+    Quantity::sliding("pressure_sliding", "Pa", "nominal pressure while sliding", |s| s.pressure),
+    Quantity::sliding("contact_density", "m-2", "asperities in contact per nominal area while sliding",
         |s| s.contact_density),
     Quantity::slide("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
         |f| f.pressed.contact_density),

@@ -26,8 +26,10 @@ pub struct Friction {
     pub energy_release: Option<Estimate>,
     /// Before the slide.
     pub pressed: SlipState,
-    /// At the end of the slide: sliding friction.
+    /// In steady sliding, with contacts of all ages of their life: sliding friction.
     pub sliding: SlipState,
+    /// Sliding friction coefficient of contacts that last.
+    pub mu_steady: Estimate,
     /// Temperatures and regimes of the contacts at the end of the slide.
     pub contacts: Contacts,
     /// dμ/d ln V of sliding friction, see
@@ -40,7 +42,7 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// [`weakening_energy`](Self::weakening_energy) per real contact area at the end of the slide, J/m².
+    /// [`weakening_energy`](Self::weakening_energy) per real contact area while sliding, J/m².
     pub fn weakening_of_real_area(&self) -> Estimate {
         self.weakening_energy.over(self.sliding.area_fraction)
     }

@@ -27,6 +27,8 @@ pub struct SlipState {
     pub outside: f64,
     /// Share of the load beyond the largest contact of the model, 1.
     pub beyond: f64,
+    /// Share of the load on contacts older than the histories of the law, of unknown steady friction, 1.
+    pub unsteady: f64,
 }
 
 impl SlipState {
@@ -51,7 +53,13 @@ impl SlipState {
             },
             outside: state.outside,
             beyond: state.beyond,
+            unsteady: unsteady(state),
         }
+    }
+
+    /// The same with unknown friction.
+    pub fn without_friction(self) -> Self {
+        Self { mu: Estimate::UNKNOWN, shear: Estimate::UNKNOWN, ..self }
     }
 
     /// State of a surface held at its `separation` (m).
@@ -66,8 +74,15 @@ impl SlipState {
             contact_density: exact(state.contact_density),
             outside: state.outside,
             beyond: state.beyond,
+            unsteady: unsteady(state),
         }
     }
+}
+
+/// Share of [`Additional::UnsteadyLoad`](crate::integral::asperity_at_slip::Additional): sliding surfaces ask for no other
+/// additional quantity.
+fn unsteady(state: &ContactState) -> f64 {
+    state.additional.map_or(0.0, |load| load.value / state.pressure.value)
 }
 
 /// Start of sliding of a whole surface.

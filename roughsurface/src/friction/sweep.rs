@@ -10,12 +10,24 @@ use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::predictor::{Predictor, PredictorHistory};
 use crate::integral::separation::{EquilibriumState, separation_for};
 use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
-use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
+use crate::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
 use rayon::prelude::*;
 use tables::law::{AboveRange, AsperityLaw, Estimate, LookupError};
 
 /// Real area fraction above which asperities no longer deform independently.
 const INTERACTION: f64 = 0.3;
+
+/// The slide of one cell.
+pub(crate) struct Slide {
+    /// After each slip of the grid.
+    pub(crate) curve: Vec<SlipState>,
+    /// At the end of the curve.
+    pub(crate) contacts: Contacts,
+    /// With contacts of all ages of their life.
+    pub(crate) sliding: SlipState,
+    /// With contacts that last.
+    pub(crate) lasting: SlipState,
+}
 
 /// One query of one surface.
 pub(crate) struct Sweep<'a> {
@@ -102,7 +114,25 @@ impl<'a> Sweep<'a> {
         Ok(states)
     }
 
-    /// One pressure or separation after the slip of `integral`; `history` predicts its separation.
+    /// The surface in steady sliding with contacts of all ages of their `life`, for every pressure or separation.
+    pub(crate) fn slide_steadily(
+        &self,
+        rate: usize,
+        life: ContactLife,
+        pressed: &[EquilibriumState],
+    ) -> Result<Vec<SlipState>, PredictionError> {
+        let asperities = self.asperities[rate].of_all_ages(life).with(Additional::UnsteadyLoad);
+        let known = asperities.classes().iter().all(|(_, asperity)| asperity.has_friction_of_all_ages());
+        let mut integral = self.integral(&asperities);
+        let rows = pressed.iter().enumerate().map(|(row, before)| {
+            let mut history = PredictorHistory::from(before.predictor());
+            let state = self.slid((row, rate), &mut integral, before, &mut history)?;
+            Ok(if known { state } else { state.without_friction() })
+        });
+        rows.collect()
+    }
+
+    /// One pressure or separation with the asperities of `integral`; `history` predicts its separation.
     fn slid(
         &self,
         (row, rate): (usize, usize),
@@ -150,20 +180,26 @@ impl<'a> Sweep<'a> {
         (row, rate): (usize, usize),
         pressed: &EquilibriumState,
         slip: &[f64],
-        curve: &[SlipState],
-        contacts: Contacts,
+        Slide { curve, contacts, sliding, lasting }: Slide,
         warnings: &mut Vec<Warning>,
     ) -> Friction {
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
         let shear: Vec<Estimate> = curve.iter().map(|state| state.shear).collect();
-        let (start, sliding) = (inception(slip, &mu_history), curve[curve.len() - 1]);
-        let outside_table = curve.iter().map(|state| state.outside).fold(0.0, f64::max);
+        let start = inception(slip, &mu_history);
+        let outside_table = curve.iter().chain([&sliding]).map(|state| state.outside).fold(0.0, f64::max);
         let at = || Place::of(self.query, row, rate);
         if outside_table > NEGLIGIBLE_SHARE && self.law.above_range() == AboveRange::Extrapolated {
             warnings.push(Warning::Extrapolated { at: at(), share: outside_table });
         }
         if !start.reached && start.mu.value.is_finite() {
             warnings.push(Warning::StillRising { at: at() });
+        }
+        if sliding.unsteady > NEGLIGIBLE_SHARE {
+            warnings.push(Warning::Unsteady {
+                at: at(),
+                share: sliding.unsteady,
+                known: !sliding.mu.value.is_nan(),
+            });
         }
         if sliding.area_fraction.value > INTERACTION {
             warnings.push(Warning::AsperitiesInteract { at: at(), share: sliding.area_fraction.value });
@@ -183,6 +219,7 @@ impl<'a> Sweep<'a> {
             energy_release: self.energy_release(row, pressed).filter(|_| !sliding.mu.value.is_nan()),
             pressed: curve[0],
             sliding,
+            mu_steady: lasting.mu,
             mu_history,
             outside_table,
         }

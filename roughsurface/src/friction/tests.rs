@@ -5,9 +5,9 @@ use super::warning::Warning;
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL};
 use crate::surface::heights::{Exponential, Gaussian, Heights, Uniform};
-use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
+use crate::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::{closed_form, hertz};
-use tables::law::AsperityLaw;
+use tables::law::{AsperityLaw, Estimate};
 
 fn surface(heights: Box<dyn Heights>) -> Surface {
     Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
@@ -24,6 +24,8 @@ fn predicted(
         loading: NormalLoading::Pressure(pressures.to_vec()),
         slip_rates: slip_rates.to_vec(),
         control,
+        // Friction without the sticking of young contacts.
+        contact_life: ContactLife::Steady,
     };
     predict(law, surface, &query, &Settings::default(), &|_, _| ())
 }
@@ -80,6 +82,55 @@ fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
     assert!(found.weakening_energy.value > 0.0);
 }
 
+/// μ of one cell with a history from 1 to 1/e within two contact radii, and the warnings.
+fn of_life(contact_life: ContactLife, steady: Option<Estimate>) -> (Friction, Vec<Warning>) {
+    let history = |_: f64, slip: f64, radius: f64| (-0.5 * slip / radius).exp();
+    let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
+    let query = Query {
+        loading: NormalLoading::Pressure(vec![1e6]),
+        slip_rates: vec![1.0],
+        control: LoadingControl::Load,
+        contact_life,
+    };
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let mut found = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
+    (found.friction.remove(0).remove(0), found.warnings)
+}
+
+#[test]
+fn sliding_friction_is_the_mean_over_the_life_of_the_contacts() {
+    let steady = Some(Estimate { value: 0.03, error: 0.001 });
+    let (diameter, warnings) = of_life(ContactLife::default(), steady);
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let (young, _) = of_life(ContactLife::Diameters(1e-9), steady);
+    let ratio = diameter.sliding.mu.value / young.sliding.mu.value;
+    assert!((ratio - (1.0 - (-1.0f64).exp())).abs() < 1e-6, "{ratio}");
+    assert!((diameter.mu_steady.value - 0.03).abs() < 1e-6, "{:?}", diameter.mu_steady);
+    assert!((diameter.mu_steady.error - 0.001).abs() < 1e-6, "{:?}", diameter.mu_steady);
+
+    let (lasting, warnings) = of_life(ContactLife::Steady, steady);
+    assert!(warnings.is_empty(), "{warnings:?}");
+    assert_eq!(lasting.sliding.mu, lasting.mu_steady);
+}
+
+#[test]
+fn friction_of_contacts_older_than_the_table_is_unknown_without_its_steady_friction() {
+    let (diameter, warnings) = of_life(ContactLife::default(), None);
+    assert!(diameter.sliding.mu.value > 0.0 && diameter.mu_steady.value.is_nan());
+    assert_eq!(warnings, [Warning::NoSteadyFriction]);
+    let (long, warnings) = of_life(ContactLife::Diameters(4.0), None);
+    assert!(long.sliding.mu.value.is_nan() && long.mu_static.value > 0.0);
+    let [Warning::Unsteady { share, known: false, .. }, Warning::NoSteadyFriction] = &warnings[..] else {
+        panic!("{warnings:?}")
+    };
+    assert!((share - 0.75).abs() < 1e-6, "{share}");
+
+    // A steady friction that is known to 30 % only.
+    let (long, warnings) = of_life(ContactLife::Steady, Some(Estimate { value: 0.03, error: 0.009 }));
+    assert!((long.sliding.mu.error - 0.009).abs() < 1e-6);
+    assert!(matches!(warnings[..], [Warning::Unsteady { known: true, .. }]), "{warnings:?}");
+}
+
 #[test]
 fn held_load_closes_the_gap_that_a_held_separation_keeps() {
     // The load does not change with slip here, so load and displacement control agree.
@@ -121,6 +172,7 @@ fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_a
         loading: NormalLoading::Separation(vec![0.0]),
         slip_rates: vec![1.0],
         control: LoadingControl::Separation,
+        contact_life: ContactLife::default(),
     };
     let settings = Settings { extrapolate: true, ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
@@ -171,6 +223,7 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
         loading: NormalLoading::Separation(vec![2e-6]),
         slip_rates: vec![1.0],
         control: LoadingControl::Separation,
+        contact_life: ContactLife::default(),
     };
     let error = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap_err();
     assert_eq!(error.to_string(), "a separation of 2e-6 m leaves no asperity in contact");

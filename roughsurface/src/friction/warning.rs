@@ -53,6 +53,16 @@ pub enum Warning {
     #[error("{at}: friction still rises at the end of the slide; mu_static is the last value")]
     StillRising { at: Place },
     #[error(
+        "{at}: {:.1} % of the load rests on contacts that slide farther than the slides of the table, and {}",
+        100.0 * .share,
+        if *.known { "their steady friction is uncertain by more than 20 %" } else { "the table does not state their steady friction: mu is n/a" }
+    )]
+    Unsteady { at: Place, share: f64, known: bool },
+    #[error(
+        "the table does not state steady friction; mu_steady is n/a. Tables made with this version state it"
+    )]
+    NoSteadyFriction,
+    #[error(
         "{at}: {:.0} % of the nominal area is in contact; neighbouring asperities, here independent, would interact",
         100.0 * .share
     )]
@@ -114,6 +124,7 @@ impl Warning {
             Self::Extrapolated { at, .. }
             | Self::SamplesExtrapolated { at, .. }
             | Self::StillRising { at }
+            | Self::Unsteady { at, .. }
             | Self::AsperitiesInteract { at, .. }
             | Self::SamplesWithoutContact { at, .. } => Some(at),
             _ => None,

@@ -1,5 +1,8 @@
-//! One asperity at a fixed slip rate and slip, for any interference.
+//! One asperity at a fixed slip rate, after a slip or averaged over the ages of its contact, for any interference.
 
+use crate::integral::kronrod::MANY;
+use crate::surface::query::ContactLife;
+use std::f64::consts::PI;
 use std::sync::Arc;
 use tables::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 
@@ -12,6 +15,20 @@ pub enum Additional {
     EnergyRelease,
     /// Rise of the mean temperature of the contact times its area, K m².
     TemperatureRise,
+    /// Load of contacts older than the histories of the law, of unknown steady friction, N.
+    UnsteadyLoad,
+}
+
+/// Relative error from which on steady friction counts as unknown.
+const UNKNOWN_STEADY_FRICTION: f64 = 0.2;
+
+/// How far the contacts have slid.
+#[derive(Clone, Copy, Debug)]
+enum Age {
+    /// All by the same slip, m.
+    Slip(f64),
+    /// Each by any slip of its life, equally likely.
+    Life(ContactLife),
 }
 
 /// Relative uncertainty of the ratio of mean to highest temperature rise before the end of the slide of the law, times
@@ -26,7 +43,7 @@ pub struct AsperityAtSlip<'a> {
     sliding: Arc<SlidingResponse<'a>>,
     radius: f64,
     slip_rate: f64,
-    slip: f64,
+    age: Age,
     limit: f64,
     contact_limit: f64,
     additional: Additional,
@@ -45,7 +62,7 @@ impl<'a> AsperityAtSlip<'a> {
             sliding: Arc::new(law.at_slip_rate(radius, slip_rate)?),
             radius,
             slip_rate,
-            slip,
+            age: Age::Slip(slip),
             limit: law.interference_limit(),
             contact_limit: law.contact_limit(),
             additional: Additional::None,
@@ -54,7 +71,12 @@ impl<'a> AsperityAtSlip<'a> {
 
     /// The same asperities after another slip (m).
     pub fn after(&self, slip: f64) -> Self {
-        Self { slip, ..self.clone() }
+        Self { age: Age::Slip(slip), ..self.clone() }
+    }
+
+    /// The same asperities in steady sliding, with contacts of all ages of their `life`.
+    pub fn of_all_ages(&self, life: ContactLife) -> Self {
+        Self { age: Age::Life(life), ..self.clone() }
     }
 
     /// The same asperities with an additional quantity, if the law states it.
@@ -62,6 +84,7 @@ impl<'a> AsperityAtSlip<'a> {
         let probe = self.limit.min(1.0);
         let answer = match additional {
             Additional::None => Ok(None),
+            Additional::UnsteadyLoad => Ok((self.beyond_histories() > 0.0).then(Estimate::default)),
             Additional::EnergyRelease => self.law.energy_release(self.radius, probe, self.slip_rate),
             Additional::TemperatureRise => self.law.temperature_mean(self.radius, probe, self.slip_rate),
         };
@@ -97,7 +120,9 @@ impl<'a> AsperityAtSlip<'a> {
     /// Places ω/ω_c where the law has kinks, ascending, its limits among them.
     pub fn breaks(&self) -> Vec<f64> {
         let mut breaks = self.law.breaks();
-        breaks.extend(self.law.breaks_after(self.radius, self.slip));
+        if let Age::Slip(slip) = self.age {
+            breaks.extend(self.law.breaks_after(self.radius, slip));
+        }
         breaks.extend([self.limit, self.contact_limit]);
         breaks.retain(|place| *place > 0.0 && place.is_finite() && *place <= self.contact_limit);
         breaks.sort_by(f64::total_cmp);
@@ -110,7 +135,12 @@ impl<'a> AsperityAtSlip<'a> {
     /// Beyond the contact limit forces and areas grow in proportion to ω, so that every pressure has a separation;
     /// the share of the load there is that of [`ContactState::beyond`](crate::integral::contact_state::ContactState).
     pub fn response(&self, interference: f64) -> Result<Response, LookupError> {
-        let last = (self.sliding)(interference.min(self.contact_limit), self.slip)?;
+        let inside = interference.min(self.contact_limit);
+        let last = match self.age {
+            Age::Slip(slip) => (self.sliding)(inside, slip)?,
+            Age::Life(ContactLife::Steady) => self.steady(inside)?,
+            Age::Life(ContactLife::Diameters(diameters)) => self.mean_over_life(inside, diameters)?,
+        };
         Ok(Response {
             load: self.in_proportion(last.load, interference),
             friction: self.in_proportion(last.friction, interference),
@@ -131,7 +161,70 @@ impl<'a> AsperityAtSlip<'a> {
                 Ok(self.in_proportion(energy.unwrap_or(Estimate::UNKNOWN), interference))
             }
             Additional::TemperatureRise => Ok(self.temperature_rise(inside)?.scaled(response.area.value)),
+            Additional::UnsteadyLoad => {
+                let steady = self.law.steady_friction(self.radius, inside, self.slip_rate)?;
+                let known = steady.is_some_and(|mu| mu.error <= UNKNOWN_STEADY_FRICTION * mu.value);
+                let share = if known { 0.0 } else { self.beyond_histories() };
+                Ok(Estimate { value: share * response.load.value, error: 0.0 })
+            }
         }
+    }
+
+    /// Share of the contacts that are older than the histories of the law and need its steady friction.
+    fn beyond_histories(&self) -> f64 {
+        let last = self.law.last_slip();
+        match self.age {
+            Age::Life(ContactLife::Steady) if last.is_finite() => 1.0,
+            Age::Life(ContactLife::Diameters(diameters)) => (1.0 - last / (2.0 * diameters)).max(0.0),
+            _ => 0.0,
+        }
+    }
+
+    /// Whether the law states the friction of contacts of every age.
+    pub fn has_friction_of_all_ages(&self) -> bool {
+        let probe = self.limit.min(1.0);
+        let stated = || self.law.steady_friction(self.radius, probe, self.slip_rate);
+        self.beyond_histories() == 0.0 || matches!(stated(), Ok(Some(_)))
+    }
+
+    /// A contact that lasts: steady friction under the load at the end of the slide of the law.
+    fn steady(&self, interference: f64) -> Result<Response, LookupError> {
+        let end = (self.sliding)(interference, f64::INFINITY)?;
+        let steady = self.law.steady_friction(self.radius, interference, self.slip_rate)?;
+        // Without it: the last value, which is not used (`has_friction_of_all_ages`).
+        Ok(steady.map_or(end, |mu| {
+            let value = mu.value * end.load.value;
+            let friction =
+                Estimate::with_errors(value, [mu.error * end.load.value, mu.value * end.load.error]);
+            let coefficient_error = if mu.value > 0.0 { mu.error / mu.value } else { 0.0 };
+            Response { friction, coefficient_error, ..end }
+        }))
+    }
+
+    /// Mean over the ages of a contact, slips from 0 to its life; beyond the histories of the law its friction is steady.
+    fn mean_over_life(&self, interference: f64, diameters: f64) -> Result<Response, LookupError> {
+        let radius = ((self.sliding)(interference, 0.0)?.area.value.max(0.0) / PI).sqrt();
+        let life = 2.0 * diameters;
+        let beyond = self.beyond_histories();
+        let mut mean = Response::default();
+        let mut quadrature_error = 0.0;
+        // s = u³: friction rises steeply at first, and changes with √s.
+        for ((abscissa, weight), excess) in MANY.points().zip(MANY.excess) {
+            let u = 0.5 * (1.0 + abscissa);
+            let weight = 1.5 * weight * u * u * (1.0 - beyond);
+            let young = (self.sliding)(interference, (1.0 - beyond) * life * u.powi(3) * radius)?;
+            quadrature_error += weight * excess * young.friction.value;
+            add(&mut mean, weight, &young);
+        }
+        if beyond > 0.0 {
+            add(&mut mean, beyond, &self.steady(interference)?);
+        }
+        mean.friction.error += quadrature_error.abs();
+        // Relative to the mean friction.
+        let coefficient_error = mean.coefficient_error + quadrature_error.abs();
+        let friction = mean.friction.value;
+        mean.coefficient_error = if friction > 0.0 { coefficient_error / friction } else { 0.0 };
+        Ok(mean)
     }
 
     /// Initial temperature of the asperities, K: that of a contact of no size.
@@ -146,7 +239,8 @@ impl<'a> AsperityAtSlip<'a> {
         let highest = |slip: f64| -> Result<f64, LookupError> {
             Ok((self.sliding)(interference, slip)?.temperature_max.value - initial)
         };
-        let (now, end) = (highest(self.slip)?, highest(f64::INFINITY)?);
+        let slip = if let Age::Slip(slip) = self.age { slip } else { f64::INFINITY };
+        let (now, end) = (highest(slip)?, highest(f64::INFINITY)?);
         let share = if end > 0.0 { now / end } else { 0.0 };
         let mean = self.law.temperature_mean(self.radius, interference, self.slip_rate)?;
         let mean = mean.unwrap_or(Estimate::UNKNOWN);
@@ -157,5 +251,107 @@ impl<'a> AsperityAtSlip<'a> {
     fn in_proportion(&self, last: Estimate, interference: f64) -> Estimate {
         let growth = (interference / self.contact_limit).max(1.0);
         Estimate { value: growth * last.value, error: growth * last.error }
+    }
+}
+
+/// Adds a share of a response; of the relative error of Q/P that times Q.
+fn add(mean: &mut Response, share: f64, response: &Response) {
+    for (mean, part) in [
+        (&mut mean.load, response.load),
+        (&mut mean.friction, response.friction),
+        (&mut mean.area, response.area),
+        (&mut mean.temperature_max, response.temperature_max),
+    ] {
+        mean.value += share * part.value;
+        mean.error += share * part.error;
+    }
+    mean.coefficient_error += share * response.coefficient_error * response.friction.value;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integral::test_laws::PowerLaw;
+
+    /// Friction of a contact of unit interference over that of the law without a history, averaged over `diameters`.
+    fn aged(history: fn(f64, f64, f64) -> f64, diameters: f64) -> Estimate {
+        let law = PowerLaw { history, ..PowerLaw::hertz() };
+        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+        let found = asperity.of_all_ages(ContactLife::Diameters(diameters)).response(1.0).unwrap();
+        assert!((found.load.value / law.load.0 - 1.0).abs() < 1e-14);
+        found.friction.scaled(1.0 / law.friction.0)
+    }
+
+    #[test]
+    fn a_known_history_has_its_mean_over_age() {
+        // x = s/a: ∫₀^{2L} (0.4 + 0.3 e^{−x}) dx/2L, and of 0.6 − 0.1√x.
+        for life in [0.01, 0.5, 1.0, 4.0f64] {
+            let exponential = 0.4 + 0.3 * -(-2.0 * life).exp_m1() / (2.0 * life);
+            let found = aged(|_, slip, radius| 0.4 + 0.3 * (-slip / radius).exp(), life);
+            assert!((found.value - exponential).abs() < 1e-9, "{life}: {found:?} {exponential}");
+            let root = 0.6 - 0.1 * 2.0 / 3.0 * (2.0 * life).sqrt();
+            let found = aged(|_, slip, radius| 0.6 - 0.1 * (slip / radius).sqrt(), life);
+            assert!((found.value - root).abs() < 1e-9 && found.error < 1e-6, "{life}: {found:?} {root}");
+        }
+    }
+
+    #[test]
+    fn errors_of_all_ages_are_those_of_the_law() {
+        // Independent errors of 1 % of load and friction at every age.
+        let law = PowerLaw { relative_error: 0.01, ..PowerLaw::hertz() };
+        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+        let mean = asperity.of_all_ages(ContactLife::Diameters(1.0)).response(2.0).unwrap();
+        assert!((mean.coefficient_error - 0.02).abs() < 1e-12, "{mean:?}");
+        assert!((mean.friction.error / mean.friction.value - 0.01).abs() < 1e-12, "{mean:?}");
+    }
+
+    #[test]
+    fn contacts_older_than_the_histories_have_steady_friction() {
+        let history = |_: f64, slip: f64, radius: f64| 0.2 + 0.4 * (-slip / radius).exp();
+        let steady = Some(Estimate { value: 0.02, error: 0.001 });
+        let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
+        let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+        let of = |life| asperity.of_all_ages(life).with(Additional::UnsteadyLoad);
+        let response = |life| of(life).response(1.0).unwrap();
+        // P = 1 mN at ω_c.
+        let lasting = response(ContactLife::Steady);
+        assert!((lasting.friction.value - 2e-5).abs() < 1e-19, "{lasting:?}");
+        assert!((lasting.coefficient_error - 0.05).abs() < 1e-12, "{lasting:?}");
+        // A life of 8 a: a quarter of the ages within the histories.
+        let (young, mean) = (response(ContactLife::Diameters(1.0)), response(ContactLife::Diameters(4.0)));
+        let exact = 0.25 * young.friction.value + 0.75 * 2e-5;
+        assert!((mean.friction.value - exact).abs() < 1e-12 * exact, "{mean:?}");
+
+        let unsteady = |law: &PowerLaw, life| {
+            let asperity = AsperityAtSlip::new(law, 1e-4, 1.0, 0.0).unwrap().of_all_ages(life);
+            let asperity = asperity.with(Additional::UnsteadyLoad);
+            let load = asperity.additional(1.0, &asperity.response(1.0).unwrap()).unwrap().value;
+            (load / 1e-3, asperity.has_friction_of_all_ages())
+        };
+        let uncertain = PowerLaw { steady: steady.map(|mu| Estimate { error: 0.01, ..mu }), ..law.clone() };
+        let silent = PowerLaw { steady: None, ..law.clone() };
+        for (law, life, share, known) in [
+            (&law, 4.0, 0.0, true),
+            (&uncertain, 4.0, 0.75, true),
+            (&silent, 4.0, 0.75, false),
+            (&silent, 1.0, 0.0, true),
+        ] {
+            assert_eq!(unsteady(law, ContactLife::Diameters(life)), (share, known));
+        }
+        assert_eq!(unsteady(&silent, ContactLife::Steady), (1.0, false));
+    }
+
+    #[test]
+    fn a_step_of_the_history_counts_by_the_share_of_its_ages() {
+        // Full friction over the first half of the slip, half of it later: the step lies between two of 21 points.
+        let found = aged(|_, slip, radius| if slip < radius { 1.0 } else { 0.5 }, 1.0);
+        assert!((found.value - 0.75).abs() <= found.error && found.error < 0.1, "{found:?}");
+    }
+
+    #[test]
+    fn short_lives_have_early_friction_and_long_ones_late_friction() {
+        let history = |_: f64, slip: f64, radius: f64| 0.2 + 0.4 * (-slip / radius).exp();
+        assert!((aged(history, 1e-6).value - 0.6).abs() < 1e-5);
+        assert!((aged(history, 1e4).value - 0.2).abs() < 1e-3);
     }
 }

@@ -4,7 +4,7 @@ use crate::integral::asperity_at_slip::{Additional, AsperityAtSlip};
 use crate::integral::contact_state::{ContactState, Integral};
 use crate::integral::height_integral::HeightIntegral;
 use crate::surface::heights::Heights;
-use crate::surface::query::Surface;
+use crate::surface::query::{ContactLife, Surface};
 use crate::surface::radii::RadiusClass;
 use std::sync::Arc;
 use tables::law::{AsperityLaw, LookupError};
@@ -52,6 +52,11 @@ impl<'a> Asperities<'a> {
     /// The same asperities after another slip (m).
     pub fn after(&self, slip: f64) -> Self {
         self.changed(|asperity| asperity.after(slip))
+    }
+
+    /// The same asperities in steady sliding, with contacts of all ages of their `life`.
+    pub fn of_all_ages(&self, life: ContactLife) -> Self {
+        self.changed(|asperity| asperity.of_all_ages(life))
     }
 
     /// The same asperities with an additional quantity, if the law states it.

@@ -23,6 +23,9 @@ pub struct PowerLaw {
     pub mean_rise: Option<f64>,
     /// Friction as a factor of slip rate (m/s), slip (m) and contact radius (m).
     pub history: fn(f64, f64, f64) -> f64,
+    /// Slip over contact radius at which the history ends, and the friction coefficient that it tends to.
+    pub last_slip: f64,
+    pub steady: Option<Estimate>,
 }
 
 impl PowerLaw {
@@ -38,6 +41,8 @@ impl PowerLaw {
             temperature: |_| 0.0,
             mean_rise: None,
             history: |_, _, _| 1.0,
+            last_slip: f64::INFINITY,
+            steady: None,
         }
     }
 }
@@ -77,10 +82,21 @@ impl AsperityLaw for PowerLaw {
         };
         let area = estimate(self.area);
         let contact_radius = (area.value / std::f64::consts::PI).sqrt();
-        let history = (self.history)(slip_rate, slip, contact_radius);
+        let history = (self.history)(slip_rate, slip.min(self.last_slip * contact_radius), contact_radius);
         let friction = estimate((self.friction.0 * history, self.friction.1));
         let temperature_max = Estimate { value: (self.temperature)(interference), error: 0.0 };
         Ok(Response::new(estimate(self.load), friction, area, temperature_max))
+    }
+    fn last_slip(&self) -> f64 {
+        self.last_slip
+    }
+    fn steady_friction(
+        &self,
+        _radius: f64,
+        _interference: f64,
+        _slip_rate: f64,
+    ) -> Result<Option<Estimate>, LookupError> {
+        Ok(self.steady)
     }
     fn temperature_mean(
         &self,

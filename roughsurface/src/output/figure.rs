@@ -22,13 +22,14 @@ pub const PANELS: [&str; 8] =
 /// contacts; with models of the literature if there are any.
 pub fn figure(results: &Results) -> Figure {
     let prediction = &results.prediction;
+    let is_steady_known = prediction.friction.iter().flatten().any(|cell| cell.mu_steady.value.is_finite());
     let mut panels = vec![
         over_slip_rate(prediction),
         over_loading(
             prediction,
             ("friction", "Sliding friction"),
             Axis::linear(FRICTION_LABEL),
-            &[("", "mu")],
+            if is_steady_known { &[("", "mu"), ("steady, ", "mu_steady")] } else { &[("", "mu")] },
             1.0,
         ),
         over_loading(

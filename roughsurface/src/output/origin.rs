@@ -35,6 +35,7 @@ impl Origin<'_> {
             ("table", self.table),
             ("law", law),
             ("hold", hold),
+            ("contact_life", query.contact_life.to_string().as_str()),
         ] {
             file.attribute(name, value)?;
         }

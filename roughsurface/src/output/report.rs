@@ -10,7 +10,7 @@ use crate::output::origin::Origin;
 use crate::output::result_tables::{Rows, compared, flash_heating, parameters, quantities};
 use crate::output::results::Results;
 use crate::sampling::uncertainty::VariedParameter;
-use crate::surface::query::LoadingControl;
+use crate::surface::query::{ContactLife, LoadingControl};
 use std::fmt::Write;
 
 const STYLE: &str = "body{font-family:sans-serif;max-width:76em;margin:2em auto;padding:0 1em;color:#111;line-height:1.4}\
@@ -40,9 +40,10 @@ const CITATIONS: [&str; 4] = [
 const FLASH_HEATING: &str = "<p>μ = μ<sub>w</sub> + (μ<sub>0</sub> − μ<sub>w</sub>)/[1 + (V/V<sub>w</sub>)<sup>8</sup>]<sup>1/8</sup></p>\n";
 
 /// Columns of the results: quantity and heading.
-const COLUMNS: [(&str, &str); 19] = [
+const COLUMNS: [(&str, &str); 20] = [
     ("mu_static", "μ static"),
     ("mu", "μ sliding"),
+    ("mu_steady", "μ steady"),
     ("dmu_dlnV", "dμ/d ln V"),
     ("G", "G [J/m²]"),
     ("G_real_area", "G per real area [J/m²]"),
@@ -69,11 +70,15 @@ pub fn html(results: &Results, origin: &Origin) -> String {
         LoadingControl::Load => "nominal load",
         LoadingControl::Separation => "separation",
     };
+    let life = match prediction.query.contact_life {
+        ContactLife::Diameters(diameters) => format!("{diameters} contact diameters"),
+        ContactLife::Steady => "unlimited".into(),
+    };
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <title>Friction of a rough surface</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
          <h1>Friction of a rough surface</h1>\n\
-         <p>Asperity law: {}. Held during the slide: {hold}. Plasticity index ψ = √(σ<sub>s</sub>/ω<sub>c</sub>) \
+         <p>Asperity law: {}. Held during the slide: {hold}. Life of a contact: {life}. Plasticity index ψ = √(σ<sub>s</sub>/ω<sub>c</sub>) \
          = {:.3}: {}.</p>\n",
         escaped(&prediction.law),
         prediction.plasticity_index,

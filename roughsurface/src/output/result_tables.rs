@@ -29,7 +29,9 @@ fn shown(name: &str, cell: &Friction, errors: bool) -> String {
     match (&quantity.source, quantity.of(cell)) {
         (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => "-".into(),
         (Source::Share(_), Some(Estimate { value, .. })) => format!("{:.2} %", 100.0 * value),
-        (_, Some(estimate)) if matches!(name, "mu" | "mu_static" | "dmu_dlnV") => with_error(estimate),
+        (_, Some(estimate)) if matches!(name, "mu" | "mu_steady" | "mu_static" | "dmu_dlnV") => {
+            with_error(estimate)
+        }
         (_, Some(Estimate { value, error })) if value.is_finite() && quantity.unit == "K" => match errors {
             true => format!("{value:.1} ± {error:.1}"),
             false => format!("{value:.1}"),

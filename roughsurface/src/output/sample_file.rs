@@ -30,7 +30,9 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
     file.attribute("asperities", sampling.asperities as f64)?;
     // A netCDF number would lose the last digits of a large seed.
     file.attribute("seed", sampling.seed.to_string().as_str())?;
-    file.attribute("slip", sampling.slip)?;
+    if let Some(slip) = sampling.slip {
+        file.attribute("slip", slip)?;
+    }
     let row = grid_coordinates(&mut file, &samples.query)?;
     let numbers: Vec<f64> = (1..=sampling.realizations).map(|number| number as f64).collect();
     coordinate(&mut file, "realization", &numbers, ("1", "number of the surface"), "X")?;
@@ -70,10 +72,14 @@ fn cells(samples: &Samples) -> impl Iterator<Item = (f64, f64, Scatter, Scatter)
 pub fn text(samples: &Samples) -> String {
     let head = samples.query.loading.heading();
     let width = head.len().max(13);
+    let state = match samples.sampling.slip {
+        Some(slip) => format!("after a slip of {slip:.3e} m"),
+        None => format!("contact life {}", samples.query.contact_life),
+    };
     let mut text = format!(
-        "{} surfaces of {} asperities, after a slip of {:.3e} m; intervals hold 95 %\n\
+        "{} surfaces of {} asperities, {state}; intervals hold 95 %\n\
          {head:>width$}   slip rate [m/s]     mean mu             mu of one surface   contacts\n",
-        samples.sampling.realizations, samples.sampling.asperities, samples.sampling.slip
+        samples.sampling.realizations, samples.sampling.asperities
     );
     for (load, rate, mu, contacts) in cells(samples) {
         let _ = writeln!(

@@ -6,9 +6,10 @@ use crate::output::result_tables::{Rows, compared, flash_heating, parameters, qu
 use crate::output::results::Results;
 
 /// Columns of the summary: quantity and heading.
-const COLUMNS: [(&str, &str); 10] = [
+const COLUMNS: [(&str, &str); 11] = [
     ("mu_static", "mu_static"),
     ("mu", "mu"),
+    ("mu_steady", "mu_steady"),
     ("Q", "Q [Pa]"),
     ("G", "G [J/m2]"),
     ("G_weakening", "G_weakening"),

@@ -53,6 +53,7 @@ pub fn json(results: &Results) -> Value {
     json!({
         "law": prediction.law,
         "hold": prediction.query.control,
+        "contact_life": prediction.query.contact_life,
         "plasticity_index": prediction.plasticity_index,
         "regime": regime(prediction.plasticity_index),
         "friction": cells,

@@ -2,6 +2,10 @@
 
 use crate::surface::heights::Heights;
 use crate::surface::radii::Radii;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt;
+use std::str::FromStr;
 use tables::law::{AsperityLaw, LookupError};
 
 /// A rough surface.
@@ -57,6 +61,68 @@ pub enum LoadingControl {
     Separation,
 }
 
+/// Slip over which a contact lasts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactLife {
+    /// In diameters of the contact: between two rough faces about one.
+    Diameters(f64),
+    /// Against a smooth flat the summits stay in contact: until friction is steady.
+    Steady,
+}
+
+impl Default for ContactLife {
+    fn default() -> Self {
+        Self::Diameters(1.0)
+    }
+}
+
+impl FromStr for ContactLife {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match (text, text.parse::<f64>()) {
+            ("steady", _) => Ok(Self::Steady),
+            (_, Ok(diameters)) if diameters > 0.0 && diameters.is_finite() => Ok(Self::Diameters(diameters)),
+            _ => Err(format!("{text} must be a positive number (contact diameters) or steady")),
+        }
+    }
+}
+
+impl fmt::Display for ContactLife {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Diameters(diameters) => write!(formatter, "{diameters}"),
+            Self::Steady => formatter.write_str("steady"),
+        }
+    }
+}
+
+/// A number, or "steady".
+impl Serialize for ContactLife {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Diameters(diameters) => serializer.serialize_f64(*diameters),
+            Self::Steady => serializer.serialize_str("steady"),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for ContactLife {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "a positive number (contact diameters) or \"steady\"")]
+        enum Given {
+            Number(f64),
+            Name(String),
+        }
+        let text = match Given::deserialize(deserializer)? {
+            Given::Number(number) => number.to_string(),
+            Given::Name(name) => name,
+        };
+        text.parse().map_err(D::Error::custom)
+    }
+}
+
 /// Loading, slip rates and loading control of a prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Query {
@@ -64,6 +130,7 @@ pub struct Query {
     /// Slip rates, m/s.
     pub slip_rates: Vec<f64>,
     pub control: LoadingControl,
+    pub contact_life: ContactLife,
 }
 
 impl Query {

@@ -83,7 +83,7 @@ fn bearing_steel() {
             |cell| cell.contacts.shares.elastic,
         ],
     );
-    for (model, from, to) in [("model:hertz", 0.325, 0.238), ("model:brizmer", 0.614, 0.475)] {
+    for (model, from, to) in [("model:hertz", 0.324, 0.237), ("model:brizmer", 0.611, 0.473)] {
         let other = predicted(&file, model);
         let [light, heavy] = [0, 3].map(|row: usize| other.friction[row][0].sliding.mu.value);
         assert!((light - from).abs() < 6e-4 && (heavy - to).abs() < 6e-4, "{model}: {light} {heavy}");
@@ -94,7 +94,7 @@ fn bearing_steel() {
 fn granite_fault_without_heat() {
     let prediction = predicted(&scene("granite-fault.toml"), "model:constant-shear");
     assert!((prediction.plasticity_index - 0.83).abs() < 0.005);
-    for (cells, mu) in prediction.friction.iter().zip([0.833, 0.701, 0.619]) {
+    for (cells, mu) in prediction.friction.iter().zip([0.819, 0.689, 0.608]) {
         assert!(cells.iter().all(|cell| (cell.sliding.mu.value - mu).abs() < 6e-4));
     }
 }

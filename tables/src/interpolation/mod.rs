@@ -211,6 +211,25 @@ impl AsperityLaw for InterpolatedTable {
         }))
     }
 
+    fn last_slip(&self) -> f64 {
+        self.interpolant.nodes.last_slip()
+    }
+
+    fn steady_friction(
+        &self,
+        radius: f64,
+        interference: f64,
+        slip_rate: f64,
+    ) -> Result<Option<Estimate>, LookupError> {
+        if !self.holds(Quantity::MuSteady) {
+            return Ok(None);
+        }
+        if interference <= 0.0 {
+            return Ok(Some(Estimate::default()));
+        }
+        self.estimate(Quantity::MuSteady, radius, interference, slip_rate).map(Some)
+    }
+
     fn temperature_mean(
         &self,
         radius: f64,

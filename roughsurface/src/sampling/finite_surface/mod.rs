@@ -35,8 +35,8 @@ pub struct Sampling {
     pub realizations: usize,
     /// Seed of the heights: the same seed gives the same surfaces.
     pub seed: u64,
-    /// Slip at which friction is read, m.
-    pub slip: f64,
+    /// Slip after which friction is read, m; none for contacts of all ages of their life.
+    pub slip: Option<f64>,
 }
 
 /// Results of the finite surfaces.
@@ -57,17 +57,17 @@ impl Samples {
     }
 }
 
-/// Draws finite surfaces and slides them by [`Sampling::slip`].
+/// Draws finite surfaces and slides them, by [`Sampling::slip`] or steadily.
 ///
 /// Each surface has a seed of its own, drawn in order, so the result does not depend on the number of
 /// threads; the same surfaces are loaded with every pressure and slip rate. Under load control the
-/// separation is that of the end of the slide; under displacement control that of the pressure before it.
+/// separation is that of the slide; under displacement control that of the pressure before it.
 ///
 /// ```
 /// use roughsurface::friction::Settings;
 /// use roughsurface::surface::heights::Gaussian;
 /// use roughsurface::sampling::finite_surface::{Sampling, sample};
-/// use roughsurface::surface::query::{LoadingControl, NormalLoading, Query, Surface};
+/// use roughsurface::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
 /// use tables::closed_forms::{ElasticPlastic, closed_form};
 ///
 /// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
@@ -78,8 +78,8 @@ impl Samples {
 ///     heights: Box::new(Gaussian::new(0.4e-6)),
 /// };
 /// let loading = NormalLoading::Pressure(vec![1e7]);
-/// let query = Query { loading, slip_rates: vec![1.0], control: LoadingControl::Load };
-/// let sampling = Sampling { asperities: 300, realizations: 5, seed: 1, slip: 10e-6 };
+/// let query = Query { loading, slip_rates: vec![1.0], control: LoadingControl::Load, contact_life: ContactLife::default() };
+/// let sampling = Sampling { asperities: 300, realizations: 5, seed: 1, slip: None };
 /// let found = sample(law.as_ref(), &surface, &query, &sampling, &Settings::default(), &|_, _| ())?;
 /// assert!(found.scatter(0, 0, |one| one.state.mu.value).mean > 0.1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -95,7 +95,11 @@ pub fn sample(
     query.check_slip_rates(law, &surface.asperity_radius)?;
     let with_rate = |&rate: &f64| {
         let before = Asperities::new(law, surface, rate)?;
-        Ok(LawAtRate { after: before.after(sampling.slip), before })
+        let after = match sampling.slip {
+            Some(slip) => before.after(slip),
+            None => before.of_all_ages(query.contact_life),
+        };
+        Ok(LawAtRate { after, before })
     };
     let laws: Vec<LawAtRate> = query.slip_rates.iter().map(with_rate).collect::<Result<_, LookupError>>()?;
     let predictors = predictors(&laws, surface, query, settings);

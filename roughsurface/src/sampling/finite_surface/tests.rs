@@ -4,6 +4,7 @@ use super::*;
 use crate::integral::surface_integral::ContactIntegral;
 use crate::integral::test_laws::{PowerLaw, STEEL};
 use crate::surface::heights::{Exponential, Gaussian};
+use crate::surface::query::ContactLife;
 use crate::surface::radii::Radii;
 use tables::closed_forms::closed_form;
 
@@ -18,8 +19,9 @@ fn samples(asperities: usize) -> Samples {
         loading: NormalLoading::Pressure(vec![1e6, 1e8]),
         slip_rates: vec![1.0],
         control: LoadingControl::Load,
+        contact_life: ContactLife::default(),
     };
-    let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: 1.0 };
+    let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: Some(1.0) };
     sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap()
 }
 
@@ -56,8 +58,9 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
             loading: NormalLoading::Separation(vec![0.0, 0.5e-6]),
             slip_rates: vec![1.0],
             control: LoadingControl::Separation,
+            contact_life: ContactLife::default(),
         };
-        let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: 1e-8 };
+        let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: Some(1e-8) };
         let settings = Settings::default();
         let samples = sample(law.as_ref(), &surface, &query, &sampling, &settings, &|_, _| ()).unwrap();
         let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-8);

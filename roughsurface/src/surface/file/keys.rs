@@ -3,7 +3,7 @@
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
 use crate::surface::heights::HeightsKeys;
-use crate::surface::query::LoadingControl;
+use crate::surface::query::{ContactLife, LoadingControl};
 use crate::surface::radii::{LARGEST_VARIATION, Radii};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -67,6 +67,8 @@ pub(super) struct QueryKeys {
     pub(super) slip_rate: Values,
     #[serde(default = "held_load")]
     pub(super) hold: LoadingControl,
+    #[serde(default)]
+    pub(super) contact_life: ContactLife,
     pub(super) temperature: Option<f64>,
 }
 

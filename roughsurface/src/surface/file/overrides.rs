@@ -1,7 +1,7 @@
 //! Keys given on the command line in place of those of the file.
 
 use super::values::Values;
-use crate::surface::query::LoadingControl;
+use crate::surface::query::{ContactLife, LoadingControl};
 use std::str::FromStr;
 use toml::{Table, Value};
 
@@ -25,6 +25,12 @@ impl Override {
     pub fn hold(control: LoadingControl) -> Self {
         let value = Value::try_from(control).ok();
         Self { path: vec!["query".into(), "hold".into()], value }
+    }
+
+    /// Slip over which a contact lasts.
+    pub fn contact_life(life: ContactLife) -> Self {
+        let value = Value::try_from(life).ok();
+        Self { path: vec!["query".into(), "contact_life".into()], value }
     }
 
     /// Leaves a key of the section `[query]` out.

@@ -163,7 +163,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
     }
     Ok(SurfaceFile {
         surface: Surface { asperity_density, asperity_radius, heights },
-        query: Query { loading, slip_rates, control: keys.query.hold },
+        query: Query { loading, slip_rates, control: keys.query.hold, contact_life: keys.query.contact_life },
         temperature: keys.query.temperature,
         material: keys.material,
         uncertain,

@@ -47,7 +47,7 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
         (
             "pressure =",
             "presure =",
-            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, temperature",
+            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, contact_life, temperature",
         ),
         (
             "std = 0.5e-6",
