@@ -64,12 +64,20 @@ fn summary(report: &Report, text: &mut String) {
         EFFECTIVE.0,
         EFFECTIVE.1,
     );
-    text.push_str("True error over its estimate:\n\n| quantity | effective | least | median | largest |\n|---|---|---|---|---|\n");
+    text.push_str(
+        "Mean and mean size of the true errors in % of the value; share of true errors no larger than the estimate; true \
+         error over its estimate:\n\n\
+         | quantity | mean | mean size | covered | effective | least | median | largest |\n|---|---|---|---|---|---|---|---|\n",
+    );
     for quantity in JUDGED {
-        let QuantityReport { share, ratios: [least, median, largest], .. } = report.of(quantity);
+        let QuantityReport { bias, size, share, covered, ratios: [least, median, largest], .. } =
+            report.of(quantity);
         let name = quantity.descriptor().name;
-        let percent = 100.0 * share;
-        let _ = writeln!(text, "| {name} | {percent:.0} % | {least:.2} | {median:.2} | {largest:.2} |");
+        let [bias, size, share, covered] = [bias, size, share, covered].map(|part| 100.0 * part);
+        let _ = writeln!(
+            text,
+            "| {name} | {bias:+.2} | {size:.2} | {covered:.0} % | {share:.0} % | {least:.2} | {median:.2} | {largest:.2} |"
+        );
     }
 }
 

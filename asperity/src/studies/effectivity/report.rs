@@ -98,8 +98,14 @@ impl SceneReport {
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuantityReport {
     pub quantity: Quantity,
+    /// Mean of the relative true errors: the bias of the values.
+    pub bias: f64,
+    /// Mean of their sizes.
+    pub size: f64,
     /// Share of effective estimates.
     pub share: f64,
+    /// Share of true errors no larger than the estimate.
+    pub covered: f64,
     /// Least, median and largest ratio of true error to estimate.
     pub ratios: [f64; 3],
 }
@@ -189,7 +195,15 @@ impl Report {
             let last = ratios.len().saturating_sub(1) as f64;
             ratios.get((share * last).round() as usize).copied().unwrap_or(f64::NAN)
         };
-        QuantityReport { quantity, share: share(chosen()), ratios: [at(0.0), at(0.5), at(1.0)] }
+        let mean = |of: fn(&Judged) -> f64| chosen().map(of).sum::<f64>() / chosen().count().max(1) as f64;
+        QuantityReport {
+            quantity,
+            bias: mean(|judged| judged.error() / judged.scale),
+            size: mean(|judged| judged.error().abs() / judged.scale),
+            share: share(chosen()),
+            covered: mean(|judged| f64::from(u8::from(judged.error().abs() <= judged.estimate()))),
+            ratios: [at(0.0), at(0.5), at(1.0)],
+        }
     }
 }
 
@@ -259,5 +273,8 @@ mod tests {
         assert!((scene.worst_ratio() - 0.75).abs() < 1e-12);
         let report = Report { scenes: vec![scene], missing: Vec::new() };
         assert_eq!((report.effective_scenes(), report.share()), (1, 0.0));
+        let [load, mu] = [Quantity::Load, Quantity::Mu].map(|quantity| report.of(quantity));
+        assert_eq!((load.covered, mu.covered), (1.0, 0.0));
+        assert!((load.bias - 0.001).abs() < 1e-15 && (mu.bias + 0.03).abs() < 1e-15 && mu.size == -mu.bias);
     }
 }
