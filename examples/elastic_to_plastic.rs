@@ -20,7 +20,7 @@ use tables::shipped;
 use tables::table::Slice;
 
 /// Slip rates that are drawn: the isothermal limit, one in the middle, and the fastest.
-const RATES: [f64; 3] = [0.0, 0.63, 10.0];
+const RATES: [f64; 3] = [0.0, 0.5, 10.0];
 
 fn main() -> anyhow::Result<()> {
     let steel = shipped::table("steel-4340")?;
@@ -81,7 +81,7 @@ fn figure(steel: &Slice, elastic: impl Fn(f64) -> f64, plastic: f64) -> anyhow::
         ),
         panel(
             "4340: sliding friction",
-            Axis::logarithmic("μ after two contact radii"),
+            Axis::logarithmic("μ at the end of the slide"),
             at_rates(&|table, i, j| value(table, i, j, Quantity::Mu)),
         ),
         panel("4340: load after the slide", Axis::linear("P/P_{press}"), at_rates(load)),

@@ -12,9 +12,10 @@ case ${1-} in
     exit 2
     ;;
 esac
-cd "$(dirname "${BASH_SOURCE[0]}")"
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 cargo build --locked --release --workspace --bin asperity
 programs=$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')/release
-(($#)) || set -- *.toml
-printf '%s\n' "${@%.toml}" | xargs -P 2 -I NAME sh -c \
-    '"$1/asperity" tabulate NAME.toml -o NAME.new --jobs 1 --resume --quiet && mv NAME.new NAME.nc' make "$programs"
+(($#)) || set -- steel-304 titanium-6al4v aluminium-6061 steel-4340 steel-1045 copper
+export PATH="$programs:$PATH"
+printf '%s\n' "$@" | xargs -P 2 -I NAME \
+    asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc --jobs 1 --resume --quiet

@@ -60,10 +60,10 @@ fn below_their_first_row_tables_agree_with_runs() {
     for (metal, share, slip_rate) in cold.into_iter().chain(hot) {
         let table = shipped::table(metal).unwrap();
         let Metadata { asperity_radius: radius, .. } = *table.metadata();
-        let first = table.axes().interference[0];
+        let (first, slip_distance) = (table.axes().interference[0], table.axes().slip.last().unwrap());
         let text = format!(
             "[material]\npreset = \"{metal}\"\n[asperity]\nradius = {radius}\n[loading]\nslip_rate = {slip_rate}\n\
-             interference = {}\n[model]\nkinematics = \"small\"\n[numerics]\nelements_per_radius = 12\nsectors = 8\n",
+             interference = {}\nslip_distance = {slip_distance:?}\n[model]\nkinematics = \"small\"\n[numerics]\nelements_per_radius = 12\nsectors = 8\n",
             share * first
         );
         let outcome = run(&parse_scene(&text, "this test", &[]).unwrap());
@@ -75,13 +75,10 @@ fn below_their_first_row_tables_agree_with_runs() {
             let (off, allowed) = ((there.value - here.value).abs(), there.error + here.error);
             println!("{share} {quantity:?}: {here:?} {there:?}, {:.2} of the errors", off / allowed);
             assert!(off < allowed, "{share} {quantity:?}: {here:?} {there:?}");
-            let most = if quantity == EnergyRelease {
-                0.4
-            } else if slip_rate > 0.0 {
-                0.25
-            } else {
-                0.1
-            };
+            // Friction heats over ten or twenty contact radii, and expansion lifts the load.
+            let most: f64 = if quantity == EnergyRelease || slip_rate > 0.0 { 0.4 } else { 0.1 };
+            // Or that of the run itself.
+            let most = most.max(here.error / here.value);
             assert!(there.error < most * there.value, "{share} {quantity:?}: {there:?}");
         }
     }

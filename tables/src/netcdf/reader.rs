@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::Path;
 
 use ::netcdf::AttributeValue;
+use parking_lot::ReentrantMutexGuard;
 
 use super::checksum::{self, Checksum};
 use super::{DatasetError, FILL_VALUE, MOST_EXPANSION, classic_header, sandbox, silence_hdf5};
@@ -14,6 +15,9 @@ pub struct DatasetReader {
     file: ::netcdf::File,
     /// Values that a variable can have at most: a file cannot hold more.
     most_values: usize,
+    /// HDF5 lets all that have a file open share what is read of it, and a type remembers the first of them: two threads
+    /// must not have the same file open. Released after the file.
+    _alone: ReentrantMutexGuard<'static, ()>,
 }
 
 /// Refuses what is not a regular file: reading a FIFO or a device might not end.
@@ -57,9 +61,10 @@ impl DatasetReader {
             return Err(failed(damage));
         }
         silence_hdf5();
+        let alone = hdf5_metno_sys::LOCK.lock();
         let file = ::netcdf::open(path).map_err(|error| failed(error.to_string()))?;
         let most_values = usize::try_from(size.saturating_mul(MOST_EXPANSION) / 8).unwrap_or(usize::MAX);
-        Ok(Self { path: shown, file, most_values })
+        Ok(Self { path: shown, file, most_values, _alone: alone })
     }
 
     /// Global attribute that is a text.

@@ -119,8 +119,11 @@ mod tests {
         for name in names() {
             let table = table(name).unwrap();
             let axes = table.axes();
-            assert_eq!((axes.interference.len(), axes.slip_rate.len()), (8, 7), "{name}");
             assert_eq!((axes.interference[0], axes.slip_rate[0]), (0.1, 0.0), "{name}");
+            // To a contact radius of 0.23 of that of the asperity; copper does not stick that far.
+            let last = axes.interference[axes.interference.len() - 1];
+            let reach = last / table.contact_limit();
+            assert!(reach > 0.33 || (name == "copper" && last == 3000.0), "{name}: {last}, {reach}");
             for i in 0..axes.interference.len() {
                 for j in 0..axes.slip_rate.len() {
                     assert!(table.cell(i, j).is_some(), "{name}: {}", table.label(i, j));
@@ -143,7 +146,7 @@ mod tests {
     }
 
     /// The shipped tables cut from 1.9 ω_c on, against all cells above: of each quantity the share that lies within the
-    /// errors of both, and for tables cut from 10 ω_c on the mean deviation over the mean error.
+    /// errors of both, and for tables cut from 10 ω_c on the mean deviation over its error.
     #[test]
     fn rows_above_a_cut_table_lie_within_the_stated_errors() {
         let judged = [
@@ -161,7 +164,7 @@ mod tests {
         ];
         for quantity in judged {
             let (mut inside, mut all, mut farthest) = (0, 0, 0.0_f64);
-            let (mut deviation, mut stated) = (0.0, 0.0);
+            let mut ratios = Vec::new();
             for name in names() {
                 for (cut_at, found, cell) in above_cut_tables(name, quantity) {
                     let (off, allowed) = ((found.value - cell.value).abs(), found.error + cell.error);
@@ -169,12 +172,11 @@ mod tests {
                     inside += usize::from(off <= allowed);
                     farthest = farthest.max(off / allowed);
                     if cut_at >= 10.0 {
-                        deviation += off / cell.value;
-                        stated += found.error / cell.value;
+                        ratios.push(off / allowed);
                     }
                 }
             }
-            let sharpness = deviation / stated;
+            let sharpness = ratios.iter().sum::<f64>() / ratios.len() as f64;
             println!(
                 "{quantity:?}: {inside} of {all}, at most {farthest:.2}, mean {sharpness:.2} of the error"
             );
