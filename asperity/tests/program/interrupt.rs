@@ -11,9 +11,12 @@ use crate::{alone, message};
 const MATERIAL: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
 const NUMERICS: &str = "[numerics]\nelements_per_radius = 8\nsectors = 8\n";
 
-/// The program with progress on stderr.
+/// The program with progress on stderr. The tests may run where signals are ignored, as under nohup.
 fn start(directory: &Path, arguments: &str) -> Child {
-    crate::command(directory, &format!("{arguments} --progress"))
+    Command::new("env")
+        .args(["--default-signal", env!("CARGO_BIN_EXE_asperity"), "--progress"])
+        .args(arguments.split_whitespace())
+        .current_dir(directory)
         .env("HDF5_USE_FILE_LOCKING", "FALSE")
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
