@@ -98,7 +98,7 @@ fn a_prediction_for_which_there_is_no_room_is_saved_elsewhere() {
         let output = command.env("ROUGHSURFACE", env!("CARGO_BIN_EXE_roughsurface")).output().unwrap();
         let said = stderr(&output);
         assert!(
-            String::from_utf8_lossy(&output.stdout).contains("friction"),
+            String::from_utf8_lossy(&output.stdout).contains("mu_static"),
             "{kilobytes} kB: the summary is lost"
         );
         let place = match output.status.code() {

@@ -23,7 +23,7 @@ use crate::table::{Axes, Slice};
 /// assert!(validation.worst(Quantity::EnergyRelease).error > validation.worst(Quantity::Mu).error);
 /// // Left out and predicted from its neighbours, over a gap that is twice as wide.
 /// let misfit = validation.misfit(Along::Interference, 3, 0, Quantity::Mu).unwrap();
-/// assert!(misfit > validation.worst(Quantity::Mu).error && misfit < 0.05, "{misfit}");
+/// assert!(misfit > 1e-3 && misfit < 0.05, "{misfit}");
 /// // The ends of an axis cannot be left out.
 /// assert_eq!(validation.misfit(Along::Interference, 0, 0, Quantity::Mu), None);
 /// # Ok::<(), tables::shipped::TableSourceError>(())
