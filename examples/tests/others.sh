@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the examples that are not in Rust, coarsely: Python, Snakemake, the job array (one task after the
-# other), and the table of costs. Not the comparison with other codes in examples/peers, which needs these.
+# other), and the table of costs; and the tests of the Python package. Not the comparison with other codes in examples/peers, which needs these.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -10,9 +10,9 @@ if ! python3 -c 'import ensurepip' 2>/dev/null; then
     "${as_root[@]}" apt-get update -q
     "${as_root[@]}" apt-get install -q -y --no-install-recommends python3-venv
 fi
-[ -x target/python/bin/snakemake ] || {
+[ -x target/python/bin/pytest ] || {
     python3 -m venv target/python
-    target/python/bin/pip install -q meshio xarray netCDF4 matplotlib snakemake
+    target/python/bin/pip install -q meshio xarray netCDF4 matplotlib snakemake pytest tqdm nbclient ipykernel
 }
 cargo build --locked --release --workspace
 PATH=${CARGO_TARGET_DIR:-$PWD/target}/release:$PWD/target/python/bin:$PATH
@@ -35,3 +35,7 @@ asperity merge "$output"/table.nc.shards/*.nc -o "$output/table.nc" --quiet
 asperity table diff "$output/table.nc" "$output/snakemake/table.nc" --tolerance 0
 
 python examples/scaling.py --set loading.slip_distance=0.1 4
+
+# With the dependencies that were built for the programs.
+target/python/bin/pip install -q './asperity/python[all]'
+pytest -q asperity/python/tests

@@ -8,7 +8,7 @@ use asperity::output::{numbers, provenance};
 use asperity::scene::file::read_request;
 use asperity::simulate::outcome::Note;
 use asperity::solver::timings::{Kernel, Timings};
-use asperity::tabulate::{self, Options, TabulateError, Tabulation};
+use asperity::tabulate::{self, Journal, Options, TabulateError, Tabulation};
 use serde_json::{Value, json};
 use tables::netcdf::streams::say;
 use tables::quantity::Quantity;
@@ -20,7 +20,7 @@ use super::{Display, Failure, TabulateArguments, command_line, outputs, timings}
 /// Run the missing cells of the request, write the table, print a summary.
 pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
-    let journal = journal_beside(&arguments.output);
+    let journal = Journal::beside(&arguments.output);
     check_outputs(arguments, &request.temperatures, &journal)?;
     display.warn(request.remarks());
     if display.verbose {
@@ -117,12 +117,6 @@ fn resuming(command: &str) -> String {
 /// Number of cells that were to be run.
 fn wanted(tabulation: &Tabulation) -> usize {
     tabulation.wanted.iter().flatten().filter(|wanted| **wanted).count()
-}
-
-fn journal_beside(output: &Path) -> PathBuf {
-    let mut name = output.file_name().unwrap_or_default().to_owned();
-    name.push(".part");
-    output.with_file_name(name)
 }
 
 fn report(

@@ -109,6 +109,13 @@ pub struct Journal {
 const MOST_OF_A_LINE: usize = 8 << 10;
 
 impl Journal {
+    /// Path of the journal of a table to be written to `output`.
+    pub fn beside(output: &Path) -> PathBuf {
+        let mut name = output.file_name().unwrap_or_default().to_owned();
+        name.push(".part");
+        output.with_file_name(name)
+    }
+
     /// Open the journal at `path` for a `shard` of `request`: a new one, or with `resume` the one
     /// that is there, with the cells that it holds.
     pub fn open(

@@ -4,6 +4,7 @@ use anyhow::{Context, anyhow};
 use clap::Args;
 use roughsurface::friction::PredictionError;
 use roughsurface::integral::separation::SeparationError;
+use roughsurface::sampling::case::CaseError;
 use std::fmt::Display as Printable;
 use std::path::Path;
 use tables::law::LookupError;
@@ -74,6 +75,14 @@ pub fn failure(error: PredictionError) -> Failure {
     match hint {
         Some(hint) => Failure::Input(anyhow!("{error} ({hint})")),
         None => input(error),
+    }
+}
+
+/// Uncertain parameters that cannot be varied are bad input.
+pub fn case_failure(error: CaseError) -> Failure {
+    match error {
+        CaseError::Prediction(error) => failure(error),
+        CaseError::Uncertainty(error) => input(error),
     }
 }
 

@@ -3,15 +3,12 @@
 use super::common::*;
 use super::topography::TopographyOptions;
 use clap::Args;
-use roughsurface::friction::warning::Warning;
-use roughsurface::integral::law_source::LawSource;
+use roughsurface::sampling::case::{Case, surface_of};
 use roughsurface::surface::file::{Override, SurfaceFile, SurfaceFileError, Values};
 use roughsurface::surface::query::{ContactLife, LoadingControl};
 use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
-use roughsurface::topography::report;
 use std::path::{Path, PathBuf};
-use tables::quantity::plausible::remarks;
 use tables::shipped;
 
 #[derive(Args)]
@@ -82,39 +79,23 @@ fn control(text: &str) -> Result<LoadingControl, String> {
 
 impl QueryOptions {
     fn overrides(&self) -> Vec<Override> {
-        // One loading replaces the other.
-        let loadings =
-            [("pressure", &self.pressure, "separation"), ("separation", &self.separation, "pressure")];
+        let Self { pressure, separation, slip_rate, .. } = self;
         let mut overrides = self.set.clone();
-        for (key, values, other) in loadings {
-            if let Some(values) = values {
-                overrides.extend([Override::query(key, values), Override::no_query(other)]);
-            }
-        }
-        overrides.extend(self.slip_rate.as_ref().map(|rates| Override::query("slip_rate", rates)));
+        overrides.extend(Override::of_query(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
         overrides.extend(self.hold.map(Override::hold));
         overrides.extend(self.contact_life.map(Override::contact_life));
         overrides
     }
 }
 
-/// What the options name.
-pub struct Input {
-    pub file: SurfaceFile,
-    pub source: LawSource,
-    /// The topography that the surface is of, if it is not a surface file.
-    pub measured: Option<Characterization>,
-    pub warnings: Vec<Warning>,
-}
-
 impl InputOptions {
     /// The table as given.
-    pub fn table(&self) -> &str {
+    fn table(&self) -> &str {
         self.table.as_deref().or(self.material.as_deref()).unwrap_or_default()
     }
 
     /// Checks the outputs, and reads all inputs.
-    pub fn read(&self, outputs: &Roles) -> Result<Input, Failure> {
+    pub fn read(&self, outputs: &Roles) -> Result<Case, Failure> {
         let topography = is_topography(&self.surface);
         let role = if topography { "the topography" } else { "the surface file" };
         let mut inputs: Vec<(&str, &Path)> = vec![(role, &self.surface)];
@@ -130,26 +111,14 @@ impl InputOptions {
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
         check_outputs(&tables.chain(heights).collect::<Vec<_>>(), outputs)?;
 
-        let material = file.material.as_ref();
-        let source = LawSource::open(self.table(), material, file.temperature, self.allow_missing);
-        let source = source.map_err(input)?;
-        let of_topography = measured.iter().flat_map(|found| found.warnings.iter().cloned());
-        let mut warnings: Vec<Warning> = of_topography.map(Warning::Topography).collect();
-        let implausible = file.text.parse().as_ref().map(remarks).unwrap_or_default();
-        warnings.extend(implausible.into_iter().map(Warning::Implausible));
-        if !source.interpolated_cells.is_empty() {
-            warnings.push(Warning::CellsInterpolated { cells: source.interpolated_cells.clone() });
-        }
-        Ok(Input { file, source, measured, warnings })
+        Case::open(file, measured, self.table(), self.allow_missing).map_err(input)
     }
 
     fn surface_file(&self, measured: Option<&Characterization>) -> Result<SurfaceFile, SurfaceFileError> {
         let overrides = self.query.overrides();
-        let Some(found) = measured else {
-            return SurfaceFile::read_with(&self.surface, &overrides);
-        };
-        let name = self.surface.file_name().unwrap_or_default().to_string_lossy();
-        let text = report::surface_file(found, &name, None);
-        SurfaceFile::parse_with(&self.surface, text, &overrides)
+        match measured {
+            Some(found) => surface_of(found, &self.surface, &overrides),
+            None => SurfaceFile::read_with(&self.surface, &overrides),
+        }
     }
 }

@@ -1,19 +1,17 @@
 //! `roughsurface predict`.
 
 use super::common::*;
-use super::input::{Input, InputOptions};
+use super::input::InputOptions;
 use super::progress::Progress;
 use anyhow::anyhow;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use roughsurface::friction::comparison::{caveat, compare};
-use roughsurface::friction::cutoff::AtCutoff;
+use roughsurface::friction::Settings;
 use roughsurface::friction::regime::plasticity_index;
 use roughsurface::friction::warning::Warning;
-use roughsurface::friction::{Settings, predict};
 use roughsurface::output::figure::{PANELS, figure};
 use roughsurface::output::{Origin, Results, friction_file, report, summary, summary_json};
-use roughsurface::sampling::uncertainty::propagate;
+use roughsurface::sampling::case::Case;
 use roughsurface::surface::query::Surface;
 use std::path::PathBuf;
 use tables::closed_forms::NAMES;
@@ -107,30 +105,29 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(input)?;
     }
-    let read = options.input.read(&[
+    let case = options.input.read(&[
         ("--output", Some(&options.output)),
         ("--plot", options.plot.as_deref()),
         ("--report", options.report.as_deref()),
     ])?;
     if display.verbose {
-        describe(read.source.law.as_ref(), &read.file.surface);
+        describe(case.source.law.as_ref(), &case.file.surface);
     }
     let started = std::time::Instant::now();
     let progress = Progress::new(display, "slips");
-    let computed = thread_pool(&options.run)?.install(|| compute(options, &read, &models, &progress));
+    let mut settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
+    settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
+    let show = |done, total| progress.show(done, total);
+    let computed = thread_pool(&options.run)?.install(|| case.predict(&models, &settings, &show));
     progress.clear();
-    let mut results = computed?;
-    let caveats = models.iter().map(String::as_str).chain(options.input.table().strip_prefix("model:"));
-    let caveats = caveats.filter_map(|model| caveat(model, &read.source.material));
-    results.prediction.warnings.splice(..0, read.warnings.iter().cloned());
-    results.prediction.warnings.extend(caveats);
+    let results = computed.map_err(case_failure)?;
     if display.verbose {
         let slip = &results.prediction.slip;
         let (count, first, last) = (slip.len(), slip[1], slip[slip.len() - 1]);
         let seconds = started.elapsed().as_secs_f64();
         say(format!("{count} slips from {first:.3e} to {last:.3e} m in {seconds:.2} s"));
     }
-    write(options, display, &results, &read.file.text)
+    write(options, display, &results, &case)
 }
 
 fn describe(law: &dyn AsperityLaw, surface: &Surface) {
@@ -144,36 +141,8 @@ fn describe(law: &dyn AsperityLaw, surface: &Surface) {
     ));
 }
 
-fn compute(
-    options: &Predict,
-    read: &Input,
-    models: &[String],
-    progress: &Progress,
-) -> Result<Results, Failure> {
-    let Input { file, source, measured, .. } = read;
-    let mut settings = Settings {
-        extrapolate: options.input.extrapolate,
-        melting_temperature: source.melting_temperature,
-        ..Settings::default()
-    };
-    settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
-    let show = |done, total| progress.show(done, total);
-    let (surface, query) = (&file.surface, &file.query);
-    let prediction = predict(source.law.as_ref(), surface, query, &settings, &show).map_err(failure)?;
-    let mut results = Results::from(prediction);
-    if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
-        let propagated = propagate(file, options.input.table(), &results.prediction, &settings, &show);
-        results.propagated = Some(propagated.map_err(input)?);
-    }
-    if let Some(measured) = measured {
-        results.cutoffs = AtCutoff::around(measured, source.law.as_ref(), &results.prediction, &settings);
-    }
-    results.comparisons = compare(models, &source.material, surface, query, &settings).map_err(failure)?;
-    Ok(results)
-}
-
-fn write(options: &Predict, display: &Display, results: &Results, surface: &str) -> Result<(), Failure> {
-    let origin = Origin { surface, table: options.input.table(), history: &history(&command_line()) };
+fn write(options: &Predict, display: &Display, results: &Results, case: &Case) -> Result<(), Failure> {
+    let origin = Origin { surface: &case.file.text, table: &case.table, history: &history(&command_line()) };
     let saved = save(&options.output, |path| friction_file::write(path, results, &origin));
     let drawn = draw(options, results, &origin);
     let printed = summarise(

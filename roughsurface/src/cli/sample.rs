@@ -1,13 +1,12 @@
 //! `roughsurface sample`.
 
 use super::common::*;
-use super::input::{Input, InputOptions};
+use super::input::InputOptions;
 use super::progress::Progress;
 use clap::Args;
 use roughsurface::friction::Settings;
 use roughsurface::friction::warning::Warning;
 use roughsurface::output::{Origin, sample_file};
-use roughsurface::sampling::finite_surface::{Sampling, sample};
 use std::path::PathBuf;
 use tables::netcdf;
 
@@ -48,26 +47,17 @@ fn slip_length(text: &str) -> Result<f64, String> {
 
 /// Draws, slides, writes.
 pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
-    let Input { file, source, warnings, .. } = options.input.read(&[("--output", Some(&options.output))])?;
-    let law = source.law.as_ref();
+    let case = options.input.read(&[("--output", Some(&options.output))])?;
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
-    let pool = thread_pool(&options.run)?;
     let progress = Progress::new(display, "surfaces");
-    let sampled = pool.install(|| {
-        let sampling = Sampling {
-            asperities: options.asperities as usize,
-            realizations: options.realizations as usize,
-            seed: options.seed,
-            slip: options.slip,
-        };
-        let show = |done, total| progress.show(done, total);
-        sample(law, &file.surface, &file.query, &sampling, &settings, &show)
-    });
+    let show = |done, total| progress.show(done, total);
+    let (asperities, realizations) = (options.asperities as usize, options.realizations as usize);
+    let sampled = thread_pool(&options.run)?
+        .install(|| case.sample(asperities, (realizations, options.seed), options.slip, &settings, &show));
     progress.clear();
-    let mut samples = sampled.map_err(failure)?;
-    samples.warnings.splice(..0, warnings);
+    let samples = sampled.map_err(failure)?;
     let history = netcdf::history(&command_line());
-    let origin = Origin { surface: &file.text, table: options.input.table(), history: &history };
+    let origin = Origin { surface: &case.file.text, table: &case.table, history: &history };
     let saved = save(&options.output, |path| sample_file::write(path, &samples, &origin));
     let printed = summarise(
         display,

@@ -4,7 +4,7 @@ use crate::friction::cutoff::AtCutoff;
 use crate::friction::quantities::Quantity;
 use crate::output::origin::described;
 use crate::output::result_tables::Rows;
-use crate::output::results::Results;
+use crate::sampling::case::Results;
 use serde_json::{Value, json};
 use tables::netcdf::{DatasetError, DatasetWriter};
 

@@ -3,7 +3,7 @@
 use crate::friction::Prediction;
 use crate::friction::flash_heating::FlashHeating;
 use crate::friction::quantities::Quantity;
-use crate::output::results::Results;
+use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
 use tables::law::Estimate;

@@ -7,7 +7,7 @@ use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::origin::{Origin, coordinate, described, grid_coordinates, with_error};
-use crate::output::results::Results;
+use crate::sampling::case::Results;
 use crate::sampling::uncertainty::{Propagated, outputs};
 use std::path::Path;
 use tables::law::Estimate;

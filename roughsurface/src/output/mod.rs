@@ -9,12 +9,11 @@ pub mod friction_file;
 mod origin;
 pub mod report;
 mod result_tables;
-mod results;
 pub mod sample_file;
 pub mod summary;
 pub mod summary_json;
 #[cfg(test)]
 mod tests;
 
+pub use crate::sampling::case::Results;
 pub use origin::Origin;
-pub use results::Results;

@@ -8,7 +8,7 @@ use crate::output::cutoffs;
 use crate::output::figure::figure;
 use crate::output::origin::Origin;
 use crate::output::result_tables::{Rows, compared, flash_heating, parameters, quantities};
-use crate::output::results::Results;
+use crate::sampling::case::Results;
 use crate::sampling::uncertainty::VariedParameter;
 use crate::surface::query::{ContactLife, LoadingControl};
 use std::fmt::Write;

@@ -2,7 +2,7 @@
 
 use crate::friction::Friction;
 use crate::friction::quantities::{Quantity, Source};
-use crate::output::results::Results;
+use crate::sampling::case::Results;
 use crate::sampling::uncertainty::outputs;
 use tables::numbers;
 use tables::quantity::Estimate;

@@ -3,7 +3,7 @@
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::result_tables::{Rows, compared, flash_heating, parameters, quantities};
-use crate::output::results::Results;
+use crate::sampling::case::Results;
 
 /// Columns of the summary: quantity and heading.
 const COLUMNS: [(&str, &str); 11] = [

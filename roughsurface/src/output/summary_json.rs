@@ -6,7 +6,7 @@ use crate::friction::quantities::{QUANTITIES, Quantity};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::friction_file::COMPARED;
-use crate::output::results::Results;
+use crate::sampling::case::Results;
 use crate::sampling::uncertainty::outputs;
 use crate::surface::query::NormalLoading;
 use serde_json::{Map, Value, json};

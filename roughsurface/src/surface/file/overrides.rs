@@ -15,10 +15,23 @@ pub struct Override {
 }
 
 impl Override {
-    /// `values` for a key of the section `[query]`.
-    pub fn query(key: &str, values: &Values) -> Self {
-        let values = values.0.iter().copied().map(Value::Float).collect();
-        Self { path: vec!["query".into(), key.into()], value: Some(Value::Array(values)) }
+    /// Numbers in place of those of the section `[query]`; a pressure or a separation replaces the other.
+    pub fn of_query(
+        pressure: Option<&Values>,
+        separation: Option<&Values>,
+        slip_rate: Option<&Values>,
+    ) -> Vec<Self> {
+        let of = |key: &str, value| Self { path: vec!["query".into(), key.into()], value };
+        let list = |values: &Values| Value::Array(values.0.iter().copied().map(Value::Float).collect());
+        let loadings = [("pressure", pressure, "separation"), ("separation", separation, "pressure")];
+        let mut overrides = Vec::new();
+        for (key, values, other) in loadings {
+            if let Some(values) = values {
+                overrides.extend([of(key, Some(list(values))), of(other, None)]);
+            }
+        }
+        overrides.extend(slip_rate.map(|rates| of("slip_rate", Some(list(rates)))));
+        overrides
     }
 
     /// The quantity held.
@@ -31,11 +44,6 @@ impl Override {
     pub fn contact_life(life: ContactLife) -> Self {
         let value = Value::try_from(life).ok();
         Self { path: vec!["query".into(), "contact_life".into()], value }
-    }
-
-    /// Leaves a key of the section `[query]` out.
-    pub fn no_query(key: &str) -> Self {
-        Self { path: vec!["query".into(), key.into()], value: None }
     }
 }
 

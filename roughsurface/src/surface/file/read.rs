@@ -40,6 +40,15 @@ pub enum SurfaceFileError {
     Content { file: PathBuf, line: Option<usize>, what: String },
 }
 
+impl SurfaceFileError {
+    /// The key that the error is about, as `query.pressure`, if it is about one.
+    pub fn key(&self) -> Option<&str> {
+        let Self::Content { what, .. } = self else { return None };
+        let end = what.find([':', ' ', '[']).unwrap_or(what.len());
+        what[..end].contains('.').then_some(&what[..end])
+    }
+}
+
 impl SurfaceFile {
     /// Reads and checks a surface file, or the standard input for the path `-`.
     pub fn read(file: &Path) -> Result<Self, SurfaceFileError> {

@@ -92,6 +92,18 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
 }
 
 #[test]
+fn errors_name_their_key() {
+    for (from, to, expected) in [
+        ("[1e7, 1e5]", "[1e7, -1e5]", Some("query.pressure")),
+        ("asperity_radius = 100e-6", "asperity_radius = 0.0", Some("surface.asperity_radius")),
+        ("std = 0.5e-6", "sdt = 0.5e-6", Some("surface.heights.sdt")),
+        ("[surface]", "[surface", None),
+    ] {
+        assert_eq!(parse(&GOOD.replace(from, to)).unwrap_err().key(), expected);
+    }
+}
+
+#[test]
 fn radii_may_be_distributed() {
     let radii = |line: &str, radius: &str| {
         let line = format!("{radius}\nradii = {{ {line} }}");
@@ -167,7 +179,7 @@ fn the_command_line_overrides_the_file() {
     // The text that is stored with the results is that of the surface computed.
     let again = parse(&file.text).unwrap();
     assert_eq!((again.query, again.text), (file.query, file.text));
-    let separations = [Override::no_query("pressure"), Override::query("separation", &Values(vec![-1e-7]))];
+    let separations = Override::of_query(None, Some(&Values(vec![-1e-7])), None);
     let file = SurfaceFile::parse_with(Path::new("s.toml"), GOOD.to_owned(), &separations).unwrap();
     assert_eq!(file.query.loading, NormalLoading::Separation(vec![-1e-7]));
     for (text, expected) in [

@@ -56,8 +56,12 @@ pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyErro
     } else {
         text::parse(&String::from_utf8_lossy(&bytes), reading)
     };
-    let mut topography = parsed.map_err(error)?;
-    check(&mut topography).map_err(error)?;
+    parsed.and_then(checked).map_err(error)
+}
+
+/// Heights that do not come from a file, checked like those of a file: undefined points are filled in.
+pub fn checked(mut topography: Topography) -> Result<Topography, String> {
+    check(&mut topography)?;
     if let Some(warning) = plausibility::micrometres(&topography) {
         topography.remarks.retain(|remark| *remark != Warning::NoUnit);
         topography.remarks.push(warning);

@@ -1,0 +1,132 @@
+"""Input in the forms that Python users have it, and the display of progress."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import warnings
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Callable, Iterable, Iterator, Mapping, NamedTuple, Sequence, Union
+
+import numpy as np
+
+from ._errors import InputError, ModelWarning
+
+Document = Union[Mapping[str, Any], str, "os.PathLike[str]"]
+"""A dictionary of sections, TOML as text, or the path of a file."""
+
+Numbers = Union[float, Sequence[float], np.ndarray, str]
+"""A number, several, or a range as the programs take it: ``"1e5..1e7"``, ``"1e5..1e7:9"``."""
+
+Progress = Union[bool, None, Callable[[str, float, str], Any]]
+"""True for a bar, or a function of the stage, the share of it that is done (0 to 1) and a remark."""
+
+
+class Given(NamedTuple):
+    """A document for the compiled module: kind is "path", "toml" or "json"."""
+
+    kind: str
+    content: str
+
+
+def given(document: Document) -> Given:
+    """The document with its kind; a text of several lines or with a ``=`` is TOML, any other a path."""
+    if isinstance(document, Mapping):
+        return Given("json", json.dumps(_without_none(document), default=_plain))
+    if isinstance(document, str) and ("\n" in document or "=" in document):
+        return Given("toml", document)
+    if isinstance(document, (str, os.PathLike)):
+        return Given("path", os.fspath(document))
+    raise TypeError(f"a dict, TOML text or a path is needed, not {type(document).__name__}")
+
+
+def _without_none(value: Any) -> Any:
+    """TOML has no None: such keys are left out."""
+    if isinstance(value, Mapping):
+        return {key: _without_none(item) for key, item in value.items() if item is not None}
+    return value
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError(f"{type(value).__name__} has no equivalent in TOML")
+
+
+def overrides(values: Mapping[str, Any] | None) -> list[str]:
+    """Values by key as the option ``--set`` of the programs takes them."""
+    return [f"{key}={json.dumps(value, default=_plain)}" for key, value in (values or {}).items()]
+
+
+def numbers(values: Numbers | None) -> str | list[float] | None:
+    if values is None or isinstance(values, str):
+        return values
+    return np.atleast_1d(np.asarray(values, dtype=float)).ravel().tolist()
+
+
+def names(given: str | Iterable[str]) -> list[str]:
+    return [given] if isinstance(given, str) else list(given)
+
+
+def warn(sentences: Iterable[str]) -> None:
+    """Limitations of a result, each as a :class:`ModelWarning` at the caller of the package."""
+    for sentence in sentences:
+        warnings.warn(sentence, ModelWarning, stacklevel=3)
+
+
+def output(path: str | os.PathLike[str]) -> Path:
+    path = Path(path)
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: its folder does not exist", str(path), None, "its folder does not exist")
+    return path
+
+
+@contextmanager
+def progress(asked: Progress) -> Iterator[Callable[[str, float, str], Any] | None]:
+    """The function to be called with the progress: that of the user, or one that moves a bar of tqdm."""
+    if asked is None or asked is False:
+        yield None
+    elif callable(asked):
+        yield asked
+    else:
+        bar = _bar()
+        try:
+            yield bar.show
+        finally:
+            bar.close()
+
+
+def _bar() -> Any:
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return _Line()
+    return _Bar(tqdm(total=100, unit="%", bar_format="{desc} {bar} {n:.0f} % {elapsed}{postfix}"))
+
+
+class _Bar:
+    def __init__(self, bar: Any):
+        self.bar = bar
+
+    def show(self, stage: str, done: float, remark: str) -> None:
+        self.bar.set_description_str(stage, refresh=False)
+        self.bar.set_postfix_str(remark, refresh=False)
+        self.bar.n = 100 * done
+        self.bar.refresh()
+
+    def close(self) -> None:
+        self.bar.close()
+
+
+class _Line:
+    """One line that is overwritten, where tqdm is not installed."""
+
+    def show(self, stage: str, done: float, remark: str) -> None:
+        print(f"\r{stage} {100 * done:3.0f} % {remark}\033[K", end="", file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        print(file=sys.stderr)

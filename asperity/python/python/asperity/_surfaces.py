@@ -1,0 +1,324 @@
+"""Rough surfaces: measured topography, friction, finite surfaces."""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import cached_property
+from pathlib import Path
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, Iterable, Mapping
+
+import numpy as np
+
+from . import _core
+from ._errors import InputError
+from ._input import Document, Numbers, Progress, given, names, numbers, output, overrides as laid_over, progress as shown, warn
+from ._results import Drawn, dataset
+from ._tables import Table, named
+
+if TYPE_CHECKING:
+    import xarray
+
+_METRES = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-9}
+
+
+class Characterization(Drawn):
+    """Summits of a measured topography: result of :func:`characterize`."""
+
+    def __init__(self, core: _core.Characterization):
+        self._core = core
+        self.summary: dict[str, Any] = json.loads(core.json())
+        """Moments, summits, cut-offs and slopes, in SI units: the JSON of ``roughsurface characterize``."""
+
+    @property
+    def surface(self) -> str:
+        """The surface file (TOML): summits of the moments, with Gaussian heights."""
+        return self._core.surface_file(None)
+
+    @property
+    def warnings(self) -> list[str]:
+        """Limitations of the result."""
+        return self._core.warnings()
+
+    def save(self, path: str | os.PathLike[str], summits: str = "moments") -> None:
+        """Writes the surface file.
+
+        Args:
+            summits: ``"moments"``, or ``"found"`` for the summits found one by one, whose heights are written to a file
+                ``.heights.txt`` beside it.
+        """
+        path = output(path)
+        if summits not in ("moments", "found"):
+            raise ValueError(f'summits = {summits!r}: must be "moments" or "found"')
+        heights = None
+        if summits == "found":
+            if self.summary["points"][0] == 1:
+                reason = "peaks of a profile are no summits"
+                raise InputError(f'summits="found": {reason}', None, "summits", reason)
+            heights = path.with_suffix(".heights.txt")
+            heights.write_text(self._core.heights_file(), encoding="utf-8")
+        path.write_text(self._core.surface_file(heights and heights.name), encoding="utf-8")
+
+    def __str__(self) -> str:
+        return self._core.text()
+
+    __repr__ = __str__
+
+
+def characterize(
+    topography: Any,
+    *,
+    pixel: float | tuple[float, float] | None = None,
+    unit: str = "m",
+    periodic: bool | None = None,
+    cutoff: float | None = None,
+    detrend: str | None = None,
+    window: str | None = None,
+) -> Characterization:
+    """Summits of a measured topography: ``roughsurface characterize``.
+
+    Args:
+        topography: an array of heights, shape (rows, columns) or (points,); an object of SurfaceTopography (anything with
+            ``heights()`` and ``pixel_size``); or the path of a file. NaN and masked points have no height.
+        pixel: distance of the points, m, or (between rows, between points of a row). For an object its ``pixel_size``.
+        unit: of the heights of an array: ``"m"``, ``"mm"``, ``"um"`` or ``"nm"``; ``pixel`` is in m. For an object its
+            ``unit``, of heights and pixels.
+        periodic: the topography continues at its other side. For an object its ``is_periodic``.
+        cutoff: short-wavelength cut-off (Gaussian, ISO 16610), m; by default where the data end to be reliable.
+        detrend: ``"mean"``, ``"plane"`` or ``"quadratic"``; by default the plane, of a periodic topography the mean.
+        window: ``"hann"`` (default) or ``"none"``.
+
+    Returns:
+        A :class:`Characterization`, to be given to :func:`predict` and :func:`sample`.
+
+    Raises:
+        InputError: the topography or an argument is not usable.
+    """
+    if isinstance(topography, (str, os.PathLike)):
+        treatment = (bool(periodic), cutoff, detrend, window)
+        scale = None if unit == "m" else _metres(unit)
+        core = _core.characterize_file(Path(topography), pixel, scale, treatment)
+    else:
+        heights, pixels, whole = _heights(topography, pixel, unit)
+        treatment = (bool(whole if periodic is None else periodic), cutoff, detrend, window)
+        name = getattr(topography, "name", None) or "array"
+        core = _core.characterize_heights(str(name), heights, pixels, treatment)
+    warn(core.warnings())
+    return Characterization(core)
+
+
+def _metres(unit: str) -> float:
+    try:
+        return _METRES[unit]
+    except KeyError:
+        reason = f"{unit!r} must be one of {', '.join(_METRES)}"
+        raise InputError(f"unit: {reason}", None, "unit", reason) from None
+
+
+def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[float, float], bool]:
+    """Heights in m as rows, their distances in m, and whether the topography is periodic."""
+    periodic = False
+    if hasattr(topography, "heights"):
+        scale = _metres(getattr(topography, "unit", None) or unit)
+        if pixel is None:
+            pixel = tuple(scale * float(step) for step in np.atleast_1d(topography.pixel_size))
+        periodic = bool(getattr(topography, "is_periodic", False))
+        topography = topography.heights()
+    else:
+        scale = _metres(unit)
+    if isinstance(topography, np.ma.MaskedArray):
+        topography = topography.astype(float).filled(np.nan)
+    heights = scale * np.asarray(topography, dtype=float)
+    if pixel is None:
+        reason = "is needed: the distance of the points in m"
+        raise InputError(f"pixel: {reason}", None, "pixel", reason)
+    if heights.ndim not in (1, 2):
+        reason = f"has {heights.ndim} dimensions; a map has two, a profile one"
+        raise InputError(f"topography: {reason}", None, "topography", reason)
+    steps = np.broadcast_to(np.asarray(pixel, dtype=float), (2,))
+    return np.ascontiguousarray(np.atleast_2d(heights)), (float(steps[0]), float(steps[1])), periodic
+
+
+class Friction(Drawn):
+    """Friction of a rough surface over pressure and slip rate: result of :func:`predict`."""
+
+    def __init__(self, core: _core.Friction):
+        self._core = core
+        self.summary: dict[str, Any] = json.loads(core.json())
+        """Every number with value, error and unit: the JSON of ``roughsurface predict``."""
+
+    @property
+    def warnings(self) -> list[str]:
+        """Limitations of the result."""
+        return self._core.warnings()
+
+    @cached_property
+    def dataset(self) -> "xarray.Dataset":
+        """The content of ``friction.nc``: ``mu_static``, ``mu`` and others with ``_error`` over (``pressure``,
+        ``slip_rate``), flash-heating parameters over ``pressure``. Units are in the attributes. Needs xarray."""
+        return dataset(self.save)
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The same as :attr:`dataset`."""
+        return self.dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes ``friction.nc``, the file of ``roughsurface predict``."""
+        self._core.write(output(path), "asperity.predict (Python)")
+
+    def report(self, path: str | os.PathLike[str]) -> None:
+        """Writes the report as one HTML file."""
+        output(path).write_text(self._core.report("asperity.predict (Python)"), encoding="utf-8")
+
+    def __str__(self) -> str:
+        return self._core.text()
+
+    __repr__ = __str__
+
+
+class Samples:
+    """Friction of finite surfaces drawn at random: result of :func:`sample`."""
+
+    def __init__(self, core: _core.Samples):
+        self._core = core
+        self.summary: dict[str, Any] = json.loads(core.json())
+        """Means and intervals: the JSON of ``roughsurface sample``."""
+
+    @property
+    def warnings(self) -> list[str]:
+        """Limitations of the result."""
+        return self._core.warnings()
+
+    @cached_property
+    def dataset(self) -> "xarray.Dataset":
+        """The content of the file of samples: ``mu`` and others over (``pressure``, ``slip_rate``, ``realization``), with
+        their statistics. Needs xarray."""
+        return dataset(self.save)
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The same as :attr:`dataset`."""
+        return self.dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the file of ``roughsurface sample``."""
+        self._core.write(output(path), "asperity.sample (Python)")
+
+    def __str__(self) -> str:
+        return self._core.text()
+
+    __repr__ = __str__
+
+
+def _question(surface: Any, table: str, **more: Any) -> SimpleNamespace:
+    measured = surface._core if isinstance(surface, Characterization) else None
+    document = None if measured is not None else given(surface)
+    return SimpleNamespace(surface=document, measured=measured, table=table, **more)
+
+
+def predict(
+    surface: Document | Characterization,
+    table: Table | str | os.PathLike[str],
+    *,
+    pressure: Numbers | None = None,
+    separation: Numbers | None = None,
+    slip_rate: Numbers | None = None,
+    overrides: Mapping[str, Any] | None = None,
+    compare: str | Iterable[str] = (),
+    allow_missing: bool = False,
+    extrapolate: bool = False,
+    tolerance: float | None = None,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Friction:
+    """Static and sliding friction of a rough surface: ``roughsurface predict``.
+
+    Args:
+        surface: a dictionary, TOML or the path of a surface file (the chapter "Surface" of the book has the keys), or a
+            :class:`Characterization`.
+        table: a :class:`Table`, a file, a shipped name, or ``"model:NAME"`` for a closed form.
+        pressure: nominal pressures, Pa, in place of those of the surface.
+        separation: in place of pressures: distances of the flat from the reference plane of the heights, m.
+        slip_rate: m/s.
+        overrides: values laid over the surface by key, such as ``{"query.hold": "separation"}``.
+        compare: closed forms to compare with (:data:`CLOSED_FORMS`), or ``"all"``.
+        allow_missing: interpolate around cells of the table that failed.
+        extrapolate: keep mean pressure and friction of contacts too large for their asperities instead of refusing.
+        tolerance: relative error of integrals and pressures, 1e-6 by default.
+        threads: number of threads, by default that of processors. Results do not depend on it.
+        progress: True for a bar, or a function of stage, share done (0 to 1) and a remark.
+
+    Returns:
+        A :class:`Friction`, equal to the result of the program bit for bit.
+
+    Raises:
+        InputError: surface, table or query are not valid, or the table does not cover the query.
+        RunError: a separation was not found.
+    """
+    models = list(_core.CLOSED_FORMS) if "all" in names(compare) else names(compare)
+    if unknown := [model for model in models if model not in _core.CLOSED_FORMS]:
+        reason = f"{unknown[0]!r} must be among {', '.join(_core.CLOSED_FORMS)}, or all"
+        raise InputError(f"compare: {reason}", None, "compare", reason)
+    with named(table) as name, shown(progress) as show:
+        query = {"pressure": pressure, "separation": separation, "slip_rate": slip_rate}
+        question = _question(
+            surface,
+            name,
+            **{key: numbers(values) for key, values in query.items()},
+            overrides=laid_over(overrides),
+            allow_missing=allow_missing,
+            extrapolate=extrapolate,
+            tolerance=tolerance,
+        )
+        core = _core.predict(question, models, threads, show)
+    warn(core.warnings())
+    return Friction(core)
+
+
+def sample(
+    surface: Document | Characterization,
+    table: Table | str | os.PathLike[str],
+    *,
+    asperities: int,
+    realizations: int = 200,
+    seed: int = 1,
+    slip: float | None = None,
+    pressure: Numbers | None = None,
+    separation: Numbers | None = None,
+    slip_rate: Numbers | None = None,
+    overrides: Mapping[str, Any] | None = None,
+    allow_missing: bool = False,
+    extrapolate: bool = False,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Samples:
+    """Friction of finite surfaces with heights drawn at random: ``roughsurface sample``.
+
+    Args:
+        asperities: asperities of one surface, in contact or not; at least 2.
+        realizations: surfaces to draw; at least 2.
+        seed: the same seed gives the same surfaces.
+        slip: at which friction is read, m; by default where :func:`predict` ends.
+
+    The other arguments are those of :func:`predict`.
+
+    Returns:
+        :class:`Samples`, equal to the result of the program bit for bit.
+    """
+    for key, count in (("asperities", asperities), ("realizations", realizations)):
+        if count < 2:
+            raise InputError(f"{key} = {count}: must be at least 2", None, key, "must be at least 2")
+    with named(table) as name, shown(progress) as show:
+        query = {"pressure": pressure, "separation": separation, "slip_rate": slip_rate}
+        question = _question(
+            surface,
+            name,
+            **{key: numbers(values) for key, values in query.items()},
+            overrides=laid_over(overrides),
+            allow_missing=allow_missing,
+            extrapolate=extrapolate,
+            tolerance=None,
+        )
+        core = _core.sample(question, (asperities, realizations, seed), slip, threads, show)
+    warn(core.warnings())
+    return Samples(core)

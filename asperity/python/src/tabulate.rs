@@ -1,0 +1,54 @@
+//! `asperity.tabulate`.
+
+use std::path::PathBuf;
+
+use asperity::output::provenance;
+use asperity::scene::file::{parse_request, read_request};
+use asperity::tabulate::{Journal, Options, TabulateError, completed};
+use pyo3::prelude::*;
+
+use crate::errors;
+use crate::input::{Given, Source};
+use crate::table::Table;
+use crate::watch::{Follower, followed};
+
+/// Runs the missing cells of a request and writes the table, as `asperity tabulate`. The journal is beside the table and
+/// remains until that is written.
+#[pyfunction]
+pub fn tabulate(
+    py: Python<'_>,
+    request: Given,
+    output: PathBuf,
+    overrides: Vec<String>,
+    jobs: Option<usize>,
+    resume: bool,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Table> {
+    let request = match request.source()? {
+        Source::Path(path) => read_request(&path, &overrides),
+        Source::Text(text, name) => parse_request(&text, name, &overrides),
+    };
+    let request = request.map_err(errors::of_scene)?;
+    let journal = Journal::beside(&output);
+    if resume
+        && !journal.exists()
+        && let Some(table) = completed(&request, None, &output)
+    {
+        return Ok(Table::new(table, request.remarks()));
+    }
+    let processors = || std::thread::available_parallelism().map_or(1, usize::from);
+    let options = Options { jobs: jobs.unwrap_or_else(processors), journal: &journal, resume, shard: None };
+    let work = |follower: &Follower| asperity::tabulate::tabulate(&request, &options, follower);
+    let (tabulation, journal) =
+        followed(py, Some(1), progress.as_ref(), work)?.map_err(|error| match error {
+            TabulateError::Journal(ref journal) if journal.is_of_the_system() => errors::failed(error, None),
+            error => errors::input(&error, Some(&output.display().to_string()), None, &error),
+        })?;
+    let failed = |error: String| errors::failed(error, None);
+    let history = provenance::history("asperity.tabulate (Python)");
+    let table = tabulation.table(history).map_err(|error| failed(error.to_string()))?;
+    table.write(&output).map_err(|error| failed(error.to_string()))?;
+    journal.remove().map_err(|error| failed(error.to_string()))?;
+    let warnings = request.remarks().into_iter().chain(tabulation.warnings()).collect();
+    Ok(Table::new(table, warnings))
+}

@@ -1,0 +1,108 @@
+"""predict, sample and characterize against the files of the program."""
+
+import json
+
+import numpy as np
+import pytest
+from conftest import SURFACE, assert_same, run
+
+import asperity
+
+
+def rough(points=96, pixel=1e-6, seed=3):
+    """A random map with a Gaussian spectrum, m."""
+    rng = np.random.default_rng(seed)
+    frequency = np.fft.fftfreq(points, pixel)
+    radius = np.hypot(*np.meshgrid(frequency, frequency))
+    waves = np.fft.fft2(rng.normal(size=(points, points))) * np.exp(-((radius * 8e-6) ** 2))
+    heights = np.fft.ifft2(waves).real
+    return 1e-8 * heights / heights.std()
+
+
+def test_friction_is_that_of_the_program(folder):
+    (folder / "surface.toml").write_text(SURFACE)
+    run("roughsurface", "predict", "surface.toml", "--table", "copper", "-o", "program.nc", "--quiet")
+    for number, surface in enumerate([SURFACE, "surface.toml"]):
+        friction = asperity.predict(surface, "copper", threads=number + 1)
+        friction.save(f"{number}.nc")
+        assert_same(folder / f"{number}.nc", folder / "program.nc")
+    cell = friction.summary["friction"][0]
+    assert cell["mu_static"]["value"] == friction.dataset.mu_static.values[0, 0]
+    of_table = asperity.predict(SURFACE, asperity.table("copper"))
+    assert of_table.summary == friction.summary
+
+
+def test_query_comparison_and_report(folder):
+    (folder / "surface.toml").write_text(SURFACE)
+    query = ["--separation", "5e-7", "--slip-rate", "0.1..10:3", "--set", "query.hold=separation"]
+    arguments = ["--table", "steel-4340", "--compare", "hertz", "-o", "program.nc", "--quiet"]
+    run("roughsurface", "predict", "surface.toml", *query, *arguments)
+    overrides = {"query.hold": "separation"}
+    friction = asperity.predict(
+        SURFACE, "steel-4340", separation=5e-7, slip_rate="0.1..10:3", overrides=overrides, compare="hertz"
+    )
+    friction.save("python.nc")
+    assert_same(folder / "python.nc", folder / "program.nc")
+    assert friction.plot("friction.svg").svg == (folder / "friction.svg").read_text()
+    friction.report("report.html")
+    assert "</html>" in (folder / "report.html").read_text()
+
+
+def test_samples_are_those_of_the_program(folder):
+    (folder / "surface.toml").write_text(SURFACE)
+    count = ["--asperities", "200", "--realizations", "20", "--seed", "7"]
+    run("roughsurface", "sample", "surface.toml", "--table", "copper", *count, "-o", "program.nc", "--quiet")
+    asperity.sample(SURFACE, "copper", asperities=200, realizations=20, seed=7).save("python.nc")
+    assert_same(folder / "python.nc", folder / "program.nc")
+
+
+def test_a_map_in_memory_is_as_in_a_file(folder):
+    heights = rough()
+    np.save("map.npy", heights)
+    options = ["--pixel", "1e-6", "--unit", "m"]
+    shown = json.loads(run("roughsurface", "characterize", "map.npy", *options, "--json", "--quiet"))
+    from_array = asperity.characterize(heights, pixel=1e-6)
+    assert from_array.summary == shown
+    assert asperity.characterize("map.npy", pixel=1e-6).summary["summits"] == shown["summits"]
+    query = ["--pressure", "1e5", "--slip-rate", "1"]
+    run("roughsurface", "predict", "map.npy", *options, *query, "--table", "copper", "-o", "program.nc", "--quiet")
+    friction = asperity.predict(from_array, "copper", pressure=1e5, slip_rate=1.0)
+    friction.save("python.nc")
+    of_program = asperity._results.dataset(lambda path: path.write_bytes((folder / "program.nc").read_bytes()))
+    for name in ("mu", "mu_static", "mu_error"):
+        np.testing.assert_array_equal(friction.dataset[name].values, of_program[name].values)
+    from_array.save("surface.toml", summits="found")
+    assert (folder / "surface.heights.txt").exists()
+    assert from_array.plot().svg == from_array._repr_svg_()
+
+
+def test_objects_of_surface_topography():
+    class Topography:
+        unit, is_periodic, pixel_size = "µm", True, (1.0, 1.0)
+
+        def heights(self):
+            return np.ma.masked_array(1e6 * rough(), mask=False)
+
+    found = asperity.characterize(Topography()).summary
+    expected = asperity.characterize(rough(), pixel=1e-6, periodic=True).summary
+    assert found["periodic"] and found["points"] == expected["points"]
+    assert found["summits"]["radius"] == pytest.approx(expected["summits"]["radius"], rel=1e-9)
+
+
+def test_errors_state_key_and_reason():
+    for arguments, key in [
+        (dict(surface=SURFACE.replace("1e-3", "-1e-3"), table="copper"), "surface.asperity_radius"),
+        (dict(surface=SURFACE, table="model:hertz"), "material"),
+        (dict(surface=SURFACE, table="unobtainium"), "table"),
+        (dict(surface=SURFACE, table="copper", slip_rate=1e6), "slip_rate"),
+        (dict(surface=SURFACE, table="copper", slip_rate="fast"), "query.slip_rate"),
+        (dict(surface=SURFACE, table="copper", compare="herz"), "compare"),
+    ]:
+        with pytest.raises(asperity.InputError) as refused:
+            asperity.predict(**arguments)
+        assert refused.value.key == key, refused.value
+    with pytest.raises(asperity.InputError) as refused:
+        asperity.characterize(rough())
+    assert refused.value.key == "pixel"
+    with pytest.raises(asperity.InputError, match="array: "):
+        asperity.characterize(np.zeros((16, 16)), pixel=1e-6)

@@ -1,0 +1,131 @@
+//! A case: a surface, the response of its asperities and the query, with all that is predicted of it.
+
+use std::path::Path;
+
+use super::finite_surface::{Samples, Sampling, sample};
+use super::uncertainty::{Propagated, UncertaintyError, propagate};
+use crate::friction::comparison::{Comparison, caveat, compare};
+use crate::friction::cutoff::AtCutoff;
+use crate::friction::warning::Warning;
+use crate::friction::{Prediction, PredictionError, Settings, predict};
+use crate::integral::law_source::{LawSource, LawSourceError};
+use crate::surface::file::{Override, SurfaceFile, SurfaceFileError};
+use crate::topography::characterize::Characterization;
+use crate::topography::report;
+use tables::quantity::plausible::remarks;
+
+/// A prediction with comparisons and parameter uncertainties.
+#[derive(Clone, Debug)]
+pub struct Results {
+    pub prediction: Prediction,
+    /// The same surface with asperities after models of the literature.
+    pub comparisons: Vec<Comparison>,
+    /// The same topography with other cut-offs, by ascending cut-off; none for a surface file.
+    pub cutoffs: Vec<AtCutoff>,
+    /// Changes of the results with the uncertain parameters.
+    pub propagated: Option<Propagated>,
+}
+
+impl From<Prediction> for Results {
+    fn from(prediction: Prediction) -> Self {
+        Self { prediction, comparisons: Vec::new(), cutoffs: Vec::new(), propagated: None }
+    }
+}
+
+/// Reason why a case has no results.
+#[derive(Debug, thiserror::Error)]
+pub enum CaseError {
+    #[error(transparent)]
+    Prediction(#[from] PredictionError),
+    #[error(transparent)]
+    Uncertainty(#[from] UncertaintyError),
+}
+
+/// A surface, the response of its asperities, and the query.
+pub struct Case {
+    pub file: SurfaceFile,
+    pub source: LawSource,
+    /// The table as given: file, shipped name or `model:NAME`.
+    pub table: String,
+    /// The topography that the surface is of, if it is not a surface file.
+    pub measured: Option<Characterization>,
+}
+
+impl Case {
+    /// The case of a surface, with the law of [`LawSource::open`].
+    pub fn open(
+        file: SurfaceFile,
+        measured: Option<Characterization>,
+        table: &str,
+        interpolate_missing: bool,
+    ) -> Result<Self, LawSourceError> {
+        let source = LawSource::open(table, file.material.as_ref(), file.temperature, interpolate_missing)?;
+        Ok(Self { file, source, table: table.to_owned(), measured })
+    }
+
+    /// Warnings of the input: of the topography, of implausible values, and of cells of the table without results.
+    fn warnings(&self) -> Vec<Warning> {
+        let of_topography = self.measured.iter().flat_map(|found| found.warnings.iter().cloned());
+        let mut warnings: Vec<Warning> = of_topography.map(Warning::Topography).collect();
+        let implausible = self.file.text.parse().as_ref().map(remarks).unwrap_or_default();
+        warnings.extend(implausible.into_iter().map(Warning::Implausible));
+        let cells = &self.source.interpolated_cells;
+        if !cells.is_empty() {
+            warnings.push(Warning::CellsInterpolated { cells: cells.clone() });
+        }
+        warnings
+    }
+
+    /// Friction with the uncertain parameters, beside the closed forms `compared`, and of a topography at other cut-offs;
+    /// `show` is told slips done and in all. The melting temperature is that of the table.
+    pub fn predict(
+        &self,
+        compared: &[String],
+        settings: &Settings,
+        show: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Results, CaseError> {
+        let Self { file, source, .. } = self;
+        let settings = Settings { melting_temperature: source.melting_temperature, ..*settings };
+        let (law, surface, query) = (source.law.as_ref(), &file.surface, &file.query);
+        let mut results = Results::from(predict(law, surface, query, &settings, show)?);
+        if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
+            let propagated = propagate(file, &self.table, &results.prediction, &settings, show)?;
+            results.propagated = Some(propagated);
+        }
+        if let Some(measured) = &self.measured {
+            results.cutoffs = AtCutoff::around(measured, law, &results.prediction, &settings);
+        }
+        results.comparisons = compare(compared, &source.material, surface, query, &settings)?;
+        let models = compared.iter().map(String::as_str).chain(self.table.strip_prefix("model:"));
+        let warnings = &mut results.prediction.warnings;
+        warnings.splice(..0, self.warnings());
+        warnings.extend(models.filter_map(|model| caveat(model, &source.material)));
+        Ok(results)
+    }
+
+    /// Finite surfaces, at `slip` (m) or where [`predict`](Case::predict) ends; `show` is told surfaces done and in all.
+    pub fn sample(
+        &self,
+        asperities: usize,
+        (realizations, seed): (usize, u64),
+        slip: Option<f64>,
+        settings: &Settings,
+        show: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Samples, PredictionError> {
+        let (law, surface, query) = (self.source.law.as_ref(), &self.file.surface, &self.file.query);
+        let sampling = Sampling { asperities, realizations, seed, slip };
+        let mut samples = sample(law, surface, query, &sampling, settings, show)?;
+        samples.warnings.splice(..0, self.warnings());
+        Ok(samples)
+    }
+}
+
+/// The surface file of a characterised topography, with `overrides`; `place` is the topography, named in messages.
+pub fn surface_of(
+    found: &Characterization,
+    place: &Path,
+    overrides: &[Override],
+) -> Result<SurfaceFile, SurfaceFileError> {
+    let name = place.file_name().unwrap_or_default().to_string_lossy();
+    SurfaceFile::parse_with(place, report::surface_file(found, &name, None), overrides)
+}
