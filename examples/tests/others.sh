@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs the examples that are not in Rust, coarsely: Python, Snakemake, the job array (one task after the
-# other), and the table of costs; and the tests of the Python package. Not the comparison with other codes in examples/peers, which needs these.
+# other), the table of costs, and the tests of the Python package. Not the comparison with other codes in
+# examples/peers, which has needs of its own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

@@ -12,10 +12,11 @@
 //! The relative error of the last row is multiplied by 1 + λ/(2 ln(ω_n/ω_{n−1})), as half of it enters the exponent:
 //! errors of neighbouring rows mostly have the same sign.
 //!
-//! Exponents were fitted to rows of tables of the six metals from 37 ω_c on, seen from those below, and to runs at 200 ω_c
+//! m∞ and g were fitted to rows of tables of the six metals (slides over two contact radii) from 37 ω_c on, seen from
+//! those below, and to runs at 200 ω_c
 //! (Ti-6Al-4V), 300 (6061, 4340), 500 (1045), 1000 and 2500 (304) and 3000 ω_c (copper), with and without heat. A metal
-//! that is left out of the fit is predicted within 2.1 % (P, root mean square), 2.3 % (A) and 4 % (μ). A test of
-//! `shipped` compares the rows of the shipped tables.
+//! that is left out of the fit is predicted within 2.1 % (P, root mean square), 2.3 % (A) and 4 % (μ). s and k of P,
+//! `Q_static`, Q/A and G were chosen from the rows of the shipped tables, which a test of `shipped` compares.
 
 use super::nodes::{COEFFICIENT, Errors, Field, Values};
 use crate::quantity::ElasticLimit;
