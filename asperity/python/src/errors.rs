@@ -25,8 +25,8 @@ pub fn refused(key: &str, reason: impl ToString) -> PyErr {
     input(format!("{key}: {reason}"), None, Some(key), reason)
 }
 
-/// `RunError`: a computation failed; `run` is that with the steps before the failure.
-pub fn failed(reason: impl ToString, run: Option<crate::run::Run>) -> PyErr {
+/// `RunError`: a computation failed; `run` is the `Run` with the steps before the failure.
+pub fn failed(reason: impl ToString, run: Option<Py<PyAny>>) -> PyErr {
     Python::attach(|py| {
         let made = (py.import("asperity._errors"))
             .and_then(|errors| errors.getattr("RunError"))

@@ -67,7 +67,8 @@ pub fn simulate(
             else {
                 unreachable!("the other errors have no outcome")
             };
-            Err(errors::failed(message, partial.map(|outcome| of(*outcome))))
+            let run = partial.map(|outcome| Py::new(py, of(*outcome))).transpose()?;
+            Err(errors::failed(message, run.map(Py::into_any)))
         }
     }
 }

@@ -20,6 +20,12 @@ pub(super) type Color = [u8; 3];
 
 pub(super) const BLACK: Color = [0; 3];
 
+/// Size of the small texts, those of ticks and legends, in points.
+pub(super) const SMALL: f64 = 7.0;
+/// Between texts and what they belong to, in points.
+pub(super) const GAP: f64 = 3.5;
+pub(super) const CURVE_WIDTH: f64 = 1.0;
+
 /// Position of a text relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Anchor {

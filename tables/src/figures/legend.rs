@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::canvas::{Anchor, Color, Group, Mark, Point, width};
+use super::canvas::{Anchor, CURVE_WIDTH, Color, GAP, Group, Mark, Point, SMALL, width};
 use super::field::class;
-use super::panel::{CURVE_WIDTH, GAP, SMALL};
 use super::{Colors, Curve, Drawn, Field};
 
 /// Length of the sample of a curve.

@@ -1,7 +1,7 @@
 //! One panel: frame with ticks, field, curves, legend.
 
 use super::axis::{Range, Ticks, signed};
-use super::canvas::{Anchor, BLACK, Color, Group, Mark, Point, width};
+use super::canvas::{Anchor, BLACK, CURVE_WIDTH, Color, GAP, Group, Mark, Point, SMALL, width};
 use super::field::{bands, scale};
 use super::legend::{Legend, STYLES, marker};
 use super::{Colors, Curve, Drawn, Panel};
@@ -9,13 +9,9 @@ use super::{Colors, Curve, Drawn, Panel};
 /// Width and height of a panel in points: 85 mm, a column of a journal, and 66 mm.
 pub(super) const SIZE: Point = (241.0, 187.0);
 
-/// Sizes of texts, in points.
+/// Size of the texts of axes, in points.
 const LABEL: f64 = 8.0;
-pub(super) const SMALL: f64 = 7.0;
-/// Between texts and what they belong to.
-pub(super) const GAP: f64 = 3.5;
 const TICK: f64 = 4.0;
-pub(super) const CURVE_WIDTH: f64 = 1.0;
 const BAR_WIDTH: f64 = 8.0;
 
 /// Curves with more points than this have a few markers and error bars only.

@@ -140,18 +140,40 @@ def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[
     return np.ascontiguousarray(np.atleast_2d(heights)), (float(steps[0]), float(steps[1])), periodic
 
 
-class Friction(Drawn):
-    """Friction of a rough surface over pressure and slip rate: result of :func:`predict`."""
+class _Predicted:
+    """Result with warnings and a netCDF file."""
 
-    def __init__(self, core: _core.Friction):
-        self._core = core
-        self.summary: dict[str, Any] = json.loads(core.json())
-        """Every number with value, error and unit: the JSON of ``roughsurface predict``."""
+    _core: _core.Friction | _core.Samples
+    _command: str
 
     @property
     def warnings(self) -> list[str]:
         """Limitations of the result."""
         return self._core.warnings()
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The same as ``dataset``."""
+        return self.dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the netCDF file of the program."""
+        self._core.write(output(path), self._command)
+
+    def __str__(self) -> str:
+        return self._core.text()
+
+    __repr__ = __str__
+
+
+class Friction(_Predicted, Drawn):
+    """Friction of a rough surface over pressure and slip rate: result of :func:`predict`."""
+
+    _command = "asperity.predict (Python)"
+
+    def __init__(self, core: _core.Friction):
+        self._core = core
+        self.summary: dict[str, Any] = json.loads(core.json())
+        """Every number with value, error and unit: the JSON of ``roughsurface predict``."""
 
     @cached_property
     def dataset(self) -> "xarray.Dataset":
@@ -159,55 +181,26 @@ class Friction(Drawn):
         ``slip_rate``), flash-heating parameters over ``pressure``. Units are in the attributes. Needs xarray."""
         return dataset(self.save)
 
-    def to_xarray(self) -> "xarray.Dataset":
-        """The same as :attr:`dataset`."""
-        return self.dataset
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes ``friction.nc``, the file of ``roughsurface predict``."""
-        self._core.write(output(path), "asperity.predict (Python)")
-
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the report as one HTML file."""
-        output(path).write_text(self._core.report("asperity.predict (Python)"), encoding="utf-8")
-
-    def __str__(self) -> str:
-        return self._core.text()
-
-    __repr__ = __str__
+        output(path).write_text(self._core.report(self._command), encoding="utf-8")
 
 
-class Samples:
+class Samples(_Predicted):
     """Friction of finite surfaces drawn at random: result of :func:`sample`."""
+
+    _command = "asperity.sample (Python)"
 
     def __init__(self, core: _core.Samples):
         self._core = core
         self.summary: dict[str, Any] = json.loads(core.json())
         """Means and intervals: the JSON of ``roughsurface sample``."""
 
-    @property
-    def warnings(self) -> list[str]:
-        """Limitations of the result."""
-        return self._core.warnings()
-
     @cached_property
     def dataset(self) -> "xarray.Dataset":
         """The content of the file of samples: ``mu`` and others over (``pressure``, ``slip_rate``, ``realization``), with
         their statistics. Needs xarray."""
         return dataset(self.save)
-
-    def to_xarray(self) -> "xarray.Dataset":
-        """The same as :attr:`dataset`."""
-        return self.dataset
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the file of ``roughsurface sample``."""
-        self._core.write(output(path), "asperity.sample (Python)")
-
-    def __str__(self) -> str:
-        return self._core.text()
-
-    __repr__ = __str__
 
 
 def _question(surface: Any, table: str, **more: Any) -> SimpleNamespace:
