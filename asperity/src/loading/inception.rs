@@ -31,7 +31,7 @@ pub struct Inception {
     pub load: f64,
     /// (work of the flat − change of elastic energy)/A.
     pub energy_release: f64,
-    /// Half the differences between the states on both sides of it.
+    /// Uncertainty of the slip between two states, and what G changes over it.
     pub slip_bracket: f64,
     pub energy_bracket: f64,
 }
@@ -85,16 +85,36 @@ impl Inception {
         let state = between(history, slip);
         let release = |i: &SlideState| if i.area > 0.0 { 2.0 * (i.work - i.elastic) / i.area } else { 0.0 };
         let (low, high) = (history[n.saturating_sub(1)], history[n]);
+        let width = high.slip - low.slip;
+        let share = match criterion {
+            InceptionCriterion::FullSlip if width > 0.0 => uncertainty(&history[..=n], slip) / width,
+            _ => 0.5,
+        };
         Self {
             criterion,
             slip,
             friction: state.friction,
             load: state.load,
             energy_release: release(&state),
-            slip_bracket: 0.5 * (high.slip - low.slip),
-            energy_bracket: 0.5 * (release(&high) - release(&low)).abs(),
+            slip_bracket: share * width,
+            energy_bracket: share * (release(&high) - release(&low)).abs(),
         }
     }
+}
+
+/// Of the slip at which the stick area vanishes between the last two states: the difference from that which the two states
+/// before it extrapolate to, at least a tenth of the interval and at most half of it. The stick area of a growing front is
+/// nearly linear in the slip, so that both agree to second order.
+fn uncertainty(history: &[SlideState], slip: f64) -> f64 {
+    let [.., low, high] = history else { return 0.0 };
+    let half = 0.5 * (high.slip - low.slip);
+    let [.., earlier, _, _] = history else { return half };
+    let fall = (earlier.stick_fraction - low.stick_fraction) / (low.slip - earlier.slip);
+    if fall <= 0.0 {
+        return half;
+    }
+    let extrapolated = low.slip + (low.stick_fraction - NO_STICK) / fall;
+    (extrapolated.clamp(low.slip, high.slip) - slip).abs().clamp(0.2 * half, half)
 }
 
 /// History interpolated linearly in slip.
@@ -136,6 +156,34 @@ mod tests {
             SlideState { slip, friction, load: 1.0, area: 1.0, stick_fraction: 1.0, ..SlideState::default() }
         };
         slips.iter().enumerate().map(state).collect()
+    }
+
+    /// Of a stick area that falls linearly a tenth of the interval remains, of one that falls all at once half of it.
+    #[test]
+    fn inception_is_as_sure_as_the_stick_area_is_smooth() {
+        let slides = |fraction: fn(f64) -> f64| {
+            let at = |slip: f64| {
+                let work = slip * slip;
+                SlideState {
+                    slip,
+                    friction: slip,
+                    work,
+                    area: 1.0,
+                    stick_fraction: fraction(slip),
+                    ..SlideState::default()
+                }
+            };
+            inception(&[0.0, 0.4, 0.8, 0.95, 0.995].map(at))
+        };
+        let smooth = slides(|slip| 1.0 - slip);
+        assert_eq!(smooth.criterion, InceptionCriterion::FullSlip);
+        assert!((smooth.slip - 0.99).abs() < 1e-12, "{smooth:?}");
+        assert!((smooth.slip_bracket - 0.0045).abs() < 1e-12, "{smooth:?}");
+        // G = 2 s².
+        let change = 2.0 * (0.995f64.powi(2) - 0.95f64.powi(2));
+        assert!((smooth.energy_bracket - 0.1 * change).abs() < 1e-12, "{smooth:?}");
+        let sudden = slides(|slip| if slip < 0.96 { 1.0 } else { 0.0 });
+        assert!((sudden.slip_bracket - 0.0225).abs() < 1e-3, "{sudden:?}");
     }
 
     #[test]

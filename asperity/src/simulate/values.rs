@@ -17,7 +17,7 @@ const STEADY_CHANGE: f64 = 0.02;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Values {
     values: [f64; QUANTITIES],
-    /// Half the difference between the states on both sides of sliding inception; distance to the steady state.
+    /// What a value changes over the uncertainty of sliding inception between two states; distance to the steady state.
     brackets: [f64; QUANTITIES],
     /// T₀, K.
     start: f64,
@@ -109,8 +109,8 @@ impl Values {
         (self.value(quantity) - origin).abs()
     }
 
-    /// Half the difference between the states on both sides of sliding inception; of the steady friction, its uncertainty
-    /// by the length of the slide.
+    /// What the value changes over the uncertainty of sliding inception between two states; of the steady friction, its
+    /// uncertainty by the length of the slide.
     pub fn bracket(&self, quantity: Quantity) -> f64 {
         self.brackets[quantity as usize]
     }
