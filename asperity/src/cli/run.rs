@@ -9,8 +9,8 @@ use asperity::output::run_file::{self, About};
 use asperity::output::{figures, numbers, provenance, vtu};
 use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
+use asperity::simulate::derived;
 use asperity::simulate::expected_time::expected_time;
-use asperity::simulate::fracture;
 use asperity::simulate::outcome::{ErrorSource, Kernel, Note, Outcome, Warning};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
@@ -138,7 +138,7 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
         let estimate = outcome.scalars[quantity];
         line(descriptor.name, numbers::with_error(estimate, descriptor.units));
     }
-    for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
+    for (name, unit, _, estimate) in derived::of_run(scene, outcome) {
         line(name, numbers::with_error(estimate, unit));
     }
     line("inception", outcome.inception.to_string());
@@ -202,7 +202,7 @@ fn as_json(
         (descriptor.name.to_owned(), value)
     };
     let mut summary: serde_json::Map<_, _> = Quantity::SCALARS.into_iter().map(entry).collect();
-    for (name, unit, _, estimate) in fracture::of_run(scene, outcome) {
+    for (name, unit, _, estimate) in derived::of_run(scene, outcome) {
         summary.insert(name.to_owned(), numbers::as_json(estimate, unit));
     }
     let account = &outcome.account;

@@ -10,7 +10,7 @@ use tables::quantity::{Estimate, History, Quantity, Stored};
 use crate::output::provenance::SOURCE;
 use crate::scene::Scene;
 use crate::scene::file::write_scene;
-use crate::simulate::fracture;
+use crate::simulate::derived;
 use crate::simulate::outcome::{Account, ContactStatus, ErrorSource, InceptionCriterion, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
 
@@ -119,7 +119,7 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
         let parts = ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity));
         file.reals(&by_source, &[ERROR_SOURCE], &parts, &attributes)?;
     }
-    for (name, unit, long_name, estimate) in fracture::of_run(scene, outcome) {
+    for (name, unit, long_name, estimate) in derived::of_run(scene, outcome) {
         let error_name = format!("{name}_error");
         scalar(file, (name, &error_name, &error_name), unit, long_name, estimate)?;
     }

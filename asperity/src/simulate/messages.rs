@@ -169,6 +169,11 @@ pub enum Warning {
         share: f64,
         elements: Option<f64>,
     },
+    /// Time of sliding inception, over that of a shear wave across the contact radius.
+    FastInception {
+        time: f64,
+        limit: f64,
+    },
     /// Of the scene.
     Scene(String),
 }
@@ -218,6 +223,11 @@ impl Display for Warning {
                     None => write!(f, "no mesh would resolve it"),
                 }
             }
+            Self::FastInception { time, limit } => write!(
+                f,
+                "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
+                 {limit}, inertia changes mu_static and G, which are those of a slow onset"
+            ),
             Self::Scene(text) => write!(f, "{text}"),
         }
     }

@@ -11,6 +11,7 @@
 
 pub mod accuracy;
 mod conditions;
+pub mod derived;
 pub mod expected_time;
 #[cfg(test)]
 pub(crate) mod fake;

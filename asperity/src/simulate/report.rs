@@ -13,8 +13,12 @@ use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{Hardening, InterfaceStrength, Scene};
 use crate::simulate::accuracy::error_budget::ErrorBudget;
+use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
+
+/// Time of sliding inception, over that of a shear wave across the contact radius, below which inertia counts.
+const SHORTEST_INCEPTION: f64 = 5.0;
 
 /// Plastic strain beyond which small-strain kinematics is inaccurate.
 const LARGE_STRAIN: f64 = 0.2;
@@ -91,6 +95,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     if inception == InceptionCriterion::None && run.history.len() > 1 && scene.interface.law.has_friction() {
         warnings.push(Warning::NotSliding);
     }
+    warnings.extend(fast_inception(scene, run));
     let strain = run.plastic_strain();
     warnings.extend(warnings_of_strength(scene, strain));
     if strain > LARGE_STRAIN && !runner.pressed.problem.finite_strain {
@@ -101,6 +106,14 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
         warnings.push(Warning::StoppedBeforeRefinement);
     }
     warnings
+}
+
+/// Sliding inception so fast that inertia counts.
+fn fast_inception(scene: &Scene, run: &Run) -> Option<Warning> {
+    let exact = |quantity| Estimate { value: run.values.value(quantity), error: 0.0 };
+    let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
+    let time = inception_time(scene, friction, radius)?.value;
+    (time < SHORTEST_INCEPTION).then_some(Warning::FastInception { time, limit: SHORTEST_INCEPTION })
 }
 
 /// An interface as strong as a body that flows.

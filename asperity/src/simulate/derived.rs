@@ -1,0 +1,106 @@
+//! Scalars of a run that follow from others.
+
+use std::f64::consts::PI;
+
+use tables::quantity::{Estimate, Quantity};
+
+use crate::scene::Scene;
+use crate::simulate::fracture::fracture_energy;
+use crate::simulate::outcome::Outcome;
+
+/// Name, unit, long name and value.
+pub type Derived = (&'static str, &'static str, &'static str, Estimate);
+
+/// G_IIc and G/G_IIc with fracture data, and the relative time of sliding inception of a slide with friction.
+pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
+    let of = |quantity| outcome.scalars[quantity];
+    let mut derived = Vec::new();
+    if let Some(law) = fracture_energy(&scene.material) {
+        let name = match law.radius_exponent {
+            0 => "shear fracture energy of the material",
+            _ => "shear fracture energy estimated from the tensile test at the contact radius",
+        };
+        let (energy, radius) = (of(Quantity::EnergyRelease), of(Quantity::ContactRadius));
+        let ratio = law.ratio(energy, radius);
+        derived.push(("G_IIc", "J m-2", name, law.at(radius)));
+        derived.push(("G_ratio", "1", "energy released over the shear fracture energy, G/G_IIc", ratio));
+    }
+    let time = inception_time(scene, of(Quantity::FrictionStatic), of(Quantity::ContactRadius));
+    let name = "time of sliding inception over that of a shear wave across the contact radius";
+    derived.extend(time.map(|time| ("inception_time", "1", name, time)));
+    derived
+}
+
+/// Time of sliding inception over that of a shear wave across the contact radius a, from Q at sliding inception (N) and a
+/// (m). Without friction or at V = 0 there is none.
+///
+/// The centre of a disc under the uniform shear traction τ̄ = Q/(πa²) is displaced by (2 − ν)τ̄a/(2G) (Johnson 1985,
+/// Contact Mechanics, section 3.9): after that slip the last point slips. With c_s² = G/ρ the ratio is
+/// (2 − ν)τ̄/(2ρc_sV).
+pub(super) fn inception_time(
+    scene: &Scene,
+    friction: Estimate,
+    contact_radius: Estimate,
+) -> Option<Estimate> {
+    let (material, slip_rate) = (&scene.material, scene.loading.slip_rate);
+    if !(slip_rate > 0.0 && friction.value > 0.0) {
+        return None;
+    }
+    let (radius, error) = (contact_radius.value, contact_radius.error);
+    let area = Estimate { value: PI * radius * radius, error: 2.0 * PI * radius * error };
+    let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
+    let impedance = (material.density * shear_modulus).sqrt();
+    Some(friction.over(area).scaled(0.5 * (2.0 - material.poisson_ratio) / (impedance * slip_rate)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::FractureData;
+    use crate::simulate::fake;
+
+    /// Worked by hand: K_IIc = 50 MPa√m, E = 205 GPa, ν = 0.29 give 11.17 kJ/m²; σ_u = 1000 MPa,
+    /// ε_u = 0.1 and a = 20 µm give π·(1.1e9)²·2e-5/205e9 = 370.9 J/m².
+    #[test]
+    fn recipes_give_the_numbers_worked_by_hand() {
+        let mut scene = fake::scene(4.0, 1.0);
+        let outcome = fake::outcome(&scene);
+        assert!(of_run(&scene, &outcome).iter().all(|(name, ..)| *name == "inception_time"));
+        let radius = outcome.scalars[Quantity::ContactRadius];
+        assert!((radius.value - 2e-5).abs() < 1e-18);
+        let mut energy = |data| {
+            scene.material.fracture = Some(data);
+            let derived = of_run(&scene, &outcome);
+            let (critical, ratio) = (derived[0].3, derived[1].3);
+            let exact = outcome.scalars[Quantity::EnergyRelease].value / critical.value;
+            assert!((ratio.value / exact - 1.0).abs() < 1e-14);
+            (critical.value, ratio.error / ratio.value)
+        };
+        // The fake's errors are 1 % of each value.
+        let (given, error) = energy(FractureData::Energy(500.0));
+        assert!(given == 500.0 && (error - 0.01).abs() < 1e-12);
+        let (toughness, _) = energy(FractureData::Toughness(50e6));
+        assert!((toughness / 11169.5 - 1.0).abs() < 1e-5, "{toughness}");
+        let (tensile, error) = energy(FractureData::Tensile { strength: 1e9, uniform_elongation: 0.1 });
+        assert!((tensile / 370.86 - 1.0).abs() < 1e-4, "{tensile}");
+        assert!((error - 0.02).abs() < 1e-12);
+    }
+
+    /// Worked by hand: E = 120 GPa, ν = 0.3 and 9000 kg/m³ give G = 46.154 GPa and c_s = 2264.55 m/s; 50 MPa on a radius of
+    /// 10 µm is a force of 15.708 mN; 0.85·5e7/(9000·2264.55·10) = 0.208525.
+    #[test]
+    fn the_time_of_inception_is_the_one_worked_by_hand() {
+        let mut scene = fake::scene(4.0, 10.0);
+        scene.material.youngs_modulus = 120e9;
+        scene.material.poisson_ratio = 0.3;
+        scene.material.density = 9000.0;
+        let friction = Estimate { value: PI * 1e-10 * 5e7, error: 0.0 };
+        let radius = Estimate { value: 1e-5, error: 1e-7 };
+        let found = inception_time(&scene, friction, radius).unwrap();
+        assert!((found.value - 0.208525).abs() < 1e-6, "{found:?}");
+        assert!((found.error / found.value - 0.02).abs() < 1e-12, "{found:?}");
+        assert_eq!(inception_time(&scene, Estimate::default(), radius), None);
+        scene.loading.slip_rate = 0.0;
+        assert_eq!(inception_time(&scene, friction, radius), None);
+    }
+}
