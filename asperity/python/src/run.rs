@@ -8,7 +8,7 @@ use asperity::output::revolved::Extent;
 use asperity::output::{figures, provenance, run_file, vtu};
 use asperity::scene::file::{parse_scene, read_scene, write_scene};
 use asperity::simulate::outcome::{Note, Outcome, Warning};
-use asperity::simulate::{SimulationError, fracture, simulate_recorded};
+use asperity::simulate::{SimulationError, derived, simulate_recorded};
 use pyo3::prelude::*;
 
 use crate::errors;
@@ -75,13 +75,13 @@ pub fn simulate(
 
 #[pymethods]
 impl Run {
-    /// Scalars in the order of the list, then those that follow from fracture data.
+    /// Scalars in the order of the list, then those that follow from others.
     fn scalars(&self) -> Vec<Scalar> {
         let of_list = self.outcome.scalars.iter().map(|(quantity, estimate)| {
             let entry = quantity.descriptor();
             (entry.name, estimate.value, estimate.error, entry.units, entry.long_name)
         });
-        let derived = fracture::of_run(&self.scene, &self.outcome).into_iter();
+        let derived = derived::of_run(&self.scene, &self.outcome).into_iter();
         let derived = derived.map(|(name, unit, meaning, x)| (name, x.value, x.error, unit, meaning));
         of_list.chain(derived).collect()
     }
