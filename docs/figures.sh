@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the figures of the book and of the README: docs/src/figures/.
 #
-#   docs/figures.sh [friction] [run] [convergence] [bearing] [transition] [press] [no-end-state] [peers]
+#   docs/figures.sh [friction] [run] [convergence] [bearing] [transition] [slip-rate] [press] [no-end-state] [peers]
 #                                                                default: all but peers
 #
 # friction      examples/friction-of-steel.sh, the main job: friction.png, table.svg
@@ -9,13 +9,14 @@
 # convergence   asperity convergence examples/scenes/single-asperity.toml --plot: convergence.svg
 # bearing       roughsurface predict examples/scenes/bearing-steel.toml --compare all --plot: bearing.svg
 # transition    the example elastic_to_plastic, from the shipped tables: transition.svg
+# slip-rate     the example slip_rate_effects, from the shipped tables: slip-rate.svg
 # press         the example press_curves: press.svg
 # no-end-state  the example no_end_state: no-end-state.svg
 # peers         examples/peers/chart.py, from the rows that `docs/numbers.py peers` leaves in target: peers.svg; needs
 #               Python with matplotlib
 #
 # The data are kept in target/figures. Wall time on two cores without the build: run 2 s, convergence 15 s, friction 40 s,
-# bearing and transition 1 s, press 10 s, no-end-state a few minutes.
+# bearing, transition and slip-rate 1 s, press 10 s, no-end-state a few minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -23,7 +24,7 @@ figures=docs/src/figures
 data=target/figures
 scenes=examples/scenes
 mkdir -p "$data"
-[ $# -gt 0 ] || set -- friction run convergence bearing transition press no-end-state
+[ $# -gt 0 ] || set -- friction run convergence bearing transition slip-rate press no-end-state
 
 cargo build --locked --release --workspace --bins --examples
 asperity=${CARGO_TARGET_DIR:-target}/release/asperity
@@ -52,6 +53,9 @@ for figure; do
         ;;
     transition)
         $examples/elastic_to_plastic "$figures/transition.svg" > "$data/transition.txt"
+        ;;
+    slip-rate)
+        $examples/slip_rate_effects "$figures/slip-rate.svg" > "$data/slip-rate.txt"
         ;;
     press)
         $examples/press_curves "$figures/press.svg" > "$data/press.txt"

@@ -64,6 +64,32 @@ def transition():
     return table(head, rows)
 
 
+@block("slip-rate", 1)
+def slip_rate():
+    """What the slip rate changes of 4340 steel, and the energy of inception."""
+    rows = []
+    for line in example("slip_rate_effects").splitlines():
+        numbers = re.findall(r"[+-]?\d+\.\d+", line)
+        if len(numbers) == 10:
+            omega, fixed, fixed_error, fall, fall_error, *shares, ratio, ratio_error = numbers
+            rows.append(
+                [plain(float(omega)), f"{signed(100 * float(fixed))} ± {100 * float(fixed_error):.1f} %"]
+                + [f"{100 * float(fall):.1f} ± {100 * float(fall_error):.1f} %"]
+                + [f"{float(share):.0f} %".replace("-", "−") for share in shares]
+                + [f"{ratio} ± {ratio_error}"]
+            )
+    head = [
+        r"$\omega_0/\omega_c$",
+        r"change of $\mu_s$",
+        r"fall $\ln \mu(0)/\mu(V)$ at 10 m/s",
+        "strength",
+        "area",
+        "load",
+        "$G/G_{IIc}$",
+    ]
+    return table(head, rows)
+
+
 @block("metals", 2)
 def metals():
     """The shipped tables without heat: static friction, and load and area after the slide."""

@@ -6,6 +6,7 @@
 //! | one asperity, pressed and slid, from Rust | `cargo run --release -p examples --example hertz_to_slide` |
 //! | friction of a Gaussian surface, from Rust | `cargo run --release -p examples --example rough_surface [table.nc]` |
 //! | from elastic to plastic contact, from the shipped tables | `cargo run --release -p examples --example elastic_to_plastic [figure.svg]` |
+//! | friction against the slip rate, from the shipped tables | `cargo run --release -p examples --example slip_rate_effects [figure.svg]` |
 //! | a press in comparison with the fits of the literature | `cargo run --release -p examples --example press_curves [figure.svg]` |
 //! | body and interface of equal strength: dependence on the mesh, and its remedies | `cargo run --release -p examples --example no_end_state [figure.svg]` |
 //! | a study of fresh and worn surfaces, from Rust | `cargo run --release -p examples --example worn_surface` |

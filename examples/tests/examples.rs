@@ -40,6 +40,26 @@ fn a_press_lies_near_jackson_and_green() {
     assert!(load("hertz") > 1.2 * run, "{text}");
 }
 
+/// The three findings of the paper that the model comes from (2014).
+#[test]
+fn the_slip_rate_lowers_sliding_friction_and_not_static_friction() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = printed("slip_rate_effects", folder.path(), "figure.svg");
+    let rows: Vec<&str> = text.lines().filter(|line| line.contains('±')).collect();
+    assert_eq!(rows.len(), 11, "{text}");
+    for row in rows {
+        let (fixed, fixed_error, fall, fall_error) =
+            (number(row, 1), number(row, 3), number(row, 4), number(row, 6));
+        assert!(fixed.abs() < fixed_error, "{row}");
+        assert!(fall > 10.0 * fall_error, "{row}");
+        let shares = [7, 9, 11].map(|place| number(row, place));
+        assert!((shares.iter().sum::<f64>() - 100.0).abs() < 1.0, "{row}");
+        let ratio = number(row, 13);
+        assert!(ratio > 0.01 && ratio < 1.0, "{row}");
+    }
+    assert!(std::fs::read_to_string(folder.path().join("figure.svg")).unwrap().contains("strength"));
+}
+
 #[test]
 fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
     let folder = tempfile::tempdir().unwrap();

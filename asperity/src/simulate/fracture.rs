@@ -4,16 +4,17 @@
 //! 1957, J. Appl. Mech. 24, 361); or, where only a tensile test is available, estimated after
 //! Griffith (1921, Phil. Trans. R. Soc. A 221, 163): a crack as large as the contact,
 //! G_C = πσ_c²a/E, at the true stress where the tensile specimen begins to neck, σ_c = σ_u(1 + ε_u).
-//! The estimate is proportional to the contact radius. E is that at the initial
-//! temperature.
+//! Without any of them σ_c is that of the hardening law, the stress at which σ = dσ/dε (Considère 1885). These estimates are
+//! proportional to the contact radius. E is that at the initial temperature.
 
 use std::f64::consts::PI;
 
+use roots::{SimpleConvergency, find_root_brent};
 use tables::table::fracture::FractureEnergy;
 
-use crate::scene::{FractureData, Material};
+use crate::scene::{FractureData, Hardening, Material};
 
-/// G_IIc of the material over the contact radius, if it is known.
+/// G_IIc of the material over the contact radius, given or estimated.
 ///
 /// ```
 /// use asperity::simulate::fracture::fracture_energy;
@@ -23,21 +24,78 @@ use crate::scene::{FractureData, Material};
 /// let text = "[material]\npreset = \"copper\"\nshear_fracture_energy = 500.0\n\
 ///             [asperity]\nradius = 1e-6\n[loading]\ninterference = 5\nslip_rate = 1\n";
 /// let scene = parse_scene(text, "this example", &[])?;
-/// let energy = fracture_energy(&scene.material).unwrap();
+/// let energy = fracture_energy(&scene.material);
 /// assert_eq!(energy.at(Estimate { value: 1e-7, error: 0.0 }).value, 500.0);
 /// # Ok::<(), asperity::scene::file::SceneFileError>(())
 /// ```
-pub fn fracture_energy(material: &Material) -> Option<FractureEnergy> {
+pub fn fracture_energy(material: &Material) -> FractureEnergy {
     let modulus = material.youngs_modulus;
-    material.fracture.as_ref().map(|data| match *data {
-        FractureData::Energy(energy) => FractureEnergy { coefficient: energy, radius_exponent: 0 },
-        FractureData::Toughness(toughness) => FractureEnergy {
+    let griffith =
+        |stress: f64| FractureEnergy { coefficient: PI * stress.powi(2) / modulus, radius_exponent: 1 };
+    match material.fracture {
+        Some(FractureData::Energy(energy)) => FractureEnergy { coefficient: energy, radius_exponent: 0 },
+        Some(FractureData::Toughness(toughness)) => FractureEnergy {
             coefficient: toughness.powi(2) * (1.0 - material.poisson_ratio.powi(2)) / modulus,
             radius_exponent: 0,
         },
-        FractureData::Tensile { strength, uniform_elongation } => FractureEnergy {
-            coefficient: PI * (strength * (1.0 + uniform_elongation)).powi(2) / modulus,
-            radius_exponent: 1,
-        },
-    })
+        Some(FractureData::Tensile { strength, uniform_elongation }) => {
+            griffith(strength * (1.0 + uniform_elongation))
+        }
+        None => griffith(necking_stress(&material.hardening, material.yield_strength)),
+    }
+}
+
+/// True stress at which a tensile specimen begins to neck, σ = dσ/dε, Pa; without elastic strain.
+fn necking_stress(hardening: &Hardening, yield_strength: f64) -> f64 {
+    match hardening {
+        Hardening::None => yield_strength,
+        Hardening::Linear { modulus } => modulus.max(yield_strength),
+        // The slope is finite and falls below the stress only by itself: it necks at once.
+        Hardening::JohnsonCook { exponent, .. } if *exponent >= 1.0 => yield_strength,
+        // Before ε = n, as dσ/dε is then Bεⁿ.
+        Hardening::JohnsonCook { modulus, exponent } => {
+            let power = |strain: f64| modulus * strain.powf(*exponent);
+            let excess = |strain: f64| exponent * power(strain) / strain - yield_strength - power(strain);
+            let mut converged = SimpleConvergency { eps: 1e-12, max_iter: 200 };
+            let strain = find_root_brent(1e-12, *exponent, excess, &mut converged);
+            yield_strength + strain.map_or(0.0, power)
+        }
+        Hardening::Table { plastic_strain, factor } => {
+            let stress = |point: usize| yield_strength * factor[point];
+            for end in 1..factor.len() {
+                let slope = (stress(end) - stress(end - 1)) / (plastic_strain[end] - plastic_strain[end - 1]);
+                if slope <= stress(end) {
+                    return slope.max(stress(end - 1));
+                }
+            }
+            stress(factor.len() - 1)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 4340 steel, σ = 792 + 510 ε^0.26 MPa: σ = dσ/dε at ε = 0.0632, 1040.8 MPa.
+    #[test]
+    fn necking_begins_where_the_slope_is_the_stress() {
+        let steel = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 };
+        let stress = necking_stress(&steel, 792e6);
+        let strain = ((stress - 792e6) / 510e6).powf(1.0 / 0.26);
+        assert!((0.26 * (stress - 792e6) / strain / stress - 1.0).abs() < 1e-6, "{stress} at {strain}");
+        // Hollomon's σ = K εⁿ necks at ε = n.
+        let hollomon = necking_stress(&Hardening::JohnsonCook { modulus: 1e9, exponent: 0.3 }, 1e-3);
+        assert!((hollomon / (1e9 * 0.3f64.powf(0.3)) - 1.0).abs() < 1e-9, "{hollomon}");
+        // Without hardening, or where it is slight, at once.
+        assert_eq!(necking_stress(&Hardening::None, 5e8), 5e8);
+        assert_eq!(necking_stress(&Hardening::Linear { modulus: 1e8 }, 5e8), 5e8);
+        assert_eq!(necking_stress(&Hardening::JohnsonCook { modulus: 0.0, exponent: 0.3 }, 5e8), 5e8);
+        // The slope falls from 2 to 1 GPa at 600 MPa, and to 0.2 GPa at 700 MPa.
+        let table = Hardening::Table {
+            plastic_strain: vec![0.0, 0.05, 0.15, 1.15],
+            factor: vec![1.0, 1.2, 1.4, 1.8],
+        };
+        assert!((necking_stress(&table, 5e8) / 7e8 - 1.0).abs() < 1e-12);
+    }
 }

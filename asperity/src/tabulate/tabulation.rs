@@ -176,7 +176,7 @@ impl Tabulation {
             temperature: scene.loading.temperature,
             heat_partition: interface.heat_partition,
             gap_conductance: interface.gap_conductance,
-            fracture_energy: fracture_energy(material),
+            fracture_energy: Some(fracture_energy(material)),
             interpolation_tolerance: None,
         }
     }
