@@ -78,6 +78,20 @@ impl HeatEffect {
     }
 }
 
+/// Heating by adiabatic plastic flow, βσ_Y/(ρc), K per unit of plastic strain, where it is so strong that a quasi-static
+/// slide has no solution: where flow by some strain makes the metal expand by as much, αβσ_Y/(ρc) ≥ 1, or flow by the
+/// yield strain melts it, βσ_Y²/(Eρc) ≥ T_m − T₀. Of metals the first is about 1e-3, the second about 1e-4 (T_m − T₀).
+pub fn runaway(scene: &Scene) -> Option<f64> {
+    let material = &scene.material;
+    let capacity = material.density * material.specific_heat;
+    let heating = scene.interface.taylor_quinney * material.yield_strength / capacity;
+    let yield_strain = material.yield_strength / material.youngs_modulus;
+    let initial = scene.loading.temperature;
+    let melts =
+        material.softening.melting().is_some_and(|melting| heating * yield_strain >= melting - initial);
+    (melts || material.thermal_expansion.abs() * heating >= 1.0).then_some(heating)
+}
+
 /// Heat is coupled unless there is none or its effect is negligible.
 pub fn choose_heat(scene: &Scene, slip_rate: f64, effect: &HeatEffect) -> HeatChoice {
     match scene.model.heat {

@@ -46,6 +46,8 @@ pub struct Problem {
     pub thermal_properties: Option<ThermalProperties>,
     pub heat_partition: f64,
     pub taylor_quinney: f64,
+    /// Rise at which neither body nor interface has any strength.
+    pub melting_rise: Option<f64>,
     /// h_g R/k.
     pub gap_conductance: f64,
     pub units: Units,
@@ -102,6 +104,7 @@ impl Problem {
             thermal_properties: thermal_properties(material, scene.loading.temperature),
             heat_partition: scene.interface.heat_partition,
             taylor_quinney: scene.interface.taylor_quinney,
+            melting_rise: scene.highest_temperature().map(|highest| highest - scene.loading.temperature),
             gap_conductance: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
             units: Units {
                 length: scene.radius,

@@ -31,4 +31,29 @@ impl SlideState {
     pub fn mu(&self) -> f64 {
         if self.load > 0.0 { self.friction / self.load } else { 0.0 }
     }
+
+    /// Energies that the work of the flat is spent on.
+    pub fn energies(&self) -> [f64; 6] {
+        let Self { elastic, plastic, friction_work, springs, thermal_expansion, moduli_softening, .. } =
+            *self;
+        [elastic, plastic, friction_work, springs, thermal_expansion, moduli_softening]
+    }
+
+    /// Work of the flat that the energies do not account for.
+    pub fn energy_missing(&self) -> f64 {
+        self.work - self.energies().iter().sum::<f64>()
+    }
+
+    /// Heat input that is neither stored nor lost.
+    pub fn heat_missing(&self) -> f64 {
+        self.heat_in - self.heat_stored - self.heat_out
+    }
+
+    /// Whether forces, contact and totals are numbers; every other quantity follows from them.
+    pub fn is_finite(&self) -> bool {
+        let Self { interference, friction, load, area, rise_max, rise_mean, .. } = *self;
+        let sums = [self.energy_missing(), self.heat_missing()];
+        let all = [interference, friction, load, area, rise_max, rise_mean, self.plastic_strain_max];
+        all.iter().chain(&sums).all(|x| x.is_finite())
+    }
 }

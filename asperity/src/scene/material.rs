@@ -43,6 +43,17 @@ impl Softening {
             Self::Table { temperature: knots, factor } => interpolate(knots, factor, temperature).0,
         }
     }
+
+    /// Temperature from which on no strength is left, K.
+    pub fn melting(&self) -> Option<f64> {
+        match self {
+            Self::None => None,
+            Self::JohnsonCook { melting, .. } => Some(*melting),
+            Self::Table { temperature, factor } => {
+                temperature.last().copied().filter(|_| factor.last() == Some(&0.0))
+            }
+        }
+    }
 }
 
 /// Where the shear fracture energy of a material comes from.

@@ -1,7 +1,8 @@
 //! Common conditions of all runs of one slip rate: heat and the meshes that it requires, chosen before the slide.
 
-use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat};
+use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway};
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics};
+use crate::simulate::SimulationError;
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements};
 use crate::simulate::messages::Warning;
@@ -20,12 +21,19 @@ pub(super) struct Conditions {
 }
 
 impl Conditions {
-    /// At a slip rate, m/s.
-    pub fn new(pressed: &Pressed, slip_rate: f64) -> Self {
+    /// At a slip rate, m/s; an error where plastic flow heats the metal too strongly.
+    pub fn new(pressed: &Pressed, slip_rate: f64) -> Result<Self, SimulationError> {
         let Pressed { scene, problem, contact_radius, .. } = pressed;
         let contact_radius = *contact_radius;
         let effect = HeatEffect::expected(scene, slip_rate, contact_radius * problem.units.length);
         let heat = choose_heat(scene, slip_rate, &effect);
+        if let Some(heating) = runaway(scene).filter(|_| heat.is_coupled()) {
+            return Err(SimulationError::Unsupported(format!(
+                "plastic flow heats this metal by {heating:.0e} K per unit of strain, so that it expands or melts faster \
+                 than it flows: a slide with heat has no equilibrium. Check material.density, specific_heat and \
+                 yield_strength; model.heat = \"off\" leaves heat out"
+            )));
+        }
         let speed = if heat.is_coupled() { slip_rate / problem.units.speed() } else { 0.0 };
         // The coarsest mesh of the run decides for all of them.
         let coarse = pressed.resolution.coarse();
@@ -35,7 +43,7 @@ impl Conditions {
         };
         let wanted = thermal_layer_refinements(speed * contact_radius);
         let thermal_layer_refinements = (1..=wanted).rev().find(fits).unwrap_or(0);
-        Self { heat, effect, speed, thermal_layer_refinements, contact_radius }
+        Ok(Self { heat, effect, speed, thermal_layer_refinements, contact_radius })
     }
 
     /// The resolution with elements at the surface as thin as heat needs them.

@@ -174,6 +174,16 @@ pub enum Warning {
         time: f64,
         limit: f64,
     },
+    /// Energies or heat of the slide that are not accounted for, relative to their largest term.
+    Unbalanced {
+        energy: f64,
+        heat: f64,
+    },
+    /// The contact is hotter than the melting temperature of the metal, K.
+    AboveMelting {
+        highest: f64,
+        melting: f64,
+    },
     /// Of the scene.
     Scene(String),
 }
@@ -227,6 +237,16 @@ impl Display for Warning {
                 f,
                 "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
                  {limit}, inertia changes mu_static and G, which are those of a slow onset"
+            ),
+            Self::Unbalanced { energy, heat } => write!(
+                f,
+                "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither \
+                 stored nor lost: a finer mesh or a smaller accuracy lets the balances close"
+            ),
+            Self::AboveMelting { highest, melting } => write!(
+                f,
+                "the contact reaches {highest:.0} K, above the melting temperature of {melting:.0} K: friction by this \
+                 law does not end there; cap = true limits it to the strength of the metal"
             ),
             Self::Scene(text) => write!(f, "{text}"),
         }

@@ -133,7 +133,7 @@ pub(crate) fn slide_refined(
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
     let clock = Instant::now();
-    let mut runner = Runner::new(pressed, slip_rate, watch);
+    let mut runner = Runner::new(pressed, slip_rate, watch)?;
     let mut ladder = runner.ladder()?;
     let mut budget = runner.judge(&ladder);
     let mut stopped = false;
@@ -200,7 +200,7 @@ fn run_alone(
 ) -> Result<Run, SimulationError> {
     let pressed = pressed::press_coarsely(scene, watch)?;
     let progress = RunProgress { kind: RunKind::Main, span: (0.0, 1.0) };
-    let mut run = Runner::new(&pressed, slip_rate, watch).run(resolution, progress)?;
+    let mut run = Runner::new(&pressed, slip_rate, watch)?.run(resolution, progress)?;
     match run.failure.take() {
         None => Ok(run),
         Some(failure) => Err(slide_error(failure, run.history.last(), &pressed, None)),

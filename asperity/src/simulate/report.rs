@@ -22,6 +22,10 @@ const SHORTEST_INCEPTION: f64 = 5.0;
 
 /// Plastic strain beyond which small-strain kinematics is inaccurate.
 const LARGE_STRAIN: f64 = 0.2;
+/// Missing energy or heat, over the largest term of its balance at the end of the slide, above which there is a warning:
+/// at small strain balances close to the tolerance of the solver, at finite strain to second order in the increments.
+const BALANCE: f64 = 1e-5;
+const BALANCE_AT_FINITE_STRAIN: f64 = 1e-4;
 
 /// The outcome of the finest main run, with the errors of `budget` (none: unknown); in the error where
 /// the run failed or was stopped.
@@ -102,6 +106,13 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
         warnings.push(Warning::LargeStrain { strain, limit: LARGE_STRAIN });
     }
     warnings.extend(runner.conditions.unresolved_layer(runner.pressed, &run.resolution));
+    warnings.extend(warnings_of_balances(&runner.pressed.problem, &run.history));
+    let rise = run.history.iter().map(|state| state.rise_max).fold(0.0, f64::max);
+    let highest = runner.pressed.problem.units.temperature + rise;
+    let melting = scene.material.softening.melting().filter(|melting| highest > *melting && rise > 0.0);
+    if scene.highest_temperature().is_none() {
+        warnings.extend(melting.map(|melting| Warning::AboveMelting { highest, melting }));
+    }
     if stopped {
         warnings.push(Warning::StoppedBeforeRefinement);
     }
@@ -114,6 +125,19 @@ fn fast_inception(scene: &Scene, run: &Run) -> Option<Warning> {
     let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
     let time = inception_time(scene, friction, radius)?.value;
     (time < SHORTEST_INCEPTION).then_some(Warning::FastInception { time, limit: SHORTEST_INCEPTION })
+}
+
+/// Energy or heat that is missing at the end.
+fn warnings_of_balances(problem: &Problem, history: &[SlideState]) -> Option<Warning> {
+    let limit = if problem.finite_strain { BALANCE_AT_FINITE_STRAIN } else { BALANCE };
+    let end = history.last()?;
+    let relative = |missing: f64, terms: &[f64]| {
+        let largest = terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()));
+        if largest > 0.0 { missing.abs() / largest } else { 0.0 }
+    };
+    let energy = relative(end.energy_missing(), &[&end.energies()[..], &[end.work]].concat());
+    let heat = relative(end.heat_missing(), &[end.heat_in, end.heat_stored, end.heat_out]);
+    (energy.max(heat) > limit).then_some(Warning::Unbalanced { energy, heat })
 }
 
 /// An interface as strong as a body that flows.

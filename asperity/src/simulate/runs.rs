@@ -133,9 +133,9 @@ pub(super) struct Runner<'a> {
 }
 
 impl<'a> Runner<'a> {
-    pub fn new(pressed: &'a Pressed, slip_rate: f64, watch: &'a dyn Watch) -> Self {
-        let conditions = Conditions::new(pressed, slip_rate);
-        Self { pressed, conditions, watch, presses: pressed.meshes.clone() }
+    pub fn new(pressed: &'a Pressed, slip_rate: f64, watch: &'a dyn Watch) -> Result<Self, SimulationError> {
+        let conditions = Conditions::new(pressed, slip_rate)?;
+        Ok(Self { pressed, conditions, watch, presses: pressed.meshes.clone() })
     }
 
     /// The auxiliary runs, then the main run with the sectors and increments that they require. Where a

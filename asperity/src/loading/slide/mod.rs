@@ -2,7 +2,7 @@
 //!
 //! [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
-//! state after it with the totals of work and heat.
+//! state after it with the totals of work and heat; [`invariants`]: laws that every state keeps.
 //!
 //! Depends on `crate::solver::newton`, `crate::heat` and `crate::interface`. Chapters "One asperity" and "Equilibrium"
 //! of the book.
@@ -11,6 +11,7 @@ mod coupling;
 mod edge_search;
 mod friction_heat;
 pub mod increments;
+pub mod invariants;
 mod shear_limits;
 mod state;
 
@@ -21,9 +22,11 @@ use crate::loading::state::SlideState;
 use crate::scene::Control;
 use crate::solver::StopRequest;
 use crate::solver::newton::{LoadingControl, Mechanics, StepFailure};
+use coupling::Equilibrium;
 use friction_heat::HeatSources;
 pub use increments::Increments;
 use increments::{InceptionBracket, Predictor, StepControl};
+use invariants::Violation;
 
 /// Stick area fraction below which the contact slips fully: points that have just touched stick until
 /// they have slipped once.
@@ -49,6 +52,8 @@ pub enum SlideFailure {
         100.0 * .stick_fraction
     )]
     Distorted { strain: f64, stick_fraction: f64 },
+    #[error("every solution of the next increment breaks a law that all states keep: {0}")]
+    Impossible(#[from] Violation),
     #[error("stopped on request")]
     Cancelled,
 }
@@ -56,7 +61,7 @@ pub enum SlideFailure {
 impl SlideFailure {
     /// Whether a shorter increment may succeed.
     fn allows_cut_back(&self) -> bool {
-        matches!(self, Self::Step(_) | Self::Heat(HeatError::NotConverged { .. }))
+        matches!(self, Self::Step(_) | Self::Impossible(_) | Self::Heat(HeatError::NotConverged { .. }))
     }
 }
 
@@ -85,6 +90,8 @@ pub struct Slide<'a> {
     speed: f64,
     interference: f64,
     hold: LoadingControl,
+    /// Elastic energy after the press.
+    elastic_of_press: f64,
     /// Whether the contact has once slipped everywhere.
     has_begun: bool,
     /// Shortest increment in which sliding inception is bracketed.
@@ -112,6 +119,7 @@ impl<'a> Slide<'a> {
         let mut slide = Self {
             interference: problem.interference,
             hold: LoadingControl::Interference,
+            elastic_of_press: mechanics.body.elastic_energy(&mechanics.body.committed),
             has_begun: false,
             finest: 0.0,
             problem,
@@ -220,8 +228,8 @@ impl<'a> Slide<'a> {
                 return Err(StepFailure::NotFinite.into());
             }
         }
-        let state = self.present_state(to, *self.last());
-        self.check(&state)?;
+        let state = self.next_state(from, dt, &equilibrium);
+        self.check(&state, &equilibrium)?;
         let begins = !self.has_begun && state.stick_fraction < NO_STICK;
         // A contact without stick after the press, or with full slip in the first increment, has its inception at s =
         // 0.
@@ -230,21 +238,24 @@ impl<'a> Slide<'a> {
             let predictor = Predictor { interference: equilibrium.flat.interference, ..self.predictor() };
             return Ok(Attempt::PastInception(InceptionBracket { slip: to, predictor }));
         }
-        self.commit(from, dt, state, equilibrium);
+        self.commit(state, equilibrium);
         self.has_begun |= begins;
         Ok(Attempt::Taken)
     }
 
-    /// Whether mesh and elements still represent the state.
-    fn check(&self, state: &SlideState) -> Result<(), SlideFailure> {
+    /// Whether the state is possible, and mesh and elements still represent it.
+    fn check(&self, state: &SlideState, solved: &Equilibrium) -> Result<(), SlideFailure> {
+        let (strain, stick_fraction) = (state.plastic_strain_max, state.stick_fraction);
+        if strain > LARGEST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
+            return Err(SlideFailure::Distorted { strain, stick_fraction });
+        }
+        let rise =
+            solved.heated.iter().flat_map(|(rise, _)| rise).fold(0.0, |most: f64, rise| most.max(*rise));
+        invariants::check(self.problem, self.elastic_of_press, self.last(), state, rise)?;
         let contact = &self.mechanics.contact;
         if contact.at_rim(&contact.trial) {
             let start = (self.history[0].area / std::f64::consts::PI).sqrt();
             return Err(SlideFailure::OutgrewMesh { growth: contact.radius(&contact.trial) / start });
-        }
-        let (strain, stick_fraction) = (state.plastic_strain_max, state.stick_fraction);
-        if strain > LARGEST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
-            return Err(SlideFailure::Distorted { strain, stick_fraction });
         }
         Ok(())
     }

@@ -27,9 +27,10 @@ impl Slide<'_> {
         }
     }
 
-    /// Commits the solved increment: adds its work and heat to the totals and appends the state.
-    pub(super) fn commit(&mut self, from: f64, dt: f64, mut state: SlideState, solved: Equilibrium) {
-        let Equilibrium { flat, sources, heated } = solved;
+    /// The state after the solved increment of `dt` from the slip `from`, with its work and heat added to the totals.
+    pub(super) fn next_state(&self, from: f64, dt: f64, solved: &Equilibrium) -> SlideState {
+        let flat = solved.flat;
+        let mut state = self.present_state(flat.displacement, *self.last());
         state.interference = flat.interference;
         state.time += dt;
         let old = FlatPosition { interference: self.interference, displacement: from };
@@ -43,11 +44,19 @@ impl Slide<'_> {
         state.plastic += energies.plastic;
         state.thermal_expansion += energies.thermal_expansion;
         state.moduli_softening += energies.moduli_softening;
-        if let (Some((rise, balance)), Some(conduction)) = (heated, self.heat.as_mut()) {
+        if let (Some((rise, balance)), Some(conduction)) = (&solved.heated, &self.heat) {
             state.heat_in += balance.contact + balance.body;
             state.heat_out += balance.base + balance.gap;
-            state.heat_stored = conduction.stored(&rise);
-            (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, &rise);
+            state.heat_stored = conduction.stored(rise);
+            (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, rise);
+        }
+        state
+    }
+
+    /// Commits the solved increment and appends its state.
+    pub(super) fn commit(&mut self, state: SlideState, solved: Equilibrium) {
+        let Equilibrium { flat, sources, heated } = solved;
+        if let (Some((rise, _)), Some(conduction)) = (heated, self.heat.as_mut()) {
             conduction.committed = rise;
         }
         self.mechanics.body.commit();
