@@ -1,7 +1,7 @@
 //! The prediction, from the press to the friction of every cell.
 
-use crate::friction::flash_heating;
 use crate::friction::rate_dependence::rate_sensitivity;
+use crate::friction::rate_law;
 use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
@@ -60,13 +60,13 @@ pub fn predict(
     if lasting.iter().flatten().any(|state| state.unsteady > 0.0 && state.mu.value.is_nan()) {
         warnings.push(Warning::NoSteadyFriction);
     }
-    let mut flash_heating = Vec::new();
+    let mut rate_laws = Vec::new();
     for row in &mut friction {
         let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
         for (cell, sensitivity) in row.iter_mut().zip(rate_sensitivity(&query.slip_rates, &mu)) {
             cell.rate_sensitivity = sensitivity;
         }
-        flash_heating.push(flash_heating::fit(&query.slip_rates, &mu));
+        rate_laws.push(rate_law::choose(&query.slip_rates, &mu));
     }
     let outside = friction.iter().flatten().map(|cell| cell.outside_table);
     warnings.extend(Warning::beyond_formulae(law, outside));
@@ -76,7 +76,7 @@ pub fn predict(
         slip,
         friction,
         plasticity_index: plasticity_index(law, surface),
-        flash_heating,
+        rate_laws,
         warnings,
     })
 }

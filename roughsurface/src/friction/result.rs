@@ -1,7 +1,7 @@
 //! Results of a prediction.
 
 use crate::friction::contacts::Contacts;
-use crate::friction::flash_heating::{FlashHeating, NoFit};
+use crate::friction::rate_law::RateLaws;
 use crate::friction::slip_curve::SlipState;
 use crate::friction::warning::Warning;
 use crate::surface::query::Query;
@@ -65,8 +65,8 @@ pub struct Prediction {
     pub friction: Vec<Vec<Friction>>,
     /// √(σ_s/ω_c) of heights of standard deviation σ_s, ω_c at the mean radius.
     pub plasticity_index: f64,
-    /// Flash-heating parameters per pressure or separation.
-    pub flash_heating: Vec<Result<FlashHeating, NoFit>>,
+    /// Laws of rate dependence per pressure or separation.
+    pub rate_laws: Vec<RateLaws>,
     /// Limits of validity that the prediction reaches.
     pub warnings: Vec<Warning>,
 }

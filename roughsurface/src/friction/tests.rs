@@ -1,6 +1,6 @@
 //! Predictions against closed forms: Greenwood–Williamson surfaces of power laws and elastic spheres.
 
-use super::flash_heating::NoFit;
+use super::rate_law::NoFit;
 use super::warning::Warning;
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL};
@@ -57,7 +57,7 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
         panic!("{:?}", found.warnings)
     };
     assert!((share - (1.0 - puruspe::gammp(2.5, 4.0))).abs() < 1e-6, "{share}");
-    assert_eq!(found.flash_heating[0], Err(NoFit::TooFewSlipRates));
+    assert_eq!(found.rate_laws[0].chosen, Err(NoFit::TooFewSlipRates(3)));
 }
 
 #[test]
@@ -190,9 +190,9 @@ fn flash_heating_of_the_asperities_is_that_of_the_surface() {
     let surface = surface(Box::new(Exponential::new(1e-6)));
     let rates = [0.01, 0.05, 0.2, 0.5, 2.0];
     let found = predicted(&law, &surface, &[1e6], &rates, LoadingControl::Load).unwrap();
-    let fitted = found.flash_heating[0].unwrap();
-    assert!((fitted.v_w.value - 0.2).abs() < 1e-5);
-    assert!((fitted.mu_w.value / fitted.mu_0.value - 0.25).abs() < 1e-5);
+    let fitted = found.rate_laws[0].flash_heating.unwrap();
+    assert!((fitted.velocity.value - 0.2).abs() < 1e-5);
+    assert!((fitted.plateau.value / fitted.mu_0.value - 0.25).abs() < 1e-5);
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Figures of a prediction.
 
 use crate::friction::Prediction;
-use crate::friction::flash_heating::FlashHeating;
 use crate::friction::quantities::Quantity;
+use crate::friction::rate_law::RateLaw;
 use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
@@ -141,7 +141,7 @@ fn row_label(prediction: &Prediction, row: usize) -> String {
     }
 }
 
-/// Points with the flash-heating law through them; where it could not be fitted, with a line.
+/// Points with the rate law through them; where none is determined, with a line.
 fn over_slip_rate(prediction: &Prediction) -> Panel {
     let rates = &prediction.query.slip_rates;
     let mut curves = Vec::new();
@@ -150,7 +150,7 @@ fn over_slip_rate(prediction: &Prediction) -> Panel {
         let mu = prediction.friction[row].iter().map(|cell| cell.sliding.mu);
         let (y, error) = values_and_errors(mu);
         let points = Curve::new(row_label(prediction, row), rates.clone(), y).with_error(error);
-        match &prediction.flash_heating[row] {
+        match &prediction.rate_laws[row].chosen {
             Ok(fit) => {
                 curves.push(points.drawn_as(Drawn::Markers, style));
                 curves.push(fitted(rates, fit).drawn_as(Drawn::Line, style));
@@ -158,21 +158,21 @@ fn over_slip_rate(prediction: &Prediction) -> Panel {
             Err(_) => curves.push(points.drawn_as(Drawn::LineAndMarkers, style)),
         }
     }
-    let with_fit = rows.iter().any(|row| prediction.flash_heating[*row].is_ok());
-    let title = if with_fit { "Sliding friction, and flash-heating fit (lines)" } else { "Sliding friction" };
+    let with_fit = rows.iter().any(|row| prediction.rate_laws[*row].chosen.is_ok());
+    let title = if with_fit { "Sliding friction, and rate law (lines)" } else { "Sliding friction" };
     let (x, y) = (Axis::logarithmic("Slip rate V (m/s)"), Axis::linear(FRICTION_LABEL));
     Panel::new("rate", title, x, y, curves)
 }
 
-/// The flash-heating law along the slip rates.
-fn fitted(slip_rates: &[f64], fit: &FlashHeating) -> Curve {
+/// The rate law along the slip rates.
+fn fitted(slip_rates: &[f64], law: &RateLaw) -> Curve {
     const POINTS: usize = 121;
     let rates = slip_rates.iter().copied().filter(|rate| *rate > 0.0);
     let (slowest, fastest) = rates
         .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), rate: f64| (low.min(rate), high.max(rate)));
     let at = |i: usize| slowest * (fastest / slowest).powf(i as f64 / (POINTS - 1) as f64);
     let x: Vec<f64> = (0..POINTS).map(at).collect();
-    let y = x.iter().map(|&rate| fit.friction_coefficient(rate)).collect();
+    let y = x.iter().map(|&rate| law.friction_coefficient(rate)).collect();
     Curve::new("", x, y)
 }
 

@@ -2,11 +2,11 @@
 
 use crate::friction::Friction;
 use crate::friction::comparison::Comparison;
-use crate::friction::flash_heating::{FlashHeating, NoFit};
 use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::origin::{Origin, coordinate, described, grid_coordinates, with_error};
+use crate::output::rate_laws;
 use crate::sampling::case::Results;
 use crate::sampling::uncertainty::{Propagated, outputs};
 use std::path::Path;
@@ -50,46 +50,13 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
     let meaning = ("1", "friction coefficient along the slide");
     with_error(&mut file, "mu_history", &[row, "slip_rate", "slip"], meaning, &history)?;
 
-    flash_heating(&mut file, &prediction.flash_heating, row)?;
+    rate_laws::write(&mut file, &prediction.rate_laws, row)?;
     compared(&mut file, &results.comparisons, row)?;
     cutoffs::write(&mut file, &results.cutoffs, &grid, cells.len())?;
     if let Some(propagated) = &results.propagated {
         parameters(&mut file, propagated, &grid)?;
     }
     file.finish()
-}
-
-/// Parameters of the flash-heating fit per pressure or separation.
-fn flash_heating(
-    file: &mut DatasetWriter,
-    fits: &[Result<FlashHeating, NoFit>],
-    row: &str,
-) -> Result<(), DatasetError> {
-    type Parameter = (&'static str, &'static str, &'static str, fn(&FlashHeating) -> Estimate);
-    const PARAMETERS: [Parameter; 3] = [
-        ("mu_0", "1", "friction coefficient at low slip rate, flash-heating fit", |fit| fit.mu_0),
-        ("mu_w", "1", "friction coefficient of fully weakened contacts, flash-heating fit", |fit| fit.mu_w),
-        ("V_w", "m s-1", "slip rate at which weakening starts, flash-heating fit", |fit| fit.v_w),
-    ];
-    type Goodness = (&'static str, &'static str, fn(&FlashHeating) -> f64);
-    const GOODNESS: [Goodness; 2] = [
-        ("flash_heating_rms", "root mean square misfit of the flash-heating fit", |fit| fit.misfit),
-        (
-            "flash_heating_r_squared",
-            "share of the variance of mu over the slip rates that the flash-heating fit explains",
-            |fit| fit.r_squared,
-        ),
-    ];
-    let unknown = Estimate { value: f64::NAN, error: f64::NAN };
-    for (name, unit, long_name, of) in PARAMETERS {
-        let values: Vec<Estimate> = fits.iter().map(|fit| fit.as_ref().map_or(unknown, of)).collect();
-        with_error(file, name, &[row], (unit, long_name), &values)?;
-    }
-    for (name, long_name, of) in GOODNESS {
-        let values: Vec<f64> = fits.iter().map(|fit| fit.as_ref().map_or(f64::NAN, of)).collect();
-        file.reals(name, &[row], &values, &described("1", long_name))?;
-    }
-    Ok(())
 }
 
 /// Results of the models of the literature, which do not depend on the slip rate.

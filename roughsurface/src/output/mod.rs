@@ -7,6 +7,7 @@ mod cutoffs;
 pub mod figure;
 pub mod friction_file;
 mod origin;
+mod rate_laws;
 pub mod report;
 mod result_tables;
 pub mod sample_file;

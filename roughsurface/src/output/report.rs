@@ -7,7 +7,8 @@ use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::figure::figure;
 use crate::output::origin::Origin;
-use crate::output::result_tables::{Rows, compared, flash_heating, parameters, quantities};
+use crate::output::rate_laws;
+use crate::output::result_tables::{Rows, compared, parameters, quantities};
 use crate::sampling::case::Results;
 use crate::sampling::uncertainty::VariedParameter;
 use crate::surface::query::{ContactLife, LoadingControl};
@@ -37,7 +38,7 @@ const CITATIONS: [&str; 4] = [
     "Y. Ida, Cohesive force across the tip of a longitudinal-shear crack and Griffith's specific surface energy, J. Geophys. Res. 77, 3796 (1972), doi 10.1029/JB077i020p03796",
 ];
 
-const FLASH_HEATING: &str = "<p>μ = μ<sub>w</sub> + (μ<sub>0</sub> − μ<sub>w</sub>)/[1 + (V/V<sub>w</sub>)<sup>8</sup>]<sup>1/8</sup></p>\n";
+const RATE_LAW: &str = "<p>The law that is chosen at each pressure; below it the form of flash heating, with μ<sub>w</sub> as mu_inf and V<sub>w</sub> as V*.</p>\n";
 
 /// Columns of the results: quantity and heading.
 const COLUMNS: [(&str, &str); 20] = [
@@ -96,7 +97,7 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     let _ = writeln!(page, "<h2>Figures</h2>\n<div>{picture}</div>");
     let note = "<p>Value ± estimated absolute error.</p>\n";
     table(&mut page, "Results", note, &quantities(results, &COLUMNS, true));
-    table(&mut page, "Flash heating", FLASH_HEATING, &flash_heating(results));
+    table(&mut page, "Rate dependence", RATE_LAW, &rate_laws::rows(results));
     table(&mut page, "Influence of the cut-off of the topography", "", &cutoffs::rows(results));
     let title = "Standard deviations from uncertain parameters";
     if let Some(propagated) = &results.propagated {

@@ -14,7 +14,7 @@ pub(super) type Rows = Vec<Vec<String>>;
 const NOT_AVAILABLE: &str = "n/a";
 
 /// Value and error of a number without unit.
-fn with_error(estimate: Estimate) -> String {
+pub(super) fn estimate(estimate: Estimate) -> String {
     if estimate.value.is_finite() { numbers::with_error(estimate, "1") } else { NOT_AVAILABLE.into() }
 }
 
@@ -30,7 +30,7 @@ fn shown(name: &str, cell: &Friction, errors: bool) -> String {
         (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => "-".into(),
         (Source::Share(_), Some(Estimate { value, .. })) => format!("{:.2} %", 100.0 * value),
         (_, Some(estimate)) if matches!(name, "mu" | "mu_steady" | "mu_static" | "dmu_dlnV") => {
-            with_error(estimate)
+            self::estimate(estimate)
         }
         (_, Some(Estimate { value, error })) if value.is_finite() && quantity.unit == "K" => match errors {
             true => format!("{value:.1} ± {error:.1}"),
@@ -44,7 +44,7 @@ fn shown(name: &str, cell: &Friction, errors: bool) -> String {
     }
 }
 
-fn head<'a>(results: &Results, columns: impl IntoIterator<Item = &'a str>) -> Rows {
+pub(super) fn head<'a>(results: &Results, columns: impl IntoIterator<Item = &'a str>) -> Rows {
     let first = results.prediction.query.loading.heading();
     vec![std::iter::once(first).chain(columns).map(String::from).collect()]
 }
@@ -97,27 +97,6 @@ pub(super) fn compared(results: &Results) -> Rows {
                 comparison.description.to_string(),
             ]);
         }
-    }
-    rows
-}
-
-/// Parameters of the flash-heating fit; empty with one slip rate.
-pub(super) fn flash_heating(results: &Results) -> Rows {
-    let prediction = &results.prediction;
-    if prediction.query.slip_rates.len() < 2 {
-        return Rows::new();
-    }
-    let mut rows = head(results, ["mu_0", "mu_w", "V_w [m/s]", "rms", "R2"]);
-    for (load, fit) in prediction.query.loading.values().iter().zip(&prediction.flash_heating) {
-        let mut row = vec![format!("{load:.3e}")];
-        match fit {
-            Ok(fit) => {
-                row.extend([fit.mu_0, fit.mu_w, fit.v_w].map(with_error));
-                row.extend([format!("{:.1e}", fit.misfit), format!("{:.4}", fit.r_squared)]);
-            }
-            Err(reason) => row.push(format!("not fitted: {reason}")),
-        }
-        rows.push(row);
     }
     rows
 }

@@ -2,14 +2,16 @@
 
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
-use crate::output::result_tables::{Rows, compared, flash_heating, parameters, quantities};
+use crate::output::rate_laws;
+use crate::output::result_tables::{Rows, compared, parameters, quantities};
 use crate::sampling::case::Results;
 
 /// Columns of the summary: quantity and heading.
-const COLUMNS: [(&str, &str); 11] = [
+const COLUMNS: [(&str, &str); 12] = [
     ("mu_static", "mu_static"),
     ("mu", "mu"),
     ("mu_steady", "mu_steady"),
+    ("dmu_dlnV", "dmu/dlnV"),
     ("Q", "Q [Pa]"),
     ("G", "G [J/m2]"),
     ("G_weakening", "G_weakening"),
@@ -29,7 +31,10 @@ pub fn text(results: &Results) -> String {
         ("Influence of the cut-off of the topography:", cutoffs::rows(results)),
         ("Standard deviations from uncertain parameters:", parameters(results)),
         ("With asperities after models of the literature:", compared(results)),
-        ("Flash heating, mu = mu_w + (mu_0 - mu_w)/[1 + (V/V_w)^8]^(1/8):", flash_heating(results)),
+        (
+            "Rate dependence of mu, and flash heating with mu_w as mu_inf and V_w as V*:",
+            rate_laws::rows(results),
+        ),
     ] {
         if !rows.is_empty() {
             text.push_str(&format!("\n{title}\n{}", aligned(&rows)));

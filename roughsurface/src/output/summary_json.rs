@@ -1,11 +1,12 @@
 //! The summary of a prediction as JSON: the numbers of the file, without histories.
 
 use crate::friction::Friction;
-use crate::friction::flash_heating::{FlashHeating, NoFit};
 use crate::friction::quantities::{QUANTITIES, Quantity};
+use crate::friction::rate_law::RateLaws;
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::friction_file::COMPARED;
+use crate::output::rate_laws;
 use crate::sampling::case::Results;
 use crate::sampling::uncertainty::outputs;
 use crate::surface::query::NormalLoading;
@@ -38,7 +39,9 @@ pub fn json(results: &Results) -> Value {
         }
         cells.push(Value::Object(cell));
     }
-    let fits = loads.iter().zip(&prediction.flash_heating).map(|(load, fit)| flash_heating(row, *load, fit));
+    let by_load = |json: fn(&str, f64, &RateLaws) -> Value| -> Value {
+        loads.iter().zip(&prediction.rate_laws).map(|(load, laws)| json(row, *load, laws)).collect()
+    };
     let compared = results.comparisons.iter().flat_map(|comparison| {
         loads.iter().zip(&comparison.friction).map(|(load, friction)| {
             let mut cell = Map::from_iter([
@@ -59,7 +62,8 @@ pub fn json(results: &Results) -> Value {
         "friction": cells,
         "cutoffs": cutoffs::json(&results.cutoffs),
         "comparisons": compared.collect::<Vec<Value>>(),
-        "flash_heating": fits.collect::<Vec<Value>>(),
+        "rate_law": by_load(rate_laws::json),
+        "flash_heating": by_load(rate_laws::flash_heating_json),
         "warnings": warnings,
     })
 }
@@ -68,18 +72,4 @@ pub fn json(results: &Results) -> Value {
 fn quantities<'a>(list: impl IntoIterator<Item = &'a Quantity>, friction: &Friction) -> Map<String, Value> {
     let value = |quantity: &Quantity| json!(quantity.of(friction).map(|value| value.in_unit(quantity.unit)));
     list.into_iter().map(|quantity| (quantity.name.to_string(), value(quantity))).collect()
-}
-
-fn flash_heating(row: &str, load: f64, fit: &Result<FlashHeating, NoFit>) -> Value {
-    match fit {
-        Ok(fit) => json!({
-            row: load,
-            "mu_0": fit.mu_0.in_unit("1"),
-            "mu_w": fit.mu_w.in_unit("1"),
-            "V_w": fit.v_w.in_unit("m s-1"),
-            "rms": fit.misfit,
-            "r_squared": fit.r_squared,
-        }),
-        Err(reason) => json!({row: load, "not_fitted": reason.to_string()}),
-    }
 }

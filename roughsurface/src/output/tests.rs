@@ -72,7 +72,7 @@ fn every_quantity_is_in_the_file_and_in_the_json() {
     });
     // The same prediction gives the same bytes.
     assert!(bytes == written("again", &results, |_| ()));
-    assert_eq!(summary::text(&results).lines().count(), 2 + 7 + 2 + 3);
+    assert_eq!(summary::text(&results).lines().count(), 2 + 7 + 2 + 5);
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn the_report_is_one_well_formed_page_without_references_outside() {
         "around: less &lt; more",
         "# a &lt; b &amp; c",
         "Share of the contacts",
-        "flash-heating fit (lines)",
+        "rate law (lines)",
         "dμ/d ln V",
         "No adhesion",
         "Greenwood",

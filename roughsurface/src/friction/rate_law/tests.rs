@@ -1,0 +1,147 @@
+use super::*;
+use rand::SeedableRng;
+use rand::rngs::StdRng;
+use rand_distr::{Distribution, Normal};
+
+fn rates(from: f64, to: f64, count: usize) -> Vec<f64> {
+    (0..count).map(|i| from * (to / from).powf(i as f64 / (count - 1) as f64)).collect()
+}
+
+fn exact(rates: &[f64], mut law: impl FnMut(f64) -> f64) -> Vec<Estimate> {
+    rates.iter().map(|rate| Estimate { value: law(*rate), error: 0.0 }).collect()
+}
+
+fn flash_heating(rate: f64) -> f64 {
+    0.15 + 0.45 * (1.0 + (rate / 0.2f64).powi(8)).powf(-0.125)
+}
+
+#[test]
+fn every_form_comes_back_from_its_own_curve() {
+    let rates = rates(0.03, 300.0, 17);
+    for (index, (mu_0, velocity, exponent, plateau)) in
+        [(0.3, 2000.0, 0.5, 0.0), (0.5, 40.0, 0.7, 0.0), (0.6, 5.0, 0.5, 0.1), (0.6, 4.0, 1.0, 0.2)]
+            .into_iter()
+            .enumerate()
+    {
+        let law = |rate: f64| plateau + (mu_0 - plateau) / (1.0 + (rate / velocity).powf(exponent));
+        let found = choose(&rates, &exact(&rates, law)).chosen.unwrap();
+        assert_eq!(found.form, &FORMS[index], "{found:?}");
+        for (one, other) in [
+            (found.mu_0.value, mu_0),
+            (found.velocity.value, velocity),
+            (found.exponent.value, exponent),
+            (found.plateau.value, plateau),
+        ] {
+            assert!((one - other).abs() <= 1e-5 * other, "{one} {other}");
+        }
+        assert!(found.misfit < 1e-9 && found.r_squared > 1.0 - 1e-9 && found.is_reliable());
+        for rate in [0.1, 10.0] {
+            assert!((found.friction_coefficient(rate) - law(rate)).abs() < 1e-8);
+            let difference = (law(rate * 1.0001) - law(rate / 1.0001)) / (2.0 * 1.0001f64.ln());
+            // Central differences over steps of 1e-4: relative error 1e-8.
+            assert!((found.rate_sensitivity(rate) / difference - 1.0).abs() < 1e-5, "{rate}");
+        }
+    }
+}
+
+#[test]
+fn standard_errors_cover_the_parameters_of_noisy_curves() {
+    let rates = rates(0.1, 10.0, 13);
+    let law = |rate: f64| 0.45 / (1.0 + (rate / 80.0f64).powf(0.6));
+    let noise = Normal::new(0.0, 3e-4).unwrap();
+    let mut random = StdRng::seed_from_u64(1);
+    const CURVES: usize = 200;
+    let (mut power, mut covered) = (0, 0);
+    for _ in 0..CURVES {
+        let mut mu = exact(&rates, law);
+        mu.iter_mut().for_each(|mu| mu.value += noise.sample(&mut random));
+        let laws = choose(&rates, &mu);
+        power += usize::from(laws.chosen.unwrap().form.name == "power");
+        let found = laws.candidates[1].unwrap();
+        let within =
+            |estimate: Estimate, true_value: f64| (estimate.value - true_value).abs() <= 2.0 * estimate.error;
+        covered += usize::from(within(found.exponent, 0.6)) + usize::from(within(found.velocity, 80.0));
+        assert!(laws.candidates[2..].iter().all(Result::is_err), "no plateau is in these curves");
+    }
+    // Student's t of 10 degrees of freedom: 92.7 % within two standard errors, ± 2 % of 400 numbers.
+    assert!((0.89..=0.97).contains(&(covered as f64 / (2 * CURVES) as f64)), "{covered}");
+    assert!(power > CURVES * 9 / 10, "{power}");
+}
+
+#[test]
+fn an_error_of_one_sign_moves_the_parameters_by_theirs() {
+    let rates = rates(0.1, 10.0, 9);
+    let law = |rate: f64| 0.45 / (1.0 + (rate / 80.0f64).sqrt());
+    let shift = 1e-4;
+    let shifted = exact(&rates, |rate| law(rate) + shift);
+    let stated: Vec<Estimate> =
+        exact(&rates, law).iter().map(|mu| Estimate { error: shift, ..*mu }).collect();
+    let fitted = |mu: &[Estimate]| choose(&rates, mu).candidates[0].unwrap();
+    let (one, other) = (fitted(&stated), fitted(&shifted));
+    for (one, other) in [(one.mu_0, other.mu_0), (one.velocity, other.velocity)] {
+        // Of first order in the shift, 2e-4 of μ.
+        assert!(((one.value - other.value).abs() / one.error - 1.0).abs() < 1e-2, "{one:?} {other:?}");
+    }
+}
+
+#[test]
+fn a_plateau_that_is_not_reached_and_parameters_that_are_not_determined_are_refused() {
+    let rates = rates(0.1, 10.0, 9);
+    let slow = exact(&rates, |rate| 0.2 + 0.1 / (1.0 + (rate / 60.0).sqrt()));
+    let laws = choose(&rates, &slow);
+    assert!(
+        matches!(laws.candidates[2], Err(NoFit::NoPlateau(velocity)) if (velocity / 60.0 - 1.0).abs() < 1e-3)
+    );
+    assert!(!laws.chosen.unwrap().form.has_plateau);
+    // One decade about V*: exponent and plateau act alike.
+    let rates = self::rates(1.0, 10.0, 9);
+    let short = exact(&rates, |rate| 0.2 + 0.3 / (1.0 + (rate / 4.0f64).powf(0.7)));
+    assert!(
+        matches!(choose(&rates, &short).candidates[3], Err(NoFit::Undetermined(condition)) if condition > 100.0)
+    );
+}
+
+#[test]
+fn curves_that_do_not_weaken_are_not_fitted() {
+    let rates = rates(0.1, 10.0, 9);
+    assert_eq!(choose(&rates, &exact(&rates, |_| 0.5)).chosen, Err(NoFit::NoRateDependence));
+    let rising = exact(&rates, |rate| 0.5 + 0.01 * rate.ln());
+    assert_eq!(choose(&rates, &rising).chosen, Err(NoFit::NoWeakening));
+    assert_eq!(choose(&rates[..3], &rising[..3]).chosen, Err(NoFit::NoWeakening));
+    assert_eq!(choose(&rates[..2], &rising[..2]).chosen, Err(NoFit::TooFewSlipRates(3)));
+    assert_eq!(choose(&rates, &[Estimate { value: f64::NAN, error: 0.0 }; 9]).chosen, Err(NoFit::NoFriction));
+    // Scatter about a constant.
+    let noise = Normal::new(0.0, 1e-3).unwrap();
+    let mut random = StdRng::seed_from_u64(3);
+    let refused = (0..100).filter(|_| {
+        let mu: Vec<Estimate> = exact(&rates, |_| 0.5 + noise.sample(&mut random));
+        choose(&rates, &mu).chosen.is_err()
+    });
+    assert!(refused.count() > 80);
+}
+
+#[test]
+fn three_slip_rates_give_the_form_of_two_parameters() {
+    let rates = [0.1, 1.0, 10.0];
+    let laws = choose(&rates, &exact(&rates, |rate| 0.45 / (1.0 + (rate / 80.0f64).sqrt())));
+    let law = laws.chosen.unwrap();
+    assert!(law.form.name == "square-root" && (law.velocity.value / 80.0 - 1.0).abs() < 1e-6);
+    assert!(law.criterion.is_nan());
+    assert_eq!(laws.candidates[1], Err(NoFit::TooFewSlipRates(6)));
+}
+
+#[test]
+fn flash_heating_comes_back_from_its_curve_and_is_flagged_elsewhere() {
+    for rates in [&[0.01, 0.03, 0.1, 0.3, 1.0, 3.0][..], &[0.01, 0.3, 3.0]] {
+        let fitted = choose(rates, &exact(rates, flash_heating)).flash_heating.unwrap();
+        assert!((fitted.mu_0.value - 0.6).abs() < 1e-6);
+        assert!((fitted.plateau.value - 0.15).abs() < 1e-6);
+        assert!((fitted.velocity.value - 0.2).abs() < 1e-6);
+        assert!(fitted.is_reliable());
+    }
+    let beyond = [1.0, 2.0, 4.0, 8.0];
+    assert_eq!(choose(&beyond, &exact(&beyond, flash_heating)).flash_heating, Err(NoFit::OnsetOutside));
+    let rates = rates(0.1, 10.0, 9);
+    let laws = choose(&rates, &exact(&rates, |rate| 0.45 / (1.0 + (rate / 80.0f64).sqrt())));
+    assert!(!laws.flash_heating.unwrap().is_reliable());
+}
