@@ -113,6 +113,14 @@ fn fit(row: &str, load: f64, fit: &Fit, parameters: &[Parameter]) -> Value {
     entry
 }
 
+/// A parameter; one that is not fitted has no error.
+fn shown(parameter: Estimate) -> String {
+    match parameter.error == 0.0 {
+        true => parameter.value.to_string(),
+        false => estimate(parameter),
+    }
+}
+
 /// The law that is chosen at each pressure or separation, and the flash-heating fit; empty with one slip rate.
 pub(super) fn rows(results: &Results) -> Rows {
     let prediction = &results.prediction;
@@ -125,7 +133,7 @@ pub(super) fn rows(results: &Results) -> Rows {
             let mut row = vec![format!("{load:.3e}")];
             match fit {
                 Ok(law) => {
-                    row.extend([law.mu_0, law.plateau, law.velocity, law.exponent].map(estimate));
+                    row.extend([law.mu_0, law.plateau, law.velocity, law.exponent].map(shown));
                     row.push(format!("{:.3}", 100.0 * law.misfit / law.mu_0.value));
                     row.push(format!("{:.4}", law.r_squared));
                     let flag = if law.is_reliable() { "" } else { " (not reliable)" };
