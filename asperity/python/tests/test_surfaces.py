@@ -32,6 +32,25 @@ def test_friction_is_that_of_the_program(folder):
     assert of_table.summary == friction.summary
 
 
+def test_exports_are_read_by_numpy(folder):
+    (folder / "surface.toml").write_text(SURFACE)
+    query = ["--pressure", "1e5,1e6,1e7", "--slip-rate", "0.1..10:7"]
+    friction = run("roughsurface", "predict", "surface.toml", "--table", "copper", *query, "-o", "f.nc", "--json")
+    cells = [cell["mu"]["value"] for cell in json.loads(friction)["friction"]]
+    for name in ("f.csv", "f.txt", "f.json"):
+        run("roughsurface", "export", "f.nc", "-o", name)
+    table = np.genfromtxt("f.csv", delimiter=",", names=True)
+    assert np.array_equal(table["mu"], cells) and table["pressure_Pa"][0] == 1e5
+    lines = [line for line in (folder / "f.txt").read_text().splitlines() if not line.startswith("%")]
+    rates, pressures, *rows = [np.array(line.split(), float) for line in lines]
+    assert np.allclose(np.ravel(rows), cells, rtol=1e-9) and (len(rates), len(pressures)) == (7, 3)
+    laws = json.loads((folder / "f.json").read_text())["laws"]
+    for law, row in zip(laws, rows):
+        drop = law["mu_0"]["value"] - law["mu_inf"]["value"]
+        fitted = law["mu_inf"]["value"] + drop / (1 + (rates / law["V_star"]["value"]) ** law["n"]["value"])
+        assert np.allclose(fitted, row, atol=4 * law["rms"])
+
+
 def test_query_comparison_and_report(folder):
     (folder / "surface.toml").write_text(SURFACE)
     query = ["--separation", "5e-7", "--slip-rate", "0.1..10:3", "--set", "query.hold=separation"]

@@ -2,6 +2,7 @@
 
 mod characterize;
 mod common;
+mod export;
 mod help;
 mod input;
 mod manual;
@@ -37,6 +38,9 @@ enum Command {
     /// Summits of a measured topography, as a surface file
     #[command(after_help = characterize::HELP)]
     Characterize(characterize::Characterize),
+    /// Write predicted friction for other programs: Abaqus, COMSOL, MATLAB; and the fitted rate law
+    #[command(after_help = export::HELP)]
+    Export(export::Export),
     /// Print the completion script of a shell
     Completions {
         /// Shell to complete in
@@ -67,6 +71,7 @@ fn program() -> ExitCode {
         Command::Predict(options) => predict::run(&options, display),
         Command::Sample(options) => sample::run(&options, display),
         Command::Characterize(options) => characterize::run(&options, display),
+        Command::Export(options) => export::run(&options),
         Command::Completions { shell } => manual::completions(shell),
         Command::Man { directory } => manual::man(&directory),
     };

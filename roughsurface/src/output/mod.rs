@@ -4,6 +4,7 @@
 //! book.
 
 mod cutoffs;
+pub mod export;
 pub mod figure;
 pub mod friction_file;
 mod origin;

@@ -2,6 +2,7 @@
 
 mod characterize;
 mod demonstration;
+mod export;
 mod folder;
 mod map_to_friction;
 mod overwriting;

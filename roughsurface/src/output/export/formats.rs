@@ -1,0 +1,126 @@
+//! The formats as text. SI units and kelvin.
+
+use super::{FrictionTable, Law, Layer};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Columns or axes, and lines of the origin, each after `mark`.
+fn head(table: &FrictionTable, mark: &str, lines: &[&str]) -> String {
+    let mut text = format!(
+        "{mark} Friction coefficient of a rough surface, roughsurface {}\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    let _ = writeln!(text, "{mark} from {}", table.sources.join(", "));
+    lines.iter().for_each(|line| text.push_str(&format!("{mark} {line}\n")));
+    text
+}
+
+impl FrictionTable {
+    /// Layer, pressure, its row, slip rate and cell of every value; slip rates vary fastest.
+    fn cells(&self) -> impl Iterator<Item = (&Layer, f64, f64, usize)> {
+        let rates = self.slip_rates.len();
+        let cells = 0..self.pressures.len() * rates;
+        self.layers.iter().flat_map(move |layer| {
+            cells
+                .clone()
+                .map(move |cell| (layer, self.pressures[cell / rates], self.slip_rates[cell % rates], cell))
+        })
+    }
+}
+
+/// Data lines of `*FRICTION`: coefficient, slip rate, contact pressure, average temperature.
+pub(super) fn abaqus(table: &FrictionTable) -> String {
+    let mut text = head(
+        table,
+        "**",
+        &[
+            "Friction coefficient (1), slip rate (m/s), contact pressure (Pa), and temperature (K) if there is one: SI units",
+            "Below *SURFACE INTERACTION; Abaqus holds the values constant outside the table",
+        ],
+    );
+    for layer in &table.layers {
+        for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
+            let Some(law) = law else { continue };
+            let Law { mu_0, mu_inf, velocity, exponent, .. } = law;
+            let _ = writeln!(
+                text,
+                "** Rate law at {pressure:e} Pa: {}, mu_0 = {:.5}, mu_inf = {:.5}, V* = {:.4e} m/s, n = {:.4}",
+                law.formula, mu_0.value, mu_inf.value, velocity.value, exponent.value
+            );
+        }
+    }
+    text.push_str("*FRICTION\n");
+    for (layer, pressure, rate, cell) in table.cells() {
+        let temperature = layer.temperature.map_or(String::new(), |kelvin| format!(", {kelvin:.9e}"));
+        let _ = writeln!(text, "{:.9e}, {rate:.9e}, {pressure:.9e}{temperature}", layer.mu[cell].value);
+    }
+    text
+}
+
+/// Axes of the slip rate, the pressure and, of several, the temperature, then a line for each pressure.
+pub(super) fn comsol(table: &FrictionTable) -> String {
+    let row = |values: &[f64]| {
+        format!("{}\n", values.iter().map(|value| format!("{value:.9e}")).collect::<Vec<_>>().join(" "))
+    };
+    let mut text = head(
+        table,
+        "%",
+        &["Arguments: slip rate (m/s), pressure (Pa), and temperature (K) if there are several"],
+    );
+    text.push_str("% Grid\n");
+    text.push_str(&row(&table.slip_rates));
+    text.push_str(&row(&table.pressures));
+    if table.layers.len() > 1 {
+        text.push_str(&row(&table.layers.iter().filter_map(|layer| layer.temperature).collect::<Vec<_>>()));
+    }
+    text.push_str("% Data\n");
+    for layer in &table.layers {
+        let values: Vec<f64> = layer.mu.iter().map(|mu| mu.value).collect();
+        values.chunks(table.slip_rates.len()).for_each(|pressure| text.push_str(&row(pressure)));
+    }
+    text
+}
+
+/// One line for each temperature, pressure and slip rate.
+pub(super) fn csv(table: &FrictionTable) -> String {
+    let mut text = String::from("temperature_K,pressure_Pa,slip_rate_m_per_s,mu,mu_error\n");
+    for (layer, pressure, rate, cell) in table.cells() {
+        let temperature = layer.temperature.map_or("NaN".into(), |kelvin| kelvin.to_string());
+        let mu = layer.mu[cell];
+        let _ = writeln!(text, "{temperature},{pressure},{rate},{},{}", mu.value, mu.error);
+    }
+    text
+}
+
+/// The rate law of each temperature and pressure.
+pub(super) fn json(table: &FrictionTable) -> String {
+    let mut laws = Vec::new();
+    for layer in &table.layers {
+        for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
+            laws.push(entry(law.as_ref(), layer.temperature, *pressure));
+        }
+    }
+    let positive = table.slip_rates.iter().find(|rate| **rate > 0.0);
+    let document = json!({
+        "title": "Rate law of the friction coefficient of a rough surface",
+        "source": format!("roughsurface {}", env!("CARGO_PKG_VERSION")),
+        "files": table.sources,
+        "variables": {"V": "slip rate, m/s", "pressure": "nominal, Pa", "temperature": "initial, K"},
+        "fitted_between": [positive, table.slip_rates.last()],
+        "laws": laws,
+    });
+    format!("{document:#}\n")
+}
+
+fn entry(law: Option<&Law>, temperature: Option<f64>, pressure: f64) -> Value {
+    let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": law.map_or("none", |law| &law.form)});
+    if let Some(law) = law {
+        entry["formula"] = law.formula.into();
+        entry["mu_0"] = json!(law.mu_0.in_unit("1"));
+        entry["mu_inf"] = json!(law.mu_inf.in_unit("1"));
+        entry["V_star"] = json!(law.velocity.in_unit("m s-1"));
+        entry["n"] = json!(law.exponent.in_unit("1"));
+        entry["rms"] = law.misfit.into();
+    }
+    entry
+}

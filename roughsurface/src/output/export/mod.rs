@@ -1,0 +1,213 @@
+//! Friction for other programs, read from `friction.nc`.
+
+mod formats;
+
+use crate::friction::rate_law::FORMS;
+use std::path::Path;
+use tables::law::Estimate;
+use tables::netcdf::{DatasetError, DatasetReader};
+
+/// A format, with the extension that decides on it.
+pub struct Format {
+    pub extension: &'static str,
+    /// Programs that read it.
+    pub readers: &'static str,
+    write: fn(&FrictionTable) -> String,
+}
+
+/// Every format.
+pub static FORMATS: [Format; 4] = [
+    Format { extension: "inp", readers: "Abaqus (*FRICTION)", write: formats::abaqus },
+    Format {
+        extension: "txt",
+        readers: "COMSOL (interpolation function, data format Grid)",
+        write: formats::comsol,
+    },
+    Format { extension: "csv", readers: "MATLAB (readtable), pandas, spreadsheets", write: formats::csv },
+    Format { extension: "json", readers: "codes that evaluate the rate law", write: formats::json },
+];
+
+impl Format {
+    /// The format of a file of that name; the error lists all.
+    pub fn of(path: &Path) -> Result<&'static Self, ExportError> {
+        let is_of =
+            |format: &&Self| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(format.extension));
+        FORMATS.iter().find(is_of).ok_or_else(|| {
+            let known = FORMATS.iter().map(|format| format!(".{} for {}", format.extension, format.readers));
+            let known: Vec<String> = known.collect();
+            ExportError::Format { path: path.display().to_string(), known: known.join(", ") }
+        })
+    }
+
+    /// The content of the file.
+    pub fn text(&self, table: &FrictionTable) -> String {
+        (self.write)(table)
+    }
+}
+
+/// Reason why friction cannot be exported.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
+    #[error("{path}: the extension decides on the format; choose a name that ends in {known}")]
+    Format { path: String, known: String },
+    #[error(
+        "{path}: friction is given over the separation, other programs need it over the pressure; predict with query.pressure"
+    )]
+    NoPressure { path: String },
+    #[error("{path}: mu is not known at {pressure:e} Pa and {slip_rate} m/s")]
+    NoFriction { path: String, pressure: f64, slip_rate: f64 },
+    #[error(
+        "{path}: no rate law is fitted at {pressure:e} Pa; leave out --law, which exports the values computed"
+    )]
+    NoLaw { path: String, pressure: f64 },
+    #[error("{path}: {what} differ from those of {first}; predict both with the same query")]
+    Different { path: String, first: String, what: &'static str },
+    #[error("{path}: several files must have an initial temperature each, query.temperature, and this one has {}",
+        .temperature.map_or("none".into(), |kelvin| format!("{kelvin} K, as another one")))]
+    Temperature { path: String, temperature: Option<f64> },
+}
+
+/// Friction over initial temperature, pressure and slip rate.
+pub struct FrictionTable {
+    /// Files that it is read from.
+    pub sources: Vec<String>,
+    /// Pa.
+    pub pressures: Vec<f64>,
+    /// m/s.
+    pub slip_rates: Vec<f64>,
+    /// By ascending temperature.
+    pub layers: Vec<Layer>,
+}
+
+/// Friction at one initial temperature.
+pub struct Layer {
+    /// K, where the query states it.
+    pub temperature: Option<f64>,
+    /// Sliding friction, slip rates of a pressure beside each other, 1.
+    pub mu: Vec<Estimate>,
+    /// The law fitted to it at each pressure.
+    pub laws: Vec<Option<Law>>,
+}
+
+/// A fitted law of rate dependence, see [`RateLaw`](crate::friction::rate_law::RateLaw).
+pub struct Law {
+    pub form: String,
+    pub formula: &'static str,
+    pub mu_0: Estimate,
+    pub mu_inf: Estimate,
+    pub velocity: Estimate,
+    pub exponent: Estimate,
+    pub misfit: f64,
+}
+
+impl Law {
+    fn friction_coefficient(&self, slip_rate: f64) -> f64 {
+        let power = (slip_rate / self.velocity.value).powf(self.exponent.value);
+        self.mu_inf.value + (self.mu_0.value - self.mu_inf.value) / (1.0 + power)
+    }
+}
+
+impl FrictionTable {
+    /// Reads one file, or one for each initial temperature.
+    pub fn read(paths: &[&Path]) -> Result<Self, ExportError> {
+        let mut whole: Option<Self> = None;
+        for path in paths {
+            let mut one = Self::read_one(path)?;
+            let Some(table) = &mut whole else {
+                whole = Some(one);
+                continue;
+            };
+            let (path, first) = (path.display().to_string(), table.sources[0].clone());
+            let same = [
+                ("the pressures", one.pressures == table.pressures),
+                ("the slip rates", one.slip_rates == table.slip_rates),
+            ];
+            if let Some((what, _)) = same.into_iter().find(|(_, same)| !same) {
+                return Err(ExportError::Different { path, first, what });
+            }
+            table.sources.append(&mut one.sources);
+            table.layers.append(&mut one.layers);
+        }
+        let mut table = whole.expect("there is a file");
+        let kelvin = |layer: &Layer| layer.temperature.unwrap_or(f64::NEG_INFINITY);
+        let refused = (0..paths.len()).find(|&i| {
+            let before =
+                table.layers[..i].iter().any(|layer| layer.temperature == table.layers[i].temperature);
+            paths.len() > 1 && (before || table.layers[i].temperature.is_none())
+        });
+        if let Some(i) = refused {
+            let (path, temperature) = (table.sources[i].clone(), table.layers[i].temperature);
+            return Err(ExportError::Temperature { path, temperature });
+        }
+        table.layers.sort_by(|one, other| kelvin(one).total_cmp(&kelvin(other)));
+        Ok(table)
+    }
+
+    fn read_one(path: &Path) -> Result<Self, ExportError> {
+        let shown = path.display().to_string();
+        let file = DatasetReader::open(path)?;
+        if file.has("separation") && file.shape("separation")?.len() == 1 {
+            return Err(ExportError::NoPressure { path: shown });
+        }
+        let (pressures, slip_rates) = (file.coordinate("pressure")?, file.coordinate("slip_rate")?);
+        let with_error = |name: &str, shape: &[usize]| -> Result<Vec<Estimate>, DatasetError> {
+            let (values, errors) = (file.reals(name, shape)?, file.reals(&format!("{name}_error"), shape)?);
+            Ok(values.into_iter().zip(errors).map(|(value, error)| Estimate { value, error }).collect())
+        };
+        let mu = with_error("mu", &[pressures.len(), slip_rates.len()])?;
+        if let Some(cell) = mu.iter().position(|mu| mu.value.is_nan()) {
+            let (pressure, slip_rate) =
+                (pressures[cell / slip_rates.len()], slip_rates[cell % slip_rates.len()]);
+            return Err(ExportError::NoFriction { path: shown, pressure, slip_rate });
+        }
+        let rows = [pressures.len()];
+        let parameters = ["rate_mu_0", "rate_mu_inf", "rate_V_star", "rate_exponent"];
+        let parameters: Vec<_> =
+            parameters.iter().map(|name| with_error(name, &rows)).collect::<Result<_, _>>()?;
+        let misfits = file.reals("rate_rms", &rows)?;
+        let law = |row: usize| -> Result<Option<Law>, DatasetError> {
+            let form = file.text("rate_law", &[row])?;
+            Ok(FORMS.iter().find(|known| known.name == form).map(|known| Law {
+                form,
+                formula: known.formula,
+                mu_0: parameters[0][row],
+                mu_inf: parameters[1][row],
+                velocity: parameters[2][row],
+                exponent: parameters[3][row],
+                misfit: misfits[row],
+            }))
+        };
+        let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
+        let query: toml::Table = file.attribute_text("surface")?.parse().unwrap_or_default();
+        let temperature = query.get("query").and_then(|query| query.get("temperature"));
+        let temperature = temperature
+            .and_then(|kelvin| kelvin.as_float().or(kelvin.as_integer().map(|whole| whole as f64)));
+        Ok(Self {
+            sources: vec![shown],
+            pressures,
+            slip_rates,
+            layers: vec![Layer { temperature, mu, laws }],
+        })
+    }
+
+    /// The table with the values of the fitted laws at slip rates in equal ratios, ten a decade.
+    pub fn of_laws(mut self) -> Result<Self, ExportError> {
+        const A_DECADE: f64 = 10.0;
+        let first = self.slip_rates.iter().copied().find(|rate| *rate > 0.0).unwrap_or(1.0);
+        let last = *self.slip_rates.last().expect("there is a slip rate");
+        let count = ((last / first).log10() * A_DECADE).ceil().max(1.0) as usize;
+        self.slip_rates = (0..=count).map(|i| first * (last / first).powf(i as f64 / count as f64)).collect();
+        for (layer, source) in self.layers.iter_mut().zip(&self.sources) {
+            layer.mu.clear();
+            for (law, &pressure) in layer.laws.iter().zip(&self.pressures) {
+                let law = law.as_ref().ok_or(ExportError::NoLaw { path: source.clone(), pressure })?;
+                let value =
+                    |rate: &f64| Estimate { value: law.friction_coefficient(*rate), error: law.misfit };
+                layer.mu.extend(self.slip_rates.iter().map(value));
+            }
+        }
+        Ok(self)
+    }
+}

@@ -1,0 +1,131 @@
+//! Exported friction, read again.
+
+use crate::demonstration::{Weakening, table};
+use crate::folder::Folder;
+use tables::netcdf::DatasetReader;
+use tables::table::Metadata;
+
+const SURFACE: &str = r#"
+[surface]
+asperity_density = 1e10
+asperity_radius = 100e-6
+heights = { distribution = "gaussian", std = 0.05e-6 }
+[query]
+pressure = [1e5, 1e6, 1e7]
+slip_rate = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]
+"#;
+
+fn folder(name: &str) -> Folder {
+    let folder = Folder::new(name);
+    folder.write("surface.toml", SURFACE);
+    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    folder.run_well("predict surface.toml --table table.nc -o friction.nc --quiet");
+    folder
+}
+
+fn reals(folder: &Folder, name: &str, shape: &[usize]) -> Vec<f64> {
+    DatasetReader::open(&folder.path("friction.nc")).unwrap().reals(name, shape).unwrap()
+}
+
+/// Numbers of the lines that do not begin with one of `marks`.
+fn numbers(text: &str, marks: [char; 2]) -> Vec<Vec<f64>> {
+    let lines = text.lines().filter(|line| !line.starts_with(marks));
+    let row = |line: &str| {
+        line.split([',', ' ']).filter(|word| !word.is_empty()).map(|word| word.parse().unwrap()).collect()
+    };
+    lines.map(row).collect()
+}
+
+#[test]
+fn every_format_has_the_friction_of_the_file() {
+    let folder = folder("export");
+    let mu = reals(&folder, "mu", &[3, 7]);
+    let (pressures, rates) = ([1e5, 1e6, 1e7], [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]);
+    for name in ["friction.inp", "friction.txt", "friction.CSV", "law.json"] {
+        folder.run_well(&format!("export friction.nc -o {name}"));
+    }
+    let close = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-9;
+
+    let abaqus = folder.read("friction.inp");
+    assert_eq!(abaqus.lines().filter(|line| *line == "*FRICTION").count(), 1);
+    assert!(abaqus.lines().all(|line| line.len() <= 256) && abaqus.contains("** Rate law at 1e5 Pa: mu_"));
+    let abaqus = numbers(&abaqus, ['*'; 2]);
+    let comsol = numbers(&folder.read("friction.txt"), ['%'; 2]);
+    let csv = numbers(&folder.read("friction.CSV"), ['t'; 2]);
+    assert_eq!((abaqus.len(), comsol.len(), csv.len()), (21, 2 + 3, 21));
+    assert!(comsol[0].iter().zip(rates).all(|(one, other)| close(*one, other)));
+    assert!(comsol[1].iter().zip(pressures).all(|(one, other)| close(*one, other)));
+    for (cell, mu) in mu.into_iter().enumerate() {
+        let (pressure, rate) = (pressures[cell / 7], rates[cell % 7]);
+        let [of_abaqus, rate_of_abaqus, pressure_of_abaqus] = abaqus[cell][..] else {
+            panic!("{:?}", abaqus[cell])
+        };
+        assert!(close(of_abaqus, mu) && close(rate_of_abaqus, rate) && close(pressure_of_abaqus, pressure));
+        assert!(close(comsol[2 + cell / 7][cell % 7], mu));
+        assert!(csv[cell][0].is_nan() && csv[cell][1..4] == [pressure, rate, mu]);
+    }
+    let json: serde_json::Value = serde_json::from_str(&folder.read("law.json")).unwrap();
+    let velocity = reals(&folder, "rate_V_star", &[3]);
+    for (row, law) in json["laws"].as_array().unwrap().iter().enumerate() {
+        assert_eq!(
+            (law["pressure"].as_f64(), law["V_star"]["value"].as_f64()),
+            (Some(pressures[row]), Some(velocity[row]))
+        );
+        assert!(law["formula"].as_str().unwrap().starts_with("mu_"));
+    }
+}
+
+#[test]
+fn values_of_the_law_lie_within_its_misfit() {
+    let folder = folder("export-law");
+    folder.run_well("export friction.nc -o law.inp --law");
+    let rows = numbers(&folder.read("law.inp"), ['*'; 2]);
+    assert_eq!(rows.len(), 3 * 21);
+    let (mu, misfit) = (reals(&folder, "mu", &[3, 7]), reals(&folder, "rate_rms", &[3]));
+    for row in 0..3 {
+        // Both ends of the range are slip rates of the query.
+        for (exported, cell) in [(21 * row, 7 * row), (21 * row + 20, 7 * row + 6)] {
+            let off = (rows[exported][0] - mu[cell]).abs();
+            assert!(off < 3.0 * misfit[row], "{off} {}", misfit[row]);
+        }
+    }
+}
+
+#[test]
+fn several_files_are_a_dependence_on_temperature() {
+    let folder = folder("export-temperature");
+    let hot = Weakening { strength: 1.1, ..Weakening::new() };
+    for (kelvin, law) in [(298.0, Weakening::new()), (500.0, hot)] {
+        let mut slice = table(&law, 200.0);
+        slice.set_metadata(Metadata { temperature: kelvin, ..slice.metadata().clone() });
+        slice.write(&folder.path("at.nc")).unwrap();
+        folder.write("at.toml", SURFACE.replace("[query]", &format!("[query]\ntemperature = {kelvin:?}")));
+        folder.run_well(&format!("predict at.toml --table at.nc -o {kelvin}.nc --quiet"));
+    }
+    for name in ["both.inp", "both.txt"] {
+        folder.run_well(&format!("export 500.nc 298.nc -o {name}"));
+    }
+    let abaqus = numbers(&folder.read("both.inp"), ['*'; 2]);
+    let comsol = numbers(&folder.read("both.txt"), ['%'; 2]);
+    assert_eq!((abaqus.len(), comsol.len(), &comsol[2][..]), (42, 3 + 6, &[298.0, 500.0][..]));
+    for cell in 0..21 {
+        let (cold, hot) = (&abaqus[cell], &abaqus[21 + cell]);
+        assert!(cold[1..3] == hot[1..3] && (cold[3], hot[3]) == (298.0, 500.0));
+        assert!((hot[0] / cold[0] - 1.1).abs() < 1e-6, "{cold:?} {hot:?}");
+        assert!(comsol[3 + cell / 7][cell % 7] == cold[0] && comsol[6 + cell / 7][cell % 7] == hot[0]);
+    }
+    folder.refused("export friction.nc friction.nc -o f.inp", "must have an initial temperature each");
+    folder.refused("export 298.nc 298.nc -o f.inp", "298 K, as another one");
+}
+
+#[test]
+fn what_cannot_be_exported_is_refused() {
+    let folder = folder("export-refused");
+    folder.refused("export friction.nc -o friction.mat", "ends in .inp for Abaqus");
+    folder.refused("export friction.nc -o friction.nc", "ends in .inp");
+    folder.refused("export table.nc -o friction.csv", "table.nc");
+    folder.run_well("predict surface.toml --table table.nc --separation 1e-7 -o separations.nc --quiet");
+    folder.refused("export separations.nc -o friction.csv", "query.pressure");
+    folder.run_well("predict surface.toml --table table.nc --slip-rate 1 -o one.nc --quiet");
+    folder.refused("export one.nc -o friction.csv --law", "no rate law is fitted at 1e5 Pa");
+}
