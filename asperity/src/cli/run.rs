@@ -132,7 +132,6 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
     line("interference", format!("{} omega_c", numbers::plain(scene.loading.interference)));
     line("slip_rate", format!("{} m/s", numbers::plain(scene.loading.slip_rate)));
     line("radius", format!("{} m", numbers::plain(scene.radius)));
-    line("heat_partition", numbers::plain(scene.interface.heat_partition));
     for quantity in Quantity::SCALARS {
         let descriptor = quantity.descriptor();
         let estimate = outcome.scalars[quantity];
@@ -212,7 +211,7 @@ fn as_json(
         "interference": scene.loading.interference,
         "slip_rate": scene.loading.slip_rate,
         "radius": scene.radius,
-        "heat_partition": scene.interface.heat_partition,
+        "heat_partition": outcome.scalars[Quantity::HeatPartition].value,
         "summary": summary,
         "inception": outcome.inception.to_string(),
         "levelled": outcome.steady,

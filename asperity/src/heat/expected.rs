@@ -52,9 +52,10 @@ pub struct HeatEffect {
 impl HeatEffect {
     /// At a slip rate (m/s) and the radius of the contact (m).
     pub fn expected(scene: &Scene, slip_rate: f64, contact_radius: f64) -> Self {
+        let scene = &scene.with_combined_modulus();
         let (material, interface) = (&scene.material, &scene.interface);
         let strength = interface.strength_factor * SHEAR_RATIO * material.yield_strength;
-        let share = match interface.heat_partition {
+        let share = match scene.largest_heat_partition() {
             0.0 => interface.taylor_quinney,
             partition => partition,
         };

@@ -8,4 +8,5 @@
 //! "Conduction" of the book.
 
 pub(crate) mod conduction;
+pub(crate) mod counterface;
 pub(crate) mod expected;

@@ -14,6 +14,7 @@ use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::heat::conduction::ThermalProperties;
+use crate::heat::counterface::HalfSpace;
 use crate::interface::contact::Contact;
 use crate::material::Solid;
 use crate::scene::curve::Curve;
@@ -44,7 +45,13 @@ pub struct Problem {
     pub heat_capacity: f64,
     /// None where specific heat and conductivity are constant.
     pub thermal_properties: Option<ThermalProperties>,
+    /// Share of the frictional heat that is released into the asperity; a conducting counterface takes up heat from
+    /// there.
     pub heat_partition: f64,
+    /// Share that enters the asperity when sliding begins.
+    pub initial_heat_partition: f64,
+    /// None where the flat is isothermal.
+    pub counterface: Option<HalfSpace>,
     pub taylor_quinney: f64,
     /// Rise at which neither body nor interface has any strength.
     pub melting_rise: Option<f64>,
@@ -84,12 +91,15 @@ impl Units {
 
 impl Problem {
     pub fn new(scene: &Scene) -> Self {
+        let scene = &scene.with_combined_modulus();
         let material = &scene.material;
         let e_star = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
         let critical =
             hertz::critical_interference(e_star, material.poisson_ratio, material.yield_strength, 1.0);
         let capacity = material.density * material.specific_heat;
         let diffusivity = material.thermal_conductivity / capacity;
+        let heat_capacity = capacity / material.yield_strength;
+        let counterface = half_space(scene, heat_capacity);
         Self {
             solid: Solid::new(material, scene.loading.temperature),
             finite_strain: scene.model.kinematics == Kinematics::Finite,
@@ -100,9 +110,11 @@ impl Problem {
             control: scene.loading.control,
             strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,
-            heat_capacity: capacity / material.yield_strength,
+            heat_capacity,
             thermal_properties: thermal_properties(material, scene.loading.temperature),
-            heat_partition: scene.interface.heat_partition,
+            heat_partition: if counterface.is_some() { 1.0 } else { scene.interface.heat_partition },
+            initial_heat_partition: scene.initial_heat_partition(),
+            counterface,
             taylor_quinney: scene.interface.taylor_quinney,
             melting_rise: scene.highest_temperature().map(|highest| highest - scene.loading.temperature),
             gap_conductance: scene.interface.gap_conductance * scene.radius / material.thermal_conductivity,
@@ -122,6 +134,16 @@ impl Problem {
         // A_c = πRω_c.
         (area * self.critical_interference).sqrt()
     }
+}
+
+/// The counterface of a scene, if it conducts, beside an asperity of heat capacity `capacity`, which is k also.
+fn half_space(scene: &Scene, capacity: f64) -> Option<HalfSpace> {
+    let [conductivity, heat] = scene.counterface.conduction()?;
+    let Material { thermal_conductivity, density, specific_heat, .. } = scene.material;
+    let (conductivity, heat) = (conductivity / thermal_conductivity, heat / (density * specific_heat));
+    let conductance = scene.counterface.contact_conductance * scene.radius / thermal_conductivity;
+    let half_space = HalfSpace::new(conductivity / heat, capacity * (conductivity * heat).sqrt());
+    Some(half_space.with_contact(1.0 / (conductance * capacity), scene.interface.heat_partition))
 }
 
 fn thermal_properties(material: &Material, initial_temperature: f64) -> Option<ThermalProperties> {

@@ -24,6 +24,10 @@ pub struct SlideState {
     pub heat_in: f64,
     pub heat_stored: f64,
     pub heat_out: f64,
+    /// Into a conducting counterface.
+    pub heat_counterface: f64,
+    /// Share of the frictional heat of the increment that entered the asperity.
+    pub heat_partition: f64,
 }
 
 impl SlideState {

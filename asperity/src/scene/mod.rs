@@ -6,6 +6,7 @@
 //!
 //! Depends on no other room of the crate. Chapters "Scene" and "Request of a table" of the book.
 
+mod counterface;
 pub(crate) mod curve;
 pub mod file;
 pub(crate) mod fitted_constants;
@@ -16,6 +17,7 @@ mod remarks;
 
 use serde::{Deserialize, Serialize};
 
+pub use counterface::Counterface;
 pub use friction_law::FrictionLaw;
 pub use material::{FractureData, Hardening, Material, Softening, TemperatureDependence, TemperatureTable};
 
@@ -92,7 +94,7 @@ fn default_slip_distance() -> f64 {
     2.0
 }
 
-fn default_temperature() -> f64 {
+pub(crate) fn default_temperature() -> f64 {
     298.0
 }
 
@@ -153,6 +155,8 @@ pub struct Scene {
     #[serde(rename = "asperity", with = "asperity_section")]
     pub radius: f64,
     pub interface: Interface,
+    #[serde(skip_serializing_if = "Counterface::is_absent")]
+    pub counterface: Counterface,
     pub loading: Loading,
     pub model: Model,
     pub numerics: Numerics,

@@ -75,7 +75,7 @@ impl Conditions {
         let surface = 0.5f64.powi(self.thermal_layer_refinements as i32 + 1);
         let peclet = self.speed * self.contact_radius;
         let share = resolution.elements_per_radius as f64 / (surface * peclet.sqrt());
-        let frictional = pressed.scene.interface.heat_partition > 0.0;
+        let frictional = pressed.scene.largest_heat_partition() > 0.0;
         (share < 1.0 && frictional).then(|| {
             let enough = (resolution.elements_per_radius as f64 / share).ceil();
             let elements = (enough <= *ELEMENTS_PER_RADIUS.end() as f64).then_some(enough);

@@ -50,7 +50,13 @@ pub(super) fn inception_time(
     let area = Estimate { value: PI * radius * radius, error: 2.0 * PI * radius * error };
     let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
     let impedance = (material.density * shear_modulus).sqrt();
-    Some(friction.over(area).scaled(0.5 * (2.0 - material.poisson_ratio) / (impedance * slip_rate)))
+    // An elastic counterface is displaced as well.
+    let compliance = material.youngs_modulus / scene.with_combined_modulus().material.youngs_modulus;
+    Some(
+        friction
+            .over(area)
+            .scaled(0.5 * compliance * (2.0 - material.poisson_ratio) / (impedance * slip_rate)),
+    )
 }
 
 #[cfg(test)]

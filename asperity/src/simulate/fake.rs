@@ -61,6 +61,7 @@ fn scalar(scene: &Scene, quantity: Quantity) -> f64 {
         Quantity::ContactRadius => radius,
         Quantity::EnergyRelease => 2.0,
         Quantity::EnergyWeakening => 3.0,
+        Quantity::HeatPartition => 0.5,
         Quantity::InceptionSlip => 0.3 * radius,
         quantity => state(scene, 1.0, quantity),
     }

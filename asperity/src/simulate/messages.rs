@@ -7,7 +7,7 @@ use tables::quantity::Quantity;
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
 use crate::loading::inception::InceptionCriterion;
-use crate::loading::problem::Units;
+use crate::loading::problem::{Problem, Units};
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
 
@@ -21,6 +21,11 @@ pub enum Note {
         growth: f64,
     },
     Heat(HeatChoice, HeatEffect),
+    /// Share of the frictional heat that enters the asperity beside a conducting counterface.
+    HeatPartition {
+        first: f64,
+        last: f64,
+    },
     Strain(StrainChoice),
     /// The first resolution, chosen for the accuracy `planned`, is the last one, as the body may shear without limit.
     UnlimitedShear {
@@ -59,6 +64,15 @@ impl Note {
     }
 }
 
+impl Note {
+    /// The partition that a slide against a conducting counterface found.
+    pub(super) fn heat_partition(problem: &Problem, history: &[SlideState]) -> Option<Self> {
+        let (first, last) = (history.first()?.heat_partition, history.last()?.heat_partition);
+        let heated = problem.counterface.is_some() && history.last()?.heat_counterface != 0.0;
+        heated.then_some(Self::HeatPartition { first, last })
+    }
+}
+
 impl Display for Note {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
@@ -75,6 +89,13 @@ impl Display for Note {
                 NoHeat::NoFriction => write!(f, "heat is left out: there is no friction"),
                 NoHeat::Negligible => write!(f, "heat is left out: {effect}, which the errors include"),
             },
+            Self::HeatPartition { first, last } => write!(
+                f,
+                "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, \
+                 {:.1} % at its start",
+                100.0 * last,
+                100.0 * first
+            ),
             Self::Strain(choice) => choice.fmt(f),
             Self::UnlimitedShear { planned } => write!(
                 f,

@@ -90,6 +90,7 @@ const ACCURACY_OF_UNLIMITED_SHEAR: f64 = 0.1;
 /// Press on the coarse mesh alone; there the strain measure is decided, where the scene leaves it, and the accuracy
 /// to plan for.
 pub(super) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
+    let scene = &scene.with_combined_modulus();
     let mut problem = Problem::new(scene);
     let mut numerics = scene.numerics.clone();
     let mut resolution = Resolution::choose(&numerics);

@@ -58,6 +58,7 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     let (pressed, conditions) = (runner.pressed, &runner.conditions);
     let mut notes = vec![Note::resolution(&run.resolution), Note::Heat(conditions.heat, conditions.effect)];
     notes.extend(ladder.notes.iter().cloned());
+    notes.extend(Note::heat_partition(&pressed.problem, &run.history));
     notes.extend(pressed.strain.map(Note::Strain));
     let planned = pressed.numerics.accuracy;
     notes.extend(pressed.shears_without_limit.then_some(Note::UnlimitedShear { planned }));
@@ -218,6 +219,8 @@ fn slide_history(problem: &Problem, states: &[SlideState]) -> History {
             Quantity::HeatIn => energy(i.heat_in),
             Quantity::HeatStored => energy(i.heat_stored),
             Quantity::HeatOut => energy(i.heat_out),
+            Quantity::HeatCounterface => energy(i.heat_counterface),
+            Quantity::HeatPartition => i.heat_partition,
             _ => f64::NAN,
         });
     }

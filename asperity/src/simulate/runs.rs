@@ -301,7 +301,8 @@ impl<'a> Runner<'a> {
             true => {
                 let conduction =
                     Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
-                Some(conduction.with_properties(problem.thermal_properties.clone()))
+                let conduction = conduction.with_properties(problem.thermal_properties.clone());
+                Some(conduction.with_counterface(problem.counterface.clone()))
             }
         };
         Ok(Slide::new(problem, mechanics, heat, self.conditions.speed, resolution.increments))

@@ -66,6 +66,7 @@ impl Values {
             Quantity::TemperatureMean => start + last.rise_mean,
             Quantity::InceptionSlip => inception.slip * units.length,
             Quantity::MuSteady => steady.value,
+            Quantity::HeatPartition => last.heat_partition,
             _ => unreachable!("{quantity:?} is not a scalar"),
         });
         let brackets = Quantity::SCALARS.map(|quantity| match quantity {

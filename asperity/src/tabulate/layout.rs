@@ -70,7 +70,7 @@ impl<'a> Layout<'a> {
     /// The cells as far as their run times are concerned, row-major.
     pub fn cases(&self) -> Vec<Case> {
         let case = |row: usize, column: usize| {
-            let scene = self.template(row);
+            let scene = &self.template(row).with_combined_modulus();
             let material = &scene.material;
             let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
             let critical = hertz::critical_interference(

@@ -136,7 +136,8 @@ impl Tabulation {
     }
 
     fn metadata(&self, scene: &Scene) -> Metadata {
-        let (material, interface) = (&scene.material, &scene.interface);
+        let combined = scene.with_combined_modulus();
+        let (material, interface) = (&combined.material, &scene.interface);
         let contact_modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
         let (interferences, slip_rates) = (&self.interferences, &self.slip_rates);
         let temperatures = match &self.request.temperatures[..] {
@@ -175,8 +176,12 @@ impl Tabulation {
             strength_factor: interface.law.is_material_strength().then_some(interface.strength_factor),
             temperature: scene.loading.temperature,
             heat_partition: interface.heat_partition,
-            gap_conductance: interface.gap_conductance,
-            fracture_energy: Some(fracture_energy(material)),
+            gap_conductance: match scene.counterface.contact_conductance {
+                conductance if conductance.is_finite() => conductance,
+                _ => interface.gap_conductance,
+            },
+            counterface: scene.counterface.to_string(),
+            fracture_energy: Some(fracture_energy(&scene.material)),
             interpolation_tolerance: None,
         }
     }

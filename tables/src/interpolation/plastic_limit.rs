@@ -230,6 +230,7 @@ impl AboveLastRow {
             ElasticLimit::InceptionSlip => self.relaxed(INCEPTION_SLIP, rows),
             ElasticLimit::EnergyRelease | ElasticLimit::Weakening => self.relaxed(ENERGY, rows),
             ElasticLimit::TemperatureRise => self.relaxed(RISE, rows),
+            ElasticLimit::FirstRow => Growth { logarithm: 0.0, ..self.relaxed(RISE, rows) },
             ElasticLimit::None => Growth { logarithm: f64::NAN, uncertainty: f64::NAN },
         }
     }

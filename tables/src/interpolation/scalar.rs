@@ -113,6 +113,7 @@ impl FirstRow<'_> {
         let limit = quantity.descriptor().elastic_limit;
         match limit {
             ElasticLimit::TemperatureRise => row * below.thermal_weight(),
+            ElasticLimit::FirstRow => row,
             ElasticLimit::Load => pressed(&|at| sphere.load(at)),
             ElasticLimit::Area => pressed(&|at| sphere.area(at)),
             ElasticLimit::ContactRadius => pressed(&|at| sphere.contact_radius(at)),

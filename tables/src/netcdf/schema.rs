@@ -158,6 +158,10 @@ impl Content {
         for text in [&metadata.source, &metadata.fingerprint, &metadata.shard, &metadata.scene] {
             self.text(text);
         }
+        // Tables of a rigid and isothermal counterface have the checksum that they had before it was stated.
+        if !metadata.counterface.is_empty() {
+            self.text(&metadata.counterface);
+        }
         let optional = |value: Option<f64>| value.unwrap_or(f64::NAN);
         self.reals(&[
             metadata.asperity_radius,

@@ -40,7 +40,7 @@ pub(super) const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.
 pub(super) type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
 
-pub(super) const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
+pub(super) const TEXT_ATTRIBUTES: [TextAttribute; 8] = [
     ("title", |m| &mut m.title),
     ("history", |m| &mut m.history),
     ("source", |m| &mut m.source),
@@ -48,6 +48,7 @@ pub(super) const TEXT_ATTRIBUTES: [TextAttribute; 7] = [
     ("shard", |m| &mut m.shard),
     ("comment", |m| &mut m.comment),
     ("scene", |m| &mut m.scene),
+    ("counterface", |m| &mut m.counterface),
 ];
 
 /// A number of the metadata that need not be there.

@@ -37,6 +37,7 @@ pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
     scalar(TemperatureMean, "temperature_mean", "K", NUMBER, Limit::TemperatureRise, "mean temperature of the contact").history(Stored::Run, "last value"),
     scalar(InceptionSlip, "inception_slip", "m", ELASTIC_SLIP, Limit::InceptionSlip, "slip at sliding inception"),
     scalar(MuSteady, "mu_steady", "1", NUMBER, Limit::SlidingCoefficient, "friction coefficient Q/P that a longer slide tends to").since(2),
+    scalar(HeatPartition, "heat_partition", "1", NUMBER, Limit::FirstRow, "share of the frictional heat that enters the asperity").history(Stored::Run, "last value").since(3),
     history(InterferencePress, "interference_press", "1", NUMBER, "interference over that of first yield").history(Stored::Press, ""),
     history(Slip, "slip", "m", LENGTH, "slip: displacement of the flat since the end of the press"),
     history(Interference, "interference", "1", NUMBER, "interference over that of first yield"),
@@ -51,6 +52,7 @@ pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
     history(EnergyModuliSoftening, "energy_moduli_softening", "J", ENERGY, "elastic energy released as the moduli fall with temperature"),
     history(HeatIn, "heat_in", "J", ENERGY, "frictional and plastic heat that entered the body"),
     history(HeatStored, "heat_stored", "J", ENERGY, "heat stored in the body"),
+    history(HeatCounterface, "heat_counterface", "J", ENERGY, "heat that entered a conducting counterface"),
     history(HeatOut, "heat_out", "J", ENERGY, "heat that left through base and gap"),
 ];
 

@@ -60,6 +60,8 @@ pub enum Quantity {
     InceptionSlip,
     /// Q/P that the slide tends to as it goes on.
     MuSteady,
+    /// Share of the frictional heat that enters the asperity, of the last increment.
+    HeatPartition,
     /// ω/ω_c during the press.
     InterferencePress,
     /// s: displacement of the flat.
@@ -88,6 +90,8 @@ pub enum Quantity {
     HeatIn,
     /// ∫ρc(T − T₀) dV.
     HeatStored,
+    /// Heat that entered a conducting counterface.
+    HeatCounterface,
     /// Heat that left through the base and the gap.
     HeatOut,
 }
@@ -131,6 +135,8 @@ pub enum ElasticLimit {
     EnergyRelease,
     /// In proportion to the area.
     Weakening,
+    /// The value of the first row.
+    FirstRow,
     /// A temperature rise, in proportion to the contact radius.
     TemperatureRise,
 }

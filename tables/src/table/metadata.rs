@@ -23,7 +23,7 @@ pub struct Metadata {
     pub asperity_radius: f64,
     /// ω_c at that radius, m.
     pub critical_interference: f64,
-    /// E* = E/(1−ν²) at the initial temperature, Pa.
+    /// E* at the initial temperature, Pa: E/(1−ν²), or that of both bodies.
     pub contact_modulus: f64,
     /// ν.
     pub poisson_ratio: f64,
@@ -33,10 +33,12 @@ pub struct Metadata {
     pub strength_factor: Option<f64>,
     /// Initial temperature of body and flat, K.
     pub temperature: f64,
-    /// f_h, share of the frictional heat that enters the asperity.
+    /// f_h, share of the frictional heat that enters the asperity; a result where the counterface conducts.
     pub heat_partition: f64,
-    /// h_g, W/(m² K); unless 0 the table holds for its own radius only.
+    /// h_g, W/(m² K), or a finite contact conductance of the counterface; unless 0 the table holds for its own radius only.
     pub gap_conductance: f64,
+    /// The body on the other side: its constants as `key = value` in SI units; empty if it is rigid and isothermal.
+    pub counterface: String,
     /// Of the material in shear, where it is known.
     pub fracture_energy: Option<FractureEnergy>,
     /// Relative error of interpolation that points were added for. Where there is one, the errors

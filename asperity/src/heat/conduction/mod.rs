@@ -19,13 +19,16 @@
 use std::sync::Arc;
 
 use crate::discretisation::element::{CORNERS, POINTS, RevolvedMesh, shape_at_points};
+use crate::heat::counterface::HalfSpace;
 use crate::scene::curve::Curve;
 use crate::solver::harmonic::{FactorError, FieldKind, HarmonicPattern};
 use contact_iteration::ContactIteration;
+use facing::Facing;
 use kirchhoff::Kirchhoff;
 use step::{GAMMA, Step, StepMatrix};
 
 mod contact_iteration;
+mod facing;
 mod kirchhoff;
 mod step;
 
@@ -50,15 +53,27 @@ pub trait ContactHeat {
     fn loss(&self, _point: usize, _rise: f64) -> f64 {
         0.0
     }
+
+    /// Area of contact point `point` that is in contact: there a conducting counterface takes up heat.
+    fn area(&self, _point: usize) -> f64 {
+        0.0
+    }
+
+    /// Displacement of the counterface in the step.
+    fn slip(&self) -> f64 {
+        0.0
+    }
 }
 
 /// Heat exchanged in one step, half body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HeatBalance {
-    /// In through the contact.
+    /// In through the contact; what a conducting counterface takes up is not included.
     pub contact: f64,
     /// Out into the flat.
     pub gap: f64,
+    /// Into a conducting counterface.
+    pub counterface: f64,
     /// Given to the body directly.
     pub body: f64,
     /// Out through the base.
@@ -94,6 +109,8 @@ pub struct Conduction {
     contact_places: Vec<usize>,
     /// None where specific heat and conductivity are constant.
     varying: Option<Kirchhoff>,
+    /// The body that faces the contact, if it conducts.
+    counterface: Option<HalfSpace>,
     pub committed: Vec<f64>,
 }
 
@@ -116,6 +133,7 @@ impl Conduction {
             cache: Vec::new(),
             contact_places,
             varying: None,
+            counterface: None,
             committed: vec![0.0; mesh.field_length(1)],
             mesh: mesh.clone(),
         })
@@ -125,6 +143,20 @@ impl Conduction {
     pub fn with_properties(mut self, properties: Option<ThermalProperties>) -> Self {
         self.varying = properties.map(|properties| Kirchhoff::new(&self.mesh, self.capacity, properties));
         self
+    }
+
+    /// The same with a conducting counterface, if there is one.
+    pub fn with_counterface(mut self, counterface: Option<HalfSpace>) -> Self {
+        self.counterface = counterface;
+        self
+    }
+
+    /// Makes the temperature rise after the step that was advanced last the committed one.
+    pub fn commit(&mut self, rise: Vec<f64>) {
+        self.committed = rise;
+        if let Some(counterface) = &mut self.counterface {
+            counterface.commit();
+        }
     }
 
     /// M + γΔt K, factorised.
@@ -152,18 +184,29 @@ impl Conduction {
         heat: &dyn ContactHeat,
     ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let matrix = self.step_matrix(dt)?;
-        let step = Step { conduction: self, matrix: &matrix, dt, body, heat };
-        if let Some(varying) = &self.varying {
-            return step.integrate(&mut &*varying);
+        let facing = self.counterface.as_ref().map(|half_space| {
+            let areas = (0..self.contact_places.len()).map(|point| heat.area(point)).collect();
+            // κ = 1: the effusivity is the capacity.
+            Facing::new(half_space, areas, self.capacity, (dt, heat.slip()))
+        });
+        let step = Step { conduction: self, matrix: &matrix, dt, body, heat, facing: facing.as_ref() };
+        let solved = match &self.varying {
+            Some(varying) => step.integrate(&mut &*varying),
+            None => match step.integrate(&mut ContactIteration::default()) {
+                // At kinks of the heat flow Newton's method may cycle; minimisation is slower and does not cycle.
+                Err(HeatError::NotConverged { .. }) => {
+                    let constant = Kirchhoff::new(&self.mesh, self.capacity, ThermalProperties::constant());
+                    step.integrate(&mut &constant)
+                }
+                done => done,
+            },
+        };
+        let (rise, balance, fluxes) = solved?;
+        let response = facing.map(|facing| facing.response);
+        if let Some((half_space, response)) = self.counterface.as_mut().zip(response) {
+            half_space.try_fluxes(&response, fluxes);
         }
-        match step.integrate(&mut ContactIteration::default()) {
-            // At kinks of the heat flow Newton's method may cycle; minimisation is slower and does not cycle.
-            Err(HeatError::NotConverged { .. }) => {
-                let constant = Kirchhoff::new(&self.mesh, self.capacity, ThermalProperties::constant());
-                step.integrate(&mut &constant)
-            }
-            done => done,
-        }
+        Ok((rise, balance))
     }
 
     /// Whether a contact ring is the apex, which has the mean harmonic alone.

@@ -3,6 +3,7 @@
 use faer::linalg::solvers::{Llt, SolveCore};
 use faer::{Mat, MatMut, Side};
 
+use super::facing::Facing;
 use super::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::discretisation::collocation::Parity;
 use crate::solver::harmonic::HarmonicFactors;
@@ -41,6 +42,8 @@ pub(super) struct Step<'a> {
     /// Heat given to each node over the step.
     pub(super) body: &'a [f64],
     pub(super) heat: &'a dyn ContactHeat,
+    /// The counterface, if it conducts.
+    pub(super) facing: Option<&'a Facing>,
 }
 
 /// Solution of a stage.
@@ -64,31 +67,35 @@ impl Step<'_> {
         GAMMA * self.dt
     }
 
-    /// H₁ = H₀ + γΔt Ḣ₁, H₂ = H₀ + (1 − γ)Δt Ḣ₁ + γΔt Ḣ₂: the rise at the end, and the heat exchanged.
+    /// H₁ = H₀ + γΔt Ḣ₁, H₂ = H₀ + (1 − γ)Δt Ḣ₁ + γΔt Ḣ₂: the rise at the end, the heat exchanged, and the fluxes
+    /// into a conducting counterface in both stages.
     pub(super) fn integrate(
         &self,
         solver: &mut impl StageSolver,
-    ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
+    ) -> Result<(Vec<f64>, HeatBalance, [f64; 2]), HeatError> {
         let (conduction, n) = (self.conduction, self.body.len());
         let start: Vec<f64> = conduction.committed.iter().map(|&rise| solver.enthalpy(rise)).collect();
         let right = |content: &dyn Fn(usize) -> f64| -> Vec<f64> {
             (0..n).map(|i| conduction.mass[i] * content(i) + GAMMA * self.body[i]).collect()
         };
-        let first = solver.solve(self, &right(&|i| start[i]), &conduction.committed)?;
+        let mut fluxes = [0.0; 2];
+        let first = self.solve(solver, (&right(&|i| start[i]), &conduction.committed), 0, &mut fluxes)?;
         let reached: Vec<f64> = first.rise.iter().map(|&rise| solver.enthalpy(rise)).collect();
         let ratio = (1.0 - GAMMA) / GAMMA;
-        let last =
-            solver.solve(self, &right(&|i| start[i] + ratio * (reached[i] - start[i])), &first.rise)?;
+        let right = right(&|i| start[i] + ratio * (reached[i] - start[i]));
+        let last = self.solve(solver, (&right, &first.rise), 1, &mut fluxes)?;
 
         let weighted = |a: f64, b: f64| self.dt * ((1.0 - GAMMA) * a + GAMMA * b);
         let [(net_first, lost_first), (net_last, lost_last)] = [&first, &last].map(|stage| self.flows(stage));
+        let counterface = self.facing.map_or(0.0, |facing| facing.total * weighted(fluxes[0], fluxes[1]));
         let balance = HeatBalance {
-            contact: weighted(net_first + lost_first, net_last + lost_last),
+            contact: weighted(net_first + lost_first, net_last + lost_last) - counterface,
+            counterface,
             gap: weighted(lost_first, lost_last),
             body: (0..n).filter(|&i| !conduction.on_base(i)).map(|i| self.body[i]).sum(),
             base: weighted(conduction.base_flow(&first.potential), conduction.base_flow(&last.potential)),
         };
-        Ok((last.rise, balance))
+        Ok((last.rise, balance, fluxes))
     }
 
     /// Heat per time through the contact, net, and the part lost to the flat.

@@ -34,6 +34,8 @@ struct Coupling<'a> {
     problem: &'a Problem,
     conduction: Option<&'a mut Conduction>,
     dt: f64,
+    /// Displacement of the flat in the increment.
+    slip: f64,
     /// Heat sources of the previous increment, used for the first iterate.
     sources_before: &'a HeatSources,
     edge: EdgeSearch,
@@ -85,7 +87,7 @@ impl Coupling<'_> {
             0 => self.sources_before.clone(),
             _ => HeatSources::of(self.problem, body, contact, self.dt),
         };
-        let result = self.sources.heat(self.problem, conduction, contact, hardened, self.dt);
+        let result = self.sources.heat(self.problem, conduction, contact, hardened, (self.dt, self.slip));
         self.heat_time += clock.elapsed().as_secs_f64();
         match result {
             Ok(result) => {
@@ -119,6 +121,7 @@ impl Slide<'_> {
     ) -> Result<Equilibrium, SlideFailure> {
         let Predictor { displacement: start, interference, edges } = guess;
         let flat = FlatPosition { interference, displacement: to };
+        let from = self.last().slip;
         // The predictor determines the points in contact, which do not depend on the shear limits.
         let contact = &mut self.mechanics.contact;
         contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
@@ -127,6 +130,7 @@ impl Slide<'_> {
             problem: self.problem,
             conduction: self.heat.as_mut(),
             dt,
+            slip: to - from,
             sources_before: &self.sources,
             edge: EdgeSearch::default(),
             limit: None,

@@ -14,6 +14,8 @@ struct FrictionHeat<'a> {
     speed: Vec<f64>,
     /// Factor by which the interface has hardened, at each contact point.
     hardened: &'a [f64],
+    /// Displacement of the flat.
+    slip: f64,
 }
 
 impl ContactHeat for FrictionHeat<'_> {
@@ -41,16 +43,23 @@ impl ContactHeat for FrictionHeat<'_> {
     fn loss(&self, point: usize, rise: f64) -> f64 {
         self.conductance(point) * rise
     }
+
+    fn area(&self, point: usize) -> f64 {
+        match self.contact.trial.status[point] {
+            Status::Open => 0.0,
+            _ => self.contact.areas[point] * self.contact.contact_fraction[point],
+        }
+    }
+
+    fn slip(&self) -> f64 {
+        self.slip
+    }
 }
 
 impl FrictionHeat<'_> {
     /// Of the gap at a contact point; none where it is open.
     fn conductance(&self, point: usize) -> f64 {
-        if self.contact.trial.status[point] == Status::Open {
-            return 0.0;
-        }
-        let covered = self.contact.areas[point] * self.contact.contact_fraction[point];
-        self.problem.gap_conductance * self.problem.heat_capacity * covered
+        self.problem.gap_conductance * self.problem.heat_capacity * self.area(point)
     }
 }
 
@@ -71,20 +80,21 @@ impl HeatSources {
         Self { speed: (0..contact.len()).map(|i| contact.point_slip(i) / dt).collect(), plastic }
     }
 
-    /// Temperature after a step with these sources, with the factor by which the interface has hardened.
+    /// Temperature after a step of length `dt`, in which the flat moves by `slip`, with these sources and the factor by
+    /// which the interface has hardened.
     pub fn heat(
         &self,
         problem: &Problem,
         conduction: &mut Conduction,
         contact: &Contact,
         hardened: &[f64],
-        dt: f64,
+        (dt, slip): (f64, f64),
     ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let mut plastic: Vec<f64> = self.plastic.iter().map(|power| power * dt).collect();
         plastic.resize(conduction.committed.len(), 0.0);
         let mut speed = self.speed.clone();
         speed.resize(contact.len(), 0.0);
-        conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed, hardened })
+        conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed, hardened, slip })
     }
 }
 

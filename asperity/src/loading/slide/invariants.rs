@@ -65,7 +65,9 @@ pub fn check(
         return Err(Violation::Heat(missing / exchanged));
     }
     let generated = problem.heat_partition * friction + problem.taylor_quinney * plastic;
-    if of_step(|state| state.heat_in) > HEAT_OF_DISSIPATION * generated + MISSING * largest {
+    if of_step(|state| state.heat_in + state.heat_counterface)
+        > HEAT_OF_DISSIPATION * generated + MISSING * largest
+    {
         return Err(Violation::HeatOfNothing);
     }
     Ok(())

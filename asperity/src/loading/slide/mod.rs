@@ -134,7 +134,8 @@ impl<'a> Slide<'a> {
             #[cfg(test)]
             rejecting: 0,
         };
-        let start = slide.present_state(0.0, SlideState::default());
+        let start = SlideState { heat_partition: problem.initial_heat_partition, ..SlideState::default() };
+        let start = slide.present_state(0.0, start);
         slide.history.push(start);
         if problem.control == Control::Load {
             slide.hold = LoadingControl::Load(start.load);

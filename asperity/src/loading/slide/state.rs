@@ -49,6 +49,11 @@ impl Slide<'_> {
             state.heat_out += balance.base + balance.gap;
             state.heat_stored = conduction.stored(rise);
             (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, rise);
+            state.heat_counterface += balance.counterface;
+            let generated = balance.contact + balance.counterface;
+            if self.problem.counterface.is_some() && generated > 0.0 {
+                state.heat_partition = balance.contact / generated;
+            }
         }
         state
     }
@@ -57,7 +62,7 @@ impl Slide<'_> {
     pub(super) fn commit(&mut self, state: SlideState, solved: Equilibrium) {
         let Equilibrium { flat, sources, heated } = solved;
         if let (Some((rise, _)), Some(conduction)) = (heated, self.heat.as_mut()) {
-            conduction.committed = rise;
+            conduction.commit(rise);
         }
         self.mechanics.body.commit();
         self.mechanics.contact.commit();

@@ -32,7 +32,7 @@ pub fn interferences(scenes: &[Scene]) -> Vec<f64> {
 
 /// ω₀/ω_c of [`LARGEST_CONTACT`], to two digits; at least 1.
 fn largest_interference(scene: &Scene) -> f64 {
-    let material = &scene.material;
+    let material = &scene.with_combined_modulus().material;
     let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
     let critical =
         hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);

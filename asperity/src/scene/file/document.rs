@@ -3,15 +3,15 @@
 use std::io::Read;
 use std::path::Path;
 
-use tables::quantity::hint;
 use toml::{Table, Value};
 
+use super::counterface::{resolve_counterface, take_preset};
 use super::deserialise::{read, set_at};
 use super::error::SceneFileError;
 use super::keys::SCENE;
 use super::relations;
 use super::source::Source;
-use crate::scene::{FrictionLaw, Scene, presets};
+use crate::scene::{FrictionLaw, Scene};
 
 /// Sections of a scene or request.
 pub struct Document {
@@ -78,6 +78,7 @@ impl Document {
             lay_over_preset(material, &self.source)?;
             relations::check_fracture(material, &self.source)?;
         }
+        resolve_counterface(&mut sections, &self.source)?;
         if let Some(Value::Table(interface)) = sections.get_mut("interface") {
             // Serde has no default for the law of a section that has other keys too.
             let law = Table::try_from(FrictionLaw::default()).expect("plain data");
@@ -92,12 +93,8 @@ impl Document {
 
 /// Replaces the key `preset` by the keys of that preset that are not given.
 fn lay_over_preset(material: &mut Table, source: &Source) -> Result<(), SceneFileError> {
-    let Some(name) = material.remove("preset") else {
+    let Some(preset) = take_preset("material", material, source)? else {
         return Ok(());
-    };
-    let Some(preset) = name.as_str().and_then(presets::find) else {
-        let hint = hint(name.as_str().unwrap_or_default(), &presets::names());
-        return Err(source.invalid("material.preset", name, format!("the name of a material; {hint}")));
     };
     for (key, below) in preset.section() {
         match (material.get_mut(&key), below) {

@@ -15,10 +15,14 @@ pub struct Range {
     accepts: fn(f64) -> bool,
 }
 
-pub const POSITIVE: Range = Range { text: "a positive number", accepts: |x| x > 0.0 };
-pub const POSITIVE_FOR_LOG: Range =
-    Range { text: "a positive number, or any that may be if spacing = \"linear\"", accepts: |x| x > 0.0 };
-pub const NOT_NEGATIVE: Range = Range { text: "zero or a positive number", accepts: |x| x >= 0.0 };
+pub const POSITIVE: Range = Range { text: "a positive number", accepts: |x| x > 0.0 && x.is_finite() };
+const POSITIVE_OR_INFINITE: Range = Range { text: "a positive number or inf", accepts: |x| x > 0.0 };
+pub const POSITIVE_FOR_LOG: Range = Range {
+    text: "a positive number, or any that may be if spacing = \"linear\"",
+    accepts: POSITIVE.accepts,
+};
+pub const NOT_NEGATIVE: Range =
+    Range { text: "zero or a positive number", accepts: |x| x >= 0.0 && x.is_finite() };
 const SHARE: Range = Range { text: "a number from 0 to 1", accepts: |x| (0.0..=1.0).contains(&x) };
 /// Of an isotropic solid that is neither auxetic nor incompressible.
 const POISSON: Range =
@@ -31,7 +35,7 @@ const SLIP_DISTANCE: Range =
 
 impl Range {
     pub fn accepts(&self, value: f64) -> bool {
-        value.is_finite() && (self.accepts)(value)
+        (self.accepts)(value)
     }
 
     /// With the unit, unless it is a pure number.
@@ -95,6 +99,7 @@ pub const SCENE: &[Key] = &[
     key("material", Section(MATERIAL)),
     key("asperity", Section(&[key("radius", Number("m", POSITIVE))])),
     key("interface", Section(INTERFACE)),
+    key("counterface", Section(COUNTERFACE)),
     key("loading", Section(LOADING)),
     key("model", Section(&[key("heat", Name), key("kinematics", Name)])),
     key("numerics", Section(NUMERICS)),
@@ -146,6 +151,17 @@ const INTERFACE: &[Key] = &[
     key("heat_partition", Number("1", SHARE)),
     key("gap_conductance", Number("W/(m2 K)", NOT_NEGATIVE)),
     key("taylor_quinney", Number("1", SHARE)),
+];
+
+const COUNTERFACE: &[Key] = &[
+    key("preset", Name),
+    key("elastic", Flag),
+    key("youngs_modulus", Number("Pa", POSITIVE)),
+    key("poisson_ratio", Number("1", POISSON)),
+    key("thermal_conductivity", Number("W/(m K)", POSITIVE)),
+    key("density", Number("kg/m3", POSITIVE)),
+    key("specific_heat", Number("J/(kg K)", POSITIVE)),
+    key("contact_conductance", Number("W/(m2 K)", POSITIVE_OR_INFINITE)),
 ];
 
 const LOADING: &[Key] = &[

@@ -9,6 +9,7 @@
 //! Depends on `presets` and the types of the scene. Chapters "Scene" and "Request of a table" of the book.
 
 mod check;
+mod counterface;
 mod default_grid;
 mod deserialise;
 mod document;

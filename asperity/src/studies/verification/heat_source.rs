@@ -10,7 +10,7 @@ use tables::quantity::{Quantity, State};
 
 use super::setup::{Hertz, last, mesh, plain_material, scalar, scene};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
-use crate::scene::{FrictionLaw, Softening, Switch};
+use crate::scene::{Counterface, FrictionLaw, Scene, Softening, Switch};
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
 
@@ -65,6 +65,16 @@ pub(super) fn slide(
     elements: usize,
     watch: &dyn Watch,
 ) -> Result<Heated, SimulationError> {
+    slide_beside(&|_| Counterface::default(), (softening, fourier, softens), elements, watch)
+}
+
+/// The same beside the counterface of a scene.
+pub(super) fn slide_beside(
+    counterface: &dyn Fn(&Scene) -> Counterface,
+    (softening, fourier, softens): (f64, f64, bool),
+    elements: usize,
+    watch: &dyn Watch,
+) -> Result<Heated, SimulationError> {
     let mut scene = scene(plain_material(0.499), FrictionLaw::ShearStrength, 1e-4, mesh(elements, 4));
     if softens {
         scene.material.softening =
@@ -81,6 +91,7 @@ pub(super) fn slide(
     let time = scene.loading.slip_distance * a / scene.loading.slip_rate;
     scene.material.density = 1.0;
     scene.material.specific_heat = k * time / (fourier * a * a);
+    scene.counterface = counterface(&scene);
     let distance = scene.loading.slip_distance * a;
     let outcome = simulate(&scene, watch)?;
     Ok(Heated { outcome, strength, rise: softening * RANGE, time: time / fourier, distance })

@@ -4,6 +4,7 @@
 
 use tables::quantity::{Quantity, State};
 
+use super::counterface::conducting;
 use super::setup::{largest, last, mesh, preset, scene, steel_4340};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{FrictionLaw, Kinematics, Scene};
@@ -12,11 +13,12 @@ use crate::simulate::{Watch, simulate};
 
 const SOURCE: &str = "first law of thermodynamics";
 
-pub const CASES: [Case; 4] = [
+pub const CASES: [Case; 5] = [
     Case::new("ledgers of a hot plastic slide", Cost::Quick, hot_plastic),
     Case::new("ledgers with properties that depend on temperature", Cost::Medium, varying_properties),
     Case::new("ledgers at finite strain", Cost::Medium, finite_strain),
     Case::new("heat through the gap", Cost::Medium, through_the_gap),
+    Case::new("heat into the counterface", Cost::Medium, into_the_counterface),
 ];
 
 /// 4340 steel at 3 m/s; half of the frictional heat and 0.9 of the plastic work heat the asperity.
@@ -122,5 +124,23 @@ fn through_the_gap(watch: &dyn Watch) -> Rows {
     Ok(vec![
         generated("heat in over the heat generated, h_g = 1e7 W/(m2 K)", &outcome, 0.01),
         row("heat missing, h_g = 1e7 W/(m2 K)", &outcome, heat_missing, 1e-6),
+    ])
+}
+
+/// Frictional and plastic heat, of which a like counterface takes up a part.
+fn into_the_counterface(watch: &dyn Watch) -> Rows {
+    const WHY: &str = "dissipation by the mean traction of a step, heat by that at its end";
+    let mut scene = steel(20.0);
+    scene.counterface = conducting(&scene, 1.0);
+    let outcome = simulate(&scene, watch)?;
+    let end = last(&outcome);
+    let generated = end[Quantity::DissipationFriction] + 0.9 * end[Quantity::DissipationPlastic];
+    let found = (end[Quantity::HeatIn] + end[Quantity::HeatCounterface]) / generated;
+    let reference = Reference::exact(1.0, SOURCE);
+    let tolerance = Tolerance::relative(0.005, WHY);
+    Ok(vec![
+        Row::new("heat into asperity and counterface over the heat generated", found, reference, tolerance),
+        row("heat missing, conducting counterface", &outcome, heat_missing, 1e-6),
+        energy("energy missing, conducting counterface", &outcome, 1e-6),
     ])
 }

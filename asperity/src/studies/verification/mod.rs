@@ -9,6 +9,7 @@
 //! 0.5 n_c^-1.5 (square-root edge of the pressure), 2.2 % at 8, 1.2 % at 12 and 0.8 % at 16; areas 0.09/n_c (edge of
 //! the contact placed to 0.07 ring spacings of a/(3 n_c) rms, twice that as the largest), 1.2, 0.8 and 0.6 %.
 
+mod counterface;
 mod elastic_plastic;
 mod full_stick;
 mod heat_source;
@@ -65,13 +66,14 @@ pub struct Group {
 }
 
 /// Every group, elementary ones first.
-pub const GROUPS: [Group; 10] = [
+pub const GROUPS: [Group; 11] = [
     Group { name: "Hertz", cases: &hertz::CASES },
     Group { name: "full stick", cases: &full_stick::CASES },
     Group { name: "elastic-plastic sphere", cases: &elastic_plastic::CASES },
     Group { name: "partial slip", cases: &partial_slip::CASES },
     Group { name: "interface laws and load control", cases: &interface_law::CASES },
     Group { name: "heat source", cases: &heat_source::CASES },
+    Group { name: "counterface", cases: &counterface::CASES },
     Group { name: "thermal softening", cases: &softening::CASES },
     Group { name: "invariance", cases: &invariance::CASES },
     Group { name: "ledgers", cases: &ledgers::CASES },

@@ -6,8 +6,8 @@ use tables::quantity::{Quantity, State};
 
 use crate::scene::file::parse_scene;
 use crate::scene::{
-    Control, FrictionLaw, Hardening, Interface, InterfaceStrength, Kinematics, Loading, Material, Model,
-    Numerics, Scene, Softening, Switch,
+    Control, Counterface, FrictionLaw, Hardening, Interface, InterfaceStrength, Kinematics, Loading,
+    Material, Model, Numerics, Scene, Softening, Switch,
 };
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
@@ -58,6 +58,7 @@ pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh
             gap_conductance: 0.0,
             taylor_quinney: 0.0,
         },
+        counterface: Counterface::default(),
         loading: Loading {
             interference,
             slip_rate: 0.0,
@@ -146,7 +147,7 @@ pub struct Hertz {
 impl Hertz {
     /// Frictionless elastic contact of the scene's sphere at its interference.
     pub fn of(scene: &Scene) -> Self {
-        let material = &scene.material;
+        let material = &scene.with_combined_modulus().material;
         let (youngs, poisson) = (material.youngs_modulus, material.poisson_ratio);
         let modulus = hertz::contact_modulus(youngs, poisson);
         let critical = hertz::critical_interference(modulus, poisson, material.yield_strength, scene.radius);

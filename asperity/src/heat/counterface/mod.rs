@@ -1,0 +1,184 @@
+//! The counterface: a conducting half-space with constant properties that moves past the contact.
+//!
+//! It takes up a heat flux that is uniform over the contact, a disc of the contact's area, and otherwise loses no heat.
+//! The mean rise over the disc is a convolution of the flux F with the response of the half-space, which has moved by
+//! d = s(t) − s(t') since the heat of the time t' entered:
+//!
+//! ```text
+//! θ̄(t) = ∫ F(t') G(t − t', s(t) − s(t')) dt',     G(t, d) = S(√(2κt), d)/(e√(πt)),   e = √(kρc).
+//! ```
+//!
+//! S is the share of [`overlap`]. The flux is constant over parts of an increment, and the integral over each part is
+//! taken in √(t − t'), in which the integrand is smooth. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
+//! (1959), §10.3–10.7. Chapter "Heat" of the book.
+
+mod overlap;
+
+use gauss_quad::GaussLegendre;
+
+use overlap::Overlap;
+
+/// Points per panel of the convolution.
+const POINTS: usize = 6;
+/// Panels of the convolution per contact radius of motion.
+const PANELS_PER_RADIUS: f64 = 1.0;
+/// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
+const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// A time and the displacement of the half-space at it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Moment {
+    time: f64,
+    slip: f64,
+}
+
+impl Moment {
+    fn towards(self, other: Self, share: f64) -> Self {
+        Self {
+            time: self.time + share * (other.time - self.time),
+            slip: self.slip + share * (other.slip - self.slip),
+        }
+    }
+}
+
+/// Time in which a flux was constant.
+#[derive(Clone, Copy, Debug)]
+struct Interval {
+    from: Moment,
+    to: Moment,
+    flux: f64,
+    /// Of the contact.
+    radius: f64,
+}
+
+/// A half-space with the heat that it has taken up. Lengths, times and fluxes in the units of the caller.
+#[derive(Clone, Debug)]
+pub struct HalfSpace {
+    /// √(2κ).
+    spreading: f64,
+    /// e = √(kρc).
+    effusivity: f64,
+    /// 1/h_c: difference of the mean temperatures of both surfaces per flux.
+    pub resistance: f64,
+    /// Share of the frictional heat that is released on the side of the other body; of no influence without resistance.
+    pub share: f64,
+    now: Moment,
+    history: Vec<Interval>,
+    /// The increment tried last.
+    trial: Option<[Interval; 2]>,
+    rule: GaussLegendre,
+    overlap: Overlap,
+}
+
+/// Linear response of the half-space in an increment: mean rise of its surface over the contact.
+#[derive(Clone, Copy, Debug)]
+pub struct StepResponse {
+    /// At the ends of the two stages, from the heat of the increments before.
+    free: [f64; 2],
+    /// At the end of the second stage per flux of the first.
+    first: f64,
+    /// At the end of each stage per flux of that stage.
+    own: f64,
+    /// a, of the contact.
+    radius: f64,
+    from: Moment,
+    to: Moment,
+}
+
+impl StepResponse {
+    /// Mean rise at the end of stage `stage` (0, 1) without the flux of that stage, given that of the first.
+    pub fn free(&self, stage: usize, first: f64) -> f64 {
+        self.free[stage] + if stage == 0 { 0.0 } else { self.first * first }
+    }
+
+    /// Mean rise at the end of a stage per flux of that stage.
+    pub fn own(&self) -> f64 {
+        self.own
+    }
+}
+
+impl HalfSpace {
+    /// A half-space of diffusivity κ and effusivity √(kρc) at rise zero.
+    pub fn new(diffusivity: f64, effusivity: f64) -> Self {
+        Self {
+            spreading: (2.0 * diffusivity).sqrt(),
+            effusivity,
+            resistance: 0.0,
+            share: 0.5,
+            now: Moment::default(),
+            history: Vec::new(),
+            trial: None,
+            rule: GaussLegendre::new(POINTS).expect("there are rules of more than one point"),
+            overlap: Overlap::new(),
+        }
+    }
+
+    /// The same behind a contact of resistance 1/h_c, the share `share` of whose frictional heat is released on the side
+    /// of the other body.
+    pub fn with_contact(self, resistance: f64, share: f64) -> Self {
+        Self { resistance, share, ..self }
+    }
+
+    /// The response in an increment of length `dt` in which the half-space moves by `slip` past a contact of radius
+    /// `radius`.
+    ///
+    /// The increment has the stages of the two-stage SDIRK scheme, which end at γ and 1 with the weights 1 − γ = 1/√2
+    /// and γ: the flux of the first stage acts for the first 1/√2 of the increment, that of the second for the rest.
+    /// The response at the end of a stage to its own flux is that to a flux during γ in both.
+    pub fn step(&self, dt: f64, slip: f64, radius: f64) -> StepResponse {
+        let (from, to) = (self.now, Moment { time: self.now.time + dt, slip: self.now.slip + slip });
+        let stage = from.towards(to, 1.0 - FIRST_PART);
+        let unit = |from: Moment, to: Moment| Interval { from, to, flux: 1.0, radius };
+        let free = [stage, to].map(|at| self.history.iter().map(|heat| self.rise(heat, at, radius)).sum());
+        let first = self.rise(&unit(from, from.towards(to, FIRST_PART)), to, radius);
+        let own = self.rise(&unit(from, stage), stage, radius);
+        StepResponse { free, first, own, radius, from, to }
+    }
+
+    /// Takes note of the fluxes of the stages of an increment, which [`HalfSpace::commit`] makes final.
+    pub fn try_fluxes(&mut self, step: &StepResponse, fluxes: [f64; 2]) {
+        let middle = step.from.towards(step.to, FIRST_PART);
+        let part = |from: Moment, to: Moment, flux: f64| Interval { from, to, flux, radius: step.radius };
+        self.trial = Some([part(step.from, middle, fluxes[0]), part(middle, step.to, fluxes[1])]);
+    }
+
+    /// Adds the increment tried last to the history.
+    pub fn commit(&mut self) {
+        if let Some(parts) = self.trial.take() {
+            self.now = parts[1].to;
+            self.history.extend(parts.into_iter().filter(|part| part.flux != 0.0));
+        }
+    }
+
+    /// Fluxes of the stages to start from: those of the increment tried last or, without one, the last flux.
+    pub fn expected_fluxes(&self) -> [f64; 2] {
+        let last = self.history.last().map_or(0.0, |interval| interval.flux);
+        self.trial.map_or([last; 2], |parts| parts.map(|part| part.flux))
+    }
+
+    /// Mean rise at `at`, over the contact of radius `radius`, from the heat of an interval before.
+    fn rise(&self, heat: &Interval, at: Moment, radius: f64) -> f64 {
+        let [near, far] = [heat.to, heat.from].map(|then| at.time - then.time);
+        let [here, there] = [heat.to, heat.from].map(|then| at.slip - then.slip);
+        if far <= near.max(0.0) || radius <= 0.0 {
+            return 0.0;
+        }
+        let (start, end) = (near.max(0.0).sqrt(), far.sqrt());
+        let panels = 1 + (PANELS_PER_RADIUS * (there - here).abs() / radius) as usize;
+        let width = (end - start) / panels as f64;
+        let share = |root: f64| {
+            let distance = here + (there - here) * (root * root - near) / (far - near);
+            self.overlap.share([radius, heat.radius], self.spreading * root, distance.abs())
+        };
+        let integral: f64 = (0..panels)
+            .map(|panel| {
+                let from = start + width * panel as f64;
+                self.rule.integrate(from, from + width, share)
+            })
+            .sum();
+        2.0 * heat.flux * integral / (self.effusivity * std::f64::consts::PI.sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,116 @@
+//! Section `[counterface]`: the body on the other side of the contact. Without it the flat is rigid and isothermal.
+
+use std::fmt::{self, Display, Formatter};
+
+use serde::{Deserialize, Serialize};
+use tables::closed_forms::hertz::contact_modulus;
+
+use crate::scene::Scene;
+
+/// A counterface that is elastic, or conducts heat, or both; its constants do not depend on temperature.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Counterface {
+    /// E₂, Pa; with ν₂ the counterface is elastic.
+    pub youngs_modulus: Option<f64>,
+    /// ν₂.
+    pub poisson_ratio: Option<f64>,
+    /// ρ₂, kg/m³; with c₂ and k₂ the counterface conducts heat.
+    pub density: Option<f64>,
+    /// c₂, J/(kg K).
+    pub specific_heat: Option<f64>,
+    /// k₂, W/(m K).
+    pub thermal_conductivity: Option<f64>,
+    /// h_c, W/(m² K): between both surfaces; infinite where their temperatures agree.
+    pub contact_conductance: f64,
+}
+
+impl Default for Counterface {
+    fn default() -> Self {
+        Self {
+            youngs_modulus: None,
+            poisson_ratio: None,
+            density: None,
+            specific_heat: None,
+            thermal_conductivity: None,
+            contact_conductance: f64::INFINITY,
+        }
+    }
+}
+
+/// The constants as `key = value` in SI units.
+impl Display for Counterface {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.is_absent() {
+            true => Ok(()),
+            false => {
+                let text = toml::to_string(self).map_err(|_| fmt::Error)?;
+                f.write_str(&text.lines().collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+}
+
+impl Counterface {
+    /// Whether it is rigid and isothermal.
+    pub(crate) fn is_absent(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// k₂ and ρ₂c₂, where it conducts heat.
+    pub fn conduction(&self) -> Option<[f64; 2]> {
+        Some([self.thermal_conductivity?, self.density? * self.specific_heat?])
+    }
+}
+
+impl Scene {
+    /// The scene of a rigid counterface with the contact modulus of the two elastic bodies,
+    /// 1/E* = (1 − ν²)/E + (1 − ν₂²)/E₂ (K. L. Johnson, *Contact Mechanics*, 1985, §4.2): the asperity has the modulus
+    /// E*(1 − ν²), and its own Poisson ratio. A scene whose counterface is rigid stays as it is.
+    ///
+    /// ```
+    /// use asperity::scene::file::parse_scene;
+    ///
+    /// let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n[counterface]\npreset = \"copper\"\n\
+    ///             [loading]\ninterference = 5\nslip_rate = 1\n";
+    /// let scene = parse_scene(text, "this example", &[])?;
+    /// let combined = scene.with_combined_modulus();
+    /// // Of like bodies each takes half of the displacement.
+    /// assert!((combined.material.youngs_modulus / scene.material.youngs_modulus - 0.5).abs() < 1e-12);
+    /// assert_eq!(combined.with_combined_modulus(), combined);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_combined_modulus(&self) -> Self {
+        let mut scene = self.clone();
+        let Counterface { youngs_modulus, poisson_ratio, .. } = &mut scene.counterface;
+        if let Some((modulus, ratio)) = youngs_modulus.take().zip(poisson_ratio.take()) {
+            let material = &mut scene.material;
+            let own = contact_modulus(material.youngs_modulus, material.poisson_ratio);
+            let combined = 1.0 / (1.0 / own + 1.0 / contact_modulus(modulus, ratio));
+            material.youngs_modulus *= combined / own;
+        }
+        scene
+    }
+
+    /// Share of the frictional heat that enters the asperity: that of the scene, or the one with which sliding against
+    /// a conducting counterface begins. Through a contact of infinite conductance that is e/(e + e₂), with the
+    /// effusivities e = √(kρc).
+    pub fn initial_heat_partition(&self) -> f64 {
+        match self.counterface.conduction() {
+            Some([conductivity, capacity]) if self.counterface.contact_conductance.is_infinite() => {
+                let material = &self.material;
+                let own = material.thermal_conductivity * material.density * material.specific_heat;
+                1.0 / (1.0 + (conductivity * capacity / own).sqrt())
+            }
+            _ => self.interface.heat_partition,
+        }
+    }
+
+    /// The largest share of the frictional heat to expect in the asperity: at the start, or steadily against a
+    /// counterface at rest, k/(k + k₂).
+    pub fn largest_heat_partition(&self) -> f64 {
+        let own = self.material.thermal_conductivity;
+        let steady = self.counterface.conduction().map_or(0.0, |[other, _]| own / (own + other));
+        self.initial_heat_partition().max(steady)
+    }
+}

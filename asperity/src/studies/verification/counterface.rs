@@ -1,0 +1,153 @@
+//! A counterface that conducts heat or is elastic.
+//!
+//! Uniform disc source on a half-space: at rest H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids* (1959),
+//! §10.5; moving X. Tian & F. E. Kennedy, *Maximum and average flash temperatures in sliding contacts*, J. Tribol. 116,
+//! 167 (1994), doi 10.1115/1.2927035, and the integral of moving point sources (Carslaw & Jaeger §10.7) that their formula
+//! fits, over Pe = Va/(2κ). Equal mean temperatures of both bodies divide the heat in inverse proportion to their mean
+//! rises per flux.
+
+use std::f64::consts::PI;
+
+use tables::closed_forms::hertz;
+use tables::quantity::Quantity;
+
+use super::heat_source::{START, slide_beside};
+use super::setup::{Hertz, last, mesh, plain_material, run_press, scalar, scene};
+use super::{Case, Cost, Reference, Row, Rows, Tolerance};
+use crate::heat::counterface::HalfSpace;
+use crate::scene::{Counterface, FrictionLaw, Scene, Switch};
+use crate::simulate::{Watch, simulate};
+
+const AT_REST: &str = "Carslaw & Jaeger 1959, sec. 10.5";
+const MOVING: &str = "Carslaw & Jaeger 1959, sec. 10.7, integrated over the disc";
+const FIT: &str = "Tian & Kennedy 1994, doi 10.1115/1.2927035";
+const DIVIDED: &str = "rises of half-spaces of one diffusivity, in proportion to 1/k";
+
+pub const CASES: [Case; 4] = [
+    Case::new("half-space under a disc source", Cost::Quick, |_| Ok(half_space())),
+    Case::new("bodies at rest", Cost::Quick, at_rest),
+    Case::new("elastic counterface", Cost::Quick, elastic),
+    Case::new("moving counterface", Cost::Medium, moving),
+];
+
+/// Mean rise over qa/k after Fo = κt/a² at Pe, in increments that grow by 0.3.
+fn mean_rise(peclet: f64, fourier: f64) -> f64 {
+    let mut half_space = HalfSpace::new(1.0, 1.0);
+    let (mut time, mut dt, mut rise) = (0.0, 1e-3 * fourier.min(1.0), 0.0);
+    while time < fourier * (1.0 - 1e-12) {
+        let step = dt.min(fourier - time);
+        let response = half_space.step(step, 2.0 * peclet * step, 1.0);
+        rise = response.free(1, 1.0) + response.own();
+        half_space.try_fluxes(&response, [1.0, 1.0]);
+        half_space.commit();
+        time += step;
+        dt *= 1.3;
+    }
+    rise
+}
+
+fn half_space() -> Vec<Row> {
+    let exact = Tolerance::relative(2e-4, "quadrature");
+    let row = |name: String, computed, value, source, tolerance| {
+        Row::new(name, computed, Reference::exact(value, source), tolerance)
+    };
+    let mut rows = Vec::new();
+    for (fourier, mean) in [(0.01, 0.106480), (1.0, 0.587630), (100.0, 0.820640)] {
+        let name = format!("mean rise of the counterface at rest over qa/k, Fo = {fourier}");
+        rows.push(row(name, mean_rise(0.0, fourier), mean, AT_REST, exact));
+    }
+    for (peclet, mean) in
+        [(0.1, 0.802024), (0.5, 0.663341), (2.0, 0.435326), (10.0, 0.212839), (100.0, 0.068698)]
+    {
+        // What is older adds exp(−Pe²Fo).
+        let rise = mean_rise(peclet, 20.0 / (peclet * peclet) + 20.0 / peclet);
+        let name = format!("steady mean rise of the moving counterface over qa/k, Pe = {peclet}");
+        rows.push(row(name.clone(), rise, mean, MOVING, exact));
+        let fit = 1.22 / (PI * (0.6575 + peclet)).sqrt();
+        rows.push(row(name, rise, fit, FIT, Tolerance::relative(0.04, "error of the fit, up to 3.8 %")));
+    }
+    rows
+}
+
+/// Bodies of one diffusivity in contact at rest divide the heat as their conductivities at any time.
+fn at_rest(watch: &dyn Watch) -> Rows {
+    const WHY: &str = "mesh, 0.5 n_c^-1.5, of the rise of one body";
+    let mut rows = Vec::new();
+    for ratio in [1.0, 4.0] {
+        let heated = slide_beside(&|scene| conducting(scene, ratio), (1.0, 10.0, false), 8, watch)?;
+        let share = 1.0 / (1.0 + ratio);
+        let end = last(&heated.outcome);
+        let name = |what: &str| format!("{what} beside a body at rest, k2 = {ratio} k, Fo = 10");
+        let reference = Reference::exact(share, DIVIDED);
+        let tolerance = Tolerance::relative(0.022 * (1.0 - share), WHY);
+        let found = scalar(&heated.outcome, Quantity::HeatPartition);
+        rows.push(Row::new(name("heat partition"), found, reference, tolerance));
+        let rise = (end[Quantity::TemperatureMean] - START) / heated.rise;
+        // The late start of the heat, as in the rows of the disc source.
+        let reference = Reference::exact(share * 0.760354, AT_REST).known_to(0.0015);
+        let tolerance = Tolerance::relative(0.022 * share + 0.0015, WHY);
+        rows.push(Row::new(name("mean rise over qa/k"), rise, reference, tolerance));
+    }
+    Ok(rows)
+}
+
+/// A like counterface that moves by 5000 contact diameters; the asperity is not quite steady by then, Fo = 5000/Pe.
+fn moving(watch: &dyn Watch) -> Rows {
+    const WHY: &str = "mesh, 0.5 n_c^-1.5, of the rise of the asperity; flux not constant in time, 0.5 %";
+    let mut rows = Vec::new();
+    for (peclet, moving, asperity) in [(2.0, 0.435326, 0.843185), (50.0, 0.0969323, 0.820640)] {
+        let mut scene = scene(plain_material(0.499), FrictionLaw::ShearStrength, 1e-4, mesh(8, 4));
+        scene.interface.strength_factor = 0.005;
+        scene.model.heat = Switch::On;
+        scene.counterface = conducting(&scene, 1.0);
+        let material = &scene.material;
+        let diffusivity = material.thermal_conductivity / (material.density * material.specific_heat);
+        let radius = Hertz::of(&scene).contact_radius;
+        scene.loading.slip_distance = 10_000.0;
+        scene.loading.slip_rate = 2.0 * peclet * diffusivity / radius;
+        let outcome = simulate(&scene, watch)?;
+        let reference = Reference::exact(moving / (moving + asperity), MOVING).known_to(0.005);
+        let found = scalar(&outcome, Quantity::HeatPartition);
+        let name = format!("heat partition beside a like counterface, Pe = {peclet}");
+        rows.push(Row::new(name, found, reference, Tolerance::relative(0.027, WHY)));
+    }
+    Ok(rows)
+}
+
+/// A conducting counterface of the diffusivity of the asperity and `ratio` times its conductivity.
+pub(super) fn conducting(scene: &Scene, ratio: f64) -> Counterface {
+    let material = &scene.material;
+    Counterface {
+        thermal_conductivity: Some(ratio * material.thermal_conductivity),
+        density: Some(ratio * material.density),
+        specific_heat: Some(material.specific_heat),
+        ..Counterface::default()
+    }
+}
+
+/// Hertz's load of a sphere on an elastic body at an interference in metres.
+fn elastic(watch: &dyn Watch) -> Rows {
+    let mut scene = scene(plain_material(0.3), FrictionLaw::Frictionless, 0.3, mesh(8, 4));
+    let (youngs, poisson) = (100e9, 0.2);
+    scene.counterface.youngs_modulus = Some(youngs);
+    scene.counterface.poisson_ratio = Some(poisson);
+    let outcome = run_press(&scene, watch)?;
+    let material = &scene.material;
+    let compliance = (1.0 - material.poisson_ratio.powi(2)) / material.youngs_modulus;
+    let modulus = 1.0 / (compliance + (1.0 - poisson * poisson) / youngs);
+    let interference = 0.3 * outcome.critical_interference;
+    let load = 4.0 / 3.0 * modulus * scene.radius.sqrt() * interference.powf(1.5);
+    let critical =
+        hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, scene.radius);
+    const SOURCE: &str = "Johnson 1985, Contact Mechanics, sec. 4.2";
+    let tolerance = Tolerance::relative(0.004, "mesh; half space, 0.03 %");
+    let reference = Reference::exact(load, SOURCE).known_to(0.0003);
+    let found = scalar(&outcome, Quantity::LoadPress);
+    let yields = Reference::exact(critical, SOURCE);
+    let exact = Tolerance::relative(1e-9, "closed form");
+    Ok(vec![
+        Row::new("P at 0.3 omega_c, elastic counterface of half the modulus", found, reference, tolerance)
+            .unit("N"),
+        Row::new("omega_c, elastic counterface", outcome.critical_interference, yields, exact).unit("m"),
+    ])
+}
