@@ -11,9 +11,13 @@ if ! python3 -c 'import ensurepip' 2>/dev/null; then
     "${as_root[@]}" apt-get update -q
     "${as_root[@]}" apt-get install -q -y --no-install-recommends python3-venv
 fi
-[ -x target/python/bin/pytest ] || {
-    python3 -m venv target/python
+versions=$PWD/examples/tests/python-versions.txt
+# Also for what pip needs to build a package.
+export PIP_CONSTRAINT=$versions PIP_BUILD_CONSTRAINT=$versions
+cmp -s "$versions" target/python/versions.txt || {
+    python3 -m venv --clear target/python
     target/python/bin/pip install -q meshio xarray netCDF4 matplotlib snakemake pytest tqdm nbclient ipykernel
+    cp "$versions" target/python/versions.txt
 }
 cargo build --locked --release --workspace
 PATH=${CARGO_TARGET_DIR:-$PWD/target}/release:$PWD/target/python/bin:$PATH
