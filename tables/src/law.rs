@@ -129,6 +129,10 @@ pub trait AsperityLaw: Send + Sync {
     fn breaks_after(&self, _radius: f64, _slip: f64) -> Vec<f64> {
         Vec::new()
     }
+    /// Relative uncertainty of load and friction of a sphere of `radius` (m), as the law is for another one.
+    fn radius_uncertainty(&self, _radius: f64) -> f64 {
+        0.0
+    }
     /// Range of slip rates (m/s) for a sphere of `radius` metres; 0 and infinity for rate-independent laws.
     fn slip_rate_range(&self, radius: f64) -> (f64, f64);
     /// Response of a sphere of `radius` (m) pressed by `interference` (ω/ω_c), after sliding

@@ -64,6 +64,9 @@ temperature) may be tables, linear between the points and constant outside:
 Without a preset the material neither hardens nor softens unless it is given how:
   hardening = { law = \"none\" }    # default; or linear (modulus), johnson-cook (modulus, exponent), table
   softening = { law = \"none\" }    # default; or johnson-cook (reference, melting, exponent), table
+The strength does not depend on the strain rate unless a law is named; with a preset of a metal
+rate = { law = \"johnson-cook\" } suffices:
+  rate = { law = \"none\" }         # default; or johnson-cook (coefficient, reference in 1/s)
 thermal_expansion = 0 leaves expansion out. -v prints every default in effect.
 
 With one of these in [material] the energy G is also given as a share of the shear fracture energy:

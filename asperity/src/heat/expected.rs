@@ -54,13 +54,16 @@ impl HeatEffect {
     pub fn expected(scene: &Scene, slip_rate: f64, contact_radius: f64) -> Self {
         let scene = &scene.with_combined_modulus();
         let (material, interface) = (&scene.material, &scene.interface);
-        let strength = interface.strength_factor * SHEAR_RATIO * material.yield_strength;
+        let solid = Solid::new(material, scene.loading.temperature);
+        let strength = interface.strength_factor
+            * SHEAR_RATIO
+            * material.yield_strength
+            * solid.interface_rate_factor(slip_rate, contact_radius);
         let share = match scene.largest_heat_partition() {
             0.0 => interface.taylor_quinney,
             partition => partition,
         };
         let rise = share * strength * slip_rate * contact_radius / material.thermal_conductivity;
-        let solid = Solid::new(material, scene.loading.temperature);
         let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
         let critical =
             hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);

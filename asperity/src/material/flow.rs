@@ -29,12 +29,14 @@ pub struct StrainPath<'a, const W: usize> {
     pub elastic: &'a [Lanes<W>; TENSOR],
     /// ε_p at the start.
     pub strain: Lanes<W>,
-    /// σ_y(ε_p, T₀) at the start.
+    /// σ_y(ε_p, T₀) at the start and at the reference strain rate.
     pub strength: Lanes<W>,
     /// f(T)/f(T₀) at the end.
     pub softening: Lanes<W>,
     /// First guess of the increment of ε_p, 0 if there is none.
     pub guess: Lanes<W>,
+    /// Length of the step, s; infinite at the reference strain rate.
+    pub time_step: f64,
 }
 
 /// The end of a strain path.
@@ -42,9 +44,9 @@ pub struct StrainPath<'a, const W: usize> {
 pub struct Flow<const W: usize> {
     /// Increment of the equivalent plastic strain: the length of the path of plastic strain.
     pub increment: Lanes<W>,
-    /// σ_y(ε_p, T₀).
+    /// σ_y(ε_p, T₀) at the reference strain rate.
     pub strength: Lanes<W>,
-    /// dσ_y/dε_p at the temperature of the end.
+    /// dσ_y/dε_p at the temperature of the end, with the change of the strain rate.
     pub slope: Lanes<W>,
     /// |s|.
     pub radius: Lanes<W>,
@@ -82,19 +84,30 @@ struct DeviatorRotation<const W: usize> {
 
 impl Solid {
     /// The state at the end of a strain path.
+    ///
+    /// A strength that depends on the strain rate is the same during all of the flow of a step. The stress turns on the
+    /// yield surface of the strain rate of the radial return; the increment ends on that of its own strain rate.
     pub fn flow<const W: usize>(&self, path: &StrainPath<W>) -> Flow<W> {
-        let onset = path.onset();
-        let mean = self.mean_radius(path, &onset);
+        let Some(rate) = self.rate_over(path.time_step) else { return self.flow_on(path, path) };
+        let returned = self.return_map(&path.trial(path.elastic_stress()));
+        let (factor, _) = rate.factors(&returned.increment);
+        let softening = std::array::from_fn(|l| factor[l] * path.softening[l]);
+        let mut flow = self.flow_on(path, &StrainPath { softening, ..*path });
+        let (factor, _) = rate.factors(&flow.increment);
+        (0..W).for_each(|l| flow.strength[l] /= factor[l]);
+        flow
+    }
+
+    /// The state at the end of a path, with the strength at the strain rate there; `turning` is the path with the yield
+    /// surface on which the stress turns.
+    #[inline(always)]
+    fn flow_on<const W: usize>(&self, path: &StrainPath<W>, turning: &StrainPath<W>) -> Flow<W> {
+        let onset = turning.onset();
+        let mean = self.mean_radius(turning, &onset);
         let rotation =
             DeviatorRotation::new(&std::array::from_fn(|l| onset.left[l] / mean[l]), &onset.cosine);
-        let end = self.return_map(&Trial {
-            flowing: path.flowing,
-            stress: std::array::from_fn(|l| (onset.radius[l] + mean[l] * rotation.advance[l]) / TO_RADIUS),
-            strain: path.strain,
-            strength: path.strength,
-            softening: path.softening,
-            guess: path.guess,
-        });
+        let stress = std::array::from_fn(|l| (onset.radius[l] + mean[l] * rotation.advance[l]) / TO_RADIUS);
+        let end = self.return_map(&path.trial(stress));
         let radius = std::array::from_fn(|l| TO_RADIUS * path.softening[l] * end.strength[l]);
         Flow {
             increment: end.increment,
@@ -135,6 +148,23 @@ impl Solid {
 }
 
 impl<const W: usize> StrainPath<'_, W> {
+    /// The radial return from a von Mises stress.
+    #[inline(always)]
+    fn trial(&self, stress: Lanes<W>) -> Trial<W> {
+        let Self { flowing, strain, strength, softening, guess, time_step, .. } = *self;
+        Trial { flowing, stress, strain, strength, softening, guess, time_step }
+    }
+
+    /// Von Mises stress at the end, if all of the strain were elastic.
+    fn elastic_stress(&self) -> Lanes<W> {
+        let mut squared = [0.0; W];
+        for (i, component) in self.elastic.iter().enumerate() {
+            let factor = if i < 3 { 1.5 } else { 3.0 };
+            (0..W).for_each(|l| squared[l] += factor * component[l] * component[l]);
+        }
+        squared.map(f64::sqrt)
+    }
+
     /// The yield surface has the radius of the strength at the temperature of the end, or shrinks to it linearly along
     /// the path if the start is outside.
     #[inline(always)]

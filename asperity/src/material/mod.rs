@@ -1,14 +1,15 @@
 //! The material at a point: isotropic elasticity, J2 plasticity with isotropic hardening and thermal softening,
 //! thermal expansion; moduli and expansion may depend on temperature.
 //!
-//! - `Solid`: σ_y(ε_p, T) = [σ_Y + h(ε_p)] f(T)/f(T₀), with h and f of the scene, E(T), ∫α dT;
+//! - `Solid`: σ_y(ε_p, ε̇_p, T) = [σ_Y + h(ε_p)] Λ(ε̇_p) f(T)/f(T₀), with h, Λ and f of the scene, E(T), ∫α dT;
 //! - `elasticity`: bulk and shear modulus; Poisson's ratio is constant;
-//! - `flow`, `return_map`: stress and plastic strain at the end of a step;
+//! - `flow`, `return_map`: stress and plastic strain at the end of a step, `strain_rate`: Λ over it;
 //! - `tensor`, `log_strain`, `log_moduli`: finite strain, E = ½ ln C and its derivatives;
 //! - `lanes`: arithmetic on several angles at once.
 //!
 //! Depends on `crate::scene` alone. Stresses in units of σ_Y(T₀, ε_p = 0), temperatures as the rise θ = T − T₀ in
-//! kelvin. Chapters "One asperity" and "Integration of plastic flow" of the book.
+//! kelvin,
+//! times in seconds. Chapters "One asperity" and "Integration of plastic flow" of the book.
 
 pub(crate) mod elasticity;
 mod flow;
@@ -16,12 +17,13 @@ pub(crate) mod lanes;
 pub(crate) mod log_moduli;
 pub(crate) mod log_strain;
 mod return_map;
+mod strain_rate;
 pub(crate) mod tensor;
 
 use crate::material::elasticity::Moduli;
 use crate::material::lanes::{Lanes, powers};
 use crate::scene::curve::{Curve, interpolate};
-use crate::scene::{Hardening, Material, Softening};
+use crate::scene::{Hardening, Material, Rate, Softening};
 pub use flow::StrainPath;
 use return_map::Trial;
 
@@ -39,6 +41,7 @@ pub struct Solid {
     hardening: Hardening,
     /// Pa, the unit of stress.
     yield_strength: f64,
+    rate: Rate,
     softening: Softening,
     /// K.
     initial_temperature: f64,
@@ -79,6 +82,7 @@ impl Solid {
             },
             hardening: material.hardening.clone(),
             yield_strength: material.yield_strength,
+            rate: material.rate,
             softening: material.softening.clone(),
             initial_temperature,
             initial_factor: 1.0,
@@ -169,6 +173,12 @@ impl Solid {
                 (values.map(|value| value.0), values.map(|value| value.1))
             }
         }
+    }
+
+    /// Growth of the strength of an interface that slips at V (m/s) on a contact of radius a (m): at the strain rate
+    /// V/a, or the reference without contact.
+    pub fn interface_rate_factor(&self, slip_rate: f64, contact_radius: f64) -> f64 {
+        if contact_radius > 0.0 { self.rate.factor(slip_rate / contact_radius) } else { 1.0 }
     }
 
     /// Growth of the yield strength with plastic strain: σ_y(ε_p, T)/σ_y(0, T).

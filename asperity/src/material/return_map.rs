@@ -1,6 +1,7 @@
 //! Radial return to the yield surface.
 
 use super::Solid;
+use super::strain_rate::StepRate;
 use crate::material::lanes::{Lanes, powers};
 use crate::scene::Hardening;
 
@@ -20,6 +21,8 @@ pub struct Trial<const W: usize> {
     pub softening: Lanes<W>,
     /// First guess of the increment, 0 if there is none.
     pub guess: Lanes<W>,
+    /// Length of the step, s; infinite at the reference strain rate.
+    pub time_step: f64,
 }
 
 /// Result of a return mapping.
@@ -27,19 +30,21 @@ pub struct Trial<const W: usize> {
 pub struct Return<const W: usize> {
     /// Increment of the equivalent plastic strain.
     pub increment: Lanes<W>,
-    /// Strength at the end, at the initial temperature.
+    /// Strength at the end and at its strain rate, at the initial temperature.
     pub strength: Lanes<W>,
-    /// dσ_y/dε_p at the end.
+    /// dσ_y/dε_p at the end, with the change of the strain rate.
     pub slope: Lanes<W>,
 }
 
 impl Solid {
-    /// Radial return: the increment x with q − 3Gx = f·σ_y(ε_p + x, T₀).
+    /// Radial return: the increment x with q − 3Gx = f·σ_y(ε_p + x, x/Δt, T₀).
     ///
     /// The residual falls and is convex where hardening is concave, so Newton's method started left of the root never
     /// passes it. For a power law, with its infinite initial slope, it starts where the elastic and the hardening part
-    /// each take up half of the excess. A bracket secures laws that are not concave.
+    /// each take up half of the excess. A bracket secures laws that are not concave, and the reference strain rate, where
+    /// the slope jumps.
     pub fn return_map<const W: usize>(&self, trial: &Trial<W>) -> Return<W> {
+        let rate = self.rate_over(trial.time_step);
         let stiffness = 3.0 * self.moduli.shear;
         let Trial { stress, strain, softening, .. } = trial;
         let mut end = Return { increment: [0.0; W], strength: trial.strength, slope: [0.0; W] };
@@ -55,14 +60,13 @@ impl Solid {
         let mut x = self.first_guess(trial, &pending, &high);
         // A power law is smooth: one iteration takes an error e below e²/2(ε_p + x), which bounds the error of the last
         // iterate without another evaluation of the power.
-        let smooth = matches!(self.hardening, Hardening::JohnsonCook { .. });
+        let smooth = rate.is_none() && matches!(self.hardening, Hardening::JohnsonCook { .. });
         let mut inexact = [false; W];
         for _ in 0..100 {
             if !pending.contains(&true) {
                 break;
             }
-            let total: Lanes<W> = std::array::from_fn(|l| strain[l] + x[l]);
-            let (strength, slope) = self.hardened_lanes(&total);
+            let (strength, slope) = self.strength_after(strain, &x, rate);
             // Without branches, for the vector units; converged lanes keep their values.
             for l in 0..W {
                 let residual = stress[l] - stiffness * x[l] - softening[l] * strength[l];
@@ -90,13 +94,29 @@ impl Solid {
         for l in 0..W {
             end.increment[l] = x[l];
             if inexact[l] || pending[l] {
-                (end.strength[l], end.slope[l]) = self.hardened(strain[l] + x[l]);
+                let ([strength], [slope]) = self.strength_after(&[strain[l]], &[x[l]], rate);
+                (end.strength[l], end.slope[l]) = (strength, slope);
             } else if x[l] == 0.0 && trial.flowing[l] {
                 end.slope[l] = self.hardened(strain[l]).1;
             }
             end.slope[l] *= softening[l];
         }
         end
+    }
+
+    /// Strength and its derivative by the increment, without softening.
+    #[inline(always)]
+    fn strength_after<const W: usize>(
+        &self,
+        strain: &Lanes<W>,
+        increment: &Lanes<W>,
+        rate: Option<StepRate>,
+    ) -> (Lanes<W>, Lanes<W>) {
+        let (strength, slope) = self.hardened_lanes(&std::array::from_fn(|l| strain[l] + increment[l]));
+        let Some(rate) = rate else { return (strength, slope) };
+        let (factor, growth) = rate.factors(increment);
+        let rated = std::array::from_fn(|l| factor[l] * strength[l]);
+        (rated, std::array::from_fn(|l| factor[l] * slope[l] + growth[l] * strength[l]))
     }
 
     fn first_guess<const W: usize>(

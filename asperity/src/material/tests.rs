@@ -9,6 +9,7 @@ pub(crate) fn steel(hardening: Hardening) -> Material {
         poisson_ratio: 0.3,
         yield_strength: 400e6,
         hardening,
+        rate: Rate::None,
         density: 7850.0,
         specific_heat: 475.0,
         thermal_conductivity: 45.0,
@@ -29,7 +30,7 @@ fn solid(hardening: Hardening) -> Solid {
 
 /// (increment, strength, slope) of one lane; the other lanes, of points that do not flow or flow differently, must
 /// have no effect on it.
-fn returned(solid: &Solid, trial: f64, strain: f64, factor: f64, guess: f64) -> [f64; 3] {
+fn returned(solid: &Solid, trial: f64, strain: f64, factor: f64, guess: f64, time_step: f64) -> [f64; 3] {
     let strength = solid.yield_strength(strain, 0.0);
     let of = |value: f64, other: f64| [value, value, other, value];
     let trials = Trial {
@@ -39,6 +40,7 @@ fn returned(solid: &Solid, trial: f64, strain: f64, factor: f64, guess: f64) -> 
         strength: of(strength, solid.yield_strength(1e-3, 0.0)),
         softening: of(factor, 0.7),
         guess: of(guess, 0.0),
+        time_step,
     };
     let end = solid.return_map(&trials);
     assert_eq!((end.increment[1], end.strength[1]), (0.0, strength));
@@ -50,6 +52,7 @@ fn returned(solid: &Solid, trial: f64, strain: f64, factor: f64, guess: f64) -> 
         strength: [strength],
         softening: [factor],
         guess: [guess],
+        time_step,
     });
     let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-9 * a.abs() + 1e-17;
     assert!(close(alone.increment[0], end.increment[0]), "{alone:?} {end:?}");
@@ -65,23 +68,46 @@ fn return_map_ends_on_the_yield_surface() {
         Hardening::Table { plastic_strain: vec![0.0, 0.01, 0.3], factor: vec![1.0, 1.2, 1.5] },
         Hardening::Table { plastic_strain: vec![0.0, 0.01, 0.3], factor: vec![1.0, 0.9, 0.1] },
     ];
-    for law in laws {
-        let solid = solid(law);
-        for strain in [0.0, 1e-9, 1e-4, 0.2] {
-            for rise in [0.0, 300.0, 1400.0] {
-                for (overshoot, guess) in [(1e-9, 0.0), (1e-4, 1e-3), (0.1, 1e-7), (10.0, 0.02)] {
-                    let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
-                    let factor = solid.softening_factor(rise);
-                    let [increment, end, _] = returned(&solid, trial, strain, factor, guess);
-                    assert!(increment >= 0.0);
-                    let exact = solid.yield_strength(strain + increment, 0.0);
-                    assert!((end / exact - 1.0).abs() < 1e-12, "{end} {exact}");
-                    let q = trial - 3.0 * solid.moduli.shear * increment;
-                    let strength = solid.yield_strength(strain + increment, rise);
-                    assert!((q - strength).abs() < 1e-12 * trial, "{solid:?} {strain} {rise} {overshoot}");
-                }
-            }
+    let states = [0.0, 1e-9, 1e-4, 0.2].into_iter().flat_map(|strain| {
+        [0.0, 300.0, 1400.0].into_iter().flat_map(move |rise| {
+            [(1e-9, 0.0), (1e-4, 1e-3), (0.1, 1e-7), (10.0, 0.02)].map(|start| (strain, rise, start))
+        })
+    });
+    for (law, (strain, rise, (overshoot, guess))) in
+        laws.iter().flat_map(|law| states.clone().map(move |s| (law, s)))
+    {
+        // Without time, and over steps at up to 1e8 times the reference rate.
+        for time_step in [f64::INFINITY, 1e3, 1e-3, 1e-6, 1e-10] {
+            let mut solid = solid(law.clone());
+            solid.rate = Rate::JohnsonCook { coefficient: 0.05, reference: 2.0 };
+            let trial = solid.yield_strength(strain, rise) * (1.0 + overshoot);
+            let factor = solid.softening_factor(rise);
+            let [increment, end, _] = returned(&solid, trial, strain, factor, guess, time_step);
+            assert!(increment >= 0.0);
+            let rated = solid.rate.factor(increment / time_step);
+            let exact = rated * solid.yield_strength(strain + increment, 0.0);
+            assert!((end / exact - 1.0).abs() < 1e-12, "{end} {exact}");
+            let q = trial - 3.0 * solid.moduli.shear * increment;
+            let strength = rated * solid.yield_strength(strain + increment, rise);
+            assert!(
+                (q - strength).abs() < 1e-12 * trial,
+                "{solid:?} {strain} {rise} {overshoot} {time_step}"
+            );
         }
+    }
+}
+
+/// A step that takes for ever is one of a solid without the rate law, to the last digit.
+#[test]
+fn slow_flow_is_that_without_a_rate_law() {
+    let plain = solid(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
+    let mut rated = plain.clone();
+    rated.rate = Rate::JohnsonCook { coefficient: 0.05, reference: 1.0 };
+    let at = |solid: &Solid, time_step: f64| returned(solid, 1.3, 1e-3, 0.9, 0.0, time_step);
+    assert_eq!(at(&plain, 1e-9), at(&plain, f64::INFINITY));
+    assert_eq!(at(&rated, f64::INFINITY), at(&plain, f64::INFINITY));
+    for (slow, exact) in at(&rated, 1e9).into_iter().zip(at(&plain, 1e9)) {
+        assert!((slow / exact - 1.0).abs() < 1e-12, "{slow} {exact}");
     }
 }
 
@@ -121,7 +147,7 @@ fn johnson_cook_softening_is_finite_everywhere() {
             last = factor;
             for trial in [1e-12, 0.5, 3.0, 1e6] {
                 if trial > factor {
-                    let [increment, _, slope] = returned(&solid, trial, 0.0, factor, 0.0);
+                    let [increment, _, slope] = returned(&solid, trial, 0.0, factor, 0.0, f64::INFINITY);
                     assert!(increment.is_finite() && increment >= 0.0 && slope >= 0.0, "{rise} {trial}");
                 }
             }
@@ -135,6 +161,7 @@ fn molten_material_has_no_strength() {
     let solid = solid(Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 });
     assert_eq!(solid.yield_strength(0.0, 1495.0), 0.0);
     assert_eq!(solid.yield_strength(0.3, 1e5), 0.0);
-    let [increment, _, slope] = returned(&solid, 1.0, 0.0, solid.softening_factor(2000.0), 0.0);
+    let [increment, _, slope] =
+        returned(&solid, 1.0, 0.0, solid.softening_factor(2000.0), 0.0, f64::INFINITY);
     assert!((increment * 3.0 * solid.moduli.shear - 1.0).abs() < 1e-12 && slope == 0.0);
 }

@@ -56,6 +56,28 @@ impl Softening {
     }
 }
 
+/// Growth of the yield strength with the equivalent plastic strain rate, as a factor.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Rate {
+    #[default]
+    None,
+    /// 1 + coefficient·ln(max(ε̇_p/reference, 1)) (Johnson & Cook 1983: C, ε̇₀); reference in 1/s.
+    JohnsonCook { coefficient: f64, reference: f64 },
+}
+
+impl Rate {
+    /// The factor at a strain rate, 1/s: 1 up to the reference.
+    pub fn factor(&self, strain_rate: f64) -> f64 {
+        match self {
+            Self::None => 1.0,
+            Self::JohnsonCook { coefficient, reference } => {
+                1.0 + coefficient * (strain_rate / reference).max(1.0).ln()
+            }
+        }
+    }
+}
+
 /// Where the shear fracture energy of a material comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FractureData {
@@ -118,6 +140,7 @@ pub struct Material {
     /// σ_Y at the initial temperature and zero plastic strain, Pa.
     pub yield_strength: f64,
     pub hardening: Hardening,
+    pub rate: Rate,
     /// ρ, kg/m³.
     pub density: f64,
     /// c at the initial temperature, J/(kg K).
@@ -158,6 +181,8 @@ struct MaterialSection {
     yield_strength: f64,
     #[serde(default)]
     hardening: Hardening,
+    #[serde(default)]
+    rate: Rate,
     density: f64,
     specific_heat: Property,
     thermal_conductivity: Property,
@@ -204,6 +229,7 @@ impl From<MaterialSection> for Material {
             poisson_ratio: section.poisson_ratio,
             yield_strength: section.yield_strength,
             hardening: section.hardening,
+            rate: section.rate,
             density: section.density,
             specific_heat,
             thermal_conductivity,
@@ -233,6 +259,7 @@ impl From<Material> for MaterialSection {
             poisson_ratio: material.poisson_ratio,
             yield_strength: material.yield_strength,
             hardening: material.hardening,
+            rate: material.rate,
             density: material.density,
             specific_heat: Property::join(material.specific_heat, tables.specific_heat),
             thermal_conductivity: Property::join(material.thermal_conductivity, tables.thermal_conductivity),

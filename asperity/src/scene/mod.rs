@@ -19,7 +19,9 @@ use serde::{Deserialize, Serialize};
 
 pub use counterface::Counterface;
 pub use friction_law::FrictionLaw;
-pub use material::{FractureData, Hardening, Material, Softening, TemperatureDependence, TemperatureTable};
+pub use material::{
+    FractureData, Hardening, Material, Rate, Softening, TemperatureDependence, TemperatureTable,
+};
 
 /// Which yield strength of the material the interface shears at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -5,15 +5,16 @@ use tables::numbers::digits;
 use tables::quantity::plausible;
 use toml::{Table, Value};
 
-use crate::scene::{Hardening, Interface, Loading, Material, Model, Numerics, Scene, Softening};
+use crate::scene::{Hardening, Interface, Loading, Material, Model, Numerics, Rate, Scene, Softening};
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
 /// B/A of Johnson and Cook's law for the metals among the presets.
 const MODULUS_SUGGESTED: f64 = 1.5;
 
 /// Paths of the optional keys, or of their sections.
-const OPTIONAL: [&str; 8] = [
+const OPTIONAL: [&str; 9] = [
     "material.hardening",
+    "material.rate",
     "material.softening",
     "interface",
     "loading.slip_distance",
@@ -84,7 +85,12 @@ impl Scene {
     pub fn defaults_in_effect(&self) -> Vec<String> {
         let (material, loading) = (self.material.clone(), self.loading.clone());
         let default = Scene {
-            material: Material { hardening: Hardening::None, softening: Softening::None, ..material },
+            material: Material {
+                hardening: Hardening::None,
+                rate: Rate::None,
+                softening: Softening::None,
+                ..material
+            },
             interface: Interface::default(),
             loading: Loading {
                 slip_distance: super::default_slip_distance(),

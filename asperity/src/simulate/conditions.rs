@@ -12,6 +12,8 @@ pub(super) struct Conditions {
     pub heat: HeatChoice,
     /// Expected effect of heat, whether it is simulated or not.
     pub effect: HeatEffect,
+    /// V, m/s.
+    pub slip_rate: f64,
     /// VR/κ, 0 without heat.
     pub speed: f64,
     /// Of all meshes, see [`thermal_layer_refinements`].
@@ -43,7 +45,7 @@ impl Conditions {
         };
         let wanted = thermal_layer_refinements(speed * contact_radius);
         let thermal_layer_refinements = (1..=wanted).rev().find(fits).unwrap_or(0);
-        Ok(Self { heat, effect, speed, thermal_layer_refinements, contact_radius })
+        Ok(Self { heat, effect, slip_rate, speed, thermal_layer_refinements, contact_radius })
     }
 
     /// The resolution with elements at the surface as thin as heat needs them.

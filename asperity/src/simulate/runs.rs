@@ -305,7 +305,9 @@ impl<'a> Runner<'a> {
                 Some(conduction.with_counterface(problem.counterface.clone()))
             }
         };
-        Ok(Slide::new(problem, mechanics, heat, self.conditions.speed, resolution.increments))
+        let mut slide = Slide::new(problem, mechanics, heat, self.conditions.speed, resolution.increments);
+        slide.slip_rate = self.conditions.slip_rate;
+        Ok(slide)
     }
 }
 

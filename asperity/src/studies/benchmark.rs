@@ -132,6 +132,7 @@ impl Kernels {
                 strength: [self.body.solid.hardening_factor(0.01); LANES],
                 softening: [1.0; LANES],
                 guess: [0.0; LANES],
+                time_step: f64::INFINITY,
             });
             sum += end.increment[0] + end.direction[0][0];
         }

@@ -10,8 +10,8 @@ use super::cell::Finished;
 use super::journal::{CellResult, Index};
 use super::shard::Shard;
 use crate::output::provenance::{FINGERPRINT, SOURCE};
-use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
+use crate::scene::{Rate, Scene};
 use crate::simulate::fracture::fracture_energy;
 use crate::solver::timings::Timings;
 
@@ -138,6 +138,10 @@ impl Tabulation {
     fn metadata(&self, scene: &Scene) -> Metadata {
         let combined = scene.with_combined_modulus();
         let (material, interface) = (&combined.material, &scene.interface);
+        let (rate_coefficient, rate_reference) = match material.rate {
+            Rate::None => (None, None),
+            Rate::JohnsonCook { coefficient, reference } => (Some(coefficient), Some(reference)),
+        };
         let contact_modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
         let (interferences, slip_rates) = (&self.interferences, &self.slip_rates);
         let temperatures = match &self.request.temperatures[..] {
@@ -174,6 +178,8 @@ impl Tabulation {
             poisson_ratio: material.poisson_ratio,
             yield_strength: material.yield_strength,
             strength_factor: interface.law.is_material_strength().then_some(interface.strength_factor),
+            rate_coefficient,
+            rate_reference,
             temperature: scene.loading.temperature,
             heat_partition: interface.heat_partition,
             gap_conductance: match scene.counterface.contact_conductance {

@@ -50,6 +50,11 @@ pub enum Warning {
         "{at}: the hottest contacts reach {highest:.0} K, above the melting temperature of {melting:.0} K"
     )]
     AboveMelting { at: Place, highest: f64, melting: f64 },
+    #[error(
+        "the table is of a strength that grows with the strain rate: it holds at its own radius; at {radius:e} m friction and load are uncertain by {:.1} % more",
+        100.0 * .share
+    )]
+    StrainRate { radius: f64, share: f64 },
     #[error("{at}: friction still rises at the end of the slide; mu_static is the last value")]
     StillRising { at: Place },
     #[error(

@@ -69,11 +69,22 @@ impl Case {
         let mut warnings: Vec<Warning> = of_topography.map(Warning::Topography).collect();
         let implausible = self.file.text.parse().as_ref().map(remarks).unwrap_or_default();
         warnings.extend(implausible.into_iter().map(Warning::Implausible));
+        warnings.extend(self.strain_rate());
         let cells = &self.source.interpolated_cells;
         if !cells.is_empty() {
             warnings.push(Warning::CellsInterpolated { cells: cells.clone() });
         }
         warnings
+    }
+
+    /// Of the radius at which the law is most uncertain, where that counts.
+    fn strain_rate(&self) -> Option<Warning> {
+        const COUNTS: f64 = 0.01;
+        let classes = self.file.surface.asperity_radius.classes().iter();
+        let of_classes =
+            classes.map(|class| (class.radius, self.source.law.radius_uncertainty(class.radius)));
+        let (radius, share) = of_classes.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
+        (share > COUNTS).then_some(Warning::StrainRate { radius, share })
     }
 
     /// Friction with the uncertain parameters, beside the closed forms `compared`, and of a topography at other cut-offs;

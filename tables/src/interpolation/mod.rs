@@ -10,7 +10,8 @@
 //!   and its derivative are continuous at V₁; heating of a resting source is linear in V at
 //!   small V.
 //! - **Slip**: monotone cubic in s/a₀ between the points of the histories, constant after the last.
-//! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)².
+//! - **Radius**: read at VR/R_t, ω/ω_c and s/a₀; forces and areas scale with (R/R_t)². A strength that grows with the
+//!   strain rate adds to the errors.
 //! - **Initial temperature**: see `temperature`.
 //! - **Errors**: those of the points, interpolated linearly, plus an estimate of the
 //!   interpolation error from the prediction of each point by the others (see `nodes`). Along
@@ -92,6 +93,16 @@ impl InterpolatedTable {
         Ok(ratio)
     }
 
+    /// Relative uncertainty of the strength at R = `ratio`·R_t, where VR is that of the table, but not the strain rate
+    /// V/a, which is in proportion to 1/R²; and at interferences to which a is extrapolated in proportion to √ω.
+    fn strength_uncertainty(&self, interference: f64, ratio: f64) -> f64 {
+        let Some(coefficient) = self.metadata().rate_coefficient else { return 0.0 };
+        let first = self.axes().interference[0].min(self.interference_limit());
+        let within = interference.clamp(first, self.interference_limit());
+        let extrapolated = if interference > 0.0 { (interference / within).ln().abs() } else { 0.0 };
+        coefficient * (2.0 * ratio.ln().abs() + 0.5 * extrapolated)
+    }
+
     fn check_interference(&self, interference: f64) -> Result<(), LookupError> {
         let limit = self.contact_limit();
         if interference > limit * (1.0 + ROUNDING) {
@@ -111,18 +122,19 @@ impl InterpolatedTable {
         let base = self.metadata().temperature;
         let (values, errors) =
             if interference > 0.0 { state(slip.max(0.0) / ratio)? } else { Default::default() };
-        let estimate = |field: Field, scale: f64| Estimate {
+        let strength = self.strength_uncertainty(interference, ratio);
+        let estimate = |field: Field, scale: f64, uncertainty: f64| Estimate {
             value: scale * values[field as usize],
-            error: scale * (values[field as usize] * errors[field as usize]).abs(),
+            error: scale * (values[field as usize] * (errors[field as usize].abs() + uncertainty)).abs(),
         };
         let squared = ratio * ratio;
-        let rise = estimate(Field::TemperatureRise, 1.0);
+        let rise = estimate(Field::TemperatureRise, 1.0, strength);
         Ok(Response {
-            load: estimate(Field::Load, squared),
-            friction: estimate(Field::Friction, squared),
-            area: estimate(Field::Area, squared),
+            load: estimate(Field::Load, squared, strength),
+            friction: estimate(Field::Friction, squared, strength),
+            area: estimate(Field::Area, squared, 0.0),
             temperature_max: Estimate { value: base + rise.value, error: rise.error },
-            coefficient_error: errors[COEFFICIENT],
+            coefficient_error: errors[COEFFICIENT] + strength,
         })
     }
 
@@ -165,6 +177,10 @@ impl AsperityLaw for InterpolatedTable {
 
     fn contact_limit(&self) -> f64 {
         self.interpolant.log_end.exp()
+    }
+
+    fn radius_uncertainty(&self, radius: f64) -> f64 {
+        self.strength_uncertainty(self.interference_limit(), radius / self.metadata().asperity_radius)
     }
 
     fn breaks(&self) -> Vec<f64> {

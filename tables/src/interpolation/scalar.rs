@@ -56,8 +56,11 @@ impl InterpolatedTable {
                 (factor * value, factor * (above.error_factor() * error + relative))
             }
         };
-        let scale = ratio.powi(quantity.descriptor().radius_exponent);
-        Ok(Estimate { value: scale * (origin + value), error: scale * error })
+        let descriptor = quantity.descriptor();
+        let exponent = if descriptor.of_press { 0.0 } else { descriptor.elastic_limit.strength_exponent() };
+        let of_rate = exponent * self.strength_uncertainty(interference, ratio) * value.abs();
+        let scale = ratio.powi(descriptor.radius_exponent);
+        Ok(Estimate { value: scale * (origin + value), error: scale * (error + of_rate) })
     }
 
     /// (value above `origin`, error) at the radius of the table and inside its rows.

@@ -175,6 +175,10 @@ impl Content {
             metadata.gap_conductance,
             optional(metadata.interpolation_tolerance),
         ]);
+        // Files without a rate law keep their checksum.
+        if metadata.rate_coefficient.is_some() {
+            self.reals(&[optional(metadata.rate_coefficient), optional(metadata.rate_reference)]);
+        }
     }
 
     fn cell(&mut self, cell: &Cell, held: &[Quantity]) {

@@ -54,9 +54,11 @@ pub(super) const TEXT_ATTRIBUTES: [TextAttribute; 8] = [
 /// A number of the metadata that need not be there.
 pub(super) type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Option<f64>);
 
-pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 2] = [
+pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 4] = [
     ("strength_factor", |m| &mut m.strength_factor),
     ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
+    ("rate_coefficient", |m| &mut m.rate_coefficient),
+    ("rate_reference", |m| &mut m.rate_reference),
 ];
 
 /// Variable of the history of a quantity.

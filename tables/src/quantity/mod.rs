@@ -141,6 +141,23 @@ pub enum ElasticLimit {
     TemperatureRise,
 }
 
+impl ElasticLimit {
+    /// Power of the strength that the quantity follows at most, at a given interference.
+    pub fn strength_exponent(self) -> f64 {
+        match self {
+            Self::None | Self::Area | Self::ContactRadius | Self::FirstRow => 0.0,
+            Self::Load
+            | Self::SlidingFriction
+            | Self::SlidingCoefficient
+            | Self::StaticFriction
+            | Self::StaticCoefficient
+            | Self::InceptionSlip
+            | Self::TemperatureRise => 1.0,
+            Self::EnergyRelease | Self::Weakening => 2.0,
+        }
+    }
+}
+
 /// Name, unit, meaning and scaling of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Descriptor {

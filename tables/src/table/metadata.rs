@@ -31,6 +31,11 @@ pub struct Metadata {
     pub yield_strength: f64,
     /// f_τ; none where the law has no shear strength (Coulomb, full stick, frictionless).
     pub strength_factor: Option<f64>,
+    /// C of the growth 1 + C ln(ε̇/ε̇₀) of the strength with the strain rate; none without. Results at another radius
+    /// are then uncertain by it.
+    pub rate_coefficient: Option<f64>,
+    /// ε̇₀, 1/s.
+    pub rate_reference: Option<f64>,
     /// Initial temperature of body and flat, K.
     pub temperature: f64,
     /// f_h, share of the frictional heat that enters the asperity; a result where the counterface conducts.

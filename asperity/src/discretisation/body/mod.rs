@@ -52,6 +52,8 @@ struct Tangent {
 pub struct Body {
     pub mesh: RevolvedMesh,
     pub solid: Solid,
+    /// Length of the present step, s; infinite at the reference strain rate, as in the press.
+    pub time_step: f64,
     pub committed: BodyState,
     pub trial: BodyState,
     tangent: Tangent,
@@ -82,6 +84,7 @@ impl Body {
         };
         Self {
             solid,
+            time_step: f64::INFINITY,
             committed: state.clone(),
             trial: state,
             tangent,

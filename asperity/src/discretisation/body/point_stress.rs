@@ -162,6 +162,7 @@ impl Body {
             strength: at_start(&self.committed.strength),
             softening: yielding.softening,
             guess,
+            time_step: self.time_step,
         };
         let end = self.solid.flow(&path);
         let two_shear = 2.0 * self.solid.moduli.shear;

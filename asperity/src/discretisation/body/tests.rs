@@ -5,7 +5,7 @@ use super::*;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::material::tests::steel;
-use crate::scene::{Hardening, Material, TemperatureDependence, TemperatureTable};
+use crate::scene::{Hardening, Material, Rate, TemperatureDependence, TemperatureTable};
 
 pub(super) fn body(hardening: Hardening, sectors: Collocation) -> Body {
     body_with(hardening, sectors, TemperatureDependence::default())
@@ -63,7 +63,7 @@ fn tangent_error(body: &mut Body, u: &[f64], rise: Option<&[f64]>, d: &[f64], h:
 }
 
 /// The tangent against finite differences of the force: exact at `first`, where loading is proportional from the
-/// virgin state; with `first` as history, in error in proportion to the length of a further `step`.
+/// virgin state; with `first` as history, in error in proportion to the length of a further `step` of the same rate.
 pub(super) fn check_tangent(
     body: &mut Body,
     rise: Option<&[f64]>,
@@ -75,13 +75,18 @@ pub(super) fn check_tangent(
     let error = tangent_error(body, first, rise, direction, h);
     assert!(error < 1e-6, "{error}");
     body.commit();
+    let time_step = body.time_step;
     let errors = [1.0, 0.1, 1e-3, 1e-4].map(|length| {
+        body.time_step = length * time_step;
         let u: Vec<f64> = first.iter().zip(step).map(|(a, b)| a + length * b).collect();
         tangent_error(body, &u, rise, direction, h * length)
     });
     let [long, shorter, short, shortest] = errors;
     assert!(long.max(shorter) < 0.03 && short < 2e-3, "{errors:?}");
-    assert!((8.0..12.0).contains(&(short / shortest)), "{errors:?}");
+    // At a strain rate terms of second order count, as the stress approaches that of another rate within a strain of
+    // C σ_Y/3G.
+    let most = if time_step.is_finite() { 20.0 } else { 12.0 };
+    assert!((8.0..most).contains(&(short / shortest)), "{errors:?}");
 }
 
 #[test]
@@ -94,13 +99,21 @@ fn tangent_agrees_with_finite_differences() {
         (Hardening::None, varying()),
         (power, varying()),
     ] {
-        let mut body = body_with(hardening, Collocation::full(4), dependence);
-        let n = body.mesh.field_length(3);
-        let rise: Vec<f64> = wave(body.mesh.field_length(1), 100.0, 0.3).iter().map(|t| t + 150.0).collect();
-        // Strains of a few per cent in the fine elements.
-        let [first, step, d] =
-            [(2e-4, 0.1), (1e-4, 1.0), (1e-4, 2.0)].map(|(scale, phase)| wave(n, scale, phase));
-        check_tangent(&mut body, Some(&rise), &first, &step, &d, 1e-6);
+        for rate in [Rate::None, Rate::JohnsonCook { coefficient: 0.02, reference: 1.0 }] {
+            let mut body = body_with(hardening.clone(), Collocation::full(4), dependence.clone());
+            body.solid = Solid::new(
+                &Material { rate, dependence: dependence.clone(), ..steel(hardening.clone()) },
+                298.0,
+            );
+            body.time_step = if rate == Rate::None { f64::INFINITY } else { 1e-7 };
+            let n = body.mesh.field_length(3);
+            let heat = wave(body.mesh.field_length(1), 100.0, 0.3);
+            let rise: Vec<f64> = heat.iter().map(|t| t + 150.0).collect();
+            // Strains of a few per cent in the fine elements.
+            let [first, step, d] =
+                [(2e-4, 0.1), (1e-4, 1.0), (1e-4, 2.0)].map(|(scale, phase)| wave(n, scale, phase));
+            check_tangent(&mut body, Some(&rise), &first, &step, &d, 1e-6);
+        }
     }
 }
 

@@ -32,6 +32,8 @@ pub struct Equilibrium {
 /// The coupled quantities within one increment.
 struct Coupling<'a> {
     problem: &'a Problem,
+    /// V, m/s.
+    slip_rate: f64,
     conduction: Option<&'a mut Conduction>,
     dt: f64,
     /// Displacement of the flat in the increment.
@@ -63,7 +65,7 @@ impl Coupling<'_> {
         let stretched = if self.problem.finite_strain { contact.update_areas(iteration == 0) } else { 0.0 };
         // A failed step may have left a meaningless trial state.
         let state = if iteration == 0 { &body.committed } else { &body.trial };
-        let hardened = interface_hardening(self.problem, body, contact, state);
+        let hardened = interface_hardening(self.problem, self.slip_rate, body, contact, state);
         let rise = self.temperature(body, contact, &hardened, iteration);
         let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
         self.held = (self.agrees(&limit) && stretched <= AREA_TOLERANCE) || self.updates_left == 0;
@@ -128,6 +130,7 @@ impl Slide<'_> {
         contact.set_edges(&edges);
         let mut coupling = Coupling {
             problem: self.problem,
+            slip_rate: self.slip_rate,
             conduction: self.heat.as_mut(),
             dt,
             slip: to - from,

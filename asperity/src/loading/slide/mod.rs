@@ -88,6 +88,8 @@ pub struct Slide<'a> {
     heat: Option<Conduction>,
     /// VR/κ.
     speed: f64,
+    /// V, m/s, for the strain rate; at 0 it is below the reference.
+    pub slip_rate: f64,
     interference: f64,
     hold: LoadingControl,
     /// Elastic energy after the press.
@@ -126,6 +128,7 @@ impl<'a> Slide<'a> {
             mechanics,
             heat,
             speed,
+            slip_rate: 0.0,
             sources: HeatSources::default(),
             history: Vec::new(),
             recorder: Recorder::default(),
@@ -221,6 +224,8 @@ impl<'a> Slide<'a> {
         stop: &StopRequest,
     ) -> Result<Attempt, SlideFailure> {
         let dt = if self.speed > 0.0 { (to - from) / self.speed } else { 0.0 };
+        // Infinite at V = 0.
+        self.mechanics.body.time_step = (to - from) * self.problem.units.length / self.slip_rate;
         let equilibrium = self.equilibrium(to, dt, guess, stop)?;
         #[cfg(test)]
         if self.rejecting > 0 {

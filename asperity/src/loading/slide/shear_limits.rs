@@ -11,13 +11,21 @@ pub fn shear_strength(problem: &Problem, hardened: f64, rise: f64) -> f64 {
     problem.strength_factor * SHEAR_RATIO * (hardened * problem.solid.softening_factor(rise))
 }
 
-/// Factor by which the interface has hardened, at each contact point.
-pub fn interface_hardening(problem: &Problem, body: &Body, contact: &Contact, state: &BodyState) -> Vec<f64> {
+/// Factor by which the interface has hardened with plastic strain and with the strain rate, at each contact point.
+pub fn interface_hardening(
+    problem: &Problem,
+    slip_rate: f64,
+    body: &Body,
+    contact: &Contact,
+    state: &BodyState,
+) -> Vec<f64> {
+    let radius = problem.units.length * contact.radius(&contact.trial);
+    let rated = problem.solid.interface_rate_factor(slip_rate, radius);
     match problem.strength {
-        InterfaceStrength::Initial => vec![1.0; contact.len()],
+        InterfaceStrength::Initial => vec![rated; contact.len()],
         InterfaceStrength::Current => {
             let strain = body.surface_strain(state);
-            strain.into_iter().map(|strain| problem.solid.hardening_factor(strain)).collect()
+            strain.into_iter().map(|strain| rated * problem.solid.hardening_factor(strain)).collect()
         }
     }
 }

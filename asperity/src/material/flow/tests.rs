@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::material::tests::steel;
-use crate::scene::{Material, Softening};
+use crate::scene::{Material, Rate, Softening};
 
 const LAWS: [Hardening; 3] = [
     Hardening::None,
@@ -14,6 +14,16 @@ fn solid(hardening: Hardening) -> Solid {
     let softening = Softening::None;
     Solid::new(&Material { yield_strength: 500e6, softening, ..steel(hardening) }, 298.0)
 }
+
+/// Without and with a strength that grows with the strain rate.
+fn solids(hardening: &Hardening) -> [Solid; 2] {
+    let plain = solid(hardening.clone());
+    let rate = Rate::JohnsonCook { coefficient: 0.05, reference: 1.0 };
+    [plain.clone(), Solid { rate, ..plain }]
+}
+
+/// Of every step, s: strains of 0.01 are at a thousand times the reference rate.
+const TIME_STEP: f64 = 1e-5;
 
 type Tensor = [f64; TENSOR];
 
@@ -59,6 +69,7 @@ fn flow(solid: &Solid, point: Point, elastic: &Tensor) -> Flow<1> {
         strength: [solid.hardened(point.strain).0],
         softening: [point.softening],
         guess: [0.0],
+        time_step: TIME_STEP,
     })
 }
 
@@ -87,6 +98,7 @@ fn radial_return(solid: &Solid) -> impl Fn(Point, &Tensor) -> Point {
             strength: [strength],
             softening: [point.softening],
             guess: [0.0],
+            time_step: TIME_STEP,
         });
         let kept = point.softening * end.strength[0] / q(elastic);
         Point { stress: elastic.map(|s| kept * s), strain: point.strain + end.increment[0], ..point }
@@ -100,8 +112,7 @@ const SLIDE: Tensor = [-0.3, 0.1, 0.2, 0.4, 0.7, 1.2];
 
 #[test]
 fn a_proportional_path_ends_where_the_radial_return_does() {
-    for law in LAWS {
-        let solid = solid(law);
+    for solid in LAWS.iter().flat_map(solids) {
         let by_path = walk(VIRGIN, &PRESS, 1, closed_form(&solid));
         let by_return = walk(VIRGIN, &PRESS, 1, radial_return(&solid));
         assert!(by_path.strain > 1e-3);
@@ -188,11 +199,27 @@ fn softening_pulls_the_stress_along() {
     }
 }
 
+/// The derivative along the stress on a proportional path, 2GH/(3G + H) over 2G, also where the strain rate changes with
+/// the increment.
+#[test]
+fn derivative_along_the_stress() {
+    for solid in LAWS.iter().flat_map(solids) {
+        let end = flow(&solid, VIRGIN, &PRESS);
+        let at = |h: f64| flow(&solid, VIRGIN, &PRESS.map(|s| s * (1.0 + h))).radius[0];
+        let derivative = (at(1e-5) - at(-1e-5)) / (2e-5 * inner(&PRESS, &PRESS).sqrt());
+        let expected = end.slope[0] / (3.0 * solid.moduli.shear + end.slope[0]);
+        assert!((derivative - expected).abs() < 1e-8, "{derivative} {expected}");
+        let strength = solid.hardened(end.increment[0]).0;
+        assert!((end.strength[0] / strength - 1.0).abs() < 1e-12);
+        let rated = solid.rate.factor(end.increment[0] / TIME_STEP);
+        assert!((end.radius[0] / (TO_RADIUS * rated * strength) - 1.0).abs() < 1e-12);
+    }
+}
+
 /// From the virgin state the derivative across the stress is exact; otherwise it is so in short steps.
 #[test]
 fn derivative_across_the_stress() {
-    for law in LAWS {
-        let solid = solid(law);
+    for solid in LAWS.iter().flat_map(solids) {
         let yielded = walk(VIRGIN, &PRESS, 1, closed_form(&solid));
         for (from, change) in [(VIRGIN, PRESS), (yielded, SLIDE)] {
             let elastic = plus(&from.stress, 1.0, &change);

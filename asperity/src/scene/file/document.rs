@@ -98,6 +98,8 @@ fn lay_over_preset(material: &mut Table, source: &Source) -> Result<(), SceneFil
     };
     for (key, below) in preset.section() {
         match (material.get_mut(&key), below) {
+            // Off unless the scene names it.
+            (None, _) if key == "rate" => {}
             (None, below) => {
                 material.insert(key, below);
             }

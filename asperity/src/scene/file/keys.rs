@@ -111,6 +111,7 @@ const MATERIAL: &[Key] = &[
     key("poisson_ratio", Number("1", POISSON)),
     key("yield_strength", Number("Pa", POSITIVE)),
     key("hardening", Section(HARDENING)),
+    key("rate", Section(RATE)),
     key("density", Number("kg/m3", POSITIVE)),
     key("specific_heat", Property("J/(kg K)", POSITIVE)),
     key("thermal_conductivity", Property("W/(m K)", POSITIVE)),
@@ -129,6 +130,12 @@ const HARDENING: &[Key] = &[
     parameter(&["johnson-cook"], "exponent", Number("1", POSITIVE)),
     parameter(&["table"], "plastic_strain", List("1", NOT_NEGATIVE, Order::Rising)),
     parameter(&["table"], "factor", List("1", POSITIVE, Order::Any)),
+];
+
+const RATE: &[Key] = &[
+    key("law", Name),
+    parameter(&["johnson-cook"], "coefficient", Number("1", NOT_NEGATIVE)),
+    parameter(&["johnson-cook"], "reference", Number("1/s", POSITIVE)),
 ];
 
 const SOFTENING: &[Key] = &[

@@ -4,7 +4,7 @@ use toml::{Table, Value};
 
 use super::error::SceneFileError;
 use super::source::Source;
-use crate::scene::{Hardening, Scene, Softening, Switch};
+use crate::scene::{Hardening, Rate, Scene, Softening, Switch};
 
 /// Fracture data are given in one way: the shear fracture energy, the mode-II toughness, or both numbers
 /// of a tensile test.
@@ -98,5 +98,64 @@ pub fn check_heat(scene: &Scene, slip_rates: &[f64], source: &Source) -> Result<
             Err(source.invalid("model.heat", Value::from("on"), allowed))
         }
         false => Ok(()),
+    }
+}
+
+/// Checks that a table of a strength that grows with the logarithm of the slip rate is not interpolated down to 0.
+pub fn check_rates(scene: &Scene, slip_rates: &[f64], source: &Source) -> Result<(), SceneFileError> {
+    match scene.material.rate != Rate::None && slip_rates.len() > 1 && slip_rates[0] == 0.0 {
+        true => {
+            let allowed = "without 0 where material.rate is given: the strength grows with the logarithm of the slip \
+                           rate (m/s); give the smallest that is needed";
+            Err(source.invalid("table.slip_rate", format!("{slip_rates:?}"), allowed))
+        }
+        false => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::Rate;
+    use crate::scene::file::{parse_request, parse_scene};
+
+    const SCENE: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
+    const LOADING: &str = "[loading]\ninterference = 20\nslip_rate = 1\n";
+
+    fn overrides(rate: &str) -> Vec<String> {
+        vec![format!("material.rate={rate}")]
+    }
+
+    #[test]
+    fn mistakes_in_a_rate_law_are_named() {
+        for (rate, message) in [
+            ("{ law = \"johnson-cook\", coefficient = -0.1 }", "zero or a positive number"),
+            ("{ law = \"johnson-cook\", reference = 0 }", "a positive number (1/s)"),
+            ("{ law = \"johnson-cook\", coeficient = 0.1 }", "did you mean coefficient?"),
+            ("{ law = \"johnson\" }", "johnson-cook"),
+            ("{ law = \"none\", coefficient = 0.1 }", "left out unless law = \"johnson-cook\""),
+        ] {
+            let text = format!("{SCENE}{LOADING}");
+            let error = parse_scene(&text, "scene.toml", &overrides(rate)).unwrap_err().to_string();
+            assert!(error.contains("material.rate") && error.contains(message), "{error}");
+        }
+        // The standard has no rate law that the scene could take.
+        let text = format!("{SCENE}{LOADING}").replace("copper", "carbon-steel-en1993");
+        let error = parse_scene(&text, "scene.toml", &overrides("{ law = \"johnson-cook\" }")).unwrap_err();
+        assert!(error.to_string().contains("material.rate.coefficient is missing"), "{error}");
+    }
+
+    #[test]
+    fn tables_with_a_rate_law_do_not_reach_down_to_slip_rate_0() {
+        let rate = overrides("{ law = \"johnson-cook\" }");
+        let request = parse_request(&format!("{SCENE}[table]\n"), "request.toml", &rate).unwrap();
+        assert_eq!(request.template.material.rate, Rate::JohnsonCook { coefficient: 0.025, reference: 1.0 });
+        assert!(request.slip_rates[0] > 0.0);
+        assert_eq!(request.template.loading.slip_rate, request.slip_rates[0]);
+        let of = |slip_rates: &str| {
+            parse_request(&format!("{SCENE}[table]\nslip_rate = {slip_rates}\n"), "request.toml", &rate)
+        };
+        let error = of("[0.0, 1.0]").unwrap_err().to_string();
+        assert!(error.contains("table.slip_rate") && error.contains("without 0"), "{error}");
+        assert!(of("[0.0]").is_ok() && of("[0.1, 1.0]").is_ok());
     }
 }

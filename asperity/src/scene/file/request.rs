@@ -13,7 +13,7 @@ use super::error::SceneFileError;
 use super::keys::{NOT_NEGATIVE, POSITIVE, POSITIVE_FOR_LOG, Range, TABLE, range_keys};
 use super::relations;
 use super::source::Source;
-use crate::scene::Scene;
+use crate::scene::{Rate, Scene};
 
 /// A grid of scenes that differ in interference and slip rate, at one or at several initial temperatures.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,7 +100,7 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
     };
     let source = &document.source;
     let section = table_section(table, source)?;
-    let slip_rates = section.slip_rate.clone().unwrap_or(SLIP_RATES.to_vec());
+    let mut slip_rates = section.slip_rate.clone().unwrap_or(SLIP_RATES.to_vec());
     let smallest = section.interference.as_ref().map_or(SMALLEST_INTERFERENCE, |given| given[0]);
     if let Some(Value::Table(loading)) = document.sections.get_mut("loading") {
         for (key, first) in [("interference", smallest), ("slip_rate", slip_rates[0])] {
@@ -110,13 +110,18 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
             }
         }
     }
-    let template = document.scene()?;
+    let mut template = document.scene()?;
     if template.loading.slip_distance <= 0.0 {
         let allowed = "a positive number (contact radii): a table has histories over the slip";
         let found = format!("{:?}", template.loading.slip_distance);
         return Err(source.invalid("loading.slip_distance", found, allowed));
     }
     relations::check_heat(&template, &slip_rates, source)?;
+    if section.slip_rate.is_none() && template.material.rate != Rate::None {
+        slip_rates.retain(|rate| *rate > 0.0);
+        template.loading.slip_rate = slip_rates[0];
+    }
+    relations::check_rates(&template, &slip_rates, source)?;
     for &temperature in &section.temperature {
         relations::check_temperature(&template, "table.temperature", temperature, source)?;
     }

@@ -50,12 +50,13 @@ pub struct Preset {
     pub checked: String,
     /// [`REQUIRED`] constants first.
     pub constants: Vec<Constant>,
-    /// Laws of hardening and softening: (`hardening` or `softening`, name of the law).
+    /// Laws of hardening, softening and, where it is known, strain rate: (`hardening`, `softening` or `rate`, name of the
+    /// law).
     pub laws: Vec<(String, String)>,
 }
 
 impl Preset {
-    /// The section `[material]` of this preset.
+    /// The section `[material]` of this preset; a scene takes `rate` from it only where it names that law.
     pub fn section(&self) -> Table {
         let mut section = Table::new();
         for (group, law) in &self.laws {
@@ -177,12 +178,14 @@ fn constant(key: String, value: Value) -> Result<Constant, toml::de::Error> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::scene::file;
+    use crate::scene::{Rate, file};
 
     #[test]
     fn every_constant_has_a_unit_and_a_source() {
         for preset in all() {
-            assert_eq!(preset.laws.len(), 2, "{}", preset.name);
+            let laws = |group: &str| preset.laws.iter().filter(|(of, _)| of == group).count();
+            let rate = usize::from(preset.name != "carbon-steel-en1993");
+            assert_eq!(["hardening", "softening", "rate"].map(laws), [1, 1, rate], "{}", preset.name);
             assert!(!preset.checked.is_empty());
             for constant in &preset.constants {
                 assert!(!constant.unit.is_empty(), "{} {}", preset.name, constant.key);
@@ -212,6 +215,21 @@ pub(crate) mod tests {
             );
             file::parse_scene(&text, "scene.toml", &[]).unwrap();
         }
+    }
+
+    #[test]
+    fn a_preset_lends_its_rate_law_to_a_scene_that_names_it() {
+        let material = |line: &str| {
+            let text = format!(
+                "[material]\npreset = \"copper\"\n{line}\n[asperity]\nradius = 1e-3\n\
+                 [loading]\ninterference = 20\nslip_rate = 1\n"
+            );
+            file::parse_scene(&text, "scene.toml", &[]).unwrap().material
+        };
+        let law = |coefficient| Rate::JohnsonCook { coefficient, reference: 1.0 };
+        assert_eq!(material("").rate, Rate::None);
+        assert_eq!(material("rate = { law = \"johnson-cook\" }").rate, law(0.025));
+        assert_eq!(material("rate = { law = \"johnson-cook\", coefficient = 0.01 }").rate, law(0.01));
     }
 
     #[test]

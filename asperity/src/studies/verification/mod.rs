@@ -22,6 +22,7 @@ mod regression;
 mod row;
 pub mod setup;
 mod softening;
+mod strain_rate;
 
 pub use row::{Computed, Reference, Row, Tolerance};
 
@@ -75,6 +76,7 @@ pub const GROUPS: [Group; 11] = [
     Group { name: "heat source", cases: &heat_source::CASES },
     Group { name: "counterface", cases: &counterface::CASES },
     Group { name: "thermal softening", cases: &softening::CASES },
+    Group { name: "strain rate", cases: &strain_rate::CASES },
     Group { name: "invariance", cases: &invariance::CASES },
     Group { name: "ledgers", cases: &ledgers::CASES },
     Group { name: "regression", cases: &regression::CASES },

@@ -7,7 +7,7 @@ use tables::quantity::{Quantity, State};
 use crate::scene::file::parse_scene;
 use crate::scene::{
     Control, Counterface, FrictionLaw, Hardening, Interface, InterfaceStrength, Kinematics, Loading,
-    Material, Model, Numerics, Scene, Softening, Switch,
+    Material, Model, Numerics, Rate, Scene, Softening, Switch,
 };
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
@@ -22,6 +22,7 @@ pub fn plain_material(poisson_ratio: f64) -> Material {
         poisson_ratio,
         yield_strength: 40e6,
         hardening: Hardening::None,
+        rate: Rate::None,
         density: 7850.0,
         specific_heat: 475.0,
         thermal_conductivity: 45.0,

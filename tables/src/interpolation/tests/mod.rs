@@ -185,6 +185,38 @@ fn other_radii_see_the_same_dimensionless_asperity() {
     assert!(matches!(refused, LookupError::RadiusFixed { .. }));
 }
 
+/// At a tenth of the radius and the same VR the strain rate is a hundredfold.
+#[test]
+fn a_strength_that_grows_with_the_strain_rate_adds_to_the_errors_at_other_radii() {
+    const C: f64 = 0.02;
+    let plain = table();
+    let mut metadata = plain.metadata().clone();
+    (metadata.rate_coefficient, metadata.rate_reference) = (Some(C), Some(1.0));
+    let rated = changed(|slice| slice.set_metadata(metadata));
+    let added = C * 100f64.ln();
+    let of = |table: &InterpolatedTable| table.response(0.1 * RADIUS, 7.0, 10.0, 1e-7).unwrap();
+    let (rated_there, plain_there) = (of(&rated), of(&plain));
+    let wider = |with: Estimate, without: Estimate| (with.error - without.error) / with.value;
+    assert!((wider(rated_there.friction, plain_there.friction) - added).abs() < 1e-12);
+    assert!((wider(rated_there.load, plain_there.load) - added).abs() < 1e-12);
+    assert!((rated_there.coefficient_error - plain_there.coefficient_error - added).abs() < 1e-12);
+    assert_eq!(rated_there.area, plain_there.area);
+    for (quantity, exponent) in
+        [(Quantity::Mu, 1.0), (Quantity::EnergyRelease, 2.0), (Quantity::ContactRadius, 0.0)]
+    {
+        let of = |table: &InterpolatedTable| table.estimate(quantity, 0.1 * RADIUS, 7.0, 10.0).unwrap();
+        assert!((wider(of(&rated), of(&plain)) - exponent * added).abs() < 1e-12, "{quantity:?}");
+    }
+    assert!((rated.radius_uncertainty(0.1 * RADIUS) - added).abs() < 1e-12);
+    // At its own radius the table is as it was, but for contact radii that are extrapolated.
+    let own =
+        |table: &InterpolatedTable, interference| table.response(RADIUS, interference, 1.0, 1e-7).unwrap();
+    assert_eq!(own(&rated, 7.0), own(&plain, 7.0));
+    let below = wider(own(&rated, 0.01).friction, own(&plain, 0.01).friction);
+    let first = plain.axes().interference[0];
+    assert!((below - 0.5 * C * (first / 0.01).ln()).abs() < 1e-12);
+}
+
 #[test]
 fn fixed_slip_rate_gives_the_same_response() {
     let table = table();
