@@ -86,6 +86,15 @@ pub fn case_failure(error: CaseError) -> Failure {
     }
 }
 
+/// Warnings to stderr.
+pub fn warn(display: &Display, warnings: &[impl Printable]) {
+    if !display.quiet {
+        for warning in warnings {
+            say(format!("warning: {warning}"));
+        }
+    }
+}
+
 /// Warnings to stderr, the summary to stdout.
 pub fn summarise(
     display: &Display,
@@ -93,11 +102,7 @@ pub fn summarise(
     text: impl Fn() -> String,
     json: impl Fn() -> serde_json::Value,
 ) -> Result<(), Failure> {
-    if !display.quiet {
-        for warning in warnings {
-            say(format!("warning: {warning}"));
-        }
-    }
+    warn(display, warnings);
     let printed = match (display.json, display.quiet) {
         (true, _) => print(&format!("{:#}\n", json())),
         (false, false) => print(&text()),

@@ -110,6 +110,9 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
         ("--plot", options.plot.as_deref()),
         ("--report", options.report.as_deref()),
     ])?;
+    // At once: the prediction may be refused for what they are about.
+    let of_input = case.warnings();
+    warn(display, &Warning::condensed(&of_input));
     if display.verbose {
         describe(case.source.law.as_ref(), &case.file.surface);
     }
@@ -127,7 +130,7 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
         let seconds = started.elapsed().as_secs_f64();
         say(format!("{count} slips from {first:.3e} to {last:.3e} m in {seconds:.2} s"));
     }
-    write(options, display, &results, &case)
+    write(options, display, &results, &case, of_input.len())
 }
 
 fn describe(law: &dyn AsperityLaw, surface: &Surface) {
@@ -141,13 +144,20 @@ fn describe(law: &dyn AsperityLaw, surface: &Surface) {
     ));
 }
 
-fn write(options: &Predict, display: &Display, results: &Results, case: &Case) -> Result<(), Failure> {
+/// Writes the results and prints the summary with the warnings after those `said` before.
+fn write(
+    options: &Predict,
+    display: &Display,
+    results: &Results,
+    case: &Case,
+    said: usize,
+) -> Result<(), Failure> {
     let origin = Origin { surface: &case.file.text, table: &case.table, history: &history(&command_line()) };
     let saved = save(&options.output, |path| friction_file::write(path, results, &origin));
     let drawn = draw(options, results, &origin);
     let printed = summarise(
         display,
-        &Warning::condensed(&results.prediction.warnings),
+        &Warning::condensed(&results.prediction.warnings[said..]),
         || summary::text(results),
         || summary_json::json(results),
     );

@@ -48,6 +48,8 @@ fn slip_length(text: &str) -> Result<f64, String> {
 /// Draws, slides, writes.
 pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let case = options.input.read(&[("--output", Some(&options.output))])?;
+    let of_input = case.warnings();
+    warn(display, &Warning::condensed(&of_input));
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     let progress = Progress::new(display, "surfaces");
     let show = |done, total| progress.show(done, total);
@@ -61,7 +63,7 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let saved = save(&options.output, |path| sample_file::write(path, &samples, &origin));
     let printed = summarise(
         display,
-        &Warning::condensed(&samples.warnings),
+        &Warning::condensed(&samples.warnings[of_input.len()..]),
         || sample_file::text(&samples),
         || sample_file::json(&samples),
     );

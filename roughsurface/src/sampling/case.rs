@@ -63,8 +63,9 @@ impl Case {
         Ok(Self { file, source, table: table.to_owned(), measured })
     }
 
-    /// Warnings of the input: of the topography, of implausible values, and of cells of the table without results.
-    fn warnings(&self) -> Vec<Warning> {
+    /// Warnings of the input, the first of all results: of the topography, of implausible values, and of cells of the
+    /// table without results.
+    pub fn warnings(&self) -> Vec<Warning> {
         let of_topography = self.measured.iter().flat_map(|found| found.warnings.iter().cloned());
         let mut warnings: Vec<Warning> = of_topography.map(Warning::Topography).collect();
         let implausible = self.file.text.parse().as_ref().map(remarks).unwrap_or_default();

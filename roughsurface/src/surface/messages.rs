@@ -1,5 +1,7 @@
 //! Messages in terms of the keys of a file.
 
+use tables::quantity::nearest;
+
 /// The message of serde in terms of the file, with the known key nearest to an unknown one.
 pub(crate) fn explain(path: &str, message: &str) -> String {
     let message = one_line(message);
@@ -14,7 +16,7 @@ pub(crate) fn explain(path: &str, message: &str) -> String {
     };
     if message.starts_with("unknown field") && !quoted.is_empty() {
         let (unknown, known) = (quoted[0], &quoted[1..]);
-        let suggestion = match nearest(unknown, known) {
+        let suggestion = match nearest(unknown, known).or_else(|| meant(unknown)) {
             Some(near) => format!("did you mean {near}? "),
             None => String::new(),
         };
@@ -43,15 +45,46 @@ pub(crate) fn one_line(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The known word nearest to a misspelt one, if near enough to suggest.
-pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
-    known
-        .iter()
-        .map(|candidate| {
-            let likeness = strsim::normalized_damerau_levenshtein(word, candidate);
-            (likeness, *candidate)
-        })
-        .filter(|(likeness, _)| *likeness >= 0.5)
-        .max_by(|one, other| one.0.total_cmp(&other.0))
-        .map(|(_, candidate)| candidate)
+/// The full path of the key that an unknown one of a section probably means: the same name in another section, or a
+/// word of the literature.
+fn meant(name: &str) -> Option<&'static str> {
+    const WORDS: &[(&[&str], &str)] = &[
+        (&["eta", "density", "summit_density"], "surface.asperity_density"),
+        (&["radius", "summit_radius", "curvature_radius"], "surface.asperity_radius"),
+        (&["height", "distribution"], "surface.heights"),
+        (
+            &["std", "sigma", "sigma_s", "rms", "sq", "rq", "roughness", "standard_deviation"],
+            "surface.heights.std",
+        ),
+        (&["pressure", "p", "nominal_pressure", "load"], "query.pressure"),
+        (&["separation", "gap", "distance"], "query.separation"),
+        (&["slip_rate", "rate", "speed", "velocity", "sliding_speed", "sliding_velocity"], "query.slip_rate"),
+        (&["hold", "control"], "query.hold"),
+        (&["contact_life", "life"], "query.contact_life"),
+        (&["temperature", "initial_temperature"], "query.temperature"),
+        (&["youngs_modulus", "young", "e", "elastic_modulus"], "material.youngs_modulus"),
+        (&["poisson_ratio", "poisson", "nu"], "material.poisson_ratio"),
+        (&["yield_strength", "hardness", "yield_stress", "sigma_y"], "material.yield_strength"),
+    ];
+    let name = name.to_lowercase();
+    WORDS.iter().find(|(words, _)| words.contains(&name.as_str())).map(|(_, path)| *path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_suggested_by_spelling_and_by_meaning() {
+        let unknown = |name: &str| format!("unknown field `{name}`, expected one of `pressure`, `slip_rate`");
+        for (name, suggestion) in [
+            ("presure", "did you mean pressure?"),
+            ("velocity", "did you mean query.slip_rate?"),
+            ("roughness", "did you mean surface.heights.std?"),
+            ("colour", "is not a key; known here"),
+        ] {
+            let said = explain(&format!("query.{name}"), &unknown(name));
+            assert!(said.contains(suggestion), "{said}");
+        }
+    }
 }

@@ -10,9 +10,9 @@ use super::sample::Sample;
 use super::truncated_gaussian::TruncatedGaussian;
 use super::uniform::Uniform;
 use super::weibull::Weibull;
-use crate::surface::messages::nearest;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
+use tables::quantity::nearest;
 
 /// Section `heights` of the surface file.
 #[derive(Clone, Debug, Default, Deserialize)]
