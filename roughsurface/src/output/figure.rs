@@ -123,7 +123,7 @@ fn title(law: &str) -> String {
 }
 
 /// Evenly spread choice of at most `most` of `count`, first and last among them.
-fn chosen(count: usize, most: usize) -> Vec<usize> {
+pub(super) fn chosen(count: usize, most: usize) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();
     }

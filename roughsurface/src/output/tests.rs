@@ -124,10 +124,37 @@ fn the_report_is_one_well_formed_page_without_references_outside() {
     ] {
         assert!(page.contains(wanted), "{wanted}");
     }
-    for foreign in ["<script", "<link", "src=", "@import", "url(http"] {
+    for chart in ["over-rate", "over-load", "over-slip"] {
+        assert!(
+            page.contains(&format!("<div id=\"{chart}\">"))
+                && page.contains(&format!("data-chart=\"{chart}\""))
+        );
+    }
+    assert!(page.contains("Copyright (c) 2022 Leon Sorokin") && page.len() < 2_000_000);
+    for foreign in ["<script src", "<link", " src=", "@import", "url(", "fetch(", "XMLHttpRequest"] {
         assert!(!page.contains(foreign), "{foreign}");
     }
     // As XML, but for the declaration and a void element of the head.
     let body = page.replace("<!DOCTYPE html>", "").replace("<meta charset=\"utf-8\">", "");
-    roxmltree::Document::parse(&body).unwrap();
+    let document = roxmltree::Document::parse(&body).unwrap();
+    let data = document.descendants().find(|node| node.attribute("id") == Some("data")).unwrap();
+    let data: serde_json::Value = serde_json::from_str(data.text().unwrap()).unwrap();
+    assert_eq!(data["slip_rates"], serde_json::json!([0.01, 0.1, 0.5, 2.0]));
+    assert_eq!(data["mu_history"][0][3].as_array().unwrap().len(), data["slip"].as_array().unwrap().len());
+    let quantities = data["quantities"].as_array().unwrap();
+    assert_eq!(quantities.len(), QUANTITIES.len());
+    for (quantity, charted) in QUANTITIES.iter().zip(quantities) {
+        for (cell, value) in
+            results.prediction.friction[0].iter().zip(charted["values"][0].as_array().unwrap())
+        {
+            let expected = quantity.estimate(cell).value;
+            // Five digits.
+            let off = value.as_f64().map(|value| (value - expected).abs());
+            assert!(
+                off.map_or(!expected.is_finite(), |off| off <= 1e-4 * expected.abs()),
+                "{}",
+                quantity.name
+            );
+        }
+    }
 }

@@ -1,7 +1,9 @@
-//! A prediction as one HTML file: figures, numbers, parameters, errors and warnings.
+//! A prediction as one HTML file: charts, figures, numbers, parameters, errors and warnings.
 //!
 //! Without script, style sheet, font or picture from elsewhere: the file is
 //! self-contained.
+
+mod charts;
 
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
@@ -18,7 +20,7 @@ const STYLE: &str = "body{font-family:sans-serif;max-width:76em;margin:2em auto;
 table{border-collapse:collapse;margin:1em 0;display:block;overflow-x:auto}\
 th,td{border-bottom:1px solid #bbb;padding:.25em .7em;text-align:right;white-space:nowrap}\
 th:first-child,td:first-child{text-align:left}pre{background:#f4f4f4;padding:1em;overflow-x:auto}\
-svg{max-width:100%;height:auto}.warning{border-left:.4em solid #d55e00;padding:.2em .8em;margin:.5em 0;background:#fbf1ea}";
+svg{max-width:100%;height:auto}fieldset{margin:.5em 0}fieldset label{margin-right:1.2em}.warning{border-left:.4em solid #d55e00;padding:.2em .8em;margin:.5em 0;background:#fbf1ea}";
 
 /// Limits of the model.
 const CAVEATS: [&str; 6] = [
@@ -31,7 +33,9 @@ const CAVEATS: [&str; 6] = [
      quadrature; modelling errors are not included.",
 ];
 
-const CITATIONS: [&str; 4] = [
+const CITATIONS: [&str; 6] = [
+    "Thermomechanical modeling and transient analysis of sliding contacts between an elastic-plastic asperity and a rigid isothermal flat (2014): the model of one asperity",
+    "Wu, Shi & Polycarpou, An elastic-plastic spherical contact model under combined normal and tangential loading, J. Appl. Mech. 79, 051001 (2012)",
     "J. A. Greenwood & J. B. P. Williamson, Contact of nominally flat surfaces, Proc. R. Soc. A 295, 300 (1966), doi 10.1098/rspa.1966.0242",
     "J. R. Rice, Heating and weakening of faults during earthquake slip, J. Geophys. Res. 111, B05311 (2006), doi 10.1029/2005JB004006",
     "N. M. Beeler, T. E. Tullis & D. L. Goldsby, Constitutive relationships and physical basis of fault strength due to flash heating, J. Geophys. Res. 113, B01401 (2008), doi 10.1029/2007JB004988",
@@ -77,10 +81,12 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     };
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <title>Friction of a rough surface</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
+         <title>Friction of a rough surface</title>\n<style>{STYLE}{}</style>\n</head>\n<body>\n\
          <h1>Friction of a rough surface</h1>\n\
-         <p>Asperity law: {}. Held during the slide: {hold}. Life of a contact: {life}. Plasticity index ψ = √(σ<sub>s</sub>/ω<sub>c</sub>) \
+         <p>Material: {}. Asperity law: {}. Held during the slide: {hold}. Life of a contact: {life}. Plasticity index ψ = √(σ<sub>s</sub>/ω<sub>c</sub>) \
          = {:.3}: {}.</p>\n",
+        charts::STYLE,
+        material(origin),
         escaped(&prediction.law),
         prediction.plasticity_index,
         regime(prediction.plasticity_index)
@@ -91,6 +97,7 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     for warning in &prediction.warnings {
         let _ = writeln!(page, "<p class=\"warning\">Warning: {}</p>", escaped(&warning.to_string()));
     }
+    page.push_str(&charts::html(results));
     let svg = figure(results).svg();
     // The XML declaration is for a separate file only.
     let picture = svg.find("<svg").map_or("", |start| &svg[start..]);
@@ -121,6 +128,16 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     list(&mut page, "To cite", CITATIONS.iter().map(ToString::to_string));
     page.push_str("</body>\n</html>\n");
     page
+}
+
+/// Where the constants of the material come from.
+fn material(origin: &Origin) -> String {
+    match origin.table.strip_prefix("model:") {
+        Some(model) => {
+            format!("that of the section [material] of the input, in the closed form {}", escaped(model))
+        }
+        None => format!("that of the table {}", escaped(origin.table)),
+    }
 }
 
 fn list(page: &mut String, title: &str, items: impl Iterator<Item = String>) {
