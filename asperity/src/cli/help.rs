@@ -45,17 +45,19 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
   heat_partition = 0.5           # share of the frictional heat that enters the asperity
   gap_conductance = 0.0          # W/(m2 K)
   taylor_quinney = 0.9           # share of the plastic work that becomes heat
-  [counterface]                  # optional: rigid and isothermal without it
-  preset = \"steel-1045\"          # or youngs_modulus and poisson_ratio; thermal_conductivity, density
-                                 # and specific_heat, with which heat_partition is a result
-  elastic = true                 # false: rigid in spite of the preset
-  contact_conductance = inf      # W/(m2 K)
   [model]                        # optional
   heat = \"auto\"                  # or \"on\", \"off\"
   kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic
                                  # strain of a coarse slide exceeds 1/20 of the accuracy
   [numerics]                     # optional
   accuracy = 0.02                # relative; chooses elements_per_radius and sectors unless given
+
+The flat is rigid and isothermal unless the scene has a body on the other side:
+  [counterface]
+  preset = \"steel-1045\"          # or youngs_modulus and poisson_ratio; thermal_conductivity, density
+                                 # and specific_heat, with which heat_partition is a result
+  elastic = true                 # false: rigid in spite of the preset
+  contact_conductance = inf      # W/(m2 K)
 
 youngs_modulus, specific_heat, thermal_conductivity and thermal_expansion (dL/L per kelvin at the
 temperature) may be tables, linear between the points and constant outside:

@@ -10,6 +10,8 @@ use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
 
 /// Sliding has begun when dQ/ds is below this share of its first value.
 const STIFFNESS_SHARE: f64 = 0.01;
+/// Other shares, as good a definition.
+const OTHER_STIFFNESS_SHARES: [f64; 3] = [0.1, 0.05, 0.02];
 
 /// Which of the two criteria of sliding inception was met first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,9 +38,14 @@ pub struct Inception {
     pub energy_bracket: f64,
 }
 
-/// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
-/// [`STIFFNESS_SPAN`] of the slip falls below the given share of the first; both interpolated between states.
+/// Sliding inception of a slide.
 pub fn inception(history: &[SlideState]) -> Inception {
+    inception_at(history, STIFFNESS_SHARE)
+}
+
+/// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
+/// [`STIFFNESS_SPAN`] of the slip falls below this share of the first; both interpolated between states.
+fn inception_at(history: &[SlideState], stiffness_share: f64) -> Inception {
     let secant = |from: &SlideState, to: &SlideState| (to.friction - from.friction) / (to.slip - from.slip);
     // Slip in the middle of the span, and the stiffness.
     let mut stiffness = (0.0, if history.len() > 1 { secant(&history[0], &history[1]) } else { 0.0 });
@@ -54,8 +61,8 @@ pub fn inception(history: &[SlideState]) -> Inception {
         let far_enough = |from: &&SlideState| from.slip <= (1.0 - STIFFNESS_SPAN) * now.slip;
         let from = history[..n].iter().rfind(far_enough).unwrap_or(&history[0]);
         let spanned = (0.5 * (from.slip + now.slip), secant(from, &now));
-        if spanned.1 < STIFFNESS_SHARE * first {
-            let share = (stiffness.1 - STIFFNESS_SHARE * first) / (stiffness.1 - spanned.1);
+        if spanned.1 < stiffness_share * first {
+            let share = (stiffness.1 - stiffness_share * first) / (stiffness.1 - spanned.1);
             let slip = stiffness.0 + share.clamp(0.0, 1.0) * (spanned.0 - stiffness.0);
             return Inception::at(history, slip, n, InceptionCriterion::Stiffness);
         }
@@ -77,6 +84,16 @@ impl Inception {
             energy_release: 0.0,
             slip_bracket: 0.0,
             energy_bracket: 0.0,
+        }
+    }
+
+    /// Those by other thresholds of the stiffness, if it is the stiffness that decides.
+    pub fn by_other_thresholds(&self, history: &[SlideState]) -> Vec<Inception> {
+        match self.criterion {
+            InceptionCriterion::Stiffness => {
+                OTHER_STIFFNESS_SHARES.map(|share| inception_at(history, share)).into()
+            }
+            InceptionCriterion::FullSlip | InceptionCriterion::None => Vec::new(),
         }
     }
 
@@ -197,5 +214,19 @@ mod tests {
         // is that in its middle up to (0.22·5.2)²/24 = 5.5 % (the span ends at 5.2), so the slip up to 0.055.
         let exact = 100f64.ln() + 0.01;
         assert!((found.slip - exact).abs() < 0.055, "{} for {exact}", found.slip);
+    }
+    /// The stiffness falls to 10, 5 and 2 % of e^−0.01, that in the middle of the first increment, at −ln 0.1 and so on.
+    #[test]
+    fn other_thresholds_are_passed_earlier() {
+        let history = stepwise();
+        let others = inception(&history).by_other_thresholds(&history);
+        for (found, share) in others.iter().zip(OTHER_STIFFNESS_SHARES) {
+            let exact = 0.01 - share.ln();
+            assert!((found.slip - exact).abs() < 0.055, "{share}: {} for {exact}", found.slip);
+        }
+        assert_eq!(others.len(), OTHER_STIFFNESS_SHARES.len());
+        let without_stick = |state: &SlideState| SlideState { stick_fraction: 0.0, ..*state };
+        let slipping: Vec<_> = history.iter().map(without_stick).collect();
+        assert!(inception(&slipping).by_other_thresholds(&slipping).is_empty());
     }
 }

@@ -90,17 +90,17 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     let mut warnings = Vec::new();
     match budget.map(|budget| budget.worst(&run.values)) {
         None => warnings.push(Warning::ErrorsUnknown),
-        Some((quantity, parts)) if parts.total() > scene.numerics.accuracy => {
-            let (error, accuracy) = (parts.total(), scene.numerics.accuracy);
-            warnings.push(Warning::ErrorAboveAccuracy { quantity, error, accuracy });
+        Some((quantity, parts)) => {
+            warnings.extend(Warning::of_error(quantity, parts.total(), scene.numerics.accuracy));
         }
-        Some(_) => {}
     }
     let inception = run.values.inception;
     if inception == InceptionCriterion::None && run.history.len() > 1 && scene.interface.law.has_friction() {
         warnings.push(Warning::NotSliding);
     }
     warnings.extend(fast_inception(scene, run));
+    let spread = run.values.bracket(Quantity::MuStatic) / run.values.value(Quantity::MuStatic);
+    warnings.extend((spread > scene.numerics.accuracy).then_some(Warning::InceptionByStiffness { spread }));
     let strain = run.plastic_strain();
     warnings.extend(warnings_of_strength(scene, strain));
     if strain > LARGE_STRAIN && !runner.pressed.problem.finite_strain {

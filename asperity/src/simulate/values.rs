@@ -6,7 +6,7 @@ use tables::quantity::{Estimate, Quantity};
 
 use crate::loading::inception::{Inception, InceptionCriterion, between, inception};
 use crate::loading::press::Increment;
-use crate::loading::problem::Problem;
+use crate::loading::problem::{Problem, Units};
 use crate::loading::state::SlideState;
 use crate::simulate::steady::steady_friction;
 
@@ -17,7 +17,7 @@ const STEADY_CHANGE: f64 = 0.02;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Values {
     values: [f64; QUANTITIES],
-    /// What a value changes over the uncertainty of sliding inception between two states; distance to the steady state.
+    /// Uncertainties that no finer resolution removes, see [`Values::bracket`].
     brackets: [f64; QUANTITIES],
     /// T₀, K.
     start: f64,
@@ -47,33 +47,35 @@ impl Values {
         let start = units.temperature;
         let values = Quantity::SCALARS.map(|quantity| match quantity {
             Quantity::Mu => mu(last),
-            Quantity::MuStatic if inception.load > 0.0 => inception.friction / inception.load,
-            Quantity::MuStatic => 0.0,
             Quantity::MuPeak => history.iter().map(mu).fold(0.0, f64::max),
             Quantity::MuMean if has_friction => mean_friction(history),
             Quantity::MuMean => 0.0,
             Quantity::Friction => friction * units.force(),
-            Quantity::FrictionStatic => inception.friction * units.force(),
             Quantity::Load => last.load * units.force(),
             Quantity::LoadPress => pressed.load * units.force(),
             Quantity::Area => last.area * units.area(),
             Quantity::AreaPress => pressed.area * units.area(),
             Quantity::ContactRadius => (pressed.area / PI).sqrt() * units.length,
-            Quantity::EnergyRelease => inception.energy_release * energy,
             Quantity::EnergyWeakening if has_friction => weakening(history) * energy,
             Quantity::EnergyWeakening => 0.0,
             Quantity::TemperatureMax => start + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
             Quantity::TemperatureMean => start + last.rise_mean,
-            Quantity::InceptionSlip => inception.slip * units.length,
             Quantity::MuSteady => steady.value,
             Quantity::HeatPartition => last.heat_partition,
-            _ => unreachable!("{quantity:?} is not a scalar"),
+            quantity => of_inception(&inception, quantity, &units)
+                .unwrap_or_else(|| unreachable!("{quantity:?} is not a scalar")),
         });
-        let brackets = Quantity::SCALARS.map(|quantity| match quantity {
-            Quantity::EnergyRelease => inception.energy_bracket * energy,
-            Quantity::InceptionSlip => inception.slip_bracket * units.length,
-            Quantity::MuSteady => steady.error,
-            _ => 0.0,
+        let others = inception.by_other_thresholds(history);
+        let brackets = Quantity::SCALARS.map(|quantity| {
+            let bracket = match quantity {
+                Quantity::EnergyRelease => inception.energy_bracket * energy,
+                Quantity::InceptionSlip => inception.slip_bracket * units.length,
+                Quantity::MuSteady => steady.error,
+                _ => 0.0,
+            };
+            let other = others.iter().filter_map(|other| of_inception(other, quantity, &units));
+            let here = of_inception(&inception, quantity, &units).unwrap_or_default();
+            bracket + other.map(|other| (other - here).abs()).fold(0.0, f64::max)
         });
         let elastic = problem.interference < problem.critical_interference;
         Self { values, brackets, start, elastic, inception: inception.criterion, steady: is_steady(history) }
@@ -110,11 +112,23 @@ impl Values {
         (self.value(quantity) - origin).abs()
     }
 
-    /// What the value changes over the uncertainty of sliding inception between two states; of the steady friction, its
-    /// uncertainty by the length of the slide.
+    /// What the value changes over the uncertainty of sliding inception between two states, and where the stiffness
+    /// decides on it by another threshold; of the steady friction, its uncertainty by the length of the slide.
     pub fn bracket(&self, quantity: Quantity) -> f64 {
         self.brackets[quantity as usize]
     }
+}
+
+/// Values of sliding inception, SI; none of other quantities.
+fn of_inception(inception: &Inception, quantity: Quantity, units: &Units) -> Option<f64> {
+    Some(match quantity {
+        Quantity::MuStatic if inception.load > 0.0 => inception.friction / inception.load,
+        Quantity::MuStatic => 0.0,
+        Quantity::FrictionStatic => inception.friction * units.force(),
+        Quantity::EnergyRelease => inception.energy_release * units.stress * units.length,
+        Quantity::InceptionSlip => inception.slip * units.length,
+        _ => return None,
+    })
 }
 
 /// ∫Q ds/∫P ds over the slide, trapezoidal; 0 without load.

@@ -83,10 +83,10 @@ pub(super) fn check_tangent(
     });
     let [long, shorter, short, shortest] = errors;
     assert!(long.max(shorter) < 0.03 && short < 2e-3, "{errors:?}");
-    // At a strain rate terms of second order count, as the stress approaches that of another rate within a strain of
-    // C σ_Y/3G.
-    let most = if time_step.is_finite() { 20.0 } else { 12.0 };
-    assert!((8.0..most).contains(&(short / shortest)), "{errors:?}");
+    // At a strain rate the stress approaches that of another rate within a strain of C σ_Y/3G, which some steps resolve and
+    // others do not.
+    let fall = if time_step.is_finite() { 5.0..20.0 } else { 8.0..12.0 };
+    assert!(fall.contains(&(short / shortest)), "{errors:?}");
 }
 
 #[test]

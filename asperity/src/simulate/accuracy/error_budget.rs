@@ -61,8 +61,8 @@ const QUANTITIES: usize = Quantity::SCALARS.len();
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
-    /// Uncertainty by the width of the inception bracket, and of the steady value by the length of the slide: a part of
-    /// the error of the increments.
+    /// Uncertainty by the width of the inception bracket, by the threshold of the stiffness, and of the steady value by
+    /// the length of the slide: a part of the error of the increments.
     brackets: [f64; QUANTITIES],
 }
 
@@ -185,11 +185,13 @@ impl ErrorBudget {
         ErrorSource::ALL.iter().map(|&source| self.part(source, quantity)).sum()
     }
 
-    /// The worst of the controlled quantities, and the parts of its error relative to its value.
+    /// The worst of the controlled quantities, and the parts of its error relative to its value that a finer resolution
+    /// reduces.
     pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
         let relative = |quantity: Quantity| {
             let value = values.value(quantity).abs();
-            let of = |source| if value > 0.0 { self.part(source, quantity) / value } else { 0.0 };
+            let part = |source: ErrorSource| self.parts[source as usize][quantity as usize];
+            let of = |source| if value > 0.0 { part(source) / value } else { 0.0 };
             RelativeParts {
                 mesh: of(ErrorSource::Mesh),
                 sectors: of(ErrorSource::Collocation),

@@ -67,7 +67,7 @@ pub struct Group {
 }
 
 /// Every group, elementary ones first.
-pub const GROUPS: [Group; 11] = [
+pub const GROUPS: [Group; 12] = [
     Group { name: "Hertz", cases: &hertz::CASES },
     Group { name: "full stick", cases: &full_stick::CASES },
     Group { name: "elastic-plastic sphere", cases: &elastic_plastic::CASES },

@@ -1,15 +1,16 @@
 //! Notes, warnings and progress messages of a run: typed values, and the one place that puts them into
 //! sentences.
 
-use std::fmt::{self, Display, Formatter, Write};
+mod warning;
 
-use tables::quantity::Quantity;
+use std::fmt::{self, Display, Formatter, Write};
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::{Problem, Units};
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
+pub use warning::Warning;
 
 /// Choices of a run, with their reasons.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,119 +162,6 @@ impl Display for HeatEffect {
     }
 }
 
-/// Limitations of the results.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Warning {
-    /// Relative error of a quantity above the accuracy of the scene.
-    ErrorAboveAccuracy {
-        quantity: Quantity,
-        error: f64,
-        accuracy: f64,
-    },
-    /// A run did not finish.
-    ErrorsUnknown,
-    StoppedBeforeRefinement,
-    /// Sliding inception lies beyond the end of the slide.
-    NotSliding,
-    /// Body and interface are equally strong and the body does not harden.
-    EqualStrength,
-    /// The interface is as strong as the hardened body.
-    HardenedInterface,
-    /// Plastic strain beyond small-strain kinematics.
-    LargeStrain {
-        strain: f64,
-        limit: f64,
-    },
-    /// The layer heated by friction, in thicknesses of the elements at the surface, and the elements per
-    /// radius that would resolve it.
-    ThinThermalLayer {
-        share: f64,
-        elements: Option<f64>,
-    },
-    /// Time of sliding inception, over that of a shear wave across the contact radius.
-    FastInception {
-        time: f64,
-        limit: f64,
-    },
-    /// Energies or heat of the slide that are not accounted for, relative to their largest term.
-    Unbalanced {
-        energy: f64,
-        heat: f64,
-    },
-    /// The contact is hotter than the melting temperature of the metal, K.
-    AboveMelting {
-        highest: f64,
-        melting: f64,
-    },
-    /// Of the scene.
-    Scene(String),
-}
-
-impl Display for Warning {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::ErrorAboveAccuracy { quantity, error, accuracy } => write!(
-                f,
-                "the estimated error of {} is {:.1} %, above the accuracy of {:.1} %",
-                quantity.descriptor().name,
-                100.0 * error,
-                100.0 * accuracy
-            ),
-            Self::ErrorsUnknown => write!(
-                f,
-                "the main run or an auxiliary run did not finish: errors are unknown and given as the values"
-            ),
-            Self::StoppedBeforeRefinement => write!(f, "stopped before the run was repeated more finely"),
-            Self::NotSliding => write!(
-                f,
-                "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are \
-                 those of its end; a longer slip_distance lets it begin"
-            ),
-            Self::EqualStrength => write!(
-                f,
-                "body and interface are equally strong and the body does not harden: shear may localise in one \
-                 layer of elements, and mu then follows the mesh"
-            ),
-            Self::HardenedInterface => write!(
-                f,
-                "the interface is as strong as the hardened body: the top layer of elements shears before the \
-                 contact slips, and mu then follows the mesh; a strength_factor below 1 lets it slip"
-            ),
-            Self::LargeStrain { strain, limit } => write!(
-                f,
-                "plastic strain reaches {strain:.2}: beyond about {limit} small-strain kinematics is inaccurate"
-            ),
-            Self::ThinThermalLayer { share, elements } => {
-                write!(
-                    f,
-                    "frictional heat stays in a layer of {share:.2} of the elements at the surface: the error of mu \
-                     may exceed its estimate; "
-                )?;
-                match elements {
-                    Some(elements) => write!(f, "elements_per_radius = {elements} would resolve it"),
-                    None => write!(f, "no mesh would resolve it"),
-                }
-            }
-            Self::FastInception { time, limit } => write!(
-                f,
-                "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
-                 {limit}, inertia changes mu_static and G, which are those of a slow onset"
-            ),
-            Self::Unbalanced { energy, heat } => write!(
-                f,
-                "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither \
-                 stored nor lost: a finer mesh or a smaller accuracy lets the balances close"
-            ),
-            Self::AboveMelting { highest, melting } => write!(
-                f,
-                "the contact reaches {highest:.0} K, above the melting temperature of {melting:.0} K: friction by this \
-                 law does not end there; cap = true limits it to the strength of the metal"
-            ),
-            Self::Scene(text) => write!(f, "{text}"),
-        }
-    }
-}
-
 impl Display for InceptionCriterion {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -285,12 +173,6 @@ impl Display for InceptionCriterion {
 }
 
 impl serde::Serialize for Note {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
-impl serde::Serialize for Warning {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }

@@ -1,0 +1,175 @@
+//! Warnings of a run.
+
+use std::fmt::{self, Display, Formatter};
+
+use tables::quantity::Quantity;
+
+/// Limitations of the results.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// Relative error of a quantity above the accuracy of the scene.
+    ErrorAboveAccuracy {
+        quantity: Quantity,
+        error: f64,
+        accuracy: f64,
+    },
+    /// The error of a quantity is as large as the quantity.
+    ErrorAboveValue {
+        quantity: Quantity,
+    },
+    /// A run did not finish.
+    ErrorsUnknown,
+    StoppedBeforeRefinement,
+    /// Sliding inception lies beyond the end of the slide.
+    NotSliding,
+    /// Relative difference of static friction by the threshold of the stiffness, where it decides on sliding inception.
+    InceptionByStiffness {
+        spread: f64,
+    },
+    /// Body and interface are equally strong and the body does not harden.
+    EqualStrength,
+    /// The interface is as strong as the hardened body.
+    HardenedInterface,
+    /// Plastic strain beyond small-strain kinematics.
+    LargeStrain {
+        strain: f64,
+        limit: f64,
+    },
+    /// The layer heated by friction, in thicknesses of the elements at the surface, and the elements per
+    /// radius that would resolve it.
+    ThinThermalLayer {
+        share: f64,
+        elements: Option<f64>,
+    },
+    /// Time of sliding inception, over that of a shear wave across the contact radius.
+    FastInception {
+        time: f64,
+        limit: f64,
+    },
+    /// Energies or heat of the slide that are not accounted for, relative to their largest term.
+    Unbalanced {
+        energy: f64,
+        heat: f64,
+    },
+    /// The contact is hotter than the melting temperature of the metal, K.
+    AboveMelting {
+        highest: f64,
+        melting: f64,
+    },
+    /// Of the scene.
+    Scene(String),
+}
+
+impl Warning {
+    /// Of a relative error, where the accuracy of the scene asks for less.
+    pub fn of_error(quantity: Quantity, error: f64, accuracy: f64) -> Option<Self> {
+        match error {
+            error if error >= 1.0 => Some(Self::ErrorAboveValue { quantity }),
+            error if error > accuracy => Some(Self::ErrorAboveAccuracy { quantity, error, accuracy }),
+            _ => None,
+        }
+    }
+}
+
+impl Warning {
+    /// The whole text, where it has no numbers.
+    fn fixed_text(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::ErrorsUnknown => {
+                "the main run or an auxiliary run did not finish: errors are unknown and given as the values"
+            }
+            Self::StoppedBeforeRefinement => "stopped before the run was repeated more finely",
+            Self::NotSliding => {
+                "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are \
+                 those of its end; a longer slip_distance lets it begin"
+            }
+            Self::EqualStrength => {
+                "body and interface are equally strong and the body does not harden: shear may localise in one \
+                 layer of elements, and mu then follows the mesh"
+            }
+            Self::HardenedInterface => {
+                "the interface is as strong as the hardened body: the top layer of elements shears before the \
+                 contact slips, and mu then follows the mesh; a strength_factor below 1 lets it slip"
+            }
+            _ => return None,
+        })
+    }
+}
+
+impl Display for Warning {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ErrorAboveAccuracy { quantity, error, accuracy } => write!(
+                f,
+                "the estimated error of {} is {:.1} %, above the accuracy of {:.1} %",
+                quantity.descriptor().name,
+                100.0 * error,
+                100.0 * accuracy
+            ),
+            Self::ErrorAboveValue { quantity } => write!(
+                f,
+                "{} is undetermined: its estimated error is larger than its value, as the meshes disagree; where the \
+                 body softens or shears below the interface the deformation localises and no mesh converges, and a \
+                 smaller strength_factor or slip_distance avoids it",
+                quantity.descriptor().name
+            ),
+            Self::InceptionByStiffness { spread } => write!(
+                f,
+                "contact points stick to the end: sliding begins where the stiffness dQ/ds is 1 % of its initial \
+                 value; by 10, 5 or 2 % mu_static differs by up to {:.1} %, which its error contains",
+                100.0 * spread
+            ),
+            Self::LargeStrain { strain, limit } => write!(
+                f,
+                "plastic strain reaches {strain:.2}: beyond about {limit} small-strain kinematics is inaccurate"
+            ),
+            Self::ThinThermalLayer { share, elements } => {
+                write!(
+                    f,
+                    "frictional heat stays in a layer of {share:.2} of the elements at the surface: the error of mu \
+                     may exceed its estimate; "
+                )?;
+                match elements {
+                    Some(elements) => write!(f, "elements_per_radius = {elements} would resolve it"),
+                    None => write!(f, "no mesh would resolve it"),
+                }
+            }
+            Self::FastInception { time, limit } => write!(
+                f,
+                "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
+                 {limit}, inertia changes mu_static and G, which are those of a slow onset"
+            ),
+            Self::Unbalanced { energy, heat } => write!(
+                f,
+                "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither \
+                 stored nor lost: a finer mesh or a smaller accuracy lets the balances close"
+            ),
+            Self::AboveMelting { highest, melting } => write!(
+                f,
+                "the contact reaches {highest:.0} K, above the melting temperature of {melting:.0} K: friction by this \
+                 law does not end there; cap = true limits it to the strength of the metal"
+            ),
+            Self::Scene(text) => write!(f, "{text}"),
+            other => f.write_str(other.fixed_text().unwrap_or_default()),
+        }
+    }
+}
+
+impl serde::Serialize for Warning {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_whose_error_is_larger_is_undetermined() {
+        let text = |error| Warning::of_error(Quantity::Mu, error, 0.02).map(|warning| warning.to_string());
+        assert_eq!(text(0.02), None);
+        assert_eq!(text(0.5).unwrap(), "the estimated error of mu is 50.0 %, above the accuracy of 2.0 %");
+        assert!(text(1.5).unwrap().starts_with("mu is undetermined: its estimated error is larger than"));
+    }
+}
