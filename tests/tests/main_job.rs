@@ -106,7 +106,7 @@ fn load_above_the_table_is_extrapolated_until_the_sphere_ends() {
     let beyond = [5.0, 20.0, 60.0].map(error);
     let grows = |pair: &[(f64, f64)]| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1;
     assert!(beyond[0].0 > 0.1 && beyond.windows(2).all(grows), "{beyond:?}");
-    std::fs::write(folder.join("rough.toml"), surface("[1e2]", 1e5 * critical_interference())).unwrap();
+    std::fs::write(folder.join("rough.toml"), surface("[1e2]", 1e4 * critical_interference())).unwrap();
     let strict = "predict rough.toml --table table.nc -o none.nc";
     let output = execute("roughsurface", folder, strict);
     let message = stderr(&output);
