@@ -179,6 +179,3 @@ impl HalfSpace {
         2.0 * heat.flux * integral / (self.effusivity * std::f64::consts::PI.sqrt())
     }
 }
-
-#[cfg(test)]
-mod tests;
