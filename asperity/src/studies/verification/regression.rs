@@ -61,6 +61,7 @@ pub const CASES: [Case; 2] = [
 /// Tolerances on a mesh, relative; that of a limit is added.
 struct On {
     elements: usize,
+    sectors: usize,
     friction: Tolerance,
     energy: Tolerance,
     rise: Tolerance,
@@ -72,12 +73,14 @@ const RISE: &str = "edge of the contact, 0.047/n_c; limit";
 
 const ON_8: On = On {
     elements: 8,
+    sectors: 4,
     friction: Tolerance::relative(0.0235, FRICTION),
     energy: Tolerance::relative(0.07, ENERGY),
     rise: Tolerance::relative(0.0065, RISE),
 };
 const ON_16: On = On {
     elements: 16,
+    sectors: 8,
     friction: Tolerance::relative(0.01, FRICTION),
     energy: Tolerance::relative(0.03, ENERGY),
     rise: Tolerance::relative(0.0035, RISE),
@@ -85,7 +88,8 @@ const ON_16: On = On {
 
 fn rows(limits: &Limits, on: &On, watch: &dyn Watch) -> Rows {
     let (preset, interference, slip_rate) = limits.scene;
-    let scene = scenes::scene(preset, interference, slip_rate, on.elements);
+    let mut scene = scenes::scene(preset, interference, slip_rate, on.elements);
+    scene.numerics.sectors = Some(on.sectors);
     let outcome = simulate(&scene, watch)?;
     let name = scenes::name(preset, interference, slip_rate);
     let row = |quantity: &str, computed: Estimate, (limit, uncertainty): (f64, f64), tolerance| {
