@@ -143,10 +143,13 @@ pub(crate) fn slide_refined(
             break;
         };
         match runner.finer(&finer) {
-            Ok(run) if run.failure.is_none() => ladder.main.push(run),
+            Ok([run, coarse]) if run.failure.is_none() && coarse.failure.is_none() => {
+                ladder.main.push(run);
+                ladder.coarse = Some(coarse);
+            }
             // The run before is the result.
-            Ok(run) => {
-                stopped = run.is_cancelled();
+            Ok([run, coarse]) => {
+                stopped = run.is_cancelled() || coarse.is_cancelled();
                 ladder.abandoned = Some(run);
                 break;
             }

@@ -63,7 +63,7 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     let planned = pressed.numerics.accuracy;
     notes.extend(pressed.shears_without_limit.then_some(Note::UnlimitedShear { planned }));
     let earlier = &ladder.main[..ladder.main.len() - 1];
-    let others = || ladder.auxiliary.iter().chain(earlier).chain(&ladder.abandoned);
+    let others = || ladder.auxiliary.iter().chain(earlier).chain(&ladder.coarse).chain(&ladder.abandoned);
     let mut timings = run.timings;
     let slides: f64 = others().map(Run::slide_time).sum();
     timings.add(Kernel::AuxiliaryRuns, slides + runner.other_presses(run));

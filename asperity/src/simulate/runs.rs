@@ -80,6 +80,9 @@ pub(super) struct Ladder {
     pub auxiliary: Vec<Run>,
     /// Each finer than the one before.
     pub main: Vec<Run>,
+    /// On the coarse mesh of the finest of them, where that is not the first: errors depend on the final resolution and
+    /// not on those before.
+    pub coarse: Option<Run>,
     /// A finer run that did not finish.
     pub abandoned: Option<Run>,
     /// Largest relative error of the quantities controlled by the accuracy, of each main run.
@@ -89,7 +92,7 @@ pub(super) struct Ladder {
 
 impl Ladder {
     fn new(start: Resolution, main: Run, auxiliary: Vec<Run>, notes: Vec<Note>) -> Self {
-        Self { start, auxiliary, main: vec![main], abandoned: None, errors: Vec::new(), notes }
+        Self { start, auxiliary, main: vec![main], coarse: None, abandoned: None, errors: Vec::new(), notes }
     }
 
     /// The finest main run.
@@ -175,15 +178,16 @@ impl<'a> Runner<'a> {
 
     /// Errors of the finest main run; none where a run did not finish.
     pub fn judge(&self, ladder: &Ladder) -> Option<ErrorBudget> {
-        let finished = ladder.main.iter().all(|run| run.failure.is_none());
-        let auxiliary = auxiliary_values(&ladder.auxiliary).filter(|_| finished)?;
-        let main: Vec<RunValues> = ladder
-            .main
-            .iter()
-            .map(|run| RunValues { resolution: &run.resolution, values: &run.values })
-            .collect();
-        let modelling_error = self.conditions.modelling_error(self.pressed, ladder.result().plastic_strain());
-        Some(estimate(&ladder.start, &auxiliary, &main, &modelling_error))
+        let run = ladder.result();
+        let auxiliary = auxiliary_values(&ladder.auxiliary).filter(|_| run.failure.is_none())?;
+        let alike = match run.resolution.sectors == ladder.start.sectors {
+            true => &ladder.auxiliary[0],
+            false => &ladder.auxiliary[1],
+        };
+        let pair = [run, ladder.coarse.as_ref().unwrap_or(alike)]
+            .map(|run| RunValues { resolution: &run.resolution, values: &run.values });
+        let modelling_error = self.conditions.modelling_error(self.pressed, run.plastic_strain());
+        Some(estimate(&ladder.start, &auxiliary, pair, &modelling_error))
     }
 
     /// The resolution of the main run: that of the start, with more sectors and shorter increments where
@@ -219,10 +223,12 @@ impl<'a> Runner<'a> {
         plan.par_iter().enumerate().map(|(i, resolution)| this.slide(resolution, progress_of(i))).collect()
     }
 
-    /// A finer main run.
-    pub fn finer(&mut self, resolution: &Resolution) -> Result<Run, SimulationError> {
+    /// A finer main run, and one on its coarse mesh.
+    pub fn finer(&mut self, resolution: &Resolution) -> Result<[Run; 2], SimulationError> {
         self.watch.progress("slide", MAIN, "finer");
-        self.run(resolution, RunProgress { kind: RunKind::Finer, span: (MAIN, 1.0) })
+        let progress = RunProgress { kind: RunKind::Finer, span: (MAIN, 1.0) };
+        let runs = self.run_all(&[*resolution, resolution.coarse()], progress)?;
+        Ok(runs.try_into().unwrap_or_else(|_| unreachable!("as many runs as planned")))
     }
 
     /// One run.
@@ -269,10 +275,12 @@ impl<'a> Runner<'a> {
         timings.add(Kernel::Press, press.seconds);
         let mesh = &discretisation.mesh;
         let values = Values::new(problem, &press.increments, &slide.history);
+        let effort = slide.mechanics.effort;
+        let residual = press.effort.residual + effort.residual;
         Ok(Run {
             resolution: *resolution,
-            values: values.with_expected_rise(self.conditions.expected_rise()),
-            effort: slide.mechanics.effort,
+            values: values.with_expected_rise(self.conditions.expected_rise()).with_residual(residual),
+            effort,
             timings,
             history: slide.history,
             fields: slide.recorder.contact,

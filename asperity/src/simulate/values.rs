@@ -26,6 +26,8 @@ pub struct Values {
     pub inception: InceptionCriterion,
     /// Whether μ is steady at the end of the slide.
     pub steady: bool,
+    /// Sum of the relative residuals of stagnant steps.
+    pub residual: f64,
 }
 
 const QUANTITIES: usize = Quantity::SCALARS.len();
@@ -78,7 +80,8 @@ impl Values {
             bracket + other.map(|other| (other - here).abs()).fold(0.0, f64::max)
         });
         let elastic = problem.interference < problem.critical_interference;
-        Self { values, brackets, start, elastic, inception: inception.criterion, steady: is_steady(history) }
+        let inception = inception.criterion;
+        Self { values, brackets, start, elastic, inception, steady: is_steady(history), residual: 0.0 }
     }
 
     /// The same value for every quantity, of a plastic contact.
@@ -91,6 +94,7 @@ impl Values {
             elastic: false,
             inception: InceptionCriterion::None,
             steady: false,
+            residual: 0.0,
         }
     }
 
@@ -100,6 +104,11 @@ impl Values {
             self.values[quantity as usize] += rise;
         }
         self
+    }
+
+    /// With stagnant steps of this sum of relative residuals.
+    pub fn with_residual(self, residual: f64) -> Self {
+        Self { residual, ..self }
     }
 
     pub fn value(&self, quantity: Quantity) -> f64 {

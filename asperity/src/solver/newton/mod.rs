@@ -31,6 +31,8 @@ const NEWTON_LIMIT: usize = 60;
 /// equilibrium with this increment.
 const STAGNATION_TOLERANCE: f64 = 1e-6;
 const STAGNATION_LIMIT: usize = 3;
+/// Residual over the tolerance up to which a stagnant step counts as solved; the residual is a part of the error.
+const ACCEPTED_STAGNATION: f64 = 10.0;
 /// Forcing terms of the linear systems: no more accuracy than the next Newton step can use. While temperature and
 /// contact edge still change, their update limits the accuracy.
 const FORCING: f64 = 3e-3;
@@ -60,11 +62,27 @@ pub enum StepFailure {
     Chattering { share: f64 },
 }
 
-/// Counts of work done.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Counts of work done, and what it left.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Effort {
     pub newton: usize,
     pub krylov: usize,
+    /// Sum of the relative residuals of stagnant steps, which are above the tolerance.
+    pub residual: f64,
+}
+
+impl Effort {
+    /// Counts a step solved with this relative residual.
+    fn accept(&mut self, residual: f64, tolerance: f64) {
+        if residual > tolerance {
+            self.residual += residual;
+        }
+    }
+}
+
+/// Whether a step with this relative residual is solved, `is_last` if no further iteration reduces it.
+fn is_solved(residual: f64, tolerance: f64, is_last: bool) -> bool {
+    residual <= if is_last { ACCEPTED_STAGNATION * tolerance } else { tolerance }
 }
 
 /// Loading control of a step: the interference (displacement control) or the load.
@@ -136,7 +154,7 @@ impl Mechanics {
         let [mut residual, mut direction] = [0, 1].map(|_| vec![0.0; now.u.len()]);
         now.trial.resize(now.u.len(), 0.0);
         self.internal_force(&now.u[..size], &now.data);
-        let mut last = f64::INFINITY;
+        let (mut last, mut is_stagnant) = (f64::INFINITY, false);
         for iteration in 0..NEWTON_LIMIT {
             let interference = now.u.get(size).copied().unwrap_or(flat.interference);
             let flat = FlatPosition { interference, ..flat };
@@ -149,13 +167,18 @@ impl Mechanics {
                 return Err(StepFailure::NotFinite);
             }
             let scale = reference.max(f64::MIN_POSITIVE);
-            if norm <= self.tolerance * scale && now.data.converged {
+            last = norm / scale;
+            let is_last = is_stagnant || iteration + 1 == NEWTON_LIMIT;
+            if now.data.converged && is_solved(last, self.tolerance, is_last) {
                 now.chattering.check(&self.contact, &now.data.limit)?;
+                self.effort.accept(last, self.tolerance);
                 now.u.truncate(size);
                 self.displacement = now.u;
                 return Ok(flat);
             }
-            last = norm / scale;
+            if is_stagnant {
+                return Err(StepFailure::Newton { iterations: iteration, residual: last });
+            }
             self.effort.newton += 1;
             let least = if now.data.converged { FORCING } else { COUPLED_FORCING };
             let forcing = (0.3 * self.tolerance * scale / norm).clamp(least, LARGEST_FORCING);
@@ -166,9 +189,7 @@ impl Mechanics {
             let line = Line { direction: &direction, residual: &residual, flat, control };
             let refresh = norm <= REFRESH * scale;
             let next = |body: &mut Body, contact: &mut Contact| coupling(body, contact, iteration + 1);
-            if !self.advance(&mut now, &line, refresh, next) {
-                return Err(StepFailure::Newton { iterations: iteration + 1, residual: last });
-            }
+            is_stagnant = !self.advance(&mut now, &line, refresh, next);
         }
         now.chattering.check(&self.contact, &now.data.limit)?;
         Err(StepFailure::Newton { iterations: NEWTON_LIMIT, residual: last })
@@ -285,5 +306,21 @@ struct Iterate {
 impl Iterate {
     fn new(u: Vec<f64>, points: usize, data: CouplingData) -> Self {
         Self { u, trial: Vec::new(), data, chattering: Chattering::new(points), stagnant: 0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_stagnant_steps_are_accepted_above_the_tolerance() {
+        assert!(is_solved(1e-7, 1e-7, false) && !is_solved(2e-7, 1e-7, false));
+        assert!(is_solved(1e-6, 1e-7, true) && !is_solved(1.1e-6, 1e-7, true));
+        let mut effort = Effort::default();
+        for residual in [1e-7, 2e-7, 3e-7] {
+            effort.accept(residual, 1e-7);
+        }
+        assert!((effort.residual - 5e-7).abs() < 1e-20);
     }
 }

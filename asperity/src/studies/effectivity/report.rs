@@ -226,8 +226,11 @@ fn judge(runs: &HashMap<Role, Values>, scene: &Scene) -> Vec<Judged> {
     let working = &runs[&Role::Working];
     let resolution = Resolution::choose(&scene.numerics);
     let start = scene.loading.temperature;
-    let main = [RunValues { resolution: &resolution, values: working }];
-    let budget = estimate(&resolution, &auxiliary, &main, &ModellingError::default());
+    let runs_of_mesh = [
+        RunValues { resolution: &resolution, values: working },
+        RunValues { resolution: &resolution.coarse(), values: auxiliary.coarse },
+    ];
+    let budget = estimate(&resolution, &auxiliary, runs_of_mesh, &ModellingError::default());
     let of = |quantity: Quantity| {
         let here = working.value(quantity);
         let against = |role: Role| here - runs[&role].value(quantity);
