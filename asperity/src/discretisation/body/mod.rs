@@ -208,7 +208,6 @@ impl Body {
     pub fn stiffness_loss(&mut self, zone: &InelasticZone, u: &[f64], force: &mut [f64]) {
         match self.mesh.sectors.columns() {
             1 => self.stiffness_loss_lanes::<1, 4, f64, f64x4>(zone, u, force),
-            4 => self.stiffness_loss_lanes::<4, 2, f64x4, f64x8>(zone, u, force),
             n if n.is_multiple_of(8) => self.stiffness_loss_lanes::<8, 1, f64x8, f64x8>(zone, u, force),
             _ => self.stiffness_loss_lanes::<4, 1, f64x4, f64x4>(zone, u, force),
         }

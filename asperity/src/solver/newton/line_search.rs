@@ -40,20 +40,20 @@ impl Line<'_> {
 impl Mechanics {
     /// Sets `trial` that far along a line from `u`, with the internal force of that point; its share in the slope
     /// of the energy is returned.
-    fn go(&mut self, u: &[f64], trial: &mut [f64], line: &Line, step: f64, data: &CouplingData) -> f64 {
+    fn go(&mut self, u: &[f64], trial: &mut [f64], line: &Line, step: f64, rise: Option<&[f64]>) -> f64 {
         let size = self.internal.len();
         for ((t, &x), &d) in trial.iter_mut().zip(u).zip(line.direction) {
             *t = x + step * d;
         }
-        self.internal_force(&trial[..size], data);
+        self.internal_force(&trial[..size], rise);
         dot(&self.internal, &line.direction[..size])
     }
 
     /// Share of contact and load in the slope of the energy that far along a line from `u`.
-    fn contact_slope(&mut self, u: &[f64], line: &Line, step: f64, data: &CouplingData) -> f64 {
+    fn contact_slope(&mut self, u: &[f64], line: &Line, step: f64, limit: &[f64]) -> f64 {
         let size = self.internal.len();
         let contact = &mut self.contact;
-        contact.evaluate(|p| u[p] + step * line.direction[p], line.flat_at(size, step), &data.limit);
+        contact.evaluate(|p| u[p] + step * line.direction[p], line.flat_at(size, step), limit);
         let work = match line.control {
             LoadingControl::Interference => 0.0,
             LoadingControl::Load(load) => 0.5 * (contact.load(&contact.trial) - load) * line.direction[size],
@@ -61,43 +61,39 @@ impl Mechanics {
         work - contact.work_on(line.direction)
     }
 
-    /// Takes the full step with new coupling data, if the slope of the energy falls enough. Otherwise `u` stays.
-    pub(super) fn full_step(
-        &mut self,
-        u: &mut Vec<f64>,
-        trial: &mut Vec<f64>,
-        line: &Line,
-        next: &CouplingData,
-    ) -> bool {
-        let slope = self.go(u, trial, line, 1.0, next) + self.contact_slope(u, line, 1.0, next);
-        let enough = slope.abs() <= SUFFICIENT_DECREASE * line.initial_slope().abs();
-        if enough {
-            std::mem::swap(u, trial);
-        }
-        enough
-    }
-
     /// Advances along a line until the slope of the energy has fallen enough; leaves `u` there, with
     /// the internal force of that point. Returns the step length.
     ///
     /// Where a full step is too long, this is mostly because contact points touch, lift off or begin to slip. So the
     /// next try is the root of the slope of the body, taken as linear, plus the exact slope of the contact.
+    ///
+    /// With the coupling data `next` of the end of the full step, the body has their temperature, and a full step that
+    /// suffices with their shear limits is taken.
     pub(super) fn line_search(
         &mut self,
         u: &mut Vec<f64>,
         trial: &mut Vec<f64>,
         line: &Line,
         data: &CouplingData,
+        next: Option<&CouplingData>,
     ) -> f64 {
-        let initial = line.initial_slope();
+        let rise = next.unwrap_or(data).rise.as_deref();
+        let most = SUFFICIENT_DECREASE * line.initial_slope().abs();
         // Steps that fall short and that go too far, each with the slope of the body alone.
         let mut low = (0.0, dot(&self.internal, &line.direction[..self.internal.len()]));
         let mut high: Option<(f64, f64)> = None;
         let mut step = 1.0;
         for attempt in 1..=TRIES {
-            let of_body = self.go(u, trial, line, step, data);
-            let slope = of_body + self.contact_slope(u, line, step, data);
-            if slope.abs() <= SUFFICIENT_DECREASE * initial.abs() || attempt == TRIES {
+            let of_body = self.go(u, trial, line, step, rise);
+            let mut suffices = |limit: &[f64]| {
+                let slope = of_body + self.contact_slope(u, line, step, limit);
+                (slope.abs() <= most, slope)
+            };
+            if attempt == 1 && next.is_some_and(|next| suffices(&next.limit).0) {
+                break;
+            }
+            let (enough, slope) = suffices(&data.limit);
+            if enough || attempt == TRIES {
                 break;
             }
             if !slope.is_finite() {
@@ -112,7 +108,7 @@ impl Mechanics {
             }
             step = match high {
                 None => 2.0 * step,
-                Some(high) => self.slope_root(u, line, low, high, data),
+                Some(high) => self.slope_root(u, line, low, high, &data.limit),
             };
         }
         std::mem::swap(u, trial);
@@ -126,13 +122,13 @@ impl Mechanics {
         line: &Line,
         low: (f64, f64),
         high: (f64, f64),
-        data: &CouplingData,
+        limit: &[f64],
     ) -> f64 {
         let (mut left, mut right) = (low.0, high.0);
         for _ in 0..40 {
             let middle = 0.5 * (left + right);
             let body = low.1 + (high.1 - low.1) * (middle - low.0) / (high.0 - low.0);
-            if body + self.contact_slope(u, line, middle, data) > 0.0 {
+            if body + self.contact_slope(u, line, middle, limit) > 0.0 {
                 right = middle;
             } else {
                 left = middle;

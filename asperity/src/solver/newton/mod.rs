@@ -153,7 +153,7 @@ impl Mechanics {
         }
         let [mut residual, mut direction] = [0, 1].map(|_| vec![0.0; now.u.len()]);
         now.trial.resize(now.u.len(), 0.0);
-        self.internal_force(&now.u[..size], &now.data);
+        self.internal_force(&now.u[..size], now.data.rise.as_deref());
         let (mut last, mut is_stagnant) = (f64::INFINITY, false);
         for iteration in 0..NEWTON_LIMIT {
             let interference = now.u.get(size).copied().unwrap_or(flat.interference);
@@ -224,22 +224,14 @@ impl Mechanics {
         refresh: bool,
         mut coupling: impl FnMut(&mut Body, &mut Contact) -> Option<CouplingData>,
     ) -> bool {
-        let size = self.internal.len();
         let ahead = refresh && line.is_short();
         let mut next = None;
         if ahead {
             let further = |p: usize| now.u[p] + line.direction[p];
-            self.contact.evaluate(further, line.flat_at(size, 1.0), &now.data.limit);
+            self.contact.evaluate(further, line.flat_at(self.internal.len(), 1.0), &now.data.limit);
             next = coupling(&mut self.body, &mut self.contact);
-            if let Some(data) = next.take_if(|data| self.full_step(&mut now.u, &mut now.trial, line, data)) {
-                now.data = data;
-                return true;
-            }
-            if next.is_some() {
-                self.internal_force(&now.u[..size], &now.data);
-            }
         }
-        let step = self.line_search(&mut now.u, &mut now.trial, line, &now.data);
+        let step = self.line_search(&mut now.u, &mut now.trial, line, &now.data, next.as_ref());
         now.stagnant = if step < STAGNATION_TOLERANCE { now.stagnant + 1 } else { 0 };
         if now.stagnant > STAGNATION_LIMIT {
             let further = |p: usize| now.u[p] + line.direction[p];
@@ -250,20 +242,20 @@ impl Mechanics {
         }
         if refresh && !ahead {
             next = coupling(&mut self.body, &mut self.contact);
+            if let Some(CouplingData { rise: Some(rise), .. }) = &next {
+                self.internal_force(&now.u[..self.internal.len()], Some(rise));
+            }
         }
         if let Some(data) = next {
             now.data = data;
-            if now.data.rise.is_some() {
-                self.internal_force(&now.u[..size], &now.data);
-            }
         }
         true
     }
 
     /// Internal force of the body at displacement `u`, stored for the residual.
-    fn internal_force(&mut self, u: &[f64], data: &CouplingData) {
+    fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>) {
         let start = Instant::now();
-        self.body.internal_force(u, data.rise.as_deref(), &mut self.internal);
+        self.body.internal_force(u, rise, &mut self.internal);
         self.timings.since(Kernel::InternalForce, start);
     }
 
