@@ -127,6 +127,32 @@ def rate():
     return table(head, rows)
 
 
+@block("junction-strength", 40)
+def junction_strength():
+    """Copper with the strength of the virgin and of the hardened metal at the interface."""
+    rows = []
+    for omega in (1, 10, 100):
+        runs = [
+            asperity(
+                "run",
+                SINGLE,
+                material__preset="copper",
+                loading__interference=omega,
+                loading__slip_rate=1,
+                interface__strength=strength,
+            )
+            for strength in ("initial", "current")
+        ]
+        shown = [
+            f"{value(run, name):.3f} ± {value(run, name) * error(run, name) / 100:.3f}"
+            for name in ("mu_static", "mu")
+            for run in runs
+        ]
+        rows.append([omega, *shown])
+    names = [f"{name}, {metal}" for name in (r"$\mu_s$", r"$\mu$") for metal in ("virgin", "hardened")]
+    return table([r"$\omega_0/\omega_c$", *names], rows)
+
+
 @block("no-end-state", 240)
 def no_end_state():
     """Body and interface of equal strength, from the example of that name."""

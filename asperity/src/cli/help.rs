@@ -39,7 +39,8 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
   [interface]                    # optional
   law = \"shear-strength\"         # slip at strength_factor * sigma_Y(T)/sqrt(3); or \"coulomb\"
                                  # (friction, cap), \"briscoe-tabor\" (film_strength,
-                                 # pressure_coefficient, cap), \"full-stick\", \"frictionless\"
+                                 # pressure_coefficient, film_softening, cap), \"full-stick\",
+                                 # \"frictionless\"
   strength = \"initial\"           # sigma_Y of the virgin material; \"current\": hardened
   strength_factor = 1.0
   heat_partition = 0.5           # share of the frictional heat that enters the asperity

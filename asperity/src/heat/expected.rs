@@ -69,9 +69,19 @@ impl HeatEffect {
             hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);
         let interference = scene.loading.interference * critical * scene.radius;
         let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
+        let initial = scene.loading.temperature;
+        let loss = |rise| {
+            let film =
+                interface.law.softening_factor(initial + rise) / interface.law.softening_factor(initial);
+            (1.0 - solid.softening_factor(rise)).abs().max((1.0 - film).abs())
+        };
         Self {
             rise,
-            softening: (1.0 - solid.softening_factor(rise)).abs(),
+        let initial = scene.loading.temperature;
+        let film = interface.law.softening_factor(initial + rise) / interface.law.softening_factor(initial);
+        Self {
+            rise,
+            softening: (1.0 - solid.softening_factor(rise)).abs().max((1.0 - film).abs()),
             load: LOAD_OF_EXPANSION * bulge.abs() / interference + (1.0 - solid.stiffness_factor(rise)).abs(),
         }
     }

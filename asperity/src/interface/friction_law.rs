@@ -11,6 +11,8 @@ pub(crate) struct ContactPoint {
     pub contact_fraction: f64,
     /// f_τ σ/√3.
     pub strength: f64,
+    /// K.
+    pub temperature: f64,
     /// Pa.
     pub unit: f64,
 }
@@ -19,12 +21,12 @@ pub(crate) struct ContactPoint {
 pub(crate) fn shear_limit(law: &FrictionLaw, at: &ContactPoint) -> f64 {
     let strength = at.contact_fraction * at.strength;
     let capped = |limit: f64, cap: bool| if cap { limit.min(strength) } else { limit };
-    match *law {
+    match law {
         FrictionLaw::ShearStrength => strength,
-        FrictionLaw::Coulomb { friction, cap } => capped(friction * at.pressure, cap),
-        FrictionLaw::BriscoeTabor { film_strength, pressure_coefficient, cap } => {
+        FrictionLaw::Coulomb { friction, cap } => capped(friction * at.pressure, *cap),
+        FrictionLaw::BriscoeTabor { film_strength, pressure_coefficient, cap, .. } => {
             let film = at.contact_fraction * film_strength / at.unit;
-            capped(film + pressure_coefficient * at.pressure, cap)
+            capped(law.softening_factor(at.temperature) * (film + pressure_coefficient * at.pressure), *cap)
         }
         FrictionLaw::FullStick => f64::INFINITY,
         FrictionLaw::Frictionless => 0.0,
@@ -34,22 +36,35 @@ pub(crate) fn shear_limit(law: &FrictionLaw, at: &ContactPoint) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Softening;
 
     #[test]
     fn limits_follow_the_formulae() {
-        let at = ContactPoint { pressure: 2.0, contact_fraction: 0.5, strength: 0.6, unit: 1e9 };
+        let at = ContactPoint {
+            pressure: 2.0,
+            contact_fraction: 0.5,
+            strength: 0.6,
+            temperature: 400.0,
+            unit: 1e9,
+        };
         let limit = |law: FrictionLaw| shear_limit(&law, &at);
         assert_eq!(limit(FrictionLaw::ShearStrength), 0.3);
         assert_eq!(limit(FrictionLaw::Coulomb { friction: 0.1, cap: true }), 0.2);
         assert_eq!(limit(FrictionLaw::Coulomb { friction: 0.4, cap: true }), 0.3);
         assert_eq!(limit(FrictionLaw::Coulomb { friction: 0.4, cap: false }), 0.8);
         let film = |film_strength, pressure_coefficient, cap| {
-            limit(FrictionLaw::BriscoeTabor { film_strength, pressure_coefficient, cap })
+            let film_softening = Softening::None;
+            limit(FrictionLaw::BriscoeTabor { film_strength, pressure_coefficient, film_softening, cap })
         };
         // 0.5·0.1 + 0.05·2, below the strength of the metal; then above it.
         assert!((film(1e8, 0.05, true) - 0.15).abs() < 1e-15);
         assert_eq!(film(1e9, 0.05, true), 0.3);
         assert!((film(1e9, 0.05, false) - 0.6).abs() < 1e-15);
+        // Half of it is left at two thirds of the way from 300 to 450 K.
+        let film_softening = Softening::Table { temperature: vec![300.0, 450.0], factor: vec![1.0, 0.25] };
+        let (film_strength, pressure_coefficient, cap) = (1e8, 0.05, true);
+        let warm = FrictionLaw::BriscoeTabor { film_strength, pressure_coefficient, film_softening, cap };
+        assert!((limit(warm) - 0.5 * 0.15).abs() < 1e-15);
         assert_eq!(limit(FrictionLaw::FullStick), f64::INFINITY);
         assert_eq!(limit(FrictionLaw::Frictionless), 0.0);
     }

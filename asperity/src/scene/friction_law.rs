@@ -5,6 +5,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Softening;
+
 /// Law of the tangential traction on the contact; the key `law` of the section `[interface]`, with
 /// its parameters.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -20,7 +22,7 @@ pub enum FrictionLaw {
         #[serde(default = "capped")]
         cap: bool,
     },
-    /// Slip at τ_c = τ_0 + αp, a film that shears more easily than the metal, with `cap` no more than
+    /// Slip at τ_c = (τ_0 + αp) factor(T), a film that shears more easily than the metal, with `cap` no more than
     /// f_τ σ/√3 (Briscoe & Tabor 1975, Wear 34, 29, doi:10.1016/0043-1648(75)90306-3).
     BriscoeTabor {
         /// τ_0, Pa.
@@ -28,6 +30,9 @@ pub enum FrictionLaw {
         /// α.
         #[serde(default)]
         pressure_coefficient: f64,
+        /// factor(T) of the film.
+        #[serde(default)]
+        film_softening: Softening,
         #[serde(default = "capped")]
         cap: bool,
     },
@@ -54,6 +59,14 @@ impl FrictionLaw {
         matches!(self, Self::ShearStrength | Self::FullStick)
     }
 
+    /// Factor on the strength of a film, 1 for other laws; T in K.
+    pub(crate) fn softening_factor(&self, temperature: f64) -> f64 {
+        match self {
+            Self::BriscoeTabor { film_softening, .. } => film_softening.factor(temperature),
+            _ => 1.0,
+        }
+    }
+
     /// Whether there is any friction.
     pub(crate) fn has_friction(&self) -> bool {
         match *self {
@@ -76,6 +89,7 @@ mod tests {
         let film = |film_strength, pressure_coefficient| FrictionLaw::BriscoeTabor {
             film_strength,
             pressure_coefficient,
+            film_softening: Softening::None,
             cap: true,
         };
         let coulomb = |friction| FrictionLaw::Coulomb { friction, cap: true };

@@ -59,6 +59,7 @@ fn strength_ratio(scene: &Scene, problem: &Problem, contact: &Contact) -> f64 {
         pressure: contact.committed.pressure.iter().copied().fold(0.0, f64::max),
         contact_fraction: 1.0,
         strength: problem.strength_factor * SHEAR_RATIO,
+        temperature: problem.units.temperature,
         unit: problem.units.stress,
     };
     let slip_over_radius = scene.loading.slip_distance;

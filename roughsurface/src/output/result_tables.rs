@@ -54,7 +54,7 @@ pub(super) fn quantities(results: &Results, columns: &[(&str, &str)], errors: bo
     let heads = columns.iter().map(|(_, head)| *head);
     let mut rows = head(results, ["slip rate [m/s]"].into_iter().chain(heads));
     for (load, rate, cell) in results.prediction.cells() {
-        let mut row = vec![format!("{load:.3e}"), rate.to_string()];
+        let mut row = vec![format!("{load:.3e}"), numbers::digits(rate, 4)];
         row.extend(columns.iter().map(|(name, _)| shown(name, cell, errors)));
         rows.push(row);
     }
@@ -68,7 +68,7 @@ pub(super) fn parameters(results: &Results) -> Rows {
     let names = outputs().map(|output| output.name);
     let mut rows = head(results, ["slip rate [m/s]"].into_iter().chain(names).chain(["mu most by"]));
     for (cell, (load, rate)) in results.prediction.query.cells().enumerate() {
-        let mut row = vec![format!("{load:.3e}"), rate.to_string()];
+        let mut row = vec![format!("{load:.3e}"), numbers::digits(rate, 4)];
         row.extend((0..outputs().count()).map(|output| format!("{:.1e}", propagated.std(cell, output))));
         let changes = propagated.contributions[cell][0].iter().zip(&propagated.parameters);
         let most = changes.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));

@@ -10,6 +10,7 @@ use std::fmt::Write;
 use std::path::Path;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetWriter};
+use tables::numbers::digits;
 
 /// Name, long name and value of a measure of scatter.
 type Statistic = (&'static str, &'static str, fn(&Scatter) -> f64);
@@ -84,8 +85,14 @@ pub fn text(samples: &Samples) -> String {
     for (load, rate, mu, contacts) in cells(samples) {
         let _ = writeln!(
             text,
-            "{load:>width$.3e}   {rate:>15}   {:>7.4} ±{:.4}   {:>9.4} to {:.4}   {:.0} to {:.0}",
-            mu.mean, mu.mean_error, mu.lower, mu.upper, contacts.lower, contacts.upper
+            "{load:>width$.3e}   {:>15}   {:>7.4} ±{:.4}   {:>9.4} to {:.4}   {:.0} to {:.0}",
+            digits(rate, 4),
+            mu.mean,
+            mu.mean_error,
+            mu.lower,
+            mu.upper,
+            contacts.lower,
+            contacts.upper
         );
     }
     text

@@ -44,6 +44,7 @@ pub fn shear_limits(
                 pressure: contact.trial.pressure[i],
                 contact_fraction: contact.contact_fraction[i],
                 strength: shear_strength(problem, hardened[i], theta),
+                temperature: problem.units.temperature + theta,
                 unit: problem.units.stress,
             };
             shear_limit(&problem.law, &point)

@@ -153,6 +153,7 @@ const INTERFACE: &[Key] = &[
     parameter(&["coulomb", "briscoe-tabor"], "cap", Flag),
     parameter(&["briscoe-tabor"], "film_strength", Number("Pa", NOT_NEGATIVE)),
     parameter(&["briscoe-tabor"], "pressure_coefficient", Number("1", NOT_NEGATIVE)),
+    parameter(&["briscoe-tabor"], "film_softening", Section(SOFTENING)),
     key("strength", Name),
     key("strength_factor", Number("1", POSITIVE)),
     key("heat_partition", Number("1", SHARE)),

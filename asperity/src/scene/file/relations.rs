@@ -4,7 +4,7 @@ use toml::{Table, Value};
 
 use super::error::SceneFileError;
 use super::source::Source;
-use crate::scene::{Hardening, Rate, Scene, Softening, Switch};
+use crate::scene::{FrictionLaw, Hardening, Rate, Scene, Softening, Switch};
 
 /// Fracture data are given in one way: the shear fracture energy, the mode-II toughness, or both numbers
 /// of a tensile test.
@@ -26,7 +26,7 @@ pub fn check_fracture(material: &Table, source: &Source) -> Result<(), SceneFile
     }
 }
 
-/// The material of a scene, at its initial temperature.
+/// The material of a scene, at its initial temperature, and the softening of a film.
 pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileError> {
     let material = &scene.material;
     let curve = match &material.hardening {
@@ -35,13 +35,18 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
         }
         _ => None,
     };
-    let other = match &material.softening {
-        Softening::Table { temperature, factor } => {
-            Some(("material.softening", "temperature", temperature, factor))
+    let film = match &scene.interface.law {
+        FrictionLaw::BriscoeTabor { film_softening, .. } => {
+            Some(("interface.film_softening", film_softening))
         }
         _ => None,
     };
-    for (section, abscissa, abscissae, factors) in curve.into_iter().chain(other) {
+    let softenings = || [("material.softening", &material.softening)].into_iter().chain(film);
+    let tables = softenings().filter_map(|(section, softening)| match softening {
+        Softening::Table { temperature, factor } => Some((section, "temperature", temperature, factor)),
+        _ => None,
+    });
+    for (section, abscissa, abscissae, factors) in curve.into_iter().chain(tables) {
         if factors.len() != abscissae.len() {
             let allowed = format!("as long as {abscissa} ({})", abscissae.len());
             let found = format!("{} numbers", factors.len());
@@ -55,11 +60,13 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
         let allowed = "a table that starts at plastic strain 0 with factor 1";
         return Err(source.invalid("material.hardening.plastic_strain", found, allowed));
     }
-    if let Softening::JohnsonCook { reference, melting, .. } = material.softening
-        && melting <= reference
-    {
-        let allowed = format!("a temperature above reference = {reference:?} K");
-        return Err(source.invalid("material.softening.melting", format!("{melting:?}"), allowed));
+    for (section, softening) in softenings() {
+        if let Softening::JohnsonCook { reference, melting, .. } = softening
+            && melting <= reference
+        {
+            let allowed = format!("a temperature above reference = {reference:?} K");
+            return Err(source.invalid(&format!("{section}.melting"), format!("{melting:?}"), allowed));
+        }
     }
     check_temperature(scene, "loading.temperature", scene.loading.temperature, source)?;
     if material.yield_strength >= material.youngs_modulus {
@@ -77,6 +84,10 @@ pub fn check_temperature(
     temperature: f64,
     source: &Source,
 ) -> Result<(), SceneFileError> {
+    if scene.interface.law.softening_factor(temperature) <= 0.0 {
+        let allowed = "one at which the film has strength (interface.film_softening)";
+        return Err(source.invalid(key, format!("{temperature:?}"), allowed));
+    }
     let softening = &scene.material.softening;
     let allowed = match softening {
         Softening::JohnsonCook { melting, .. } if temperature >= *melting => {

@@ -8,7 +8,7 @@ use tables::quantity::Quantity;
 
 use super::setup::{largest, last, mesh, plain_material, pressed, scene, steel_4340};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
-use crate::scene::{Control, FrictionLaw, Hardening, InterfaceStrength};
+use crate::scene::{Control, FrictionLaw, Hardening, InterfaceStrength, Softening};
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{Watch, simulate};
 
@@ -27,25 +27,33 @@ pub const CASES: [Case; 4] = [
 fn film(watch: &dyn Watch) -> Rows {
     const FILM_STRENGTH: f64 = 5e6;
     const METAL_STRENGTH: f64 = 40e6 / 1.732_050_807_568_877_2;
-    let slide = |pressure_coefficient: f64| {
-        let law = FrictionLaw::BriscoeTabor { film_strength: FILM_STRENGTH, pressure_coefficient, cap: true };
+    let slide = |pressure_coefficient: f64, film_softening: Softening| {
+        let law = FrictionLaw::BriscoeTabor {
+            film_strength: FILM_STRENGTH,
+            pressure_coefficient,
+            film_softening,
+            cap: true,
+        };
         let mut scene = scene(plain_material(0.3), law, 5.0, mesh(8, 8));
         scene.loading.slip_distance = 0.02;
         simulate(&scene, watch)
     };
+    // 60 % of the strength is left at the initial temperature, 298 K.
+    let warm = Softening::Table { temperature: vec![248.0, 373.0], factor: vec![1.0, 0.0] };
     let mut rows = Vec::new();
-    for coefficient in [0.0, 0.05] {
-        let outcome = slide(coefficient)?;
+    for (coefficient, softening) in [(0.0, Softening::None), (0.05, Softening::None), (0.05, warm)] {
+        let factor = softening.factor(298.0);
+        let outcome = slide(coefficient, softening)?;
         let end = last(&outcome);
-        let expected = FILM_STRENGTH * end[Quantity::Area] + coefficient * end[Quantity::Load];
+        let expected = factor * (FILM_STRENGTH * end[Quantity::Area] + coefficient * end[Quantity::Load]);
         let tolerance = Tolerance::relative(1e-6, SOLVER);
-        let name = format!("Q of a film, alpha = {coefficient}");
+        let name = format!("Q of a film, alpha = {coefficient}, factor(T) = {factor}");
         rows.push(
             Row::new(name, end[Quantity::Friction], Reference::exact(expected, BRISCOE), tolerance).unit("N"),
         );
     }
     // At the mean pressure of about 100 MPa the film is stronger than the metal.
-    let outcome = slide(0.5)?;
+    let outcome = slide(0.5, Softening::None)?;
     let end = last(&outcome);
     let excess = (end[Quantity::Friction] / end[Quantity::Area] / METAL_STRENGTH - 1.0).max(0.0);
     rows.push(Row::new(
