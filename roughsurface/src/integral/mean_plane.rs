@@ -122,7 +122,8 @@ mod tests {
 
     #[test]
     fn elastic_spheres_of_exponential_heights_have_the_effective_separation_of_lamberts_function() {
-        // p = p₀ exp(−d_eff/σ), p₀ = η √π E* √R σ^(3/2) after Greenwood & Williamson: d_eff = d + σ W(c p₀ L exp(−d/σ)/(E* σ)).
+        // p = p₀ exp(−d_eff/σ), p₀ = η √π E* √R σ^(3/2) after Greenwood & Williamson:
+        // d_eff = d + σ W(c p₀ L exp(−d/σ)/(E* σ)).
         let law = closed_form("hertz", &STEEL).unwrap();
         let (density, radius, sigma) = (1e9, 1e-4, 1e-9);
         let heights = Exponential::new(sigma);
