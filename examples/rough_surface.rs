@@ -11,7 +11,7 @@ use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::heights::Gaussian;
-use roughsurface::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
+use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::law::AsperityLaw;
 use tables::table::Table;
@@ -40,6 +40,7 @@ fn main() -> anyhow::Result<()> {
         slip_rates: vec![0.1, 1.0, 10.0],
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
+        interaction: Interaction::None,
     };
     let prediction = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ())?;
 

@@ -13,7 +13,7 @@ use divan::counter::ItemsCount;
 use roughsurface::friction::{Settings, predict};
 use roughsurface::sampling::finite_surface::{Sampling, sample};
 use roughsurface::surface::heights::Gaussian;
-use roughsurface::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
+use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::interpolation::InterpolatedTable;
 
 fn main() {
@@ -45,6 +45,7 @@ fn prediction(bencher: Bencher) {
         slip_rates: spaced(0.1, 10.0, 20),
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
+        interaction: Interaction::None,
     };
     let states = 50 * 20 * settings.slip_points;
     bencher
@@ -61,6 +62,7 @@ fn ten_million_asperities(bencher: Bencher, pressure: f64) {
         slip_rates: vec![1.0],
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
+        interaction: Interaction::None,
     };
     let sampling = Sampling { asperities: 1_000_000, realizations: 10, seed: 1, slip: Some(1e-6) };
     bencher.counter(ItemsCount::new(10_000_000_usize)).bench(|| {

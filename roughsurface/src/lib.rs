@@ -52,8 +52,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Not modelled: interaction of neighbouring asperities, adhesion, a deformable
-//! or rough counter-face.
+//! Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion, a rough
+//! counter-face.
 
 pub mod friction;
 pub mod integral;

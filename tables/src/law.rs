@@ -111,6 +111,10 @@ pub trait AsperityLaw: Send + Sync {
     fn name(&self) -> String;
     /// ω_c in metres for a sphere of `radius` metres.
     fn critical_interference(&self, radius: f64) -> f64;
+    /// E*, Pa, of asperity and flat at the initial temperature; none if the law does not state it.
+    fn contact_modulus(&self) -> Option<f64> {
+        None
+    }
     /// Largest ω/ω_c of the range of the law: of the rows of a table, of the published formulae. Above it holds
     /// [`above_range`](AsperityLaw::above_range).
     fn interference_limit(&self) -> f64;

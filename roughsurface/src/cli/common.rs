@@ -67,7 +67,10 @@ pub fn failure(error: PredictionError) -> Failure {
         | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => {
             Some("--allow-missing interpolates where results lie on both sides")
         }
-        PredictionError::Separation(SeparationError::NotFound { .. }) | PredictionError::NotFinite { .. } => {
+        PredictionError::Separation(
+            SeparationError::NotFound { .. } | SeparationError::NoMeanPlane { .. },
+        )
+        | PredictionError::NotFinite { .. } => {
             return Failure::Run(error.into());
         }
         _ => None,

@@ -54,6 +54,12 @@ struct QueryOptions {
     /// Slip over which a contact lasts, in contact diameters, or steady; 1 by default, as between two rough faces
     #[arg(long, value_name = "DIAMETERS|steady")]
     contact_life: Option<ContactLife>,
+    /// Elastic interaction of the summits, none by default; mean-pressure displaces the mean plane
+    #[arg(long, value_name = "KIND", value_parser = ["none", "mean-pressure"])]
+    interaction: Option<String>,
+    /// Side of the square nominal area that --interaction mean-pressure needs, m
+    #[arg(long, value_name = "M")]
+    nominal_size: Option<f64>,
     /// Any key: section.key=value, such as surface.heights.std=1e-7; may be repeated
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     set: Vec<Override>,
@@ -84,6 +90,9 @@ impl QueryOptions {
         overrides.extend(Override::of_query(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
         overrides.extend(self.hold.map(Override::hold));
         overrides.extend(self.contact_life.map(Override::contact_life));
+        overrides
+            .extend(self.interaction.iter().map(|kind| Override::query_key("interaction", kind.as_str())));
+        overrides.extend(self.nominal_size.map(|size| Override::query_key("nominal_size", size)));
         overrides
     }
 }

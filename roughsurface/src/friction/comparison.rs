@@ -84,7 +84,7 @@ mod tests {
     use super::*;
     use crate::integral::test_laws::STEEL;
     use crate::surface::heights::Exponential;
-    use crate::surface::query::{ContactLife, LoadingControl, NormalLoading};
+    use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading};
     use tables::closed_forms::NAMES;
 
     #[test]
@@ -104,6 +104,7 @@ mod tests {
             slip_rates: vec![0.1, 5.0],
             control: LoadingControl::Load,
             contact_life: ContactLife::Steady,
+            interaction: Interaction::None,
         };
         let models: Vec<String> = NAMES.iter().map(|name| name.to_string()).collect();
         let compared = compare(&models, &STEEL, &surface, &query, &Settings::default()).unwrap();

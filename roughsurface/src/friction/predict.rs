@@ -33,7 +33,7 @@ pub fn predict(
     let slip = sweep.slip_grid(&pressed);
     let states = slide_all(&sweep, &slip, &pressed, progress)?;
     let end = slip.len() - 1;
-    let at_end = |rate: usize| states[rate][end].iter().map(|state| state.separation);
+    let at_end = |rate: usize| states[rate][end].iter().map(SlipState::effective_separation);
     let rate_by_rate = (0..states.len()).into_par_iter();
     let contacts: Vec<_> =
         rate_by_rate.map(|rate| sweep.contacts(rate, slip[end], at_end(rate))).collect::<Result<_, _>>()?;

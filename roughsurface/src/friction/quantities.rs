@@ -31,7 +31,7 @@ pub enum Source {
 }
 
 /// Every result. To add one: a line here.
-pub static QUANTITIES: [Quantity; 28] = [
+pub static QUANTITIES: [Quantity; 29] = [
     Quantity::sliding("mu", "1", "sliding friction coefficient, mean over the life of the contacts", |s| s.mu).propagated(),
     Quantity::slide("mu_steady", "1", "sliding friction coefficient of contacts that last", |f| f.mu_steady),
     Quantity::slide("mu_static", "1", "friction coefficient where the friction-slip curve of the surface starts to slide",
@@ -58,10 +58,13 @@ pub static QUANTITIES: [Quantity; 28] = [
         |s| s.area_fraction).propagated(),
     Quantity::slide("real_area_fraction_press", "1", "real over nominal contact area before the slide",
         |f| f.pressed.area_fraction),
-    Quantity::slide("separation", "m", "distance of the flat from the reference plane of the heights before the slide",
+    Quantity::slide("separation", "m", "distance of the flat from the undisplaced reference plane of the heights before the slide",
         |f| f.pressed.separation).propagated(),
     Quantity::sliding("separation_sliding", "m",
-        "distance of the flat from the reference plane of the heights while sliding", |s| s.separation),
+        "distance of the flat from the undisplaced reference plane of the heights while sliding", |s| s.separation),
+    Quantity::slide("mean_plane_displacement", "m",
+        "displacement of the reference plane of the heights by the nominal pressure before the slide",
+        |f| f.pressed.displacement),
     Quantity::slide("pressure", "Pa", "nominal pressure before the slide", |f| f.pressed.pressure),
     Quantity::sliding("pressure_sliding", "Pa", "nominal pressure while sliding", |s| s.pressure),
     Quantity::sliding("contact_density", "m-2", "asperities in contact per nominal area while sliding",

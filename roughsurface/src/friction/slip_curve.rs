@@ -1,6 +1,8 @@
 //! The friction–slip curve: static friction, sliding friction, weakening energy.
 
 use crate::integral::contact_state::ContactState;
+use crate::integral::mean_plane::MeanPlane;
+use crate::integral::predictor::Sensitivity;
 use crate::integral::separation::EquilibriumState;
 use tables::law::Estimate;
 
@@ -17,8 +19,10 @@ pub struct SlipState {
     pub shear: Estimate,
     /// Nominal pressure, Pa.
     pub pressure: Estimate,
-    /// Distance of the flat from the plane of the heights, m.
+    /// Distance of the flat from the undisplaced plane of the heights, m.
     pub separation: Estimate,
+    /// Displacement of that plane by the nominal pressure, m.
+    pub displacement: Estimate,
     /// Real over nominal contact area, 1.
     pub area_fraction: Estimate,
     /// Contacts per nominal area, 1/m².
@@ -34,18 +38,21 @@ pub struct SlipState {
 impl SlipState {
     /// State of a surface under the prescribed pressure `asked` (Pa): the error of the law's load becomes one of the
     /// separation, and through the sensitivities of all other quantities.
-    pub fn at_pressure(equilibrium: &EquilibriumState, asked: f64) -> Self {
+    pub fn at_pressure(equilibrium: &EquilibriumState, asked: f64, plane: MeanPlane) -> Self {
         let state = &equilibrium.state;
         let (shift, sensitivity) = (equilibrium.separation_error(asked), &equilibrium.sensitivity);
         let mut mu = state.friction_coefficient();
         mu.error += shift * (sensitivity.friction_coefficient * mu.value).abs();
         let mut area_fraction = state.area_fraction.estimate();
         area_fraction.error += shift * (sensitivity.area_fraction * area_fraction.value).abs();
+        let pressure = Estimate { value: asked, error: (state.pressure.value - asked).abs() };
+        let displacement = plane.displacement(pressure);
         Self {
             mu,
             shear: Estimate { value: mu.value * asked, error: mu.error * asked },
-            pressure: Estimate { value: asked, error: (state.pressure.value - asked).abs() },
-            separation: Estimate { value: equilibrium.separation, error: shift },
+            pressure,
+            separation: Estimate { value: equilibrium.separation - displacement.value, error: shift },
+            displacement,
             area_fraction,
             contact_density: Estimate {
                 value: state.contact_density,
@@ -57,19 +64,44 @@ impl SlipState {
         }
     }
 
+    /// Separation of the flat from the displaced plane, which the summits feel, m.
+    pub fn effective_separation(&self) -> Estimate {
+        let (separation, displacement) = (self.separation, self.displacement);
+        Estimate {
+            value: separation.value + displacement.value,
+            error: separation.error + displacement.error,
+        }
+    }
+
+    /// The state of a plane whose displacement is uncertain by `shift` (m), as the law's load is.
+    pub fn with_displacement_error(mut self, shift: f64, sensitivity: &Sensitivity) -> Self {
+        self.displacement.error += shift;
+        for (quantity, slope) in [
+            (&mut self.mu, sensitivity.friction_coefficient),
+            (&mut self.shear, sensitivity.pressure + sensitivity.friction_coefficient),
+            (&mut self.area_fraction, sensitivity.area_fraction),
+            (&mut self.contact_density, sensitivity.contact_density),
+        ] {
+            quantity.error += shift * (slope * quantity.value).abs();
+        }
+        self
+    }
+
     /// The same with unknown friction.
     pub fn without_friction(self) -> Self {
         Self { mu: Estimate::UNKNOWN, shear: Estimate::UNKNOWN, ..self }
     }
 
-    /// State of a surface held at its `separation` (m).
-    pub fn at_separation(separation: f64, state: &ContactState) -> Self {
+    /// State of a surface held at the `effective` separation (m), with the errors of an exact one.
+    pub fn at_separation(effective: f64, state: &ContactState, plane: MeanPlane) -> Self {
         let exact = |value| Estimate { value, error: 0.0 };
+        let displacement = plane.displacement(exact(state.pressure.value));
         Self {
             mu: state.friction_coefficient(),
             shear: state.shear.estimate(),
             pressure: state.pressure.estimate(),
-            separation: exact(separation),
+            separation: exact(effective - displacement.value),
+            displacement,
             area_fraction: state.area_fraction.estimate(),
             contact_density: exact(state.contact_density),
             outside: state.outside,

@@ -7,15 +7,20 @@ use crate::friction::slip_curve::{SlipState, inception, slip_grid, weakening_dis
 use crate::friction::warning::{Place, Warning};
 use crate::integral::asperity_at_slip::Additional;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
+use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::{Predictor, PredictorHistory};
 use crate::integral::separation::{EquilibriumState, separation_for};
 use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
-use crate::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
+use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use rayon::prelude::*;
 use tables::law::{AboveRange, AsperityLaw, Estimate, LookupError};
 
-/// Real area fraction above which asperities no longer deform independently.
-const INTERACTION: f64 = 0.3;
+/// Real area fraction above which summits no longer deform independently: a few per cent.
+const INTERACTION: f64 = 0.05;
+
+/// Real area fraction f above which contacts merge: of equal contacts at random places 1 − exp(−4f), a third, overlap
+/// another.
+const MERGING: f64 = 0.1;
 
 /// The slide of one cell.
 pub(crate) struct Slide {
@@ -35,6 +40,7 @@ pub(crate) struct Sweep<'a> {
     surface: &'a Surface,
     query: &'a Query,
     settings: &'a Settings,
+    plane: MeanPlane,
     /// The asperities at each slip rate, before the slide.
     asperities: Vec<Asperities<'a>>,
 }
@@ -45,11 +51,12 @@ impl<'a> Sweep<'a> {
         surface: &'a Surface,
         query: &'a Query,
         settings: &'a Settings,
-    ) -> Result<Self, LookupError> {
+    ) -> Result<Self, PredictionError> {
         query.check_slip_rates(law, &surface.asperity_radius)?;
         let rates = query.slip_rates.iter();
         let asperities = rates.map(|&rate| Asperities::new(law, surface, rate));
-        Ok(Self { law, surface, query, settings, asperities: asperities.collect::<Result<_, _>>()? })
+        let asperities = asperities.collect::<Result<_, _>>()?;
+        Ok(Self { law, surface, query, settings, plane: MeanPlane::new(query.interaction, law)?, asperities })
     }
 
     fn integral(&self, asperities: &Asperities<'a>) -> SurfaceIntegral<'a> {
@@ -74,7 +81,12 @@ impl<'a> Sweep<'a> {
                 NormalLoading::Pressure(_) => {
                     separation_for(&mut integral, heights, value, predictor, self.settings.tolerance)?
                 }
-                NormalLoading::Separation(_) => EquilibriumState::at(&mut integral, heights, value)?,
+                NormalLoading::Separation(_) => {
+                    let tolerance = self.settings.tolerance;
+                    let effective =
+                        self.plane.effective_separation(&mut integral, heights, value, tolerance)?;
+                    EquilibriumState::at(&mut integral, heights, effective)?
+                }
             };
             if equilibrium.state.pressure.value <= 0.0 {
                 return Err(PredictionError::NoContact { loading: self.query.loading.describe(row) });
@@ -143,9 +155,16 @@ impl<'a> Sweep<'a> {
         let heights = self.surface.heights.as_ref();
         let state = match self.query.control {
             LoadingControl::Separation => {
-                let mut state = integral.at(before.separation)?;
-                integral.complete_errors(before.separation, &mut state)?;
-                SlipState::at_separation(before.separation, &state)
+                let pressure = Estimate { value: before.state.pressure.value, error: 0.0 };
+                let held = before.separation - self.plane.displacement(pressure).value;
+                let tolerance = self.settings.tolerance;
+                let effective = self.plane.effective_separation(integral, heights, held, tolerance)?;
+                let mut state = integral.at(effective)?;
+                integral.complete_errors(effective, &mut state)?;
+                let shift =
+                    self.plane.displacement_error(state.pressure.estimate(), before.sensitivity.pressure);
+                SlipState::at_separation(effective, &state, self.plane)
+                    .with_displacement_error(shift, &before.sensitivity)
             }
             LoadingControl::Load => {
                 let pressure = match &self.query.loading {
@@ -155,7 +174,7 @@ impl<'a> Sweep<'a> {
                 let tolerance = self.settings.tolerance;
                 let equilibrium = separation_for(integral, heights, pressure, history.next(), tolerance)?;
                 history.add(equilibrium.predictor(), equilibrium.own_sensitivity);
-                SlipState::at_pressure(&equilibrium, pressure)
+                SlipState::at_pressure(&equilibrium, pressure, self.plane)
             }
         };
         state.within(self.law, self.settings, &|| Place::of(self.query, row, rate))
@@ -201,8 +220,15 @@ impl<'a> Sweep<'a> {
                 known: !sliding.mu.value.is_nan(),
             });
         }
-        if sliding.area_fraction.value > INTERACTION {
-            warnings.push(Warning::AsperitiesInteract { at: at(), share: sliding.area_fraction.value });
+        let share = sliding.area_fraction.value;
+        match self.query.interaction {
+            Interaction::None if share > INTERACTION => {
+                warnings.push(Warning::AsperitiesInteract { at: at(), share });
+            }
+            Interaction::MeanPressure { .. } if share > MERGING => {
+                warnings.push(Warning::ContactsMerge { at: at(), share });
+            }
+            _ => (),
         }
         let molten = self.settings.melting_temperature.zip(contacts.temperature_max);
         if let Some((melting, highest)) = molten.filter(|(melting, highest)| highest.value > *melting) {
@@ -227,10 +253,13 @@ impl<'a> Sweep<'a> {
 
     fn energy_release(&self, row: usize, pressed: &EquilibriumState) -> Option<Estimate> {
         let mut energy = pressed.state.additional?.estimate();
-        if let NormalLoading::Pressure(pressures) = &self.query.loading {
-            let slope = (pressed.sensitivity.additional * energy.value).abs();
-            energy.error += pressed.separation_error(pressures[row]) * slope;
-        }
+        let shift = match &self.query.loading {
+            NormalLoading::Pressure(pressures) => pressed.separation_error(pressures[row]),
+            NormalLoading::Separation(_) => {
+                self.plane.displacement_error(pressed.state.pressure.estimate(), pressed.sensitivity.pressure)
+            }
+        };
+        energy.error += shift * (pressed.sensitivity.additional * energy.value).abs();
         Some(energy)
     }
 }

@@ -5,7 +5,7 @@ use super::warning::Warning;
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL};
 use crate::surface::heights::{Exponential, Gaussian, Heights, Uniform};
-use crate::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
+use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::{closed_form, hertz};
 use tables::law::{AsperityLaw, Estimate};
 
@@ -26,6 +26,7 @@ fn predicted(
         control,
         // Friction without the sticking of young contacts.
         contact_life: ContactLife::Steady,
+        interaction: Interaction::None,
     };
     predict(law, surface, &query, &Settings::default(), &|_, _| ())
 }
@@ -91,6 +92,7 @@ fn of_life(contact_life: ContactLife, steady: Option<Estimate>) -> (Friction, Ve
         slip_rates: vec![1.0],
         control: LoadingControl::Load,
         contact_life,
+        interaction: Interaction::None,
     };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let mut found = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
@@ -173,6 +175,7 @@ fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_a
         slip_rates: vec![1.0],
         control: LoadingControl::Separation,
         contact_life: ContactLife::default(),
+        interaction: Interaction::None,
     };
     let settings = Settings { extrapolate: true, ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
@@ -224,7 +227,76 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
         slip_rates: vec![1.0],
         control: LoadingControl::Separation,
         contact_life: ContactLife::default(),
+        interaction: Interaction::None,
     };
     let error = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap_err();
     assert_eq!(error.to_string(), "a separation of 2e-6 m leaves no asperity in contact");
+}
+
+#[test]
+fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
+    let law = closed_form("jackson-green", &STEEL).unwrap();
+    let surface = surface(Box::new(Gaussian::new(3e-8)));
+    let predicted = |loading: &NormalLoading, control, interaction| {
+        let (slip_rates, contact_life) = (vec![1.0], ContactLife::default());
+        let query = Query { loading: loading.clone(), slip_rates, control, contact_life, interaction };
+        predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap()
+    };
+    let of_size = |nominal_size| Interaction::MeanPressure { nominal_size };
+    let cell = |prediction: &Prediction| prediction.friction[0][0].clone();
+    let (size, pressure) = (1e-4, 2e7);
+    let loading = NormalLoading::Pressure(vec![pressure]);
+    let classical = cell(&predicted(&loading, LoadingControl::Load, Interaction::None));
+    let moved = cell(&predicted(&loading, LoadingControl::Load, of_size(size)));
+    let bits = |cell: &Friction| {
+        let state = &cell.sliding;
+        [state.mu, state.area_fraction, cell.mu_static].map(|estimate| estimate.value.to_bits())
+    };
+    assert_eq!(bits(&classical), bits(&moved));
+    // 0.946 p L/E*: the potential of a uniform square.
+    let displacement = 0.946_40 * pressure * size / STEEL.contact_modulus();
+    assert!((moved.pressed.displacement.value / displacement - 1.0).abs() < 1e-5);
+    let nearer = classical.pressed.separation.value - moved.pressed.separation.value;
+    assert!((nearer / displacement - 1.0).abs() < 1e-5, "{nearer:e}");
+
+    // The separation that was found has the pressure that was given, whatever is held.
+    let loading = NormalLoading::Separation(vec![moved.pressed.separation.value]);
+    let held = cell(&predicted(&loading, LoadingControl::Separation, of_size(size)));
+    assert!((held.pressed.pressure.value / pressure - 1.0).abs() < 1e-5);
+    let alone = cell(&predicted(&loading, LoadingControl::Separation, Interaction::None));
+    assert!(alone.pressed.pressure.value > 1.1 * pressure);
+    // A small nominal area is stiff: the classical result.
+    let small = cell(&predicted(&loading, LoadingControl::Separation, of_size(1e-30)));
+    assert_eq!(bits(&alone), bits(&small));
+    assert_eq!(alone.pressed.pressure.value.to_bits(), small.pressed.pressure.value.to_bits());
+}
+
+#[test]
+fn large_real_areas_are_warned_of_with_the_key_that_helps() {
+    let law = closed_form("jackson-green", &STEEL).unwrap();
+    let surface = surface(Box::new(Gaussian::new(3e-8)));
+    let warned = |pressure, interaction| {
+        let query = Query {
+            loading: NormalLoading::Pressure(vec![pressure]),
+            slip_rates: vec![1.0],
+            control: LoadingControl::Load,
+            contact_life: ContactLife::default(),
+            interaction,
+        };
+        let found = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
+        let area = found.friction[0][0].sliding.area_fraction.value;
+        let named = |warning: &Warning| match warning {
+            Warning::AsperitiesInteract { .. } => "interact",
+            Warning::ContactsMerge { .. } => "merge",
+            _ => "",
+        };
+        (area, found.warnings.iter().map(named).collect::<String>())
+    };
+    let moved = Interaction::MeanPressure { nominal_size: 1e-4 };
+    for pressure in [1e7, 5e7, 3e8] {
+        let (area, without) = warned(pressure, Interaction::None);
+        assert_eq!(without, if area > 0.05 { "interact" } else { "" }, "{area}");
+        assert_eq!(warned(pressure, moved).1, if area > 0.1 { "merge" } else { "" }, "{area}");
+    }
+    assert!(warned(1e7, moved).0 < 0.05 && warned(3e8, moved).0 > 0.1);
 }

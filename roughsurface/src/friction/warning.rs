@@ -68,10 +68,15 @@ pub enum Warning {
     )]
     NoSteadyFriction,
     #[error(
-        "{at}: {:.0} % of the nominal area is in contact; neighbouring asperities, here independent, would interact",
+        "{at}: {:.0} % of the nominal area is in contact; neighbouring asperities, here independent, would interact: interaction = \"mean-pressure\" of [query] displaces the mean plane, which changes separation and stiffness but not the friction at a given pressure",
         100.0 * .share
     )]
     AsperitiesInteract { at: Place, share: f64 },
+    #[error(
+        "{at}: {:.0} % of the nominal area is in contact; neighbouring contacts, here separate, would merge",
+        100.0 * .share
+    )]
+    ContactsMerge { at: Place, share: f64 },
     #[error("{at}: {idle} of {count} surfaces have no asperity in contact and no friction coefficient")]
     SamplesWithoutContact { at: Place, idle: usize, count: usize },
     #[error("{0}")]
@@ -131,6 +136,7 @@ impl Warning {
             | Self::StillRising { at }
             | Self::Unsteady { at, .. }
             | Self::AsperitiesInteract { at, .. }
+            | Self::ContactsMerge { at, .. }
             | Self::SamplesWithoutContact { at, .. } => Some(at),
             _ => None,
         }

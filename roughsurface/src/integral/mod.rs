@@ -7,7 +7,8 @@
 //!   a fixed slip rate and slip, continued beyond the largest contact;
 //! - `kronrod`, `panels`, [`height_integral`]: adaptive Gauss–Kronrod panels in √(ω/ω_c), stored for all separations;
 //! - [`surface_integral`]: the sum over radii; [`contact_state`]: its result;
-//! - [`separation`], [`predictor`]: the separation in equilibrium with a pressure.
+//! - [`separation`], [`predictor`]: the separation in equilibrium with a pressure;
+//! - [`mean_plane`]: the effective separation where the nominal pressure displaces the mean plane.
 //!
 //! Depends on [`surface`](crate::surface) and on [`tables`].
 
@@ -16,6 +17,7 @@ pub mod contact_state;
 pub mod height_integral;
 pub(crate) mod kronrod;
 pub mod law_source;
+pub mod mean_plane;
 pub(crate) mod panels;
 pub mod predictor;
 pub mod separation;

@@ -14,6 +14,14 @@ pub enum SeparationError {
     Lookup(#[from] LookupError),
     #[error("no separation between {from:e} and {to:e} m has a nominal pressure of {pressure:e} Pa")]
     NotFound { pressure: f64, from: f64, to: f64 },
+    #[error(
+        "no effective separation between {separation:e} and {farthest:e} m agrees with the displacement of the mean plane"
+    )]
+    NoMeanPlane { separation: f64, farthest: f64 },
+    #[error(
+        "query.interaction = \"mean-pressure\" needs the contact modulus, which the asperity law {law} does not state"
+    )]
+    NoModulus { law: String },
 }
 
 /// A state in equilibrium with a nominal pressure, and how it changes with separation.

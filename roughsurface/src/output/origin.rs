@@ -36,6 +36,7 @@ impl Origin<'_> {
             ("law", law),
             ("hold", hold),
             ("contact_life", query.contact_life.to_string().as_str()),
+            ("interaction", query.interaction.name()),
         ] {
             file.attribute(name, value)?;
         }

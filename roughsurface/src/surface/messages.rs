@@ -61,6 +61,8 @@ fn meant(name: &str) -> Option<&'static str> {
         (&["slip_rate", "rate", "speed", "velocity", "sliding_speed", "sliding_velocity"], "query.slip_rate"),
         (&["hold", "control"], "query.hold"),
         (&["contact_life", "life"], "query.contact_life"),
+        (&["interaction", "neighbours", "neighbors"], "query.interaction"),
+        (&["nominal_size", "size", "specimen_size"], "query.nominal_size"),
         (&["temperature", "initial_temperature"], "query.temperature"),
         (&["youngs_modulus", "young", "e", "elastic_modulus"], "material.youngs_modulus"),
         (&["poisson_ratio", "poisson", "nu"], "material.poisson_ratio"),

@@ -123,6 +123,26 @@ impl<'de> Deserialize<'de> for ContactLife {
     }
 }
 
+/// Elastic interaction of the summits.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Interaction {
+    /// Summits deform independently.
+    #[default]
+    None,
+    /// The nominal pressure displaces the mean plane of a square nominal area of side `nominal_size` (m).
+    MeanPressure { nominal_size: f64 },
+}
+
+impl Interaction {
+    /// Value of the key `interaction`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::MeanPressure { .. } => "mean-pressure",
+        }
+    }
+}
+
 /// Loading, slip rates and loading control of a prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Query {
@@ -131,6 +151,7 @@ pub struct Query {
     pub slip_rates: Vec<f64>,
     pub control: LoadingControl,
     pub contact_life: ContactLife,
+    pub interaction: Interaction,
 }
 
 impl Query {

@@ -231,6 +231,10 @@ impl AsperityLaw for ClosedForm {
         self.critical_over_radius * radius
     }
 
+    fn contact_modulus(&self) -> Option<f64> {
+        Some(self.material.contact_modulus())
+    }
+
     fn interference_limit(&self) -> f64 {
         let unit = self.units.0;
         let published: f64 = match (self.normal, self.inception) {

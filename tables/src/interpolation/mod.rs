@@ -169,6 +169,10 @@ impl AsperityLaw for InterpolatedTable {
         self.metadata().critical_interference * radius / self.metadata().asperity_radius
     }
 
+    fn contact_modulus(&self) -> Option<f64> {
+        Some(self.metadata().contact_modulus)
+    }
+
     fn interference_limit(&self) -> f64 {
         let axis = &self.axes().interference;
         let last = (self.interpolant.rows).map_or(axis.len() - 1, |(_, last)| last);

@@ -5,13 +5,14 @@ use crate::friction::warning::Place;
 use crate::friction::{PredictionError, Settings};
 use crate::integral::contact_state::ContactState;
 use crate::integral::height_integral::HeightIntegral;
+use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
 use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
 use crate::surface::heights::{Heights, Random, Sample};
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use rand::SeedableRng;
-use tables::law::AsperityLaw;
+use tables::law::{AsperityLaw, Estimate};
 
 /// One finite surface under one pressure at one slip rate.
 #[derive(Clone, Copy, Debug, Default)]
@@ -77,14 +78,15 @@ impl DrawnSurface {
         query: &Query,
         settings: &Settings,
     ) -> Result<Vec<SampledState>, PredictionError> {
+        let plane = MeanPlane::new(query.interaction, law)?;
         let mut states = Vec::new();
         for (row, &value) in query.loading.values().iter().enumerate() {
             let of_row = &predictors[row * laws.len()..];
             for (rate, (law_at_rate, predictor)) in laws.iter().zip(of_row).enumerate() {
                 let (separation, state) =
-                    self.slid(law_at_rate, *predictor, query, value, settings.tolerance)?;
+                    self.slid(law_at_rate, *predictor, query, (value, plane), settings.tolerance)?;
                 let contacts = state.contact_density / self.asperity_density * self.asperities as f64;
-                let state = SlipState::at_separation(separation, &state);
+                let state = SlipState::at_separation(separation, &state, plane);
                 let state = state.within(law, settings, &|| Place::of(query, row, rate))?;
                 states.push(SampledState { state, contacts });
             }
@@ -92,13 +94,13 @@ impl DrawnSurface {
         Ok(states)
     }
 
-    /// Separation (m) and state after the slide under the pressure or separation `value`.
+    /// Effective separation (m) and state after the slide under the pressure or separation `value`.
     fn slid(
         &self,
         law: &LawAtRate,
         predictor: Predictor,
         query: &Query,
-        value: f64,
+        (value, plane): (f64, MeanPlane),
         tolerance: f64,
     ) -> Result<(f64, ContactState), PredictionError> {
         let mut before = self.integral(&law.before, tolerance);
@@ -109,13 +111,20 @@ impl DrawnSurface {
         if query.control == LoadingControl::Separation {
             let separation = match query.loading {
                 NormalLoading::Separation(_) => value,
-                NormalLoading::Pressure(_) => find(&mut before, value)?.separation,
+                NormalLoading::Pressure(_) => {
+                    let displacement = plane.displacement(Estimate { value, error: 0.0 });
+                    find(&mut before, value)?.separation - displacement.value
+                }
             };
-            return Ok((separation, after.at(separation)?));
+            let effective = plane.effective_separation(&mut after, &self.all, separation, tolerance)?;
+            return Ok((effective, after.at(effective)?));
         }
         let pressure = match query.loading {
             NormalLoading::Pressure(_) => value,
-            NormalLoading::Separation(_) => before.at(value)?.pressure.value,
+            NormalLoading::Separation(_) => {
+                let effective = plane.effective_separation(&mut before, &self.all, value, tolerance)?;
+                before.at(effective)?.pressure.value
+            }
         };
         if pressure <= 0.0 {
             return Ok((value, ContactState::default()));

@@ -67,7 +67,7 @@ impl Samples {
 /// use roughsurface::friction::Settings;
 /// use roughsurface::surface::heights::Gaussian;
 /// use roughsurface::sampling::finite_surface::{Sampling, sample};
-/// use roughsurface::surface::query::{ContactLife, LoadingControl, NormalLoading, Query, Surface};
+/// use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 /// use tables::closed_forms::{ElasticPlastic, closed_form};
 ///
 /// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
@@ -78,7 +78,8 @@ impl Samples {
 ///     heights: Box::new(Gaussian::new(0.4e-6)),
 /// };
 /// let loading = NormalLoading::Pressure(vec![1e7]);
-/// let query = Query { loading, slip_rates: vec![1.0], control: LoadingControl::Load, contact_life: ContactLife::default() };
+/// let (control, contact_life, interaction) = (LoadingControl::Load, ContactLife::default(), Interaction::None);
+/// let query = Query { loading, slip_rates: vec![1.0], control, contact_life, interaction };
 /// let sampling = Sampling { asperities: 300, realizations: 5, seed: 1, slip: None };
 /// let found = sample(law.as_ref(), &surface, &query, &sampling, &Settings::default(), &|_, _| ())?;
 /// assert!(found.scatter(0, 0, |one| one.state.mu.value).mean > 0.1);

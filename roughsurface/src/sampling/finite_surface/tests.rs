@@ -4,7 +4,7 @@ use super::*;
 use crate::integral::surface_integral::ContactIntegral;
 use crate::integral::test_laws::{PowerLaw, STEEL};
 use crate::surface::heights::{Exponential, Gaussian};
-use crate::surface::query::ContactLife;
+use crate::surface::query::{ContactLife, Interaction};
 use crate::surface::radii::Radii;
 use tables::closed_forms::closed_form;
 
@@ -20,6 +20,7 @@ fn samples(asperities: usize) -> Samples {
         slip_rates: vec![1.0],
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
+        interaction: Interaction::None,
     };
     let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: Some(1.0) };
     sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap()
@@ -59,6 +60,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
             slip_rates: vec![1.0],
             control: LoadingControl::Separation,
             contact_life: ContactLife::default(),
+            interaction: Interaction::None,
         };
         let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: Some(1e-8) };
         let settings = Settings::default();

@@ -3,7 +3,7 @@
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
 use crate::surface::heights::HeightsKeys;
-use crate::surface::query::{ContactLife, LoadingControl};
+use crate::surface::query::{ContactLife, Interaction, LoadingControl};
 use crate::surface::radii::{LARGEST_VARIATION, Radii};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -69,7 +69,35 @@ pub(super) struct QueryKeys {
     pub(super) hold: LoadingControl,
     #[serde(default)]
     pub(super) contact_life: ContactLife,
+    pub(super) interaction: Option<InteractionKind>,
+    pub(super) nominal_size: Option<f64>,
     pub(super) temperature: Option<f64>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum InteractionKind {
+    None,
+    MeanPressure,
+}
+
+/// The interaction of the keys `interaction` and `nominal_size`.
+pub(super) fn interaction_of(
+    kind: Option<InteractionKind>,
+    size: Option<f64>,
+) -> Result<Interaction, String> {
+    const KEY: &str = "query.nominal_size";
+    size.map_or(Ok(()), |size| positive(KEY, size, "m"))?;
+    match (kind, size) {
+        (Some(InteractionKind::MeanPressure), Some(nominal_size)) => {
+            Ok(Interaction::MeanPressure { nominal_size })
+        }
+        (Some(InteractionKind::MeanPressure), None) => Err(format!(
+            "{KEY}: is missing; interaction = \"mean-pressure\" needs the side of the square nominal area in m"
+        )),
+        (None, Some(_)) => Err(format!("{KEY}: has no meaning without interaction = \"mean-pressure\"")),
+        (_, _) => Ok(Interaction::None),
+    }
 }
 
 fn held_load() -> LoadingControl {

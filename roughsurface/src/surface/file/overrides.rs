@@ -40,6 +40,11 @@ impl Override {
         Self { path: vec!["query".into(), "hold".into()], value }
     }
 
+    /// Text or a number in place of that of a key of the section `[query]`.
+    pub fn query_key(key: &str, value: impl Into<Value>) -> Self {
+        Self { path: vec!["query".into(), key.into()], value: Some(value.into()) }
+    }
+
     /// Slip over which a contact lasts.
     pub fn contact_life(life: ContactLife) -> Self {
         let value = Value::try_from(life).ok();

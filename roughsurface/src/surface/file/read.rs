@@ -1,6 +1,6 @@
 //! Reads and checks a surface file.
 
-use super::keys::{FileKeys, SurfaceKeys, allowed, positive, radii_of};
+use super::keys::{FileKeys, SurfaceKeys, allowed, interaction_of, positive, radii_of};
 use super::overrides::{Override, lay_over};
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
@@ -172,7 +172,13 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
     }
     Ok(SurfaceFile {
         surface: Surface { asperity_density, asperity_radius, heights },
-        query: Query { loading, slip_rates, control: keys.query.hold, contact_life: keys.query.contact_life },
+        query: Query {
+            loading,
+            slip_rates,
+            control: keys.query.hold,
+            contact_life: keys.query.contact_life,
+            interaction: interaction_of(keys.query.interaction, keys.query.nominal_size)?,
+        },
         temperature: keys.query.temperature,
         material: keys.material,
         uncertain,

@@ -47,7 +47,7 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
         (
             "pressure =",
             "presure =",
-            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, contact_life, temperature",
+            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, contact_life, interaction, nominal_size, temperature",
         ),
         (
             "std = 0.5e-6",
@@ -79,6 +79,16 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
             "asperity_radius = 100e-6",
             "asperity_radius = 0.0",
             "surface.toml: surface.asperity_radius = 0: must be a positive number (m)",
+        ),
+        (
+            "hold = \"separation\"",
+            "interaction = \"mean-pressure\"",
+            "surface.toml: query.nominal_size: is missing; interaction = \"mean-pressure\" needs the side of the square nominal area in m",
+        ),
+        (
+            "hold = \"separation\"",
+            "nominal_size = 0.01",
+            "surface.toml: query.nominal_size: has no meaning without interaction = \"mean-pressure\"",
         ),
         ("= 0.3", "= 0.5", "surface.toml: material.poisson_ratio = 0.5: must be at least 0 and below 0.5"),
         (
