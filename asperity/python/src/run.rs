@@ -44,7 +44,9 @@ pub fn simulate(
     let scene = scene.map_err(errors::of_scene)?;
     let end = scene.loading.slip_distance;
     if fields_at.iter().any(|slip| !(0.0..=end).contains(slip)) {
-        let allowed = format!("must be slips from 0 to loading.slip_distance = {end} contact radii");
+        let allowed = format!(
+            "must be slips from 0 to that of the whole slide, {end} contact radii (loading.slip_distance)"
+        );
         return Err(errors::refused("fields_at", allowed));
     }
     let recording = Recording { slips: fields_at, body };

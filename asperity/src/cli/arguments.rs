@@ -114,8 +114,8 @@ pub(super) struct RunArguments {
     /// Write the whole body, not only the half that is simulated
     #[arg(long, requires = "vtu")]
     pub(super) vtu_whole: bool,
-    /// Slips, in contact radii a0, at which fields are recorded in addition to the start of the slide, half
-    /// slip, full slip and the end
+    /// Slips, in contact radii a0 and summed over the steps of a programme, at which fields are recorded in
+    /// addition to the start of the slide, half slip, full slip and the end of each step
     #[arg(long, value_name = "SLIP,SLIP", value_delimiter = ',', value_parser = parse_slip)]
     pub(super) fields_at: Vec<f64>,
 }

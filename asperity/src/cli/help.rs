@@ -80,7 +80,12 @@ Examples:
   asperity run scene.toml -o run.nc
   asperity run scene.toml -o run.nc --plot run.png --vtu fields --fields-at 0.1,1
   asperity run scene.toml -o run.nc --set interface.law=coulomb --set interface.friction=0.3
-  asperity run scene.toml -o run.nc --json --quiet > summary.json";
+  asperity run scene.toml -o run.nc --json --quiet > summary.json
+
+A programme of slip rates (m/s, negative: reversed), each over a distance in contact radii, and of holds (s):
+  [loading]
+  steps = [{ slip_rate = 0.01, slip_distance = 2 }, { slip_rate = 1, slip_distance = 2 },
+           { hold = 1e-3 }, { slip_rate = -1, slip_distance = 1 }]";
 
 pub(super) const TABULATE: &str = "\
 A request is a scene with a section [table] in place of loading.interference and

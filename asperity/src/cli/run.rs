@@ -27,7 +27,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let end = scene.loading.slip_distance;
     if let Some(beyond) = arguments.fields_at.iter().find(|slip| **slip > end) {
         return Err(Failure::Input(format!(
-            "--fields-at {}: the slide ends at loading.slip_distance = {} contact radii",
+            "--fields-at {}: the slide ends after a slip of {} contact radii (loading.slip_distance)",
             numbers::plain(*beyond),
             numbers::plain(end)
         )));
@@ -130,7 +130,10 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
         let _ = writeln!(text, "{name:18}{value}");
     };
     line("interference", format!("{} omega_c", numbers::plain(scene.loading.interference)));
-    line("slip_rate", format!("{} m/s", numbers::plain(scene.loading.slip_rate)));
+    match &scene.loading.steps[..] {
+        [] => line("slip_rate", format!("{} m/s", numbers::plain(scene.loading.slip_rate))),
+        steps => line("steps", steps.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
+    }
     line("radius", format!("{} m", numbers::plain(scene.radius)));
     for quantity in Quantity::SCALARS {
         let descriptor = quantity.descriptor();
@@ -210,6 +213,7 @@ fn as_json(
         "completion": incomplete.unwrap_or("complete"),
         "interference": scene.loading.interference,
         "slip_rate": scene.loading.slip_rate,
+        "steps": scene.loading.steps,
         "radius": scene.radius,
         "heat_partition": outcome.scalars[Quantity::HeatPartition].value,
         "summary": summary,

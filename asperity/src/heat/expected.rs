@@ -70,14 +70,6 @@ impl HeatEffect {
         let interference = scene.loading.interference * critical * scene.radius;
         let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
         let initial = scene.loading.temperature;
-        let loss = |rise| {
-            let film =
-                interface.law.softening_factor(initial + rise) / interface.law.softening_factor(initial);
-            (1.0 - solid.softening_factor(rise)).abs().max((1.0 - film).abs())
-        };
-        Self {
-            rise,
-        let initial = scene.loading.temperature;
         let film = interface.law.softening_factor(initial + rise) / interface.law.softening_factor(initial);
         Self {
             rise,

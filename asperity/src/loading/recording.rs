@@ -9,7 +9,7 @@ use crate::loading::state::SlideState;
 use crate::solver::newton::Mechanics;
 
 /// States of a run recorded as fields. Always recorded: the start of the slide, slip of half of the
-/// contact, full slip and the end.
+/// contact, full slip and the end; in a programme the end of each step.
 ///
 /// ```
 /// use asperity::loading::recording::Recording;
@@ -19,7 +19,7 @@ use crate::solver::newton::Mechanics;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recording {
-    /// Slips in units of a₀, at each of which an increment ends.
+    /// Slips in units of a₀, summed over the steps of a programme, at each of which an increment ends.
     pub slips: Vec<f64>,
     /// Whether displacement, stress, plastic strain and temperature of the body are recorded as well.
     pub body: bool,
@@ -29,6 +29,7 @@ pub struct Recording {
 #[derive(Clone, Debug)]
 pub struct Fields {
     pub slip: f64,
+    pub time: f64,
     pub status: Vec<Status>,
     pub pressure: Vec<f64>,
     pub shear: Vec<f64>,
@@ -44,6 +45,8 @@ pub struct Recorder {
     /// Stick area fractions not yet reached, in ascending order.
     stick_fractions: Vec<f64>,
     body: bool,
+    /// Recorded last.
+    last: Option<SlideState>,
     pub contact: Vec<Fields>,
     pub bodies: Vec<RecordedBody>,
 }
@@ -62,10 +65,10 @@ impl Recorder {
         self.slips.last().copied()
     }
 
-    /// Whether the state `now` is to be recorded.
-    pub fn is_due(&mut self, now: &SlideState) -> bool {
+    /// Whether the state `now` is to be recorded, after slip along `path` (over R).
+    pub fn is_due(&mut self, path: f64, now: &SlideState) -> bool {
         let before = (self.slips.len(), self.stick_fractions.len());
-        let slipped = now.slip * (1.0 + 1e-12);
+        let slipped = path * (1.0 + 1e-12);
         while self.slips.pop_if(|next| *next <= slipped).is_some() {}
         while self.stick_fractions.pop_if(|next| now.stick_fraction <= *next).is_some() {}
         before != (self.slips.len(), self.stick_fractions.len())
@@ -73,7 +76,7 @@ impl Recorder {
 
     /// Records the committed state, unless it is already recorded.
     pub fn keep(&mut self, now: &SlideState, mechanics: &Mechanics, conduction: Option<&Conduction>) {
-        if self.contact.last().is_some_and(|last| last.slip == now.slip) {
+        if self.last.replace(*now) == Some(*now) {
             return;
         }
         let contact = &mechanics.contact;
@@ -84,6 +87,7 @@ impl Recorder {
         };
         self.contact.push(Fields {
             slip: now.slip,
+            time: now.time,
             status: state.status.clone(),
             pressure: state.pressure.clone(),
             // The area of the last ring may be covered beyond its own cell.
@@ -123,13 +127,13 @@ mod tests {
             (4.0, 0.0, false),
         ];
         for (slip, stick, due) in states {
-            assert_eq!(recorder.is_due(&at(slip, stick)), due, "{slip}");
+            assert_eq!(recorder.is_due(slip, &at(slip, stick)), due, "{slip}");
         }
     }
 
     #[test]
     fn a_contact_that_never_sticks_has_no_full_slip_to_wait_for() {
         let mut recorder = Recorder::new(&Recording::default(), 0.1, &at(0.0, 0.0));
-        assert!(!recorder.is_due(&at(0.1, 0.0)));
+        assert!(!recorder.is_due(0.1, &at(0.1, 0.0)));
     }
 }

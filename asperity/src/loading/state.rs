@@ -3,6 +3,10 @@
 /// State after one increment, dimensionless, energies of the half body since the start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SlideState {
+    /// Step of the programme, from 0.
+    #[serde(default)]
+    pub step: usize,
+    /// Displacement of the flat.
     pub slip: f64,
     /// Over R.
     pub interference: f64,

@@ -78,7 +78,10 @@ impl<'a> Plane<'a> {
             parts.map(|part| part.iter().map(|[x, y, _]| [*x, *y, class as f64]).collect()).collect()
         };
         let cells = [class(0, &|at| -sticks(at)), class(1, &sticks)].concat();
-        let state = self.outcome.slide.states().find(|state| state[Quantity::Slip] == snapshot.slip);
+        let state =
+            self.outcome.slide.states().find(|state| {
+                (state[Quantity::Slip], state[Quantity::Time]) == (snapshot.slip, snapshot.time)
+            });
         let sticks = state.map_or(String::new(), |state| {
             format!(", {:.0} % sticks", 100.0 * state[Quantity::StickFraction])
         });
@@ -168,6 +171,7 @@ mod tests {
         let [open, stick, slip] = [ContactStatus::Open, ContactStatus::Stick, ContactStatus::Slip];
         outcome.snapshots = vec![Snapshot {
             slip: 0.5 * unit,
+            time: 0.5,
             status: vec![slip, slip, open, open, stick, stick, open, open],
             pressure: vec![4e9, 2e9, 0.0, 0.0, 4e9, 1e9, 0.0, 0.0],
             shear: vec![4e8, 4e8, 0.0, 0.0, 1e8, 1e8, 0.0, 0.0],

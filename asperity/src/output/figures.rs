@@ -115,27 +115,43 @@ pub fn run_figure(scene: &Scene, outcome: &Outcome) -> Figure {
         panels.extend([&TEMPERATURE, &HEAT].map(panel));
     }
     panels.extend(contact_maps(outcome));
+    let loading = &scene.loading;
+    let rates = match loading.steps.is_empty() {
+        true => format!("at {} m/s", plain(loading.slip_rate)),
+        false => format!("through {} steps of slip rate", loading.steps.len()),
+    };
     Figure {
-        title: format!(
-            "{} ω_{{c}} at {} m/s, R = {} m",
-            plain(scene.loading.interference),
-            plain(scene.loading.slip_rate),
-            plain(scene.radius)
-        ),
+        title: format!("{} ω_{{c}} {rates}, R = {} m", plain(loading.interference), plain(scene.radius)),
         // Those of a row of maps.
         columns: if outcome.account.heat { 5 } else { 4 },
         panels,
     }
 }
 
-/// Slip in units of a₀ along the slide.
+/// Slip in units of a₀ along the slide; of a programme the sum over its steps.
 fn slips(outcome: &Outcome) -> Vec<f64> {
     let radius = outcome.scalars[Quantity::ContactRadius].value;
-    outcome.slide.column(Quantity::Slip).iter().map(|slip| slip / radius).collect()
+    let slips = outcome.slide.column(Quantity::Slip);
+    if !is_programme(outcome) {
+        return slips.iter().map(|slip| slip / radius).collect();
+    }
+    let lengths = slips.windows(2).map(|pair| (pair[1] - pair[0]).abs() / radius);
+    let sums = lengths.scan(0.0, |sum, length| {
+        *sum += length;
+        Some(*sum)
+    });
+    std::iter::once(0.0).chain(sums).collect()
 }
 
-fn slip_axis(at_onset: bool) -> Axis {
-    Axis { log: at_onset, ..Axis::linear("Slip s/a_{0}") }
+fn is_programme(outcome: &Outcome) -> bool {
+    outcome.slide.last(Quantity::ProgrammeStep).is_some_and(|step| step > 1.0)
+}
+
+fn slip_axis(outcome: &Outcome, at_onset: bool) -> Axis {
+    match is_programme(outcome) {
+        true => Axis::linear("Accumulated slip over a_{0}"),
+        false => Axis { log: at_onset, ..Axis::linear("Slip s/a_{0}") },
+    }
 }
 
 fn panel(outcome: &Outcome, shown: &Shown) -> Panel {
@@ -150,7 +166,7 @@ fn panel(outcome: &Outcome, shown: &Shown) -> Panel {
         Curve::new(*name, slips.clone(), values(*quantity).map(|value| value / scale).collect())
     };
     let curves = shown.histories.iter().map(curve).collect();
-    Panel::new(shown.name, shown.title, slip_axis(shown.at_onset), Axis::linear(label), curves)
+    Panel::new(shown.name, shown.title, slip_axis(outcome, shown.at_onset), Axis::linear(label), curves)
 }
 
 /// From stick to slip.
@@ -164,7 +180,7 @@ fn onset(outcome: &Outcome) -> Panel {
         curve("stick area fraction", Quantity::StickFraction, 1.0),
         curve("μ over its peak", Quantity::Mu, if peak > 0.0 { peak } else { f64::NAN }),
     ];
-    Panel::new("onset", "Onset of sliding", slip_axis(true), Axis::linear("Fraction"), curves)
+    Panel::new("onset", "Onset of sliding", slip_axis(outcome, true), Axis::linear("Fraction"), curves)
 }
 
 #[cfg(test)]
@@ -203,6 +219,21 @@ mod tests {
         let hot = ["temperature", "heat", "temperature-map"];
         let expected: Vec<&str> = PANELS.into_iter().filter(|name| !hot.contains(name)).collect();
         assert_eq!(names(&cold), expected);
+    }
+
+    /// Forwards by 2 a₀, backwards by 1 a₀.
+    #[test]
+    fn a_programme_is_drawn_over_its_accumulated_slip() {
+        let scene = fake::scene(20.0, 1.0);
+        let mut outcome = fake::outcome(&scene);
+        let radius = outcome.scalars[Quantity::ContactRadius].value;
+        let last = outcome.slide.len() - 1;
+        outcome.slide.column_mut(Quantity::Slip)[last - 1] = 2.0 * radius;
+        outcome.slide.column_mut(Quantity::Slip)[last] = radius;
+        outcome.slide.column_mut(Quantity::ProgrammeStep)[last] = 2.0;
+        let Panel { x, curves, .. } = &run_figure(&scene, &outcome).panels[0];
+        let first = outcome.slide.column(Quantity::Slip)[0] / radius;
+        assert!(!x.log && (curves[0].x[last] - (3.0 - first)).abs() < 1e-12, "{:?}", curves[0].x);
     }
 
     #[test]

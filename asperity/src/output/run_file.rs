@@ -42,8 +42,11 @@ const FIELDS: [Field; 4] = [
 /// Write the file; it appears whole or not at all.
 pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -> Result<(), DatasetError> {
     let loading = &scene.loading;
-    let title =
-        format!("Sliding of one asperity at {} omega_c and {} m/s", loading.interference, loading.slip_rate);
+    let rates = match loading.steps.is_empty() {
+        true => format!("and {} m/s", loading.slip_rate),
+        false => format!("through {} steps of slip rate", loading.steps.len()),
+    };
+    let title = format!("Sliding of one asperity at {} omega_c {rates}", loading.interference);
     let completion = match about.incomplete {
         None => "complete".to_owned(),
         Some(reason) => format!("incomplete: {reason}"),
@@ -208,13 +211,16 @@ fn fields(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErro
     file.dimension("snapshot", slips.len())?;
     let attributes = described("m", "displacement of the flat at the snapshot");
     file.reals("snapshot_slip", &["snapshot"], &slips, &attributes)?;
+    let times: Vec<f64> = snapshots.iter().map(|snapshot| snapshot.time).collect();
+    let attributes = described("s", "time of the snapshot since the start of the slide");
+    file.reals("snapshot_time", &["snapshot"], &times, &attributes)?;
     let attributes = described("rad", "angle from the direction in which the flat moves");
     file.coordinate("theta", &grid.theta, &attributes)?;
     file.coordinate("r", &grid.r, &described("m", "distance from the axis"))?;
     for (name, unit, long_name, of) in FIELDS {
         let values: Vec<f64> = snapshots.iter().flat_map(|s| of(s).iter().copied()).collect();
         let mut attributes = described(unit, long_name);
-        attributes.push(("coordinates", "snapshot_slip".into()));
+        attributes.push(("coordinates", "snapshot_slip snapshot_time".into()));
         file.reals(name, &["snapshot", "theta", "r"], &values, &attributes)?;
     }
     let status = |status: &ContactStatus| match status {
@@ -223,8 +229,10 @@ fn fields(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErro
         ContactStatus::Slip => 2,
     };
     let values: Vec<i8> = snapshots.iter().flat_map(|s| s.status.iter().map(status)).collect();
-    let attributes =
-        [("long_name", "what each contact point does".into()), ("coordinates", "snapshot_slip".into())];
+    let attributes = [
+        ("long_name", "what each contact point does".into()),
+        ("coordinates", "snapshot_slip snapshot_time".into()),
+    ];
     let meanings = ["open", "stick", "slip"];
     file.flags("contact_status", &["snapshot", "theta", "r"], &values, &meanings, &attributes)?;
     Ok(())

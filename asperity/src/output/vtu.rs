@@ -44,16 +44,18 @@ pub fn write(directory: &Path, outcome: &Outcome, extent: Extent) -> Result<Path
     std::fs::create_dir_all(directory).map_err(|error| failed(directory, error.to_string()))?;
     let body = RevolvedBody::new(fields, extent);
     let mut collection = String::from(
-        "<?xml version=\"1.0\"?>\n<!-- timestep: slip in contact radii -->\n\
+        "<?xml version=\"1.0\"?>\n<!-- timestep: slip in contact radii, or time in s where slip does not rise -->\n\
          <VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n  <Collection>\n",
     );
+    let radius = outcome.scalars[Quantity::ContactRadius].value;
+    let rises = fields.snapshots.windows(2).all(|pair| pair[1].slip > pair[0].slip);
     for (number, snapshot) in fields.snapshots.iter().enumerate() {
         let name = format!("body-{number:03}.vtu");
         let path = directory.join(&name);
         write_grid(&path, &body, &body.fields(snapshot)).map_err(|reason| failed(&path, reason))?;
-        let slip = snapshot.slip / outcome.scalars[Quantity::ContactRadius].value;
+        let moment = if rises { snapshot.slip / radius } else { snapshot.time };
         // Writing to a String cannot fail.
-        let _ = writeln!(collection, "    <DataSet timestep=\"{slip}\" part=\"0\" file=\"{name}\"/>");
+        let _ = writeln!(collection, "    <DataSet timestep=\"{moment}\" part=\"0\" file=\"{name}\"/>");
     }
     collection.push_str("  </Collection>\n</VTKFile>\n");
     let path = directory.join(COLLECTION);

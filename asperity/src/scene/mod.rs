@@ -11,6 +11,7 @@ pub(crate) mod curve;
 pub mod file;
 pub(crate) mod fitted_constants;
 mod friction_law;
+pub(crate) mod loading;
 mod material;
 pub mod presets;
 mod remarks;
@@ -19,6 +20,7 @@ use serde::{Deserialize, Serialize};
 
 pub use counterface::Counterface;
 pub use friction_law::FrictionLaw;
+pub use loading::{Control, Loading, LoadingStep};
 pub use material::{
     FractureData, Hardening, Material, Rate, Softening, TemperatureDependence, TemperatureTable,
 };
@@ -63,41 +65,6 @@ impl Default for Interface {
             taylor_quinney: 0.9,
         }
     }
-}
-
-/// What stays constant while the flat slides.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Control {
-    #[default]
-    Interference,
-    Load,
-}
-
-/// Section `[loading]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Loading {
-    /// ω₀/ω_c.
-    pub interference: f64,
-    /// V, m/s; 0 is the isothermal limit.
-    pub slip_rate: f64,
-    /// In contact radii a₀ at the end of the press.
-    #[serde(default = "default_slip_distance")]
-    pub slip_distance: f64,
-    #[serde(default)]
-    pub control: Control,
-    /// Of body and flat at the start, K.
-    #[serde(default = "default_temperature")]
-    pub temperature: f64,
-}
-
-fn default_slip_distance() -> f64 {
-    2.0
-}
-
-pub(crate) fn default_temperature() -> f64 {
-    298.0
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -5,6 +5,7 @@ use tables::numbers::digits;
 use tables::quantity::plausible;
 use toml::{Table, Value};
 
+use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::{Hardening, Interface, Loading, Material, Model, Numerics, Rate, Scene, Softening};
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
@@ -93,9 +94,10 @@ impl Scene {
             },
             interface: Interface::default(),
             loading: Loading {
-                slip_distance: super::default_slip_distance(),
+                // A programme has its own.
+                slip_distance: if self.loading.steps.is_empty() { default_slip_distance() } else { f64::NAN },
                 control: Default::default(),
-                temperature: super::default_temperature(),
+                temperature: default_temperature(),
                 ..loading
             },
             model: Model::default(),

@@ -1,7 +1,7 @@
 //! Common conditions of all runs of one slip rate: heat and the meshes that it requires, chosen before the slide.
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway};
-use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics};
+use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
 use crate::simulate::SimulationError;
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements};
@@ -12,10 +12,10 @@ pub(super) struct Conditions {
     pub heat: HeatChoice,
     /// Expected effect of heat, whether it is simulated or not.
     pub effect: HeatEffect,
-    /// V, m/s.
-    pub slip_rate: f64,
-    /// VR/κ, 0 without heat.
-    pub speed: f64,
+    /// A single step, if the scene has no programme.
+    pub programme: Vec<LoadingStep>,
+    /// VR/κ of the fastest step, 0 without heat.
+    speed: f64,
     /// Of all meshes, see [`thermal_layer_refinements`].
     thermal_layer_refinements: u32,
     /// Contact radius over R that meshes are laid out for.
@@ -23,10 +23,12 @@ pub(super) struct Conditions {
 }
 
 impl Conditions {
-    /// At a slip rate, m/s; an error where plastic flow heats the metal too strongly.
+    /// At a slip rate, m/s, unless the scene has a programme; an error where plastic flow heats the metal too strongly.
     pub fn new(pressed: &Pressed, slip_rate: f64) -> Result<Self, SimulationError> {
         let Pressed { scene, problem, contact_radius, .. } = pressed;
         let contact_radius = *contact_radius;
+        let programme = scene.loading.programme(slip_rate);
+        let slip_rate = programme.iter().map(|step| step.slip_rate().abs()).fold(0.0, f64::max);
         let effect = HeatEffect::expected(scene, slip_rate, contact_radius * problem.units.length);
         let heat = choose_heat(scene, slip_rate, &effect);
         if let Some(heating) = runaway(scene).filter(|_| heat.is_coupled()) {
@@ -45,7 +47,7 @@ impl Conditions {
         };
         let wanted = thermal_layer_refinements(speed * contact_radius);
         let thermal_layer_refinements = (1..=wanted).rev().find(fits).unwrap_or(0);
-        Ok(Self { heat, effect, slip_rate, speed, thermal_layer_refinements, contact_radius })
+        Ok(Self { heat, effect, programme, speed, thermal_layer_refinements, contact_radius })
     }
 
     /// The resolution with elements at the surface as thin as heat needs them.

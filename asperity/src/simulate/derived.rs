@@ -42,7 +42,7 @@ pub(super) fn inception_time(
     friction: Estimate,
     contact_radius: Estimate,
 ) -> Option<Estimate> {
-    let (material, slip_rate) = (&scene.material, scene.loading.slip_rate);
+    let (material, slip_rate) = (&scene.material, scene.loading.first_slip_rate());
     if !(slip_rate > 0.0 && friction.value > 0.0) {
         return None;
     }

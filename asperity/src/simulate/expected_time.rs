@@ -2,7 +2,7 @@
 //!
 //! A mesh of n elements per contact radius costs time in proportion to n^2.3; the accuracy ε of the scene requires
 //! n in proportion to ε^(−0.9), and contacts below ω_c, where friction converges in first order, finer meshes than
-//! deeper ones.
+//! deeper ones. Each step of a programme takes as long as a slide.
 
 use crate::scene::fitted_constants::processor_time::{
     AT_FIRST_YIELD, DEEP, LEAST, LIGHT_POWER, MESH_POWER, MOST, REFERENCE_ACCURACY, REFERENCE_ELEMENTS,
@@ -27,7 +27,8 @@ pub fn expected_time(scene: &Scene) -> f64 {
             base * (REFERENCE_ACCURACY / numerics.accuracy).powi(2)
         }
     };
-    (seconds * sectors).clamp(LEAST, MOST)
+    let steps = scene.loading.steps.len().max(1) as f64;
+    (seconds * sectors * steps).clamp(LEAST, MOST)
 }
 
 /// Whether the body yields, does not harden, and is no stronger than the interface; decided again after the press.

@@ -91,6 +91,7 @@ pub fn outcome(scene: &Scene) -> Outcome {
         grid: ContactGrid { theta: vec![0.0, 1.0], r: vec![0.0, 1e-5, 2e-5] },
         snapshots: vec![Snapshot {
             slip: 1e-5,
+            time: 0.1,
             status: vec![ContactStatus::Slip; 6],
             pressure: vec![1e9; 6],
             shear: vec![1e8; 6],

@@ -24,6 +24,7 @@ pub const MAIN: [Quantity; 7] = [
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub slip: f64,
+    pub time: f64,
     pub status: Vec<ContactStatus>,
     pub pressure: Vec<f64>,
     pub shear: Vec<f64>,

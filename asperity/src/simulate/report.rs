@@ -11,7 +11,7 @@ use crate::loading::problem::{Problem, Units};
 use crate::loading::recording::Fields;
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
-use crate::scene::{Hardening, InterfaceStrength, Scene};
+use crate::scene::{Hardening, InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
@@ -43,7 +43,8 @@ pub(super) fn report(
         let modelling_error = runner.conditions.modelling_error(runner.pressed, run.plastic_strain());
         ErrorBudget::unknown(&run.values, &modelling_error)
     });
-    let outcome = outcome(&runner.pressed.problem, &mut run, budget, account);
+    let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
+    let outcome = outcome(problem, programme, &mut run, budget, account);
     let failure = run.failure.or(stopped.then_some(SlideFailure::Cancelled));
     match failure {
         None => Ok(outcome),
@@ -154,7 +155,13 @@ fn warnings_of_strength(scene: &Scene, plastic_strain: f64) -> Vec<Warning> {
 }
 
 /// The whole outcome in SI units.
-fn outcome(problem: &Problem, run: &mut Run, budget: ErrorBudget, account: Account) -> Outcome {
+fn outcome(
+    problem: &Problem,
+    programme: &[LoadingStep],
+    run: &mut Run,
+    budget: ErrorBudget,
+    account: Account,
+) -> Outcome {
     let units = problem.units;
     let (rings, columns) = (run.contact.radii.len(), run.contact.angles.len());
     Outcome {
@@ -167,7 +174,7 @@ fn outcome(problem: &Problem, run: &mut Run, budget: ErrorBudget, account: Accou
         steady: run.values.steady,
         budget,
         press: press_history(problem, &run.press.increments),
-        slide: slide_history(problem, &run.history),
+        slide: slide_history(problem, programme, &run.history),
         grid: ContactGrid {
             theta: run.contact.angles.clone(),
             r: run.contact.radii.iter().map(|r| r * units.length).collect(),
@@ -192,7 +199,7 @@ fn press_history(problem: &Problem, increments: &[Increment]) -> History {
     history
 }
 
-fn slide_history(problem: &Problem, states: &[SlideState]) -> History {
+fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideState]) -> History {
     let units = problem.units;
     // Work and heat are of the half body.
     let energy = |x: f64| 2.0 * x * units.energy();
@@ -202,6 +209,8 @@ fn slide_history(problem: &Problem, states: &[SlideState]) -> History {
             Quantity::Slip => i.slip * units.length,
             Quantity::Interference => i.interference / problem.critical_interference,
             Quantity::Time => i.time * units.time,
+            Quantity::SlipRate => programme[i.step].slip_rate(),
+            Quantity::ProgrammeStep => (i.step + 1) as f64,
             Quantity::Friction => i.friction * units.force(),
             Quantity::Load => i.load * units.force(),
             Quantity::Mu => i.mu(),
@@ -234,6 +243,7 @@ fn snapshot(units: &Units, fields: &Fields, (rings, columns): (usize, usize)) ->
     let status: Vec<ContactStatus> = places().map(|at| fields.status[at]).collect();
     Snapshot {
         slip: fields.slip * units.length,
+        time: fields.time * units.time,
         status,
         pressure: reordered(&fields.pressure, units.stress),
         shear: reordered(&fields.shear, units.stress),

@@ -15,7 +15,7 @@ use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
 use crate::loading::problem::Discretisation;
 use crate::loading::recording::{Fields, Recorder};
-use crate::loading::slide::{Slide, SlideFailure};
+use crate::loading::slide::{Motion, Slide, SlideFailure};
 use crate::loading::state::SlideState;
 use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
@@ -245,7 +245,7 @@ impl<'a> Runner<'a> {
 
     /// A slide from its press, which must be there.
     fn slide(&self, resolution: &Resolution, progress: Option<RunProgress>) -> Result<Run, SimulationError> {
-        let Pressed { problem, scene, recording, .. } = self.pressed;
+        let Pressed { problem, recording, .. } = self.pressed;
         let at_surface = self.conditions.at_surface(resolution);
         let press =
             self.presses.iter().find(|press| press.serves(&at_surface)).expect("pressed before").clone();
@@ -261,8 +261,10 @@ impl<'a> Runner<'a> {
         let radius = press.contact.radius(&press.contact.committed);
         slide.recorder = Recorder::new(recording, radius, &slide.history[0]);
         slide.record_fields();
+        let programme = self.conditions.programme.iter();
+        let motions: Vec<Motion> = programme.map(|step| Motion::new(step, radius, &problem.units)).collect();
         let failure = slide
-            .run(scene.loading.slip_distance * radius, &|| self.watch.cancelled(), |done, history| {
+            .run(&motions, &|| self.watch.cancelled(), |done, history| {
                 if let Some(progress) = progress {
                     let detail = progress.describe(&problem.units, history);
                     self.watch.progress("slide", progress.at(done), &detail);
@@ -313,9 +315,7 @@ impl<'a> Runner<'a> {
                 Some(conduction.with_counterface(problem.counterface.clone()))
             }
         };
-        let mut slide = Slide::new(problem, mechanics, heat, self.conditions.speed, resolution.increments);
-        slide.slip_rate = self.conditions.slip_rate;
-        Ok(slide)
+        Ok(Slide::new(problem, mechanics, heat, resolution.increments))
     }
 }
 

@@ -23,8 +23,8 @@ pub fn steady_friction(history: &[SlideState]) -> Estimate {
     let mu = |slip: f64| between(history, slip).mu();
     let tends_to = |slip: f64| 2.0 * mu(slip) - mu(0.25 * slip);
     let value = tends_to(last.slip);
-    let fourier = if last.area > 0.0 { PI * last.time / last.area } else { 0.0 };
-    // Time does not pass in a slide without heat.
+    // Without heat friction does not depend on time.
+    let fourier = if last.area > 0.0 && last.heat_in != 0.0 { PI * last.time / last.area } else { 0.0 };
     let early = if fourier > 0.0 { (2.0 / fourier.sqrt()).max(1.0) } else { 1.0 };
     Estimate::with_errors(value, [early * (value - mu(last.slip)), value - tends_to(0.5 * last.slip)])
 }
@@ -55,7 +55,7 @@ mod tests {
         let (fourier, end) = (0.01f64, 2.0f64);
         let history: Vec<SlideState> = slide(end, |slip| 0.3 - 0.01 * (slip / end).sqrt())
             .into_iter()
-            .map(|state| SlideState { area: PI, time: fourier * state.slip / end, ..state })
+            .map(|state| SlideState { area: PI, heat_in: 1.0, time: fourier * state.slip / end, ..state })
             .collect();
         // Up to Fo = 1 it falls to 0.2.
         let found = steady_friction(&history);

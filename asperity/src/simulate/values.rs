@@ -39,17 +39,18 @@ impl Values {
         let pressed = press.last().expect("a press has increments");
         // Without a slide or friction the values are rounding errors.
         let has_friction = problem.law.has_friction() && history.len() > 1;
-        let inception = if has_friction { inception(history) } else { Inception::none(history) };
+        let (first, latest) = (first_step(history), last_slip(history));
+        let inception = if has_friction { inception(first) } else { Inception::none(history) };
         let friction = if has_friction { last.friction } else { 0.0 };
         let mu = |i: &SlideState| {
             if has_friction && i.load > 0.0 { i.friction / i.load } else { 0.0 }
         };
-        let steady = if has_friction { steady_friction(history) } else { Estimate::default() };
+        let steady = if has_friction { steady_friction(&latest) } else { Estimate::default() };
         let energy = units.stress * units.length;
         let start = units.temperature;
         let values = Quantity::SCALARS.map(|quantity| match quantity {
             Quantity::Mu => mu(last),
-            Quantity::MuPeak => history.iter().map(mu).fold(0.0, f64::max),
+            Quantity::MuPeak => history.iter().map(|i| mu(i).abs()).fold(0.0, f64::max),
             Quantity::MuMean if has_friction => mean_friction(history),
             Quantity::MuMean => 0.0,
             Quantity::Friction => friction * units.force(),
@@ -58,7 +59,7 @@ impl Values {
             Quantity::Area => last.area * units.area(),
             Quantity::AreaPress => pressed.area * units.area(),
             Quantity::ContactRadius => (pressed.area / PI).sqrt() * units.length,
-            Quantity::EnergyWeakening if has_friction => weakening(history) * energy,
+            Quantity::EnergyWeakening if has_friction => weakening(first) * energy,
             Quantity::EnergyWeakening => 0.0,
             Quantity::TemperatureMax => start + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
             Quantity::TemperatureMean => start + last.rise_mean,
@@ -67,7 +68,7 @@ impl Values {
             quantity => of_inception(&inception, quantity, &units)
                 .unwrap_or_else(|| unreachable!("{quantity:?} is not a scalar")),
         });
-        let others = inception.by_other_thresholds(history);
+        let others = inception.by_other_thresholds(first);
         let brackets = Quantity::SCALARS.map(|quantity| {
             let bracket = match quantity {
                 Quantity::EnergyRelease => inception.energy_bracket * energy,
@@ -81,7 +82,7 @@ impl Values {
         });
         let elastic = problem.interference < problem.critical_interference;
         let inception = inception.criterion;
-        Self { values, brackets, start, elastic, inception, steady: is_steady(history), residual: 0.0 }
+        Self { values, brackets, start, elastic, inception, steady: is_steady(&latest), residual: 0.0 }
     }
 
     /// The same value for every quantity, of a plastic contact.
@@ -140,13 +141,28 @@ fn of_inception(inception: &Inception, quantity: Quantity, units: &Units) -> Opt
     })
 }
 
-/// ∫Q ds/∫P ds over the slide, trapezoidal; 0 without load.
+/// The states of the first step of the programme.
+fn first_step(history: &[SlideState]) -> &[SlideState] {
+    &history[..history.iter().take_while(|state| state.step == 0).count()]
+}
+
+/// The states of the last step of the programme that slides, with slip and time from its start.
+fn last_slip(history: &[SlideState]) -> Vec<SlideState> {
+    let moved = |&n: &usize| history[n].slip != history[n - 1].slip;
+    let step = (1..history.len()).rev().find(moved).map_or(0, |n| history[n].step);
+    let start = history.iter().rposition(|state| state.step < step).unwrap_or(0);
+    let (slip, time) = (history[start].slip, history[start].time);
+    let within = history[start..].iter().take_while(|state| state.step <= step);
+    within.map(|&i| SlideState { slip: (i.slip - slip).abs(), time: i.time - time, ..i }).collect()
+}
+
+/// ∫Q ds/∫P |ds| over the slide, trapezoidal; 0 without load. Q reverses with slip.
 fn mean_friction(history: &[SlideState]) -> f64 {
-    let integral = |of: fn(&SlideState) -> f64| -> f64 {
-        history.windows(2).map(|w| 0.5 * (of(&w[0]) + of(&w[1])) * (w[1].slip - w[0].slip)).sum()
+    let integral = |of: fn(&SlideState) -> f64, length: fn(f64) -> f64| -> f64 {
+        history.windows(2).map(|w| 0.5 * (of(&w[0]) + of(&w[1])) * length(w[1].slip - w[0].slip)).sum()
     };
-    let load = integral(|state| state.load);
-    if load > 0.0 { integral(|state| state.friction) / load } else { 0.0 }
+    let load = integral(|state| state.load, f64::abs);
+    if load > 0.0 { integral(|state| state.friction, |slip| slip) / load } else { 0.0 }
 }
 
 /// ∫(τ̄ − τ̄_end) ds from the peak of τ̄ = Q/A to the end, trapezoidal.

@@ -7,7 +7,7 @@ use crate::heat::conduction::{Conduction, ContactHeat};
 use crate::interface::contact::{Contact, FlatPosition};
 use crate::loading::press::press_on;
 use crate::loading::problem::{Discretisation, Problem, SHEAR_RATIO};
-use crate::loading::slide::Slide;
+use crate::loading::slide::{Motion, Slide};
 use crate::material::StrainPath;
 use crate::material::lanes::Lanes;
 use crate::scene::Scene;
@@ -82,8 +82,9 @@ impl Kernels {
         let mechanics =
             discretisation.revolve(&problem, (&body, &contact, &displacement), resolution.tolerance);
         let mesh = discretisation.mesh;
-        let mut slide = Slide::new(&problem, mechanics, None, 0.0, resolution.increments);
-        slide.run(distance * radius, &|| false, |_, _| {}).expect("a slide that works");
+        let mut slide = Slide::new(&problem, mechanics, None, resolution.increments);
+        let motion = Motion::Slip { slip_rate: 0.0, speed: 0.0, distance: distance * radius };
+        slide.run(&[motion], &|| false, |_, _| {}).expect("a slide that works");
         let steps = slide.history.len() - 1;
         let flat = FlatPosition { interference: problem.interference, displacement: distance * radius };
         let (body, contact, displacement) = slide.mechanics.into_parts();

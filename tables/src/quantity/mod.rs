@@ -70,6 +70,10 @@ pub enum Quantity {
     Interference,
     /// t since the start of the slide.
     Time,
+    /// V: rate of the flat's displacement in the increment.
+    SlipRate,
+    /// Step of the programme, from 1.
+    ProgrammeStep,
     /// Fraction of the contact area that sticks.
     StickFraction,
     /// Largest equivalent plastic strain of the body.

@@ -22,6 +22,7 @@ fn scaling_follows_from_the_unit() {
             "J" => 3,
             "N" | "m2" | "s" => 2,
             "m" | "J m-2" => 1,
+            "m s-1" => -1,
             _ => 0,
         };
         assert_eq!(entry.radius_exponent, exponent, "{}", entry.name);

@@ -110,8 +110,8 @@ def simulate(
         scene: a dictionary of sections, TOML as text, or the path of a scene file; the chapter "Scene" of the book has
             the keys.
         overrides: values laid over the scene by key, such as ``{"loading.slip_rate": 10.0}``.
-        fields_at: slips in contact radii at which fields are recorded in addition to the start of the slide, half slip,
-            full slip and the end.
+        fields_at: slips in contact radii, summed over the steps of a programme, at which fields are recorded in addition
+            to the start of the slide, half slip, full slip and the end of each step.
         body: record the fields of the body for :meth:`Run.save_body`.
         threads: number of threads, by default that of processors. Results do not depend on it.
         progress: True for a bar, or a function of stage, share done (0 to 1) and a remark.

@@ -32,7 +32,7 @@ pub struct Equilibrium {
 /// The coupled quantities within one increment.
 struct Coupling<'a> {
     problem: &'a Problem,
-    /// V, m/s.
+    /// V, m/s; 0 in a hold.
     slip_rate: f64,
     conduction: Option<&'a mut Conduction>,
     dt: f64,
@@ -113,7 +113,7 @@ impl Coupling<'_> {
 }
 
 impl Slide<'_> {
-    /// Solves the increment that ends at the slip `to`, from a first guess.
+    /// Solves the increment that ends at the displacement `to` of the flat, from a first guess.
     pub(super) fn equilibrium(
         &mut self,
         to: f64,
@@ -130,7 +130,7 @@ impl Slide<'_> {
         contact.set_edges(&edges);
         let mut coupling = Coupling {
             problem: self.problem,
-            slip_rate: self.slip_rate,
+            slip_rate: self.motion.slip_rate(),
             conduction: self.heat.as_mut(),
             dt,
             slip: to - from,

@@ -1,6 +1,6 @@
 //! The slide: increments of the flat's displacement s, mechanics and heat coupled in each.
 //!
-//! [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
+//! [`motion`]: slip at a constant rate or a hold; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
 //! state after it with the totals of work and heat; [`invariants`]: laws that every state keeps.
 //!
@@ -12,6 +12,7 @@ mod edge_search;
 mod friction_heat;
 pub mod increments;
 pub mod invariants;
+mod motion;
 mod shear_limits;
 mod state;
 
@@ -27,6 +28,7 @@ use friction_heat::HeatSources;
 pub use increments::Increments;
 use increments::{InceptionBracket, Predictor, StepControl};
 use invariants::Violation;
+pub use motion::Motion;
 
 /// Stick area fraction below which the contact slips fully: points that have just touched stick until
 /// they have slipped once.
@@ -74,11 +76,23 @@ impl From<StepFailure> for SlideFailure {
     }
 }
 
+/// An increment to attempt.
+struct Advance {
+    /// Displacement of the flat at its end.
+    to: f64,
+    /// Over R²/κ; 0 in the isothermal limit.
+    dt: f64,
+    /// For the strain rate, s; infinite in the isothermal limit.
+    seconds: f64,
+    /// Whether it is longer than an increment in which sliding may begin.
+    wide: bool,
+}
+
 /// Result of the attempt at an increment.
 enum Attempt {
     Taken,
-    /// Solved, but sliding begins within the increment: only the bracket is used.
-    PastInception(InceptionBracket),
+    /// Solved, but sliding begins within the increment: only this predictor of its end is used.
+    PastInception(Predictor),
 }
 
 pub struct Slide<'a> {
@@ -86,18 +100,14 @@ pub struct Slide<'a> {
     pub mechanics: Mechanics,
     /// None without heat.
     heat: Option<Conduction>,
-    /// VR/κ.
-    speed: f64,
-    /// V, m/s, for the strain rate; at 0 it is below the reference.
-    pub slip_rate: f64,
+    /// The present one.
+    motion: Motion,
     interference: f64,
     hold: LoadingControl,
     /// Elastic energy after the press.
     elastic_of_press: f64,
-    /// Whether the contact has once slipped everywhere.
+    /// Whether the contact has slipped everywhere since the start, the last hold or the last reversal.
     has_begun: bool,
-    /// Shortest increment in which sliding inception is bracketed.
-    finest: f64,
     sources: HeatSources,
     pub history: Vec<SlideState>,
     pub recorder: Recorder,
@@ -109,13 +119,11 @@ pub struct Slide<'a> {
 }
 
 impl<'a> Slide<'a> {
-    /// A slide from the pressed state `mechanics`, at dimensionless speed VR/κ; with heat if a
-    /// conduction solver is given.
+    /// A slide from the pressed state `mechanics`; with heat if a conduction solver is given.
     pub fn new(
         problem: &'a Problem,
         mechanics: Mechanics,
         heat: Option<Conduction>,
-        speed: f64,
         increments: Increments,
     ) -> Self {
         let mut slide = Self {
@@ -123,12 +131,10 @@ impl<'a> Slide<'a> {
             hold: LoadingControl::Interference,
             elastic_of_press: mechanics.body.elastic_energy(&mechanics.body.committed),
             has_begun: false,
-            finest: 0.0,
             problem,
             mechanics,
             heat,
-            speed,
-            slip_rate: 0.0,
+            motion: Motion::Hold { time: 0.0 },
             sources: HeatSources::default(),
             history: Vec::new(),
             recorder: Recorder::default(),
@@ -146,43 +152,79 @@ impl<'a> Slide<'a> {
         slide
     }
 
-    /// Slides by `distance` (in R); `watch` is given the share done and the history.
+    /// Makes the motions one after the other; `watch` is given the share done and the history.
     pub fn run(
         &mut self,
-        distance: f64,
+        motions: &[Motion],
         stop: &StopRequest,
         mut watch: impl FnMut(f64, &[SlideState]),
     ) -> Result<(), SlideFailure> {
-        let mut control = StepControl::new(distance, self.elastic_displacement(), self.increments.growth);
-        self.finest = control.finest;
-        let (mut before, mut slip_before) = (self.predictor(), 0.0);
-        let mut slip = 0.0;
-        while slip < distance * (1.0 - 1e-9) {
-            watch(slip / distance, &self.history);
+        let mut path = 0.0;
+        for (step, motion) in motions.iter().enumerate() {
+            if let Some(before) = step.checked_sub(1) {
+                // The contact may stick again.
+                self.has_begun &= motion.direction() == motions[before].direction();
+                self.record_fields();
+            }
+            self.motion = *motion;
+            // Those of another rate are no first iterate.
+            self.sources = HeatSources::default();
+            self.make(step, path, stop, |share, history| {
+                watch((step as f64 + share) / motions.len() as f64, history);
+            })?;
+            path += motion.direction().abs() * motion.length();
+        }
+        watch(1.0, &self.history);
+        Ok(())
+    }
+
+    /// Makes the present motion, the step `step` of the programme, after slip along `path`.
+    fn make(
+        &mut self,
+        step: usize,
+        path: f64,
+        stop: &StopRequest,
+        mut watch: impl FnMut(f64, &[SlideState]),
+    ) -> Result<(), SlideFailure> {
+        let (motion, start, length) = (self.motion, self.last().slip, self.motion.length());
+        let slides = motion.direction() != 0.0;
+        let mut control = StepControl::new(length, self.scale(), self.increments.growth);
+        let (mut before, mut done_before) = (self.predictor(), 0.0);
+        // Distance, or time of a hold.
+        let mut done = 0.0;
+        while done < length * (1.0 - 1e-9) {
+            watch(done / length, &self.history);
             if stop() {
                 return Err(SlideFailure::Cancelled);
             }
-            let next = control.next(slip, self.recorder.next_slip());
+            let next =
+                control.next(done, self.recorder.next_slip().filter(|_| slides).map(|slip| slip - path));
             let committed = self.predictor();
             let cover = self.mechanics.contact.contact_fraction.clone();
             let guess = match control.bracket() {
-                None => Predictor::between((&before, slip_before), (&committed, slip), next),
+                None => Predictor::between((&before, done_before), (&committed, done), next),
                 Some(beyond) => {
-                    Predictor::between((&committed, slip), (&beyond.predictor, beyond.slip), next)
+                    Predictor::between((&committed, done), (&beyond.predictor, beyond.slip), next)
                 }
             };
-            match self.step(slip, next, guess, stop) {
+            let advance = Advance {
+                to: start + motion.direction() * next,
+                dt: motion.time(next - done),
+                seconds: motion.seconds(next - done, &self.problem.units),
+                wide: slides && next - done > increments::bracket_width(next, control.finest) * (1.0 + 1e-9),
+            };
+            match self.step(step, advance, guess, stop) {
                 Ok(Attempt::Taken) => {
-                    (before, slip_before, slip) = (committed, slip, next);
-                    control.taken(slip, self.has_begun);
+                    (before, done_before, done) = (committed, done, next);
+                    control.taken(done, self.has_begun || !slides);
                     let now = self.history.last().expect("stepped");
-                    if self.recorder.is_due(now) {
+                    if self.recorder.is_due(path + if slides { done } else { 0.0 }, now) {
                         self.record_fields();
                     }
                 }
-                Ok(Attempt::PastInception(bracket)) => {
+                Ok(Attempt::PastInception(predictor)) => {
                     self.mechanics.restore(committed.displacement, cover);
-                    control.past_inception(slip, bracket);
+                    control.past_inception(done, InceptionBracket { slip: next, predictor });
                 }
                 Err(failure) => {
                     self.mechanics.restore(committed.displacement, cover);
@@ -196,8 +238,21 @@ impl<'a> Slide<'a> {
                 }
             }
         }
-        watch(1.0, &self.history);
         Ok(())
+    }
+
+    /// Scale of the first increments: the elastic displacement at gross slip; in a hold a share of the time in which
+    /// the contact has warmed, or in which heat diffuses through it.
+    fn scale(&self) -> f64 {
+        /// Surface temperatures fall in proportion to √t at first, to 3 % over a thousandth of the time.
+        const FIRST_SHARE: f64 = 0.01;
+        match self.motion {
+            Motion::Slip { .. } => self.elastic_displacement(),
+            Motion::Hold { .. } => {
+                let last = self.last();
+                FIRST_SHARE * last.time.min(last.area)
+            }
+        }
     }
 
     /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
@@ -215,18 +270,16 @@ impl<'a> Slide<'a> {
         }
     }
 
-    /// One increment from slip to slip, from a first guess.
+    /// One increment of the step `step` of the programme, from a first guess.
     fn step(
         &mut self,
-        from: f64,
-        to: f64,
+        step: usize,
+        advance: Advance,
         guess: Predictor,
         stop: &StopRequest,
     ) -> Result<Attempt, SlideFailure> {
-        let dt = if self.speed > 0.0 { (to - from) / self.speed } else { 0.0 };
-        // Infinite at V = 0.
-        self.mechanics.body.time_step = (to - from) * self.problem.units.length / self.slip_rate;
-        let equilibrium = self.equilibrium(to, dt, guess, stop)?;
+        self.mechanics.body.time_step = advance.seconds;
+        let equilibrium = self.equilibrium(advance.to, advance.dt, guess, stop)?;
         #[cfg(test)]
         if self.rejecting > 0 {
             self.rejecting -= 1;
@@ -234,15 +287,15 @@ impl<'a> Slide<'a> {
                 return Err(StepFailure::NotFinite.into());
             }
         }
-        let state = self.next_state(from, dt, &equilibrium);
+        let state = SlideState { step, ..self.next_state(advance.dt, &equilibrium) };
         self.check(&state, &equilibrium)?;
         let begins = !self.has_begun && state.stick_fraction < NO_STICK;
         // A contact without stick after the press, or with full slip in the first increment, has its inception at s =
         // 0.
         let stuck = self.last().stick_fraction >= NO_STICK;
-        if begins && stuck && to - from > increments::bracket_width(to, self.finest) * (1.0 + 1e-9) {
+        if begins && stuck && advance.wide {
             let predictor = Predictor { interference: equilibrium.flat.interference, ..self.predictor() };
-            return Ok(Attempt::PastInception(InceptionBracket { slip: to, predictor }));
+            return Ok(Attempt::PastInception(predictor));
         }
         self.commit(state, equilibrium);
         self.has_begun |= begins;

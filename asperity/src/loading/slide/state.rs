@@ -11,6 +11,10 @@ use super::friction_heat::contact_rise;
 use crate::interface::contact::FlatPosition;
 use crate::loading::state::SlideState;
 
+/// Share of the heat flow into the asperity that the frictional heat has at least: in a hold, and while the contact
+/// sticks after a reversal, both bodies exchange heat without friction.
+const LEAST_FRICTIONAL: f64 = 0.01;
+
 impl Slide<'_> {
     /// The trial state with the totals of `previous`.
     pub(super) fn present_state(&self, slip: f64, previous: SlideState) -> SlideState {
@@ -27,13 +31,13 @@ impl Slide<'_> {
         }
     }
 
-    /// The state after the solved increment of `dt` from the slip `from`, with its work and heat added to the totals.
-    pub(super) fn next_state(&self, from: f64, dt: f64, solved: &Equilibrium) -> SlideState {
+    /// The state after the solved increment of `dt`, with its work and heat added to the totals.
+    pub(super) fn next_state(&self, dt: f64, solved: &Equilibrium) -> SlideState {
         let flat = solved.flat;
         let mut state = self.present_state(flat.displacement, *self.last());
         state.interference = flat.interference;
         state.time += dt;
-        let old = FlatPosition { interference: self.interference, displacement: from };
+        let old = FlatPosition { interference: self.interference, displacement: self.last().slip };
         let interface = self.mechanics.contact.step_work(old, flat);
         state.work += interface.of_flat;
         state.friction_work += interface.friction;
@@ -51,7 +55,7 @@ impl Slide<'_> {
             (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, rise);
             state.heat_counterface += balance.counterface;
             let generated = balance.contact + balance.counterface;
-            if self.problem.counterface.is_some() && generated > 0.0 {
+            if self.problem.counterface.is_some() && generated > LEAST_FRICTIONAL * balance.contact.abs() {
                 state.heat_partition = balance.contact / generated;
             }
         }

@@ -18,8 +18,23 @@ fn ready(problem: &Problem) -> Slide<'_> {
     let conduction = Conduction::new(&discretisation.mesh, problem.heat_capacity).unwrap();
     let mechanics = discretisation.revolve(problem, (&body, &contact, &displacement), NEWTON_TOLERANCE);
     let increments = Increments { growth: 0.3, coupling_limit: 4 };
-    // VR/κ of 1 m/s, steel and 1 mm.
-    Slide::new(problem, mechanics, Some(conduction), 80.0, increments)
+    let mut slide = Slide::new(problem, mechanics, Some(conduction), increments);
+    slide.motion = slip(FAST, 0.0);
+    slide
+}
+
+/// VR/κ of 1 m/s, steel and 1 mm.
+const FAST: f64 = 80.0;
+
+/// Slip at VR/κ, without an effect of the strain rate.
+fn slip(speed: f64, distance: f64) -> Motion {
+    Motion::Slip { slip_rate: 0.0, speed, distance }
+}
+
+/// An increment to the displacement `to`, in which sliding may begin.
+fn advance(slide: &Slide, to: f64) -> Advance {
+    let distance = (to - slide.last().slip).abs();
+    Advance { to, dt: slide.motion.time(distance), seconds: f64::INFINITY, wide: false }
 }
 
 /// A steel that does not harden, as strong as its interface, at 5 ω_c and 1 m/s.
@@ -44,19 +59,19 @@ fn a_cut_back_restores_the_history_completely() {
     // The bracketing of inception would change the steps.
     forced.has_begun = true;
     let distance = 0.05 * problem.expected_contact_radius();
-    forced.run(distance, &|| false, |_, _| {}).unwrap();
+    forced.run(&[slip(FAST, distance)], &|| false, |_, _| {}).unwrap();
     assert!(forced.cutbacks >= 40);
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
     let mut direct = ready(&problem);
-    direct.has_begun = true;
     let mut before = direct.predictor();
     let slips: Vec<f64> = forced.history.iter().map(|state| state.slip).collect();
     for (k, pair) in slips.windows(2).enumerate() {
         let committed = direct.predictor();
         let slip_before = if k == 0 { 0.0 } else { slips[k - 1] };
         let guess = Predictor::between((&before, slip_before), (&committed, pair[0]), pair[1]);
-        assert!(matches!(direct.step(pair[0], pair[1], guess, &|| false), Ok(Attempt::Taken)));
+        let advance = advance(&direct, pair[1]);
+        assert!(matches!(direct.step(0, advance, guess, &|| false), Ok(Attempt::Taken)));
         before = committed;
     }
     assert_eq!(forced.history, direct.history);
@@ -69,7 +84,7 @@ fn a_cut_back_restores_the_history_completely() {
 fn sliding_inception_is_enclosed() {
     let problem = problem_of(&[]);
     let mut slide = ready(&problem);
-    slide.run(0.1 * problem.expected_contact_radius(), &|| false, |_, _| {}).unwrap();
+    slide.run(&[slip(FAST, 0.1 * problem.expected_contact_radius())], &|| false, |_, _| {}).unwrap();
     let begun = slide.history.iter().position(|state| state.stick_fraction < NO_STICK).unwrap();
     let (before, after) = (slide.history[begun - 1], slide.history[begun]);
     assert!(before.stick_fraction >= NO_STICK);
@@ -86,12 +101,10 @@ fn sliding_inception_is_enclosed() {
 
 /// Steps to each of the slips in turn, forwards or backwards.
 fn go(slide: &mut Slide, slips: impl IntoIterator<Item = f64>) {
-    // The bracketing of inception would change the increments.
-    slide.has_begun = true;
     for to in slips {
-        let from = slide.history.last().unwrap().slip;
         let guess = slide.predictor();
-        assert!(matches!(slide.step(from, to, guess, &|| false), Ok(Attempt::Taken)));
+        let advance = advance(slide, to);
+        assert!(matches!(slide.step(0, advance, guess, &|| false), Ok(Attempt::Taken)));
     }
 }
 
@@ -104,7 +117,7 @@ fn a_reversed_slide_closes_its_loop() {
     let problem =
         problem_of(&["loading.interference=0.5", "interface.strength_factor=0.2", "model.heat=off"]);
     let mut slide = ready(&problem);
-    (slide.heat, slide.speed) = (None, 0.0);
+    (slide.heat, slide.motion) = (None, slip(0.0, 0.0));
     let radius = (slide.history[0].area / std::f64::consts::PI).sqrt();
     // Twice the elastic displacement τa/G at gross slip: the contact slips all over, but only towards the end.
     let far = 2.0 * problem.strength_factor * SHEAR_RATIO * radius / problem.solid.moduli.shear;
@@ -132,7 +145,6 @@ fn a_reversed_slide_closes_its_loop() {
 fn a_slide_that_stops_cools_and_restarts() {
     let problem = problem_of(&[]);
     let mut slide = ready(&problem);
-    let fast = slide.speed;
     let step = 0.01 * problem.expected_contact_radius();
     let from = |slide: &Slide| slide.history.last().unwrap().slip;
     let run = |slide: &mut Slide| {
@@ -141,11 +153,11 @@ fn a_slide_that_stops_cools_and_restarts() {
         *slide.history.last().unwrap()
     };
     let hot = run(&mut slide);
-    slide.speed = 1e-9 * fast;
+    slide.motion = slip(1e-9 * FAST, 0.0);
     let at = from(&slide);
     go(&mut slide, (1..=20).map(|k| at + 1.5e-6 * step * f64::from(k)));
     let cold = *slide.history.last().unwrap();
-    slide.speed = fast;
+    slide.motion = slip(FAST, 0.0);
     let again = run(&mut slide);
     assert!(hot.rise_max > 10.0 && cold.rise_max < 1e-3 * hot.rise_max, "{hot:?} {cold:?}");
     assert_eq!((hot.stick_fraction, cold.stick_fraction), (0.0, 1.0));

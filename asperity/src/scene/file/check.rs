@@ -46,6 +46,12 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
 fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result<(), SceneFileError> {
     let good = match (kind, value) {
         (Kind::Section(keys), Value::Table(table)) => return check(path, table, keys, source),
+        (Kind::Sections(keys), Value::Array(list)) => {
+            for (n, value) in list.iter().enumerate() {
+                check_value(&format!("{path}[{n}]"), value, Kind::Section(keys), source)?;
+            }
+            !list.is_empty()
+        }
         (Kind::Property(unit, range), Value::Table(table)) => {
             let keys = [
                 key("temperature", Kind::List("K", NOT_NEGATIVE, Order::NotFalling)),
@@ -76,7 +82,7 @@ fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result
         }
         (Kind::Flag, value) => value.is_bool(),
         (Kind::Name, _) => true,
-        (Kind::Section(_) | Kind::List(..), _) => false,
+        (Kind::Section(_) | Kind::Sections(_) | Kind::List(..), _) => false,
     };
     match good {
         true => Ok(()),

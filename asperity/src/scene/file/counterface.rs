@@ -5,8 +5,9 @@ use toml::{Table, Value};
 
 use super::error::SceneFileError;
 use super::source::Source;
+use crate::scene::TemperatureTable;
+use crate::scene::loading::default_temperature;
 use crate::scene::presets::{self, Preset};
-use crate::scene::{TemperatureTable, default_temperature};
 
 const ELASTIC: [&str; 2] = ["youngs_modulus", "poisson_ratio"];
 const CONDUCTING: [&str; 3] = ["thermal_conductivity", "density", "specific_heat"];

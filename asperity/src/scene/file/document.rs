@@ -9,6 +9,7 @@ use super::counterface::{resolve_counterface, take_preset};
 use super::deserialise::{read, set_at};
 use super::error::SceneFileError;
 use super::keys::SCENE;
+use super::programme::resolve_programme;
 use super::relations;
 use super::source::Source;
 use crate::scene::{FrictionLaw, Scene};
@@ -79,6 +80,7 @@ impl Document {
             relations::check_fracture(material, &self.source)?;
         }
         resolve_counterface(&mut sections, &self.source)?;
+        resolve_programme(&mut sections, &self.source)?;
         if let Some(Value::Table(interface)) = sections.get_mut("interface") {
             // Serde has no default for the law of a section that has other keys too.
             let law = Table::try_from(FrictionLaw::default()).expect("plain data");

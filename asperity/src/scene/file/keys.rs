@@ -32,6 +32,10 @@ const ACCURACY: Range = Range { text: "a number from 1e-6 to 0.5", accepts: |x| 
 /// Far beyond the slip at which friction is steady.
 const SLIP_DISTANCE: Range =
     Range { text: "a number from 0 to 10000", accepts: |x| (0.0..=1e4).contains(&x) };
+const STEP_DISTANCE: Range =
+    Range { text: "a positive number up to 10000", accepts: |x| x > 0.0 && x <= 1e4 };
+/// Negative in a reversed slide.
+const NOT_ZERO: Range = Range { text: "a number other than 0", accepts: |x| x != 0.0 && x.is_finite() };
 
 impl Range {
     pub fn accepts(&self, value: f64) -> bool {
@@ -72,6 +76,8 @@ pub enum Kind {
     Name,
     Flag,
     Section(&'static [Key]),
+    /// A list of sections, not empty.
+    Sections(&'static [Key]),
 }
 
 /// A key of a section.
@@ -92,7 +98,7 @@ const fn parameter(laws: &'static [&'static str], name: &'static str, kind: Kind
     Key { name, kind, laws }
 }
 
-use Kind::{Count, Flag, List, Name, Number, Property, Section};
+use Kind::{Count, Flag, List, Name, Number, Property, Section, Sections};
 
 /// All sections of a scene.
 pub const SCENE: &[Key] = &[
@@ -172,12 +178,20 @@ const COUNTERFACE: &[Key] = &[
     key("contact_conductance", Number("W/(m2 K)", POSITIVE_OR_INFINITE)),
 ];
 
-const LOADING: &[Key] = &[
+pub const LOADING: &[Key] = &[
     key("interference", Number("omega_0/omega_c", POSITIVE)),
     key("slip_rate", Number("m/s, 0 is the isothermal limit", NOT_NEGATIVE)),
     key("slip_distance", Number("contact radii", SLIP_DISTANCE)),
     key("control", Name),
     key("temperature", Number("K", POSITIVE)),
+    key("steps", Sections(STEP)),
+];
+
+/// A step of a programme.
+pub const STEP: &[Key] = &[
+    key("slip_rate", Number("m/s", NOT_ZERO)),
+    key("slip_distance", Number("contact radii", STEP_DISTANCE)),
+    key("hold", Number("s", POSITIVE)),
 ];
 
 const NUMERICS: &[Key] = &[
@@ -223,6 +237,7 @@ impl Kind {
             Flag => "true or false".into(),
             Section(keys) if keys[0].name == "law" => "{ law = … }".into(),
             Section(_) => "a section".into(),
+            Sections(_) => "a list, not empty, of sections".into(),
         }
     }
 }
@@ -232,7 +247,7 @@ pub fn key_names() -> BTreeSet<&'static str> {
     fn collect(keys: &[Key], names: &mut BTreeSet<&'static str>) {
         for key in keys {
             names.insert(key.name);
-            if let Section(keys) = key.kind {
+            if let Section(keys) | Sections(keys) = key.kind {
                 collect(keys, names);
             }
         }

@@ -15,6 +15,7 @@ mod deserialise;
 mod document;
 mod error;
 mod keys;
+mod programme;
 mod relations;
 mod request;
 mod source;
@@ -27,6 +28,8 @@ use std::path::Path;
 pub use error::SceneFileError;
 pub use keys::key_names;
 pub use request::{Request, parse_request, read_request, write_request};
+
+use toml::Table;
 
 use crate::scene::Scene;
 use document::Document;
@@ -73,5 +76,11 @@ pub fn parse_scene(text: &str, file: &str, overrides: &[String]) -> Result<Scene
 
 /// The whole scene as TOML, with every default filled in; reading it gives the same scene.
 pub fn write_scene(scene: &Scene) -> String {
-    toml::to_string(scene).expect("a scene is plain data")
+    const PLAIN: &str = "a scene is plain data";
+    if scene.loading.steps.is_empty() {
+        return toml::to_string(scene).expect(PLAIN);
+    }
+    let mut sections = Table::try_from(scene).expect(PLAIN);
+    programme::leave_to_programme(&mut sections);
+    toml::to_string(&sections).expect(PLAIN)
 }

@@ -11,6 +11,7 @@ use super::deserialise::read;
 use super::document::{Document, name_of, text_of};
 use super::error::SceneFileError;
 use super::keys::{NOT_NEGATIVE, POSITIVE, POSITIVE_FOR_LOG, Range, TABLE, range_keys};
+use super::programme::STEPS;
 use super::relations;
 use super::source::Source;
 use crate::scene::{Rate, Scene};
@@ -103,6 +104,10 @@ pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Req
     let mut slip_rates = section.slip_rate.clone().unwrap_or(SLIP_RATES.to_vec());
     let smallest = section.interference.as_ref().map_or(SMALLEST_INTERFERENCE, |given| given[0]);
     if let Some(Value::Table(loading)) = document.sections.get_mut("loading") {
+        if let Some(steps) = loading.get("steps") {
+            let allowed = "left out of a request: the cells of a table slide at one slip rate each";
+            return Err(source.invalid(STEPS, steps, allowed));
+        }
         for (key, first) in [("interference", smallest), ("slip_rate", slip_rates[0])] {
             if let Some(value) = loading.insert(key.to_owned(), Value::Float(first)) {
                 let allowed = format!("left out of a request, which has table.{key}");

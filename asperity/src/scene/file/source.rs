@@ -41,9 +41,14 @@ impl Source {
         let mut table = document.get_ref();
         let mut span = None;
         for name in path.split('.') {
+            let (name, index) = name.split_once('[').unwrap_or((name, ""));
             let (key, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
             span = Some(key.span());
-            match value.get_ref() {
+            let value = match (value.get_ref(), index.trim_end_matches(']').parse::<usize>()) {
+                (DeValue::Array(list), Ok(index)) => list.get(index)?.get_ref(),
+                (value, _) => value,
+            };
+            match value {
                 DeValue::Table(inner) => table = inner,
                 _ => break,
             }
@@ -77,7 +82,7 @@ fn readable(value: String) -> String {
 
 /// Whether the key `path` is that of the section `section`, or one in it.
 fn is_within(path: &str, section: &str) -> bool {
-    path.strip_prefix(section).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    path.strip_prefix(section).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 /// Path of a key of the section at `path`.

@@ -24,6 +24,8 @@ const SYNONYMS: &[(&[&str], &str)] = &[
     (&["indentation", "depth", "overlap", "approach", "penetration"], "interference"),
     (&["velocity", "speed", "sliding_velocity", "sliding_speed", "sliding_rate"], "slip_rate"),
     (&["slip", "distance", "sliding_distance", "slip_length"], "slip_distance"),
+    (&["programme", "program", "segments"], "steps"),
+    (&["dwell", "rest", "hold_time"], "hold"),
     (&["initial_temperature", "ambient_temperature"], "temperature"),
     (&["strain", "strain_measure", "large_strain"], "kinematics"),
     (&["mesh", "resolution", "elements"], "elements_per_radius"),
@@ -50,7 +52,7 @@ fn collect(path: &str, keys: &[Key], wanted: &str, paths: &mut Vec<String>) {
         if key.name == wanted {
             paths.push(full.clone());
         }
-        if let Kind::Section(inner) = key.kind {
+        if let Kind::Section(inner) | Kind::Sections(inner) = key.kind {
             collect(&full, inner, wanted, paths);
         }
     }

@@ -178,7 +178,10 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
             format!("the contact is at {hottest:.0} K, above its melting point of {melting:.0} K"),
         );
     }
-    check(outcome.slide.states().all(|step| step[Quantity::Mu] >= -1e-9), "friction pushes".into());
+    // After a reversal friction keeps its sign until the shear is released.
+    let reverses = scene.loading.steps.iter().any(|step| step.slip_rate() < 0.0);
+    let pulls = outcome.slide.states().all(|step| step[Quantity::Mu] >= -1e-9);
+    check(reverses || pulls, "friction pushes".into());
     if let Some(end) = outcome.slide.states().next_back() {
         let spent = end[Quantity::EnergyElastic]
             + end[Quantity::DissipationPlastic]

@@ -18,6 +18,7 @@ mod interface_law;
 mod invariance;
 mod ledgers;
 mod partial_slip;
+mod programmes;
 mod regression;
 mod row;
 pub mod setup;
@@ -67,7 +68,7 @@ pub struct Group {
 }
 
 /// Every group, elementary ones first.
-pub const GROUPS: [Group; 12] = [
+pub const GROUPS: [Group; 13] = [
     Group { name: "Hertz", cases: &hertz::CASES },
     Group { name: "full stick", cases: &full_stick::CASES },
     Group { name: "elastic-plastic sphere", cases: &elastic_plastic::CASES },
@@ -77,6 +78,7 @@ pub const GROUPS: [Group; 12] = [
     Group { name: "counterface", cases: &counterface::CASES },
     Group { name: "thermal softening", cases: &softening::CASES },
     Group { name: "strain rate", cases: &strain_rate::CASES },
+    Group { name: "programmes", cases: &programmes::CASES },
     Group { name: "invariance", cases: &invariance::CASES },
     Group { name: "ledgers", cases: &ledgers::CASES },
     Group { name: "regression", cases: &regression::CASES },

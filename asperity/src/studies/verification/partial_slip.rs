@@ -24,7 +24,7 @@ use crate::simulate::{SimulationError, Watch, simulate};
 const POISSON: f64 = 0.499;
 /// τ₀ = f_τ σ_Y/√3 low enough that the body stays elastic.
 const STRENGTH_FACTOR: f64 = 0.1;
-const FRICTION: f64 = 0.05;
+pub(super) const FRICTION: f64 = 0.05;
 /// Mesh and angles are given: only the increments, a fifth of the slip, follow the accuracy. The curves are read between
 /// them along straight lines.
 const ACCURACY: f64 = 0.009;
@@ -42,17 +42,17 @@ pub const CASES: [Case; 4] = [
 ];
 
 /// Tolerances on a mesh.
-struct On {
+pub(super) struct On {
     elements: usize,
     /// Of Q and the stiffness, relative.
-    force: f64,
+    pub(super) force: f64,
     /// Of energies over τ₀πa²δ_s.
     energy: f64,
     /// Of the displacement at which [`NO_STICK`] of the area sticks, relative: the stiffness, and half a ring.
     inception: f64,
 }
 
-const ON_8: On = On { elements: 8, force: 0.024, energy: 0.015, inception: 0.04 };
+pub(super) const ON_8: On = On { elements: 8, force: 0.024, energy: 0.015, inception: 0.04 };
 const ON_16: On = On { elements: 16, force: 0.01, energy: 0.006, inception: 0.018 };
 
 impl On {
@@ -120,7 +120,7 @@ struct GrossSlip {
     source: &'static str,
 }
 
-fn scene_of(law: FrictionLaw, elements: usize) -> (Scene, Hertz) {
+pub(super) fn scene_of(law: FrictionLaw, elements: usize) -> (Scene, Hertz) {
     let mut scene = scene(plain_material(POISSON), law, 0.05, mesh(elements, 4));
     scene.interface.strength_factor = STRENGTH_FACTOR;
     scene.numerics.accuracy = ACCURACY;

@@ -64,6 +64,7 @@ pub fn scene(material: Material, law: FrictionLaw, interference: f64, mesh: Mesh
             interference,
             slip_rate: 0.0,
             slip_distance: 1e-6,
+            steps: Vec::new(),
             control: Control::Interference,
             temperature: 298.0,
         },

@@ -15,7 +15,7 @@ const LAW: &str = "Johnson & Cook 1983, Proc. 7th Int. Symp. Ballistics, 541";
 const LOGISTIC: &str = "logistic function of time, Johnson & Cook 1983 without hardening";
 /// C, and ε̇₀ in 1/s.
 const COEFFICIENT: f64 = 0.05;
-const REFERENCE: f64 = 2.0;
+pub(super) const REFERENCE: f64 = 2.0;
 /// ε̇/ε̇₀.
 const RATE: f64 = 1e4;
 /// √⅔.
@@ -26,7 +26,7 @@ pub const CASES: [Case; 2] = [
     Case::new("interface at the strain rate V/a", Cost::Quick, interface),
 ];
 
-fn rated_material() -> Material {
+pub(super) fn rated_material() -> Material {
     let rate = Rate::JohnsonCook { coefficient: COEFFICIENT, reference: REFERENCE };
     Material { rate, ..plain_material(0.3) }
 }
@@ -74,7 +74,7 @@ impl Point {
 }
 
 /// q over σ_Y at ε̇_p/ε̇₀.
-fn strength(rate: f64) -> f64 {
+pub(super) fn strength(rate: f64) -> f64 {
     1.0 + COEFFICIENT * rate.ln()
 }
 
