@@ -14,7 +14,7 @@ const NOT_HASHED: [&str; 8] = [
     "output/revolved",
     "output/scale.rs",
     "output/vtu.rs",
-    "simulate/messages.rs",
+    "simulate/messages",
     "studies",
 ];
 

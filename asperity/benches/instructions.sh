@@ -4,14 +4,12 @@
 #     asperity/benches/instructions.sh            # prints them beside the recorded ones
 #     asperity/benches/instructions.sh --record   # and records them in instructions.txt
 #
-# Needs valgrind, which does not support AVX-512: the program is compiled for x86-64-v3 (AVX2) into
-# target/instructions. Takes some minutes.
+# Needs valgrind, which does not support AVX-512. The program is compiled into target/instructions. Takes some minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 record=asperity/benches/instructions.txt
 
-RUSTFLAGS="-C target-cpu=x86-64-v3" cargo build --quiet --locked --release -p asperity \
-    --target-dir target/instructions
+cargo build --quiet --locked --release -p asperity --target-dir target/instructions
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

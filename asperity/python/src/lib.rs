@@ -12,10 +12,20 @@ mod table;
 mod tabulate;
 mod watch;
 
+use pyo3::exceptions::PyImportError;
 use pyo3::prelude::*;
 
 #[pymodule]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    match tables::netcdf::missing_instruction_set() {
+        Some(name) => Err(PyImportError::new_err(tables::netcdf::unsuitable_processor(name))),
+        None => fill(module),
+    }
+}
+
+/// Not a part of `_core`, whose first instructions might already be ones that the processor lacks.
+#[inline(never)]
+fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("SHIPPED", tables::shipped::names().collect::<Vec<_>>())?;
     module.add("CLOSED_FORMS", tables::closed_forms::NAMES)?;

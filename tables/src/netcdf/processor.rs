@@ -9,7 +9,39 @@ use std::io::Write;
 /// program was compiled with.
 #[inline(never)]
 pub fn check_processor() {
-    refuse(missing(instruction_sets()));
+    let Some(name) = missing_instruction_set() else { return };
+    // One after the other: an array of texts may be copied by the instructions that are missing.
+    print("error: ");
+    print(CAUSE);
+    print(name);
+    print(REMEDY);
+    print("\n");
+    std::process::exit(1);
+}
+
+/// An instruction set that the program was compiled with and the processor lacks.
+#[inline(never)]
+pub fn missing_instruction_set() -> Option<&'static str> {
+    missing(instruction_sets())
+}
+
+/// What an error says about it.
+#[inline(never)]
+pub fn unsuitable_processor(name: &str) -> String {
+    let mut message = String::from(CAUSE);
+    message.push_str(name);
+    message.push_str(REMEDY);
+    message
+}
+
+const CAUSE: &str = "this program was compiled for a processor with ";
+const REMEDY: &str =
+    ", which this one lacks; compile it on this machine with RUSTFLAGS=\"-C target-cpu=native\"";
+
+#[inline(never)]
+fn print(text: &str) {
+    // The end is the same if nothing can be written.
+    let _ = std::io::stderr().write_all(text.as_bytes());
 }
 
 /// Its name with whether the program uses it and whether the processor has it.
@@ -57,19 +89,6 @@ fn instruction_sets() -> [InstructionSet; 14] {
 fn instruction_sets() -> [InstructionSet; 0] {
     []
 }
-
-fn refuse(missing: Option<&'static str>) {
-    let Some(name) = missing else { return };
-    let mut stderr = std::io::stderr();
-    for text in ["error: this program was compiled for a processor with ", name, REMEDY] {
-        // The end is the same if nothing can be written.
-        let _ = stderr.write_all(text.as_bytes());
-    }
-    std::process::exit(1);
-}
-
-const REMEDY: &str = ", which this one lacks; compile it on this machine, or for any processor with \
-                      RUSTFLAGS=\"-C target-cpu=x86-64\"\n";
 
 #[cfg(test)]
 mod tests {
