@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Draws the figures of the book and of the README: docs/src/figures/.
 #
-#   docs/figures.sh [friction] [run] [convergence] [bearing] [transition] [slip-rate] [press] [no-end-state] [peers]
-#                                                                default: all but peers
+#   docs/figures.sh [friction] [run] [convergence] [bearing] [transition] [slip-rate] [press] [rate-steps]
+#                   [no-end-state] [peers]                       default: all but peers
 #
 # friction      examples/friction-of-steel.sh, the main job: friction.png, table.svg
 # run           asperity run examples/scenes/single-asperity.toml --plot: run.png
@@ -11,12 +11,13 @@
 # transition    the example elastic_to_plastic, from the shipped tables: transition.svg
 # slip-rate     the example slip_rate_effects, from the shipped tables: slip-rate.svg
 # press         the example press_curves: press.svg
+# rate-steps    the example rate_steps: rate-steps.svg
 # no-end-state  the example no_end_state: no-end-state.svg
 # peers         examples/peers/chart.py, from the rows that `docs/numbers.py peers` leaves in target: peers.svg; needs
 #               Python with matplotlib
 #
 # The data are kept in target/figures. Wall time on two cores without the build: run 2 s, convergence 15 s, friction 40 s,
-# bearing, transition and slip-rate 1 s, press 10 s, no-end-state a few minutes.
+# bearing, transition and slip-rate 1 s, press and rate-steps 10 s, no-end-state a few minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -24,7 +25,7 @@ figures=docs/src/figures
 data=target/figures
 scenes=examples/scenes
 mkdir -p "$data"
-[ $# -gt 0 ] || set -- friction run convergence bearing transition slip-rate press no-end-state
+[ $# -gt 0 ] || set -- friction run convergence bearing transition slip-rate press rate-steps no-end-state
 
 cargo build --locked --release --workspace --bins --examples
 asperity=${CARGO_TARGET_DIR:-target}/release/asperity
@@ -59,6 +60,9 @@ for figure; do
         ;;
     press)
         $examples/press_curves "$figures/press.svg" > "$data/press.txt"
+        ;;
+    rate-steps)
+        $examples/rate_steps "$figures/rate-steps.svg" > "$data/rate-steps.txt"
         ;;
     no-end-state)
         $examples/no_end_state "$figures/no-end-state.svg" > "$data/no-end-state.txt"

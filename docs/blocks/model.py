@@ -153,6 +153,23 @@ def junction_strength():
     return table([r"$\omega_0/\omega_c$", *names], rows)
 
 
+@block("rate-steps", 15)
+def rate_steps():
+    """A contact through steps of the slip rate, a hold and a reversal."""
+    rows, case = [], ""
+    for line in example("rate_steps").splitlines():
+        name, numbers = line[:25].strip(), line[25:].split()
+        if len(numbers) == 5:
+            before, direct, end, slip, temperature = (number.replace("-", "−") for number in numbers)
+            held = name.startswith("hold")
+            name = name.replace("a0", "$a_0$").replace("-", "−")
+            rows.append([case, name, before, "" if held else direct, end, "" if held else slip, temperature])
+        elif not line.startswith("step"):
+            case = line
+    head = ["case", "step", "before", "all slips", "end", "half slip", "temperature"]
+    return table(head, rows)
+
+
 @block("no-end-state", 240)
 def no_end_state():
     """Body and interface of equal strength, from the example of that name."""

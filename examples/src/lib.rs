@@ -9,6 +9,7 @@
 //! | friction against the slip rate, from the shipped tables | `cargo run --release -p examples --example slip_rate_effects [figure.svg]` |
 //! | a press in comparison with the fits of the literature | `cargo run --release -p examples --example press_curves [figure.svg]` |
 //! | body and interface of equal strength: dependence on the mesh, and its remedies | `cargo run --release -p examples --example no_end_state [figure.svg]` |
+//! | a step of the slip rate, a hold and a reversal | `cargo run --release -p examples --example rate_steps [figure.svg]` |
 //! | a study of fresh and worn surfaces, from Rust | `cargo run --release -p examples --example worn_surface` |
 //! | one asperity, from the command line | `asperity run examples/scenes/single-asperity.toml -o run.nc` |
 //! | a brake disc, bearing steel, a granite fault | `roughsurface predict examples/scenes/brake-disc.toml --table model:jackson-green -o brake.nc` |

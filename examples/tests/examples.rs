@@ -40,6 +40,35 @@ fn a_press_lies_near_jackson_and_green() {
     assert!(load("hertz") > 1.2 * run, "{text}");
 }
 
+/// 4340 steel, C = 0.014: V/a rises from 212 to 21 200 per second.
+#[test]
+fn a_rate_step_has_the_direct_effect_of_the_rate_law() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = printed("rate_steps", folder.path(), "figure.svg");
+    let rows: Vec<[f64; 5]> =
+        (text.lines().filter(|line| line.contains(" m/s over ") || line.contains("hold ")))
+            .map(|line| {
+                let words: Vec<&str> = line.split_whitespace().collect();
+                std::array::from_fn(|n| words[words.len() - 5 + n].parse().unwrap())
+            })
+            .collect();
+    let [plain, rated] = [&rows[..7], &rows[7..]];
+    let direct = |rows: &[[f64; 5]], step: usize| rows[step][1] / rows[step][0];
+    let law = (1.0 + 0.014 * 21_200f64.ln()) / (1.0 + 0.014 * 212f64.ln());
+    for (step, law) in [(1, law), (2, 1.0 / law)] {
+        // In the first increment the temperature changes a little.
+        assert!((direct(rated, step) - law).abs() < 0.005, "{step} {text}");
+        assert!((direct(plain, step) - 1.0).abs() < 0.005, "{step} {text}");
+    }
+    for rows in [plain, rated] {
+        // Warms, cools in the hold, and restarts as strong as after the rate step; slides back at the same strength.
+        assert!(rows[1][2] < 0.96 * rows[1][1] && rows[3][4] > 360.0 && rows[4][4] < 301.0, "{text}");
+        assert!((rows[5][1] / rows[1][1] - 1.0).abs() < 0.005, "{text}");
+        assert!((rows[6][1] / rows[6][0] + 1.0).abs() < 0.02, "{text}");
+    }
+    assert!(std::fs::read_to_string(folder.path().join("figure.svg")).unwrap().contains("Restart"));
+}
+
 /// The three findings of the paper that the model comes from (2014).
 #[test]
 fn the_slip_rate_lowers_sliding_friction_and_not_static_friction() {

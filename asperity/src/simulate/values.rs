@@ -188,3 +188,44 @@ fn is_steady(history: &[SlideState]) -> bool {
     let mu = last.friction / last.load;
     earlier.load > 0.0 && (earlier.friction / earlier.load - mu).abs() <= STEADY_CHANGE * mu.abs()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Step, displacement, time, Q/P: forwards at μ = 0.3 and 0.4, a hold, backwards at 0.2, a hold.
+    fn programme() -> Vec<SlideState> {
+        let states = [
+            (0, 0.0, 0.0, 0.3),
+            (0, 1.0, 1.0, 0.3),
+            (1, 1.0, 1.0, 0.4),
+            (1, 3.0, 2.0, 0.4),
+            (2, 3.0, 9.0, 0.4),
+            (3, 3.0, 9.0, -0.2),
+            (3, 1.0, 10.0, -0.2),
+            (4, 1.0, 20.0, -0.1),
+        ];
+        let state = |(step, slip, time, friction)| SlideState {
+            step,
+            slip,
+            time,
+            friction,
+            load: 1.0,
+            ..SlideState::default()
+        };
+        states.map(state).to_vec()
+    }
+
+    #[test]
+    fn scalars_of_a_programme_are_of_its_first_and_of_its_last_slip() {
+        let history = programme();
+        assert_eq!(first_step(&history).len(), 2);
+        let latest: Vec<_> = last_slip(&history).iter().map(|i| (i.slip, i.time, i.friction)).collect();
+        assert_eq!(latest, [(0.0, 0.0, 0.4), (0.0, 0.0, -0.2), (2.0, 1.0, -0.2)]);
+        // 0.3 over 1, 0.4 over 2 and 0.2 over 2.
+        assert!((mean_friction(&history) - 1.5 / 5.0).abs() < 1e-15);
+        // Without a programme both are the slide itself.
+        let single = &history[..2];
+        assert_eq!((first_step(single), &last_slip(single)[..]), (single, single));
+    }
+}

@@ -102,6 +102,8 @@ pub struct Slide<'a> {
     heat: Option<Conduction>,
     /// The present one.
     motion: Motion,
+    /// Time that the motion before took.
+    time_before: f64,
     interference: f64,
     hold: LoadingControl,
     /// Elastic energy after the press.
@@ -135,6 +137,7 @@ impl<'a> Slide<'a> {
             mechanics,
             heat,
             motion: Motion::Hold { time: 0.0 },
+            time_before: 0.0,
             sources: HeatSources::default(),
             history: Vec::new(),
             recorder: Recorder::default(),
@@ -162,8 +165,10 @@ impl<'a> Slide<'a> {
         let mut path = 0.0;
         for (step, motion) in motions.iter().enumerate() {
             if let Some(before) = step.checked_sub(1) {
+                let before = motions[before];
                 // The contact may stick again.
-                self.has_begun &= motion.direction() == motions[before].direction();
+                self.has_begun &= motion.direction() == before.direction();
+                self.time_before = before.time(before.length());
                 self.record_fields();
             }
             self.motion = *motion;
@@ -241,17 +246,20 @@ impl<'a> Slide<'a> {
         Ok(())
     }
 
-    /// Scale of the first increments: the elastic displacement at gross slip; in a hold a share of the time in which
-    /// the contact has warmed, or in which heat diffuses through it.
+    /// Scale of the first increments of the present motion: the elastic displacement at gross slip, and what is passed
+    /// in a share of the time of the motion before, or of that in which heat diffuses through the contact.
     fn scale(&self) -> f64 {
-        /// Surface temperatures fall in proportion to √t at first, to 3 % over a thousandth of the time.
+        /// Surface temperatures change in proportion to √t at first, by 3 % over a thousandth of the time.
         const FIRST_SHARE: f64 = 0.01;
+        let time = FIRST_SHARE * self.time_before.min(self.last().area);
+        let elastic = self.elastic_displacement();
         match self.motion {
-            Motion::Slip { .. } => self.elastic_displacement(),
-            Motion::Hold { .. } => {
-                let last = self.last();
-                FIRST_SHARE * last.time.min(last.area)
+            Motion::Hold { .. } => time,
+            // A slide starts cold.
+            Motion::Slip { speed, .. } if self.heat.is_some() && time > 0.0 => {
+                elastic.min(time * speed.abs())
             }
+            Motion::Slip { .. } => elastic,
         }
     }
 
