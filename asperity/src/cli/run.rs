@@ -27,7 +27,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let end = scene.loading.slip_distance;
     if let Some(beyond) = arguments.fields_at.iter().find(|slip| **slip > end) {
         return Err(Failure::Input(format!(
-            "--fields-at {}: the slide ends after a slip of {} contact radii (loading.slip_distance)",
+            "--fields-at {}: the slide ends after a slip of {} contact radii (loading.slip_distance or steps)",
             numbers::plain(*beyond),
             numbers::plain(end)
         )));

@@ -34,7 +34,10 @@ fn bad_input_is_refused_before_any_work() {
             &["loading.interferance", "did you mean interference?"],
         ),
         (format!("{run} --plot run.gif"), &["run.gif", "svg, png, pdf"]),
-        (format!("{run} --fields-at 1,5"), &["--fields-at 5", "loading.slip_distance = 2"]),
+        (
+            format!("{run} --fields-at 1,5"),
+            &["--fields-at 5", "a slip of 2 contact radii (loading.slip_distance"],
+        ),
         ("run none.toml -o run.nc".into(), &["none.toml", "cannot be read"]),
         ("run scene.toml -o none/run.nc".into(), &["none/run.nc", "cannot be written"]),
         ("run scene.toml -o ./scene.toml".into(), &["--output and the scene are the same file"]),
