@@ -7,6 +7,7 @@ from .common import (
     SINGLE,
     asperity,
     block,
+    error,
     example,
     machine,
     plain,
@@ -127,7 +128,7 @@ def rate():
     return table(head, rows)
 
 
-@block("junction-strength", 40)
+@block("junction-strength", 310)
 def junction_strength():
     """Copper with the strength of the virgin and of the hardened metal at the interface."""
     rows = []

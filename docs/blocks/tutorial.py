@@ -49,7 +49,7 @@ def friction():
 @block("tutorial-cutoff", 1)
 def cutoff():
     text = output(CUTOFF)
-    return "```text\n" + text[text.index("Influence of the cut-off") : text.index("\n\nRate dependence")] + "\n```"
+    return "```text\n" + text[text.index("Influence of the cut-off") :]
 
 
 @block("tutorial-scatter", 2)
