@@ -73,7 +73,7 @@ pub fn sphere_height(r: f64) -> f64 {
 /// Element size at the contact edge, at the centre, and at the surface in depth, in units of a/n_c.
 pub const EDGE_SIZE: f64 = 1.0 / 3.0;
 const CENTRE_SIZE: f64 = 1.0;
-const SURFACE_LAYER: f64 = 0.5;
+pub const SURFACE_LAYER: f64 = 0.5;
 /// Growth zone of a mesh unless a larger one is given.
 pub const GROWTH_ZONE: f64 = 1.25;
 /// Width of the coarser rim of the fine block beyond that, and its depth, in a.

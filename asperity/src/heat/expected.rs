@@ -47,6 +47,10 @@ pub struct HeatEffect {
     pub softening: f64,
     /// Share by which expansion and softening moduli change the load at constant interference.
     pub load: f64,
+    /// Share of the strength that is lost when sliding begins.
+    pub inception: f64,
+    /// Depth that frictional heat has reached then, √(κt), over the contact radius.
+    pub inception_depth: f64,
 }
 
 impl HeatEffect {
@@ -70,10 +74,24 @@ impl HeatEffect {
         let interference = scene.loading.interference * critical * scene.radius;
         let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
         let initial = scene.loading.temperature;
-        let film = interface.law.softening_factor(initial + rise) / interface.law.softening_factor(initial);
+        let softening = |rise: f64| {
+            let film =
+                interface.law.softening_factor(initial + rise) / interface.law.softening_factor(initial);
+            (1.0 - solid.softening_factor(rise)).abs().max((1.0 - film).abs())
+        };
+        // Under the flux q of a plane the surface warms by 2q√(κt/π)/k in the time t of the elastic displacement
+        // τ₀a(2 − ν)/(2G) at gross slip, with 2 − ν taken as 2.
+        let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
+        let diffusivity =
+            material.thermal_conductivity / (material.density * material.specific_heat * contact_radius);
+        let inception_depth =
+            (diffusivity * strength.min(shear_modulus) / (shear_modulus * slip_rate)).sqrt();
+        let at_inception = rise * (2.0 * inception_depth / std::f64::consts::PI.sqrt()).min(1.0);
         Self {
             rise,
-            softening: (1.0 - solid.softening_factor(rise)).abs().max((1.0 - film).abs()),
+            softening: softening(rise),
+            inception: softening(at_inception),
+            inception_depth,
             load: LOAD_OF_EXPANSION * bulge.abs() / interference + (1.0 - solid.stiffness_factor(rise)).abs(),
         }
     }

@@ -60,7 +60,7 @@ impl RecordedBody {
             time: now.time,
             displacement: mechanics.displacement.clone(),
             means: mechanics.body.nodal_means(&mechanics.body.committed),
-            rise: conduction.map(|conduction| conduction.committed.clone()),
+            rise: conduction.map(|conduction| conduction.committed[..conduction.body_length()].to_vec()),
         }
     }
 

@@ -4,9 +4,12 @@ use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
 use crate::simulate::SimulationError;
 use crate::simulate::accuracy::modelling_error::ModellingError;
-use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements};
+use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements, thermal_sublayers};
 use crate::simulate::messages::Warning;
 use crate::simulate::pressed::Pressed;
+
+/// Softening at sliding inception that is not resolved, as a share of the required accuracy.
+const NEGLIGIBLE_AT_INCEPTION: f64 = 0.01;
 
 pub(super) struct Conditions {
     pub heat: HeatChoice,
@@ -18,6 +21,8 @@ pub(super) struct Conditions {
     speed: f64,
     /// Of all meshes, see [`thermal_layer_refinements`].
     thermal_layer_refinements: u32,
+    /// Of all meshes, see [`thermal_sublayers`].
+    pub thermal_sublayers: u32,
     /// Contact radius over R that meshes are laid out for.
     contact_radius: f64,
 }
@@ -47,7 +52,20 @@ impl Conditions {
         };
         let wanted = thermal_layer_refinements(speed * contact_radius);
         let thermal_layer_refinements = (1..=wanted).rev().find(fits).unwrap_or(0);
-        Ok(Self { heat, effect, programme, speed, thermal_layer_refinements, contact_radius })
+        let warm = heat.is_coupled() && effect.inception > NEGLIGIBLE_AT_INCEPTION * scene.numerics.accuracy;
+        let thermal_sublayers = match warm {
+            true => thermal_sublayers(effect.inception_depth, thermal_layer_refinements),
+            false => 1,
+        };
+        Ok(Self {
+            heat,
+            effect,
+            programme,
+            speed,
+            thermal_layer_refinements,
+            thermal_sublayers,
+            contact_radius,
+        })
     }
 
     /// The resolution with elements at the surface as thin as heat needs them.
@@ -58,6 +76,11 @@ impl Conditions {
     /// Whether the hemisphere has room for the mesh.
     pub fn fits(&self, resolution: &Resolution) -> bool {
         self.at_surface(resolution).mesh_size(self.contact_radius).fits()
+    }
+
+    /// Share of the strength that is lost when sliding begins.
+    pub fn softening_at_inception(&self) -> f64 {
+        if self.heat.is_coupled() { self.effect.inception } else { 0.0 }
     }
 
     /// Temperature rise to report where heat is negligible, K.

@@ -15,6 +15,7 @@ use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
 use crate::loading::problem::Discretisation;
 use crate::loading::recording::{Fields, Recorder};
+use crate::loading::slide::increments::inception_width;
 use crate::loading::slide::{Motion, Slide, SlideFailure};
 use crate::loading::state::SlideState;
 use crate::scene::Numerics;
@@ -310,12 +311,15 @@ impl<'a> Runner<'a> {
             false => None,
             true => {
                 let conduction =
-                    Conduction::new(mesh, problem.heat_capacity).map_err(|e| press_error(e.into()))?;
+                    Conduction::new(mesh, problem.heat_capacity, self.conditions.thermal_sublayers)
+                        .map_err(|e| press_error(e.into()))?;
                 let conduction = conduction.with_properties(problem.thermal_properties.clone());
                 Some(conduction.with_counterface(problem.counterface.clone()))
             }
         };
-        Ok(Slide::new(problem, mechanics, heat, resolution.increments))
+        let mut slide = Slide::new(problem, mechanics, heat, resolution.increments);
+        slide.inception_width = inception_width(self.conditions.softening_at_inception());
+        Ok(slide)
     }
 }
 

@@ -93,7 +93,7 @@ impl Kernels {
             sweep: (0..single.len()).map(|i| (0.1 * i as f32).sin()).collect(),
             force: vec![0.0; displacement.len()],
             rise: vec![RISE; mesh.field_length(1)],
-            conduction: Conduction::new(&mesh, problem.heat_capacity).expect("factors"),
+            conduction: Conduction::new(&mesh, problem.heat_capacity, 1).expect("factors"),
             preconditioner: Preconditioner::new(discretisation.factors.clone()),
             timings: Timings::default(),
             paths: (0..PATHS).map(strain_path).collect(),

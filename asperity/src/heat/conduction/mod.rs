@@ -26,11 +26,13 @@ use contact_iteration::ContactIteration;
 use facing::Facing;
 use kirchhoff::Kirchhoff;
 use step::{GAMMA, Step, StepMatrix};
+use sublayers::Sublayers;
 
 mod contact_iteration;
 mod facing;
 mod kirchhoff;
 mod step;
+pub mod sublayers;
 
 /// Number of step sizes whose factors are stored.
 const KEPT_FACTORS: usize = 3;
@@ -97,7 +99,9 @@ impl ThermalProperties {
 }
 
 pub struct Conduction {
+    /// The body's with its first layer divided.
     mesh: RevolvedMesh,
+    sublayers: Sublayers,
     /// ρc₀ per kelvin (κ = 1, so also k₀).
     capacity: f64,
     pattern: HarmonicPattern,
@@ -111,19 +115,22 @@ pub struct Conduction {
     varying: Option<Kirchhoff>,
     /// The body that faces the contact, if it conducts.
     counterface: Option<HalfSpace>,
+    /// Temperature rise at the nodes, those of the body first.
     pub committed: Vec<f64>,
 }
 
 impl Conduction {
-    pub fn new(mesh: &RevolvedMesh, capacity: f64) -> Result<Self, FactorError> {
+    /// On the mesh of a body, divided into `sublayers` parts and more at the surface, see [`sublayers`].
+    pub fn new(body: &RevolvedMesh, capacity: f64, sublayers: u32) -> Result<Self, FactorError> {
+        let (mesh, sublayers) = Sublayers::divide(body, sublayers);
         let columns = mesh.sectors.columns();
         let mass = mesh.nodal_volumes().iter().map(|v| capacity * v).collect();
         let contact = mesh.meridian.contact.iter();
         let contact_places =
             contact.flat_map(|&n| (0..columns).map(move |j| n as usize * columns + j)).collect();
-        let pattern = HarmonicPattern::new(mesh, FieldKind::Scalar)?;
+        let pattern = HarmonicPattern::new(&mesh, FieldKind::Scalar)?;
         let entries = [(capacity, 0.0), (0.0, capacity)].map(|(mass, conductivity)| {
-            pattern.assemble(mesh, |e, m| element_matrix(mesh, e, mass, conductivity, m))
+            pattern.assemble(&mesh, |e, m| element_matrix(&mesh, e, mass, conductivity, m))
         });
         Ok(Self {
             pattern,
@@ -135,7 +142,8 @@ impl Conduction {
             varying: None,
             counterface: None,
             committed: vec![0.0; mesh.field_length(1)],
-            mesh: mesh.clone(),
+            sublayers,
+            mesh,
         })
     }
 
@@ -175,8 +183,18 @@ impl Conduction {
         Ok(matrix)
     }
 
+    /// Length of a scalar field of the body.
+    pub fn body_length(&self) -> usize {
+        self.sublayers.body_length()
+    }
+
+    /// Temperature rise at the nodes of the body as its elements need it, see [`sublayers`].
+    pub fn of_body(&self, rise: &[f64]) -> Vec<f64> {
+        self.sublayers.of_body(rise)
+    }
+
     /// Temperature rise after a step of `dt` from the committed one, with `body` the heat given
-    /// to each node over the step and `heat` the flow at the contact.
+    /// to each node of the body over the step and `heat` the flow at the contact.
     pub fn advance(
         &mut self,
         dt: f64,
@@ -184,6 +202,7 @@ impl Conduction {
         heat: &dyn ContactHeat,
     ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let matrix = self.step_matrix(dt)?;
+        let body = &self.sublayers.spread(body)[..];
         let facing = self.counterface.as_ref().map(|half_space| {
             let areas = (0..self.contact_places.len()).map(|point| heat.area(point)).collect();
             // κ = 1: the effusivity is the capacity.

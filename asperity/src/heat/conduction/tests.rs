@@ -42,7 +42,7 @@ fn disc_source(
     let total: f64 = (0..areas.len()).map(|i| source.flow(i, 0.0).0).sum();
     let a = (2.0 * total / std::f64::consts::PI).sqrt();
     source.flux = 1.0 / a;
-    let mut conduction = Conduction::new(&mesh, 1.0).unwrap().with_properties(properties);
+    let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
     let none = vec![0.0; mesh.field_length(1)];
     let (mut t, mut dt) = (0.0, 1e-4 * a * a);
     let (mut given, mut lost) = (0.0, 0.0);
@@ -96,7 +96,7 @@ fn constant_tables_agree_with_constant_properties() {
     let (mesh, heat) = (small_mesh(), |mesh: &RevolvedMesh| Softening::new(mesh, 1.0, 3.0));
     let steady = ThermalProperties::constant();
     let [plain, tables] = [None, Some(steady)].map(|properties| {
-        let mut conduction = Conduction::new(&mesh, 1.0).unwrap().with_properties(properties);
+        let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
         march(&mut conduction, &heat(&mesh), 1e-6, 20);
         conduction.committed
     });
@@ -177,7 +177,7 @@ fn steep_softening_is_solved() {
     for exponent in [0.2, 0.5, 0.8, 1.0, 4.0, 40.0] {
         for flux in [1e-6, 0.1, 10.0, 1e4] {
             let mesh = small_mesh();
-            let mut conduction = Conduction::new(&mesh, 1.0).unwrap();
+            let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap();
             let off = march(&mut conduction, &Softening::new(&mesh, exponent, flux), 1e-7, 24);
             // The temperatures have a tolerance of 1e-11, which the slope of the heat flow multiplies.
             assert!(off < 1e-10 * (exponent * flux).max(1.0), "exponent {exponent}, flux {flux}: {off:e}");
@@ -196,7 +196,7 @@ fn kinks_of_tabulated_softening_are_solved() {
         let mesh = small_mesh();
         let mut heat = Softening::new(&mesh, 1.0, flux);
         heat.strength = Box::new(move |rise| crate::scene::curve::interpolate(&knots, &factors, rise).0);
-        let mut conduction = Conduction::new(&mesh, 1.0).unwrap();
+        let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap();
         let off = march(&mut conduction, &heat, 1e-7, 24);
         assert!(off < 1e-10 * flux.max(1.0), "flux {flux}: {off:e}");
     }
@@ -221,7 +221,7 @@ fn heat_balance_closes_across_peaks_and_jumps() {
             heat.strength = Box::new(|rise: f64| 1.0 - (rise / 1500.0).clamp(0.0, 1.0).powf(0.8));
             heat.gap = gap;
             let mut conduction =
-                Conduction::new(&mesh, 2.0).unwrap().with_properties(Some(properties.clone()));
+                Conduction::new(&mesh, 2.0, 1).unwrap().with_properties(Some(properties.clone()));
             let off = march(&mut conduction, &heat, 1e-7, 24);
             println!("gap {gap}, flux {flux}: {off:.1e}");
             assert!(off < 1e-10, "gap {gap}, flux {flux}: {off:e}");
@@ -240,7 +240,7 @@ fn volume_heating_follows_the_enthalpy() {
     let properties =
         ThermalProperties { specific_heat: specific_heat.clone(), conductivity: Curve::constant(1.0) };
     let mesh = small_mesh();
-    let mut conduction = Conduction::new(&mesh, 1.0).unwrap().with_properties(Some(properties));
+    let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(Some(properties));
     let none = Softening::new(&mesh, 1.0, 0.0);
     for step in 1..=5 {
         let body: Vec<f64> = conduction.mass.iter().map(|mass| 400.0 * mass).collect();
@@ -274,7 +274,7 @@ fn isothermal_disc_conducts_four_k_a() {
         let source = Uniform { areas: &areas, radius: size.contact_radius, radii, columns: 1, flux: 1.0 };
         let total: f64 = (0..areas.len()).map(|i| source.flow(i, 0.0).0).sum();
         let a = (2.0 * total / std::f64::consts::PI).sqrt();
-        let mut conduction = Conduction::new(&mesh, 1.0).unwrap().with_properties(properties);
+        let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
         let none = vec![0.0; mesh.field_length(1)];
         let mut flow = 0.0;
         for _ in 0..12 {

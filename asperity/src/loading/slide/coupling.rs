@@ -71,6 +71,7 @@ impl Coupling<'_> {
         self.held = (self.agrees(&limit) && stretched <= AREA_TOLERANCE) || self.updates_left == 0;
         self.updates_left = self.updates_left.saturating_sub(1);
         self.limit = Some(limit.clone());
+        let rise = self.conduction.as_ref().zip(rise).map(|(conduction, rise)| conduction.of_body(&rise));
         Some(CouplingData { limit, rise, converged: self.held })
     }
 

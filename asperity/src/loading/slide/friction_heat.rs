@@ -91,7 +91,7 @@ impl HeatSources {
         (dt, slip): (f64, f64),
     ) -> Result<(Vec<f64>, HeatBalance), HeatError> {
         let mut plastic: Vec<f64> = self.plastic.iter().map(|power| power * dt).collect();
-        plastic.resize(conduction.committed.len(), 0.0);
+        plastic.resize(conduction.body_length(), 0.0);
         let mut speed = self.speed.clone();
         speed.resize(contact.len(), 0.0);
         conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed, hardened, slip })

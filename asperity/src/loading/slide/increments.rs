@@ -17,9 +17,10 @@ const REFERENCE_GROWTH: f64 = 0.15;
 /// Growth of the increments once the contact slides, over that before. The effect is less than 0.08 % on friction and
 /// 0.02 % on the temperature rise in slides between 0.1 and 100 ω_c.
 const WHILE_SLIDING: f64 = 2.0;
-/// Width of the increment in which sliding begins, relative to the slip. In shorter ones the last
-/// points slip so fast that their temperature peaks even where conduction is fast (Fo = 1e6).
+/// Width of the increment in which sliding begins, relative to the slip, without softening and at most. In shorter
+/// ones the last points slip so fast that their temperature peaks even where conduction is fast (Fo = 1e6).
 pub const INCEPTION_WIDTH: f64 = 0.01;
+const WIDEST_INCEPTION: f64 = 0.05;
 /// Shortest increment, in units of the elastic displacement at gross slip.
 const SHORTEST: f64 = 1e-6;
 
@@ -60,9 +61,10 @@ pub struct InceptionBracket {
     pub predictor: Predictor,
 }
 
-/// Widest increment that may hold sliding inception at the slip `slip`.
-pub fn bracket_width(slip: f64, finest: f64) -> f64 {
-    (INCEPTION_WIDTH * slip).max(finest)
+/// Width of the increment in which sliding begins of a contact that has lost the share `softening` of its strength by then.
+/// Softening makes the last points slip at once, by about that share of the slip.
+pub fn inception_width(softening: f64) -> f64 {
+    (0.5 * softening).clamp(INCEPTION_WIDTH, WIDEST_INCEPTION)
 }
 
 /// Chooses the increments of one slide.
@@ -74,7 +76,9 @@ pub struct StepControl {
     /// Of the increments while the contact sticks.
     least: f64,
     /// Shortest increment in which sliding inception is bracketed.
-    pub finest: f64,
+    finest: f64,
+    /// Width of the increment in which sliding begins, relative to the slip.
+    inception_width: f64,
     /// The next increment.
     advance: f64,
     /// The last increment attempted.
@@ -85,12 +89,28 @@ pub struct StepControl {
 }
 
 impl StepControl {
-    pub fn new(distance: f64, elastic: f64, growth: f64) -> Self {
+    pub fn new(distance: f64, elastic: f64, growth: f64, inception_width: f64) -> Self {
         let least = FIRST_INCREMENT * growth / REFERENCE_GROWTH * elastic;
         let advance = least.min(distance / LEAST_INCREMENTS);
         let finest = (0.1 * least).min(0.1 * advance);
         let (attempted, usual) = (advance, advance);
-        Self { distance, elastic, growth, least, finest, advance, attempted, usual, bracket: None }
+        Self {
+            distance,
+            elastic,
+            growth,
+            least,
+            finest,
+            inception_width,
+            advance,
+            attempted,
+            usual,
+            bracket: None,
+        }
+    }
+
+    /// Whether an increment of length `increment` to the slip `slip` is too wide to hold sliding inception.
+    pub fn is_wide(&self, increment: f64, slip: f64) -> bool {
+        increment > (self.inception_width * slip).max(self.finest) * (1.0 + 1e-9)
     }
 
     pub fn bracket(&self) -> Option<&InceptionBracket> {
@@ -146,6 +166,6 @@ impl StepControl {
     /// Half of the way to the bracket's end, or all of it once that is narrow enough.
     fn bisect(&self, slip: f64, bracket: &InceptionBracket) -> f64 {
         let left = bracket.slip - slip;
-        if left <= bracket_width(bracket.slip, self.finest) { left } else { 0.5 * left }
+        if self.is_wide(left, bracket.slip) { 0.5 * left } else { left }
     }
 }

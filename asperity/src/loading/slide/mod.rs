@@ -115,6 +115,8 @@ pub struct Slide<'a> {
     pub recorder: Recorder,
     pub cutbacks: usize,
     increments: Increments,
+    /// Width of the increment in which sliding begins, relative to the slip.
+    pub inception_width: f64,
     /// Number of further attempts of which every other one is rejected.
     #[cfg(test)]
     rejecting: usize,
@@ -143,6 +145,7 @@ impl<'a> Slide<'a> {
             recorder: Recorder::default(),
             cutbacks: 0,
             increments,
+            inception_width: increments::INCEPTION_WIDTH,
             #[cfg(test)]
             rejecting: 0,
         };
@@ -193,7 +196,8 @@ impl<'a> Slide<'a> {
     ) -> Result<(), SlideFailure> {
         let (motion, start, length) = (self.motion, self.last().slip, self.motion.length());
         let slides = motion.direction() != 0.0;
-        let mut control = StepControl::new(length, self.scale(), self.increments.growth);
+        let mut control =
+            StepControl::new(length, self.scale(), self.increments.growth, self.inception_width);
         let (mut before, mut done_before) = (self.predictor(), 0.0);
         // Distance, or time of a hold.
         let mut done = 0.0;
@@ -216,7 +220,7 @@ impl<'a> Slide<'a> {
                 to: start + motion.direction() * next,
                 dt: motion.time(next - done),
                 seconds: motion.seconds(next - done, &self.problem.units),
-                wide: slides && next - done > increments::bracket_width(next, control.finest) * (1.0 + 1e-9),
+                wide: slides && control.is_wide(next - done, next),
             };
             match self.step(step, advance, guess, stop) {
                 Ok(Attempt::Taken) => {

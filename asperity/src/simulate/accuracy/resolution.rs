@@ -1,7 +1,8 @@
 //! Resolutions: mesh, collocation angles and increments by the accuracy of the scene, and those of the
 //! auxiliary runs.
 
-use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize};
+use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize, SURFACE_LAYER};
+use crate::heat::conduction::sublayers::thickness_ratio;
 use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::slide::Increments;
 use crate::scene::Numerics;
@@ -195,6 +196,14 @@ pub fn thermal_layer_refinements(peclet: f64) -> u32 {
     (peclet.sqrt() / 8.0).log2().ceil().clamp(0.0, MOST) as u32
 }
 
+/// Number of layers that the layer of elements at the surface is divided into for conduction, whatever n_c: until the
+/// thinnest is no thicker than 2/n_c of the depth `depth` (over a) that frictional heat reaches before sliding begins.
+pub fn thermal_sublayers(depth: f64, refinements: u32) -> u32 {
+    const MOST: u32 = 24;
+    let layer = SURFACE_LAYER * 0.5f64.powi(refinements as i32);
+    (1..MOST).find(|&count| layer <= 2.0 * depth * thickness_ratio(count)).unwrap_or(MOST)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -223,6 +232,17 @@ mod tests {
                     "{elements_per_radius} {peclet}"
                 );
             }
+        }
+    }
+
+    /// The thinnest layer is 2/n_c of the heated depth, and no thinner than needed.
+    #[test]
+    fn sublayers_follow_the_heat_of_inception() {
+        assert_eq!(thermal_sublayers(0.25, 0), 1);
+        for (depth, refinements) in [(0.1, 0), (0.02, 0), (0.02, 2), (1e-3, 3)] {
+            let count = thermal_sublayers(depth, refinements);
+            let thinnest = |count: u32| 0.5f64.powi(refinements as i32 + 1) / thickness_ratio(count);
+            assert!(thinnest(count) <= 2.0 * depth && thinnest(count - 1) > 2.0 * depth, "{depth} {count}");
         }
     }
 }

@@ -99,20 +99,21 @@ fn first_moments(s: f64, stress: f64, energy: f64, watch: &dyn Watch) -> Rows {
     let unit = heated.strength * heated.distance / s;
     let energy_weakening = scalar(&heated.outcome, Quantity::EnergyWeakening);
     let release = Estimate { value: energy_weakening.value / unit, error: energy_weakening.error / unit };
-    // Mean rise of a disc source at Fo = 0.01, 0.106480 against 0.112838 of a plane one.
-    let of_disc = Reference::exact(energy, PLANE).known_to(0.0564);
+    // The mean rise of a disc source at Fo = 0.01 is lower than that of a plane one, 0.106480 against 0.112838, by a share
+    // that grows with √Fo. Without softening G = c s^1.5/3 of a plane is lower by 3/2 of it; softening takes up to half off.
+    let of_disc = Reference::exact((1.0 - 1.5 * 0.0564) * energy, PLANE).known_to(0.02);
     Ok(vec![
         Row::new(
             format!("tau/tau_0 of the first moments at s = {s}"),
             centre,
             Reference::exact(stress, PLANE),
-            Tolerance::relative(0.01, "two layers of elements in the heated layer of 0.1 a"),
+            Tolerance::relative(0.01, "some four layers in the heated one of 0.1 a"),
         ),
         Row::new(
             format!("G/(tau_0 L*) of the first moments at s = {s}"),
             release,
             of_disc,
-            Tolerance::relative(0.079, "the rim of a disc stays cooler than a plane, 5.64 %; mesh, 2.2 %"),
+            Tolerance::relative(0.022, "mesh"),
         ),
     ])
 }
