@@ -64,21 +64,35 @@ def refinement():
     return table(head, rows)
 
 
+def titanium(interference, elements, **settings):
+    """A fast slide, in which a thin layer of the contact is hot."""
+    return asperity(
+        "run",
+        SINGLE,
+        material__preset="titanium-6al4v",
+        loading__interference=interference,
+        loading__slip_rate=10,
+        numerics__elements_per_radius=elements,
+        **settings,
+    )
+
+
+@block("first-heat", 20)
+def first_heat():
+    """Titanium that softens before it slides."""
+    rows = []
+    for elements in (8, 12, 16):
+        run = titanium(5, elements)
+        rows.append([elements, f"{value(run, 'mu_static'):.4f}", f"{error(run, 'mu_static'):.1f} %"])
+    return table(["$n_c$", r"$\mu_\text{static}$", "estimated error"], rows)
+
+
 @block("thermal-layer", 36)
 def thermal_layer():
     """Titanium where the heated layer is thin."""
     rows = []
     for elements in (8, 12, 16):
-        run = asperity(
-            "run",
-            SINGLE,
-            material__preset="titanium-6al4v",
-            loading__interference=50,
-            loading__slip_rate=10,
-            model__kinematics="small",
-            numerics__elements_per_radius=elements,
-            numerics__sectors=4,
-        )
+        run = titanium(50, elements, model__kinematics="small", numerics__sectors=4)
         rows.append(
             [elements, f"{value(run, 'mu'):.4f}", f"{error(run, 'mu'):.1f} %", f"{value(run, 'temperature_max'):.0f}"]
         )

@@ -7,7 +7,7 @@
 //! ρc₀ Ḣ = k₀ ∇²Θ + sources,      discretised  M Ḣ + K Θ = q(θ) + body heat,
 //! ```
 //!
-//! with a lumped mass M. The enthalpy is advanced, so the heat balance closes whatever peaks and jumps c has. With
+//! with a lumped mass M, on the mesh of the body with its upper layers divided ([`sublayers`]). The enthalpy is advanced, so the heat balance closes whatever peaks and jumps c has. With
 //! constant properties H = Θ = θ.
 //!
 //! Time: the two-stage L-stable SDIRK of second order (Alexander 1977, SIAM J. Numer. Anal. 14, 1006,
@@ -25,7 +25,7 @@ use crate::solver::harmonic::{FactorError, FieldKind, HarmonicPattern};
 use contact_iteration::ContactIteration;
 use facing::Facing;
 use kirchhoff::Kirchhoff;
-use step::{GAMMA, Step, StepMatrix};
+use step::{Step, StepMatrix};
 use sublayers::Sublayers;
 
 mod contact_iteration;
@@ -34,6 +34,8 @@ mod kirchhoff;
 mod step;
 pub mod sublayers;
 
+/// γ = 1 − 1/√2.
+const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 /// Number of step sizes whose factors are stored.
 const KEPT_FACTORS: usize = 3;
 

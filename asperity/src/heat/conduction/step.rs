@@ -3,13 +3,15 @@
 use faer::linalg::solvers::{Llt, SolveCore};
 use faer::{Mat, MatMut, Side};
 
-use super::facing::Facing;
-use super::{Conduction, ContactHeat, HeatBalance, HeatError};
+use super::facing::{Drawn, Facing};
+use super::{Conduction, ContactHeat, GAMMA, HeatBalance, HeatError};
 use crate::discretisation::collocation::Parity;
 use crate::solver::harmonic::HarmonicFactors;
 
-/// γ = 1 − 1/√2.
-pub(super) const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+/// Iterations for the flux into a conducting counterface, and the tolerance of the balance of the mean rises, relative to its
+/// largest term.
+const FLUX_ITERATIONS: usize = 30;
+const FLUX_TOLERANCE: f64 = 1e-8;
 
 /// M + γΔt K.
 pub(super) struct StepMatrix {
@@ -98,6 +100,48 @@ impl Step<'_> {
         Ok((last.rise, balance, fluxes))
     }
 
+    /// Solves the stage `stage` (0, 1) with the flux into the counterface, which is entered into `fluxes`.
+    fn solve(
+        &self,
+        solver: &mut impl StageSolver,
+        (rhs, guess): (&[f64], &[f64]),
+        stage: usize,
+        fluxes: &mut [f64; 2],
+    ) -> Result<Stage, HeatError> {
+        let Some(facing) = self.facing.filter(|facing| facing.total > 0.0) else {
+            return solver.solve(self, rhs, guess);
+        };
+        let mut flux = facing.expected[stage];
+        let mut before: Option<(f64, f64, Stage)> = None;
+        let mut residual = f64::INFINITY;
+        for _ in 0..FLUX_ITERATIONS {
+            let heat = Drawn { heat: self.heat, areas: &facing.areas, flux };
+            let start = before.as_ref().map_or(guess, |(.., stage)| &stage.rise);
+            let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start)?;
+            let rise = |point: usize| solved.rise[self.conduction.contact_places[point]];
+            let mean = facing.mean(rise);
+            let opposite = facing.response.free(stage, fluxes[0]) + facing.response.own() * flux;
+            let generated: f64 =
+                (0..facing.areas.len()).map(|point| self.heat.flow(point, rise(point)).0).sum();
+            let released = facing.released * generated / facing.total;
+            let difference = mean - opposite - facing.resistance * (flux - released);
+            let largest = facing.resistance * flux.abs().max(released.abs());
+            fluxes[stage] = flux;
+            residual = difference.abs() / mean.abs().max(opposite.abs()).max(largest).max(f64::MIN_POSITIVE);
+            if residual <= FLUX_TOLERANCE {
+                return Ok(solved);
+            }
+            if let Some((other, its_difference, _)) = before {
+                let slope = (difference - its_difference) / (flux - other);
+                if slope < 0.0 {
+                    facing.slope.set(slope);
+                }
+            }
+            before = Some((flux, difference, solved));
+            flux -= difference / facing.slope.get();
+        }
+        Err(HeatError::NotConverged { residual })
+    }
     /// Heat per time through the contact, net, and the part lost to the flat.
     fn flows(&self, stage: &Stage) -> (f64, f64) {
         let places = self.conduction.contact_places.iter().enumerate();
