@@ -47,9 +47,9 @@ pub struct HeatEffect {
     pub softening: f64,
     /// Share by which expansion and softening moduli change the load at constant interference.
     pub load: f64,
-    /// Share of the strength that is lost when sliding begins.
+    /// Share of the strength of the interface that frictional heat takes before sliding begins.
     pub inception: f64,
-    /// Depth that frictional heat has reached then, √(κt), over the contact radius.
+    /// Depth that it has reached then, √(κt), over the contact radius; infinite at V = 0.
     pub inception_depth: f64,
 }
 
@@ -74,23 +74,24 @@ impl HeatEffect {
         let interference = scene.loading.interference * critical * scene.radius;
         let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
         let initial = scene.loading.temperature;
-        let softening = |rise: f64| {
-            let film =
-                interface.law.softening_factor(initial + rise) / interface.law.softening_factor(initial);
-            (1.0 - solid.softening_factor(rise)).abs().max((1.0 - film).abs())
+        let film = |rise: f64| {
+            let factor = |temperature: f64| interface.law.softening_factor(temperature);
+            (1.0 - factor(initial + rise) / factor(initial)).abs()
         };
-        // Under the flux q of a plane the surface warms by 2q√(κt/π)/k in the time t of the elastic displacement
-        // τ₀a(2 − ν)/(2G) at gross slip, with 2 − ν taken as 2.
+        let metal = |rise: f64| (1.0 - solid.softening_factor(rise)).abs();
+        // A plane under the flux q warms by 2q√(κt/π)/k, here in the time of the elastic displacement τ₀a(2 − ν)/(2G) at
+        // gross slip, with 2 − ν taken as 2.
         let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
-        let diffusivity =
-            material.thermal_conductivity / (material.density * material.specific_heat * contact_radius);
-        let inception_depth =
-            (diffusivity * strength.min(shear_modulus) / (shear_modulus * slip_rate)).sqrt();
-        let at_inception = rise * (2.0 * inception_depth / std::f64::consts::PI.sqrt()).min(1.0);
+        let diffusivity = material.thermal_conductivity / (material.density * material.specific_heat);
+        let inception_depth = (diffusivity * strength / (shear_modulus * slip_rate * contact_radius)).sqrt();
+        let flux = scene.largest_heat_partition() * strength * slip_rate;
+        let at_inception = flux * inception_depth * contact_radius * 2.0
+            / (std::f64::consts::PI.sqrt() * material.thermal_conductivity);
+        let limited = if interface.law.is_limited_by_strength() { 1.0 } else { 0.0 };
         Self {
             rise,
-            softening: softening(rise),
-            inception: softening(at_inception),
+            softening: metal(rise).max(film(rise)),
+            inception: if flux > 0.0 { (limited * metal(at_inception)).max(film(at_inception)) } else { 0.0 },
             inception_depth,
             load: LOAD_OF_EXPANSION * bulge.abs() / interference + (1.0 - solid.stiffness_factor(rise)).abs(),
         }
@@ -177,5 +178,34 @@ mod tests {
         assert_eq!(choice(1e-6, &|s| s.model.heat = Switch::On), HeatChoice::Coupled);
         // Plastic work heats where friction does not.
         assert_eq!(choice(1.0, &|s| s.interface.heat_partition = 0.0), HeatChoice::Coupled);
+    }
+
+    /// Worked by hand for E = 200 GPa, ν = 0.25, σ_Y = 400√3 MPa, k = 40, ρc = 4e6, f_h = 0.5, V = 10 m/s and a = 20 µm:
+    /// τ₀/G = 0.005 gives t = 1e-8 s and √(κt) = √(1e-5·1e-8) = 0.31623 µm; 2e9·2·0.31623e-6/(40√π) = 17.841 K of the
+    /// 1000 K to melting.
+    #[test]
+    fn softening_before_sliding_is_that_worked_by_hand() {
+        let mut scene = scene("steel-4340", 20.0, 10.0);
+        let material = &mut scene.material;
+        (material.youngs_modulus, material.poisson_ratio) = (200e9, 0.25);
+        material.yield_strength = 400e6 * 3f64.sqrt();
+        (material.thermal_conductivity, material.density, material.specific_heat) = (40.0, 8000.0, 500.0);
+        let initial = scene.loading.temperature;
+        scene.material.softening = crate::scene::Softening::JohnsonCook {
+            reference: initial,
+            melting: initial + 1000.0,
+            exponent: 1.0,
+        };
+        let effect = HeatEffect::expected(&scene, 10.0, 2e-5);
+        assert!((effect.inception_depth / 0.0158114 - 1.0).abs() < 1e-5, "{effect:?}");
+        assert!((effect.inception / 0.017841 - 1.0).abs() < 1e-4, "{effect:?}");
+        assert_eq!(HeatEffect::expected(&scene, 0.0, 2e-5).inception, 0.0);
+        let mut cold = scene.clone();
+        cold.interface.heat_partition = 0.0;
+        let mut coulomb = scene.clone();
+        coulomb.interface.law = crate::scene::FrictionLaw::Coulomb { friction: 0.3, cap: false };
+        for other in [cold, coulomb] {
+            assert_eq!(HeatEffect::expected(&other, 10.0, 2e-5).inception, 0.0);
+        }
     }
 }

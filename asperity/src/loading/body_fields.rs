@@ -38,7 +38,7 @@ pub struct BodySnapshot {
     pub stress: Vec<f64>,
     /// Equivalent plastic strain, likewise.
     pub plastic_strain: Vec<f64>,
-    /// K.
+    /// K. At the surface that of friction, which may differ from the mean over the elements below.
     pub temperature: Vec<f64>,
 }
 

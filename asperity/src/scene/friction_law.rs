@@ -54,6 +54,14 @@ impl FrictionLaw {
         *self == Self::ShearStrength
     }
 
+    /// Whether the strength of the material limits friction, among others.
+    pub(crate) fn is_limited_by_strength(&self) -> bool {
+        match *self {
+            Self::Coulomb { cap, .. } | Self::BriscoeTabor { cap, .. } => cap,
+            Self::ShearStrength | Self::FullStick | Self::Frictionless => true,
+        }
+    }
+
     /// Whether the interface may be as strong as the body below it, which then shears.
     pub(crate) fn as_strong_as_bulk(&self) -> bool {
         matches!(self, Self::ShearStrength | Self::FullStick)

@@ -154,12 +154,10 @@ impl Scene {
     /// Temperature that neither friction nor plastic flow heats the asperity beyond, as body and interface have no
     /// strength there, K; none where there is no such temperature.
     pub fn highest_temperature(&self) -> Option<f64> {
-        let limited_by_strength = match self.interface.law {
-            FrictionLaw::Coulomb { cap, .. } | FrictionLaw::BriscoeTabor { cap, .. } => cap,
-            FrictionLaw::ShearStrength | FrictionLaw::FullStick | FrictionLaw::Frictionless => true,
-        };
         let melting = self.material.softening.melting();
-        melting.filter(|melting| limited_by_strength && *melting > self.loading.temperature)
+        melting.filter(|melting| {
+            self.interface.law.is_limited_by_strength() && *melting > self.loading.temperature
+        })
     }
 
     /// The scene with body and flat at another initial temperature, K: yield strength and hardening

@@ -8,7 +8,7 @@ use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinement
 use crate::simulate::messages::Warning;
 use crate::simulate::pressed::Pressed;
 
-/// Softening at sliding inception that is not resolved, as a share of the required accuracy.
+/// Expected softening before sliding, over the required accuracy, below which the mesh of conduction is not divided.
 const NEGLIGIBLE_AT_INCEPTION: f64 = 0.01;
 
 pub(super) struct Conditions {
@@ -78,9 +78,15 @@ impl Conditions {
         self.at_surface(resolution).mesh_size(self.contact_radius).fits()
     }
 
-    /// Share of the strength that is lost when sliding begins.
-    pub fn softening_at_inception(&self) -> f64 {
-        if self.heat.is_coupled() { self.effect.inception } else { 0.0 }
+    /// Expected share of the strength of the interface that is lost before sliding begins, in the first step.
+    pub fn softening_at_inception(&self, pressed: &Pressed) -> f64 {
+        let Pressed { scene, problem, .. } = pressed;
+        let slip_rate = self.programme.first().map_or(0.0, |step| step.slip_rate().abs());
+        let radius = self.contact_radius * problem.units.length;
+        match self.heat.is_coupled() {
+            true => HeatEffect::expected(scene, slip_rate, radius).inception,
+            false => 0.0,
+        }
     }
 
     /// Temperature rise to report where heat is negligible, K.

@@ -318,7 +318,7 @@ impl<'a> Runner<'a> {
             }
         };
         let mut slide = Slide::new(problem, mechanics, heat, resolution.increments);
-        slide.inception_width = inception_width(self.conditions.softening_at_inception());
+        slide.inception_width = inception_width(self.conditions.softening_at_inception(self.pressed));
         Ok(slide)
     }
 }

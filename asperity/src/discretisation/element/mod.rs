@@ -29,6 +29,8 @@ pub const VALUES: usize = 6;
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 const CORNER_XI: [f64; 4] = [-1.0, 1.0, 1.0, -1.0];
 const CORNER_ETA: [f64; 4] = [-1.0, -1.0, 1.0, 1.0];
+/// ξη at the corners.
+pub const HOURGLASS: [f64; 4] = [1.0, -1.0, 1.0, -1.0];
 
 /// Shape function N of a corner at a Gauss point.
 #[derive(Clone, Copy, Debug, Default)]
@@ -103,6 +105,15 @@ impl Element {
             })
         });
         Self { nodes, shape, volume: weight.iter().sum(), weight }
+    }
+
+    /// |∇ξ|² + |∇η|² at a Gauss point, with ∇ξ = Σ ξ_n ∇N_n.
+    pub fn reference_gradients(&self, point: usize) -> f64 {
+        let gradient = |corner: [f64; CORNERS]| {
+            let shape = self.shape[point].iter().zip(corner);
+            shape.fold([0.0; 2], |[r, z], (shape, value)| [r + value * shape.dr, z + value * shape.dz])
+        };
+        [CORNER_XI, CORNER_ETA].map(gradient).iter().flatten().map(|part| part * part).sum()
     }
 }
 

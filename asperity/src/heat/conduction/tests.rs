@@ -288,3 +288,33 @@ fn isothermal_disc_conducts_four_k_a() {
         assert!((flow / exact - 1.0).abs() < 0.03, "{flow} {exact}");
     }
 }
+
+/// Over layers much thinner than the rings, the first heat of a disc leaves no point outside it colder than before, and the
+/// rise inside is that of a plane under a constant flux, 2q√(κt/π)/k, without a peak at the rim.
+#[test]
+fn thin_layers_have_no_temperatures_outside_those_around() {
+    let size = MeshSize::new(0.01, 8);
+    let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(4));
+    let (areas, radii, columns) = (mesh.contact_areas(), mesh.meridian.contact_radii(), 4);
+    let source =
+        Uniform { areas: &areas, radius: size.contact_radius, radii: radii.clone(), columns, flux: 1.0 };
+    let mut conduction = Conduction::new(&mesh, 1.0, 8).unwrap();
+    let none = vec![0.0; mesh.field_length(1)];
+    let depth = 0.01 * size.contact_radius;
+    let time = depth * depth;
+    for _ in 0..20 {
+        let (rise, _) = conduction.advance(time / 20.0, &none, &source).unwrap();
+        conduction.commit(rise);
+    }
+    let exact = 2.0 * depth / std::f64::consts::PI.sqrt();
+    let least = conduction.committed.iter().fold(0.0, |least: f64, rise| least.min(*rise));
+    assert!(least > -1e-6 * exact, "{least} of {exact}");
+    for (ring, &radius) in radii.iter().enumerate() {
+        let rise = conduction.committed[conduction.contact_places[ring * columns]] / exact;
+        if radius < size.contact_radius {
+            assert!((rise - 1.0).abs() < 0.05, "{radius}: {rise}");
+        } else {
+            assert!(rise < 0.1, "{radius}: {rise}");
+        }
+    }
+}

@@ -17,9 +17,10 @@ const REFERENCE_GROWTH: f64 = 0.15;
 /// Growth of the increments once the contact slides, over that before. The effect is less than 0.08 % on friction and
 /// 0.02 % on the temperature rise in slides between 0.1 and 100 ω_c.
 const WHILE_SLIDING: f64 = 2.0;
-/// Width of the increment in which sliding begins, relative to the slip, without softening and at most. In shorter
-/// ones the last points slip so fast that their temperature peaks even where conduction is fast (Fo = 1e6).
+/// Width of the increment in which sliding begins, relative to the slip, of an interface that does not soften before. In
+/// shorter ones the last points slip so fast that their temperature peaks even where conduction is fast (Fo = 1e6).
 pub const INCEPTION_WIDTH: f64 = 0.01;
+/// Largest width of that increment.
 const WIDEST_INCEPTION: f64 = 0.05;
 /// Shortest increment, in units of the elastic displacement at gross slip.
 const SHORTEST: f64 = 1e-6;
@@ -61,8 +62,8 @@ pub struct InceptionBracket {
     pub predictor: Predictor,
 }
 
-/// Width of the increment in which sliding begins of a contact that has lost the share `softening` of its strength by then.
-/// Softening makes the last points slip at once, by about that share of the slip.
+/// Width of the increment in which sliding begins, relative to the slip, for an interface that is expected to lose the
+/// share `softening` of its strength before: the last points slip together as it softens.
 pub fn inception_width(softening: f64) -> f64 {
     (0.5 * softening).clamp(INCEPTION_WIDTH, WIDEST_INCEPTION)
 }

@@ -196,8 +196,9 @@ pub fn thermal_layer_refinements(peclet: f64) -> u32 {
     (peclet.sqrt() / 8.0).log2().ceil().clamp(0.0, MOST) as u32
 }
 
-/// Number of layers that the layer of elements at the surface is divided into for conduction, whatever n_c: until the
-/// thinnest is no thicker than 2/n_c of the depth `depth` (over a) that frictional heat reaches before sliding begins.
+/// Number of parts that the layer of elements at the surface is divided into for conduction, whatever n_c: the smallest
+/// for which the thinnest is no thicker than 2/n_c of the depth `depth` (over a) that frictional heat reaches before
+/// sliding begins; at most 24.
 pub fn thermal_sublayers(depth: f64, refinements: u32) -> u32 {
     const MOST: u32 = 24;
     let layer = SURFACE_LAYER * 0.5f64.powi(refinements as i32);

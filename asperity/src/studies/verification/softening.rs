@@ -2,7 +2,10 @@
 //!
 //! Steady sliding: the T of the flux τV on a disc, H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids* (1959),
 //! §8.2, solved ring by ring with 5 digits. First moments: J. R. Rice, J. Geophys. Res. 111, B05311 (2006), doi
-//! 10.1029/2005JB004006, slip on a plane: τ/τ₀ = exp(s) erfc(√s), s = u/L* = L²Fo.
+//! 10.1029/2005JB004006, slip on a plane: τ/τ₀ = exp(s) erfc(√s), s = u/L* = L²Fo. That holds in the middle of the
+//! contact. The energy is that of the mean traction, with the mean rise of a disc, at first 2√(Fo/π) − 2Fo/π: the
+//! transform of τ/τ₀ is 1/(p + √p − ε), ε = 2/(πL), hence τ/τ₀ = (g(−x₁) − g(−x₂))/(x₁ − x₂) with x₁,₂ the roots of
+//! x² + x − ε and g(y) = −y exp(y²s) erfc(y√s), and G/(τ₀L*) = ∫τ/τ₀ ds − sτ/τ₀.
 
 use tables::law::Estimate;
 use tables::quantity::Quantity;
@@ -14,6 +17,7 @@ use crate::simulate::Watch;
 
 const STEADY: &str = "Carslaw & Jaeger 1959, sec. 8.2, ring collocation";
 const PLANE: &str = "Rice 2006, doi 10.1029/2005JB004006";
+const DISC: &str = "Rice 2006 with the mean rise of a disc, Carslaw & Jaeger 1959, sec. 10.5";
 
 /// At Fo = 10⁶, 1/(2√(πFo)) is left of the approach to the steady state; direction of slip, 0.1 %.
 const LEFT: f64 = 0.0003 + 0.001;
@@ -38,13 +42,13 @@ const ON_16: [Steady; 5] = [
 
 pub const CASES: [Case; 5] = [
     Case::new("steady sliding, 8 elements", Cost::Quick, |watch| steady(&ON_8, 8, watch)),
-    Case::new("first moments", Cost::Quick, |watch| first_moments(0.1, 0.723578, 8.0454e-3, watch)),
+    Case::new("first moments", Cost::Quick, |watch| first_moments(0.1, 0.723578, 7.44885e-3, watch)),
     Case::new("steady sliding in the limit", Cost::Medium, |watch| {
         Ok([limit(0.1, 0.92184, watch)?, limit(1.0, 0.54326, watch)?, limit(10.0, 0.10933, watch)?].concat())
     }),
     Case::new("first moments, earlier and later", Cost::Medium, |watch| {
-        let early = first_moments(0.01, 0.896457, 3.3033e-4, watch)?;
-        Ok([early, first_moments(1.0, 0.427584, 0.128379, watch)?].concat())
+        let early = first_moments(0.01, 0.896457, 3.03545e-4, watch)?;
+        Ok([early, first_moments(1.0, 0.427584, 0.120980, watch)?].concat())
     }),
     Case::new("steady sliding, 16 elements", Cost::Long, |watch| {
         let rows = ON_16.iter().map(|case| steady(case, 16, watch)).collect::<Result<Vec<_>, _>>()?;
@@ -99,9 +103,6 @@ fn first_moments(s: f64, stress: f64, energy: f64, watch: &dyn Watch) -> Rows {
     let unit = heated.strength * heated.distance / s;
     let energy_weakening = scalar(&heated.outcome, Quantity::EnergyWeakening);
     let release = Estimate { value: energy_weakening.value / unit, error: energy_weakening.error / unit };
-    // The mean rise of a disc source at Fo = 0.01 is lower than that of a plane one, 0.106480 against 0.112838, by a share
-    // that grows with √Fo. Without softening G = c s^1.5/3 of a plane is lower by 3/2 of it; softening takes up to half off.
-    let of_disc = Reference::exact((1.0 - 1.5 * 0.0564) * energy, PLANE).known_to(0.02);
     Ok(vec![
         Row::new(
             format!("tau/tau_0 of the first moments at s = {s}"),
@@ -112,8 +113,8 @@ fn first_moments(s: f64, stress: f64, energy: f64, watch: &dyn Watch) -> Rows {
         Row::new(
             format!("G/(tau_0 L*) of the first moments at s = {s}"),
             release,
-            of_disc,
-            Tolerance::relative(0.022, "mesh"),
+            Reference::exact(energy, DISC).known_to(0.002),
+            Tolerance::relative(0.01, "mesh; traction that is not uniform over the contact"),
         ),
     ])
 }
