@@ -254,7 +254,7 @@ impl<'a> Slide<'a> {
     /// in a share of the time of the motion before, or of that in which heat diffuses through the contact.
     fn scale(&self) -> f64 {
         /// Surface temperatures change in proportion to √t at first, by 3 % over a thousandth of the time.
-        const FIRST_SHARE: f64 = 0.01;
+        const FIRST_SHARE: f64 = 0.001;
         let time = FIRST_SHARE * self.time_before.min(self.last().area);
         let elastic = self.elastic_displacement();
         match self.motion {
