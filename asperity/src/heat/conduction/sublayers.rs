@@ -157,9 +157,9 @@ impl Divided<'_> {
         };
         for &quad in &layer {
             let [left, right] = sides(quad).map(chain);
-            let part = |k: usize| [left[k + 1], right[k + 1], right[k], left[k]];
-            self.mesh.quads[quad] = part(0);
-            self.mesh.quads.extend((1..=shares.len()).map(part));
+            let mut parts = (0..=shares.len()).map(|k| [left[k + 1], right[k + 1], right[k], left[k]]);
+            self.mesh.quads[quad] = parts.next().expect("the upper part");
+            self.mesh.quads.extend(parts);
         }
         pairs
     }
