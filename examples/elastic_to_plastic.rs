@@ -60,7 +60,7 @@ fn figure(steel: &Slice, elastic: impl Fn(f64) -> f64, plastic: f64) -> anyhow::
     let at_rates = |of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)| -> Vec<Curve> {
         RATES.iter().map(|&rate| curve(steel, rate, &format!("{rate} m/s"), of)).collect()
     };
-    let metals = shipped::names()
+    let metals = shipped::metals()
         .map(|name| Ok((name, shipped::table(name)?)))
         .collect::<Result<Vec<_>, tables::shipped::TableSourceError>>()?;
     let of_metals = |of: &dyn Fn(&Slice, usize, usize) -> (f64, f64)| -> Vec<Curve> {

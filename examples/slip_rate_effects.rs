@@ -1,5 +1,6 @@
-//! What the slip rate changes, from the shipped tables: static friction, sliding friction and its parts, and the energy
-//! released at sliding inception beside the shear fracture energy.
+//! What the slip rate changes on a rigid flat at the initial temperature, from the shipped tables: static friction, sliding
+//! friction and its parts, and the energy released at sliding inception beside the shear fracture energy. Beside them the
+//! fall of sliding friction on a body of the same metal that conducts heat.
 //!
 //! No simulation. Sliding friction is μ = τ̄ A/P with the mean friction stress τ̄ = Q/A, so that its fall from the isothermal
 //! limit to the highest slip rate has three parts, ln μ = ln τ̄ + ln A − ln P: strength, area and load. Prints them for each
@@ -20,16 +21,27 @@ use tables::table::Slice;
 const ROWS: [f64; 4] = [1.0, 8.0, 40.0, 300.0];
 
 fn main() -> anyhow::Result<()> {
-    let steel = shipped::table("steel-4340")?;
-    println!("omega/omega_c   change of mu_static   fall of mu (of this by strength, area, load)   G/G_IIc");
+    let steel = shipped::table(&shipped::on_rigid_flat("steel-4340"))?;
+    let on_like_body = shipped::table("steel-4340")?;
+    println!(
+        "omega/omega_c   change of mu_static   fall of mu (of this by strength, area, load)   on a like body   G/G_IIc"
+    );
     for (row, omega) in steel.axes().interference.iter().enumerate() {
         let fixed = change(&steel, row, Quantity::MuStatic);
         let fall = Fall::of(&steel, row);
         let [strength, area, load] = fall.shares();
+        let like = Fall::of(&on_like_body, row).total;
         let ratio = energy_ratio("steel-4340", &steel, row)?;
         println!(
-            "{omega:>13.3}   {:+.4} ± {:.4}   {:.4} ± {:.4}   {strength:6.1} % {area:6.1} % {load:6.1} %   {:.3} ± {:.3}",
-            fixed.value, fixed.error, fall.total.value, fall.total.error, ratio.value, ratio.error
+            "{omega:>13.3}   {:+.4} ± {:.4}   {:.4} ± {:.4}   {strength:6.1} % {area:6.1} % {load:6.1} %   {:.4} ± {:.4}   {:.3} ± {:.3}",
+            fixed.value,
+            fixed.error,
+            fall.total.value,
+            fall.total.error,
+            like.value,
+            like.error,
+            ratio.value,
+            ratio.error
         );
     }
     let Some(path) = std::env::args().nth(1) else { return Ok(()) };
@@ -111,7 +123,7 @@ fn figure(steel: &Slice) -> anyhow::Result<Figure> {
         Curve::new(name, interference.clone(), falls.iter().map(|fall| 100.0 * fall.parts[part]).collect())
     });
     let mut ratios = Vec::new();
-    for name in shipped::names() {
+    for name in shipped::metals() {
         let table = shipped::table(name)?;
         let axis = table.axes().interference.clone();
         let ratio = (0..axis.len()).map(|row| energy_ratio(name, &table, row));

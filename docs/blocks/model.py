@@ -5,6 +5,7 @@ import re
 from .common import (
     METALS,
     SINGLE,
+    TABLES,
     asperity,
     block,
     error,
@@ -71,12 +72,13 @@ def slip_rate():
     rows = []
     for line in example("slip_rate_effects").splitlines():
         numbers = re.findall(r"[+-]?\d+\.\d+", line)
-        if len(numbers) == 10:
-            omega, fixed, fixed_error, fall, fall_error, *shares, ratio, ratio_error = numbers
+        if len(numbers) == 12:
+            omega, fixed, fixed_error, fall, fall_error, *shares, like, like_error, ratio, ratio_error = numbers
             rows.append(
                 [plain(float(omega)), f"{signed(100 * float(fixed))} ± {100 * float(fixed_error):.1f} %"]
                 + [f"{100 * float(fall):.1f} ± {100 * float(fall_error):.1f} %"]
                 + [f"{float(share):.0f} %".replace("-", "−") for share in shares]
+                + [f"{100 * float(like):.1f} ± {100 * float(like_error):.1f} %"]
                 + [f"{ratio} ± {ratio_error}"]
             )
     head = [
@@ -86,6 +88,7 @@ def slip_rate():
         "strength",
         "area",
         "load",
+        "fall on a like body",
         "$G/G_{IIc}$",
     ]
     return table(head, rows)
@@ -115,7 +118,7 @@ def metals():
 def rate():
     """The shipped tables: what the slip rate changes."""
     rows = []
-    for name in METALS:
+    for name in TABLES:
         line = [name]
         for i in (0, 4, 7):
             cells = shipped(name)[i]
@@ -125,6 +128,37 @@ def rate():
         omegas = [plain(row[0]["interference"]) for row in shipped(name)]
     names = (r"\mu_s", r"\mu", "P")
     head = ["table"] + [rf"${quantity}$ at ${omegas[i]}\omega_c$" for i in (0, 4, 7) for quantity in names]
+    return table(head, rows)
+
+
+@block("rate-law", 400)
+def rate_law():
+    """Friction at 20 ω_c on a like body, without and with the rate law of the presets."""
+    rows = []
+    for metal in METALS:
+        law = '{ law = "johnson-cook" }'
+        row = [metal]
+        results = []
+        for radius, settings in ((1e-3, {}), (1e-3, {"material__rate": law}), (1e-4, {"material__rate": law})):
+            run = asperity(
+                "run",
+                SINGLE,
+                material__preset=metal,
+                counterface__preset=metal,
+                counterface__elastic="false",
+                asperity__radius=radius,
+                loading__interference=20,
+                loading__slip_rate=1e-3 / radius,
+                **settings,
+            )
+            results.append([value(run, "mu_static"), value(run, "mu")])
+        for quantity in (0, 1):
+            without, *with_law = (result[quantity] for result in results)
+            row += [f"{without:.3f}"] + [f"{signed(100 * (mu / without - 1))} %" for mu in with_law]
+        rows.append(row)
+    head = ["metal"]
+    for name in (r"$\mu_s$", r"$\mu$"):
+        head += [f"{name}, no rate law", "with, $R$ = 1 mm", "0.1 mm"]
     return table(head, rows)
 
 
@@ -171,6 +205,24 @@ def rate_steps():
     return table(head, rows)
 
 
+@block("rate-step-superposition", 60)
+def rate_step_superposition():
+    """A contact after a step of the slip rate: a run, and the superposition of the slides of a table."""
+    rows = []
+    head, *lines = example("rate_step_superposition").splitlines()
+    slips = re.findall(r"x = (\S+)", head)
+    for line in lines:
+        case, numbers = line.split(" a₀", 1)
+        metal, omega, rates = case.split(None, 2)
+        _, slow, _, fast, _, _, before = rates.split()
+        *values, worst = numbers.split()
+        pairs = [f"{a} / {b}" for a, b in zip(values[::2], values[1::2])]
+        cells = [f"{q}; {p}" for q, p in zip(pairs[::2], pairs[1::2])]
+        rows.append([metal, omega, f"{slow} to {fast}", before, *cells, worst])
+    head = ["metal", r"$\omega_0/\omega_c$", "m/s", "slip before, $a_0$"]
+    return table([*head, *[f"$x = {slip} a_0$" for slip in slips], "difference over change"], rows)
+
+
 @block("no-end-state", 240)
 def no_end_state():
     """Body and interface of equal strength, from the example of that name."""
@@ -202,7 +254,7 @@ TABLE_QUANTITIES = ["mu_static", "mu", "Q", "P", "area", "G", "temperature_max"]
 def by_table(cell):
     """A row for each shipped table, `cell` of each quantity."""
     rows = []
-    for name in METALS:
+    for name in TABLES:
         quantities = table_info(name)["quantities"]
         rows.append([f"`{name}`", *[cell(quantities[quantity]) for quantity in TABLE_QUANTITIES]])
     return table(["table", *[f"`{quantity}`" for quantity in TABLE_QUANTITIES]], rows)
@@ -224,7 +276,7 @@ def interpolation_errors():
 def table_times():
     """Wall time of the cells of the shipped tables, as they were computed."""
     rows = []
-    for name in METALS:
+    for name in TABLES:
         seconds = [cell["wall_time"] for row in shipped(name) for cell in row]
         rows.append((sum(seconds), f"`{name}`", len(seconds), max(seconds)))
     rows = [

@@ -46,6 +46,7 @@ fn prediction(bencher: Bencher) {
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,
+        rate_step: None,
     };
     let states = 50 * 20 * settings.slip_points;
     bencher
@@ -63,6 +64,7 @@ fn ten_million_asperities(bencher: Bencher, pressure: f64) {
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,
+        rate_step: None,
     };
     let sampling = Sampling { asperities: 1_000_000, realizations: 10, seed: 1, slip: Some(1e-6) };
     bencher.counter(ItemsCount::new(10_000_000_usize)).bench(|| {

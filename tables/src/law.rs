@@ -154,6 +154,17 @@ pub trait AsperityLaw: Send + Sync {
         Ok(Box::new(move |interference, slip| self.response(radius, interference, slip_rate, slip)))
     }
 
+    /// Slip at which a sphere of `radius` (m) pressed by `interference` (ω/ω_c) begins to slide, m; 0 if the law does not
+    /// state it.
+    fn inception_slip(&self, _radius: f64, _interference: f64) -> Result<f64, LookupError> {
+        Ok(0.0)
+    }
+
+    /// Strength of a contact that slides at `slip_rate` (m/s) over that at rest, by the strain rate alone and not by heat.
+    fn rate_factor(&self, _radius: f64, _interference: f64, _slip_rate: f64) -> Result<f64, LookupError> {
+        Ok(1.0)
+    }
+
     /// Largest slip of the histories of the law, over the contact radius after the press: later the last state holds.
     /// Infinite if the law holds at any slip.
     fn last_slip(&self) -> f64 {

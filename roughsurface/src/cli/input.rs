@@ -16,10 +16,10 @@ pub struct InputOptions {
     /// Surface file (TOML; - for standard input): summits, heights, pressures, slip rates; or a topography, which is characterised first
     surface: PathBuf,
     /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
-    /// aluminium-6061, copper, titanium-6al4v), or model:NAME for a closed form
+    /// aluminium-6061, copper, titanium-6al4v on a like body; NAME-rigid on a rigid isothermal flat), or model:NAME for a closed form
     #[arg(long, value_name = "TABLE", required_unless_present = "material", conflicts_with = "material")]
     table: Option<String>,
-    /// Material of a shipped table, in place of --table
+    /// Material of a shipped table, in place of --table: sliding on a like body
     #[arg(long, value_name = "NAME", value_parser = shipped_material)]
     material: Option<String>,
     /// Keep mean pressure and friction of contacts too large for their asperities, instead of refusing
@@ -60,19 +60,29 @@ struct QueryOptions {
     /// Side of the square nominal area that --interaction mean-pressure needs, m
     #[arg(long, value_name = "M")]
     nominal_size: Option<f64>,
+    /// Response of steady sliding to a step of the slip rate, m/s, such as 0.1..1; the contacts have the life --contact-life
+    #[arg(long, value_name = "BEFORE..AFTER", value_parser = step)]
+    rate_step: Option<[f64; 2]>,
     /// Any key: section.key=value, such as surface.heights.std=1e-7; may be repeated
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     set: Vec<Override>,
 }
 
 fn shipped_material(text: &str) -> Result<String, String> {
-    let known: Vec<&str> = shipped::names().collect();
+    let known: Vec<&str> = shipped::metals().collect();
     match known.contains(&text) {
         true => Ok(text.to_owned()),
         false => {
             Err(format!("tables are shipped of {}; for another material --table FILE", known.join(", ")))
         }
     }
+}
+
+fn step(text: &str) -> Result<[f64; 2], String> {
+    let rates = text.split_once("..").and_then(|(before, after)| before.parse().ok().zip(after.parse().ok()));
+    rates
+        .map(|(before, after)| [before, after])
+        .ok_or_else(|| "must be two slip rates in m/s, such as 0.1..1".into())
 }
 
 fn control(text: &str) -> Result<LoadingControl, String> {
@@ -92,6 +102,7 @@ impl QueryOptions {
         overrides.extend(self.contact_life.map(Override::contact_life));
         overrides
             .extend(self.interaction.iter().map(|kind| Override::query_key("interaction", kind.as_str())));
+        overrides.extend(self.rate_step.iter().flat_map(|&step| Override::rate_step(step)));
         overrides.extend(self.nominal_size.map(|size| Override::query_key("nominal_size", size)));
         overrides
     }

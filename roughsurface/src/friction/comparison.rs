@@ -105,6 +105,7 @@ mod tests {
             control: LoadingControl::Load,
             contact_life: ContactLife::Steady,
             interaction: Interaction::None,
+            rate_step: None,
         };
         let models: Vec<String> = NAMES.iter().map(|name| name.to_string()).collect();
         let compared = compare(&models, &STEEL, &surface, &query, &Settings::default()).unwrap();

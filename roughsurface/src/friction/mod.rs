@@ -4,7 +4,7 @@
 //! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict()`]). Static
 //! friction and the weakening energy follow from that curve ([`slip_curve`]). Sliding friction is that with Q and P
 //! averaged over the life of each contact; dμ/d ln V and a law of rate dependence follow from it at several slip
-//! rates ([`rate_dependence`], [`rate_law`]).
+//! rates ([`rate_dependence`], [`rate_law`]). [`rate_step`] is the response of steady sliding to a step of the slip rate.
 //! [`contacts`] gives the temperatures of the contacts and the shares of the load by regime, [`regime`] the shares of
 //! elastic, plastic and melting contacts. [`comparison`] repeats the prediction with closed forms, [`cutoff`] with other
 //! cut-offs of a topography, and [`quantities`] lists every result. Depends on `integral`, `topography` and `surface`.
@@ -22,6 +22,7 @@ mod predict;
 pub mod quantities;
 pub mod rate_dependence;
 pub mod rate_law;
+pub mod rate_step;
 pub mod regime;
 mod result;
 mod settings;

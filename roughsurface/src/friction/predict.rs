@@ -42,6 +42,7 @@ pub fn predict(
         let rates = (0..states.len()).into_par_iter();
         rates.map(|rate| sweep.slide_steadily(rate, life, &pressed[rate])).collect()
     };
+    let rate_step = sweep.rate_step(&pressed[0])?;
     let (sliding, lasting) = (of_all_ages(query.contact_life)?, of_all_ages(ContactLife::Steady)?);
 
     let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
@@ -77,6 +78,7 @@ pub fn predict(
         friction,
         plasticity_index: plasticity_index(law, surface),
         rate_laws,
+        rate_step,
         warnings,
     })
 }

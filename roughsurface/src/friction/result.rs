@@ -2,6 +2,7 @@
 
 use crate::friction::contacts::Contacts;
 use crate::friction::rate_law::RateLaws;
+use crate::friction::rate_step::RateStepResponse;
 use crate::friction::slip_curve::SlipState;
 use crate::friction::warning::Warning;
 use crate::surface::query::Query;
@@ -67,6 +68,8 @@ pub struct Prediction {
     pub plasticity_index: f64,
     /// Laws of rate dependence per pressure or separation.
     pub rate_laws: Vec<RateLaws>,
+    /// The response to a step of the slip rate, if the query has one.
+    pub rate_step: Option<RateStepResponse>,
     /// Limits of validity that the prediction reaches.
     pub warnings: Vec<Warning>,
 }

@@ -43,6 +43,11 @@ pub enum PredictionError {
     AreaAboveNominal { at: Place, share: f64 },
     #[error("{at}: the {quantity} is not a finite number; check the table with `asperity table check`")]
     NotFinite { at: Place, quantity: &'static str },
+    #[error(
+        "query.rate_step: contacts live for a slip of {life} contact radii, and the slides of the table end at {end}; contact_life must be at most {} diameters",
+        0.5 * .end
+    )]
+    LifeBeyondHistories { life: f64, end: f64 },
     #[error("{loading} leaves no asperity in contact")]
     NoContact { loading: String },
 }

@@ -1,6 +1,7 @@
 //! The states that a prediction is made of: the surface pressed, and after each slip.
 
 use crate::friction::contacts::{Contacts, ContactsAtSlip};
+use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::friction::result::Friction;
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::{SlipState, inception, slip_grid, weakening_distance, weakening_energy};
@@ -119,8 +120,9 @@ impl<'a> Sweep<'a> {
         for &slip in slips {
             let mut integral = self.integral(&self.asperities[rate].after(slip));
             let rows = pressed.iter().zip(&mut histories).enumerate();
-            let rows =
-                rows.map(|(row, (before, history))| self.slid((row, rate), &mut integral, before, history));
+            let slip_rate = self.query.slip_rates[rate];
+            let rows = rows
+                .map(|(row, (before, history))| self.slid((row, slip_rate), &mut integral, before, history));
             states.push(rows.collect::<Result<_, _>>()?);
         }
         Ok(states)
@@ -133,12 +135,22 @@ impl<'a> Sweep<'a> {
         life: ContactLife,
         pressed: &[EquilibriumState],
     ) -> Result<Vec<SlipState>, PredictionError> {
-        let asperities = self.asperities[rate].of_all_ages(life).with(Additional::UnsteadyLoad);
+        self.steady(&self.asperities[rate], self.query.slip_rates[rate], life, pressed)
+    }
+
+    fn steady(
+        &self,
+        asperities: &Asperities<'a>,
+        slip_rate: f64,
+        life: ContactLife,
+        pressed: &[EquilibriumState],
+    ) -> Result<Vec<SlipState>, PredictionError> {
+        let asperities = asperities.of_all_ages(life).with(Additional::UnsteadyLoad);
         let known = asperities.classes().iter().all(|(_, asperity)| asperity.has_friction_of_all_ages());
         let mut integral = self.integral(&asperities);
         let rows = pressed.iter().enumerate().map(|(row, before)| {
             let mut history = PredictorHistory::from(before.predictor());
-            let state = self.slid((row, rate), &mut integral, before, &mut history)?;
+            let state = self.slid((row, slip_rate), &mut integral, before, &mut history)?;
             Ok(if known { state } else { state.without_friction() })
         });
         rows.collect()
@@ -147,7 +159,7 @@ impl<'a> Sweep<'a> {
     /// One pressure or separation with the asperities of `integral`; `history` predicts its separation.
     fn slid(
         &self,
-        (row, rate): (usize, usize),
+        (row, slip_rate): (usize, f64),
         integral: &mut SurfaceIntegral,
         before: &EquilibriumState,
         history: &mut PredictorHistory,
@@ -177,7 +189,57 @@ impl<'a> Sweep<'a> {
                 SlipState::at_pressure(&equilibrium, pressure, self.plane)
             }
         };
-        state.within(self.law, self.settings, &|| Place::of(self.query, row, rate))
+        state.within(self.law, self.settings, &|| Place {
+            loading: self.query.loading.describe(row),
+            slip_rate,
+        })
+    }
+
+    /// Steady sliding before, through and after the step of the slip rate that the query asks for; `pressed` is the surface
+    /// before the slide.
+    pub(crate) fn rate_step(
+        &self,
+        pressed: &[EquilibriumState],
+    ) -> Result<Option<RateStepResponse>, PredictionError> {
+        let (Some(rates), ContactLife::Diameters(diameters)) =
+            (self.query.rate_step, self.query.contact_life)
+        else {
+            return Ok(None);
+        };
+        let (life, end) = (2.0 * diameters, self.law.last_slip());
+        if life > end {
+            return Err(PredictionError::LifeBeyondHistories { life, end });
+        }
+        let [before, after] = rates;
+        let asperities = |rate: f64| Asperities::new(self.law, self.surface, rate);
+        let [slow, fast] = [asperities(before)?, asperities(after)?];
+        let steady = |asperities: &Asperities<'a>, rate: f64| {
+            self.steady(asperities, rate, self.query.contact_life, pressed)
+        };
+        let (start, target) = (steady(&slow, before)?, steady(&fast, after)?);
+        let radii = pressed.iter().map(|equilibrium| equilibrium.state.loaded_radius);
+        let extremes = radii
+            .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)]);
+        let slip = rate_step::slip_grid(extremes, diameters);
+        let stepping = fast.stepping_from(before, diameters)?;
+        let states: Vec<Vec<SlipState>> = slip
+            .par_iter()
+            .map(|&since| {
+                let mut integral = self.integral(&stepping.since_step(since));
+                let rows = pressed.iter().enumerate().map(|(row, before)| {
+                    let mut history = PredictorHistory::from(before.predictor());
+                    self.slid((row, after), &mut integral, before, &mut history)
+                });
+                rows.collect()
+            })
+            .collect::<Result<_, PredictionError>>()?;
+        let stepped = |row: usize| Stepped {
+            before: start[row].mu,
+            after: target[row].mu,
+            mu: states.iter().map(|rows| rows[row].mu).collect(),
+        };
+        let rows = (0..pressed.len()).map(stepped).collect();
+        Ok(Some(RateStepResponse { rates, slip, rows }))
     }
 
     /// The contacts after `slip` (m) at one slip rate, under every separation (m).

@@ -27,6 +27,7 @@ fn predicted(
         // Friction without the sticking of young contacts.
         contact_life: ContactLife::Steady,
         interaction: Interaction::None,
+        rate_step: None,
     };
     predict(law, surface, &query, &Settings::default(), &|_, _| ())
 }
@@ -93,6 +94,7 @@ fn of_life(contact_life: ContactLife, steady: Option<Estimate>) -> (Friction, Ve
         control: LoadingControl::Load,
         contact_life,
         interaction: Interaction::None,
+        rate_step: None,
     };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let mut found = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
@@ -176,6 +178,7 @@ fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_a
         control: LoadingControl::Separation,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,
+        rate_step: None,
     };
     let settings = Settings { extrapolate: true, ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
@@ -228,6 +231,7 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
         control: LoadingControl::Separation,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,
+        rate_step: None,
     };
     let error = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap_err();
     assert_eq!(error.to_string(), "a separation of 2e-6 m leaves no asperity in contact");
@@ -239,7 +243,14 @@ fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
     let surface = surface(Box::new(Gaussian::new(3e-8)));
     let predicted = |loading: &NormalLoading, control, interaction| {
         let (slip_rates, contact_life) = (vec![1.0], ContactLife::default());
-        let query = Query { loading: loading.clone(), slip_rates, control, contact_life, interaction };
+        let query = Query {
+            loading: loading.clone(),
+            slip_rates,
+            control,
+            contact_life,
+            interaction,
+            rate_step: None,
+        };
         predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap()
     };
     let of_size = |nominal_size| Interaction::MeanPressure { nominal_size };
@@ -282,6 +293,7 @@ fn large_real_areas_are_warned_of_with_the_key_that_helps() {
             control: LoadingControl::Load,
             contact_life: ContactLife::default(),
             interaction,
+            rate_step: None,
         };
         let found = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
         let area = found.friction[0][0].sliding.area_fraction.value;

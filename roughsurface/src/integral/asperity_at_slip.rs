@@ -1,6 +1,7 @@
 //! One asperity at a fixed slip rate, after a slip or averaged over the ages of its contact, for any interference.
 
-use crate::integral::kronrod::MANY;
+use crate::integral::mean_over_ages::MeanOverAges;
+use crate::integral::rate_step::RateStep;
 use crate::surface::query::ContactLife;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -23,12 +24,14 @@ pub enum Additional {
 const UNKNOWN_STEADY_FRICTION: f64 = 0.2;
 
 /// How far the contacts have slid.
-#[derive(Clone, Copy, Debug)]
-enum Age {
+#[derive(Clone)]
+enum Age<'a> {
     /// All by the same slip, m.
     Slip(f64),
     /// Each by any slip of its life, equally likely.
     Life(ContactLife),
+    /// Likewise with a life in diameters, by `slip` (m) since a step of the slip rate.
+    SinceStep { step: Arc<RateStep<'a>>, diameters: f64, slip: f64 },
 }
 
 /// Relative uncertainty of the ratio of mean to highest temperature rise before the end of the slide of the law, times
@@ -43,7 +46,7 @@ pub struct AsperityAtSlip<'a> {
     sliding: Arc<SlidingResponse<'a>>,
     radius: f64,
     slip_rate: f64,
-    age: Age,
+    age: Age<'a>,
     limit: f64,
     contact_limit: f64,
     additional: Additional,
@@ -77,6 +80,21 @@ impl<'a> AsperityAtSlip<'a> {
     /// The same asperities in steady sliding, with contacts of all ages of their `life`.
     pub fn of_all_ages(&self, life: ContactLife) -> Self {
         Self { age: Age::Life(life), ..self.clone() }
+    }
+
+    /// The same asperities with contacts of all ages of a life in `diameters`, which have slid at `before` (m/s) until now.
+    pub fn stepping_from(&self, before: f64, diameters: f64) -> Result<Self, LookupError> {
+        let step = Arc::new(RateStep::new(self.law, self.radius, [before, self.slip_rate])?);
+        Ok(Self { age: Age::SinceStep { step, diameters, slip: 0.0 }, ..self.clone() })
+    }
+
+    /// Those after another slip (m) since the step.
+    pub fn since_step(&self, since: f64) -> Self {
+        let mut later = self.clone();
+        if let Age::SinceStep { slip, .. } = &mut later.age {
+            *slip = since;
+        }
+        later
     }
 
     /// The same asperities with an additional quantity, if the law states it.
@@ -136,10 +154,13 @@ impl<'a> AsperityAtSlip<'a> {
     /// the share of the load there is that of [`ContactState::beyond`](crate::integral::contact_state::ContactState).
     pub fn response(&self, interference: f64) -> Result<Response, LookupError> {
         let inside = interference.min(self.contact_limit);
-        let last = match self.age {
-            Age::Slip(slip) => (self.sliding)(inside, slip)?,
+        let last = match &self.age {
+            Age::Slip(slip) => (self.sliding)(inside, *slip)?,
             Age::Life(ContactLife::Steady) => self.steady(inside)?,
-            Age::Life(ContactLife::Diameters(diameters)) => self.mean_over_life(inside, diameters)?,
+            Age::Life(ContactLife::Diameters(diameters)) => self.mean_over_life(inside, *diameters)?,
+            Age::SinceStep { step, diameters, slip } => {
+                self.mean_since_step(step, inside, *diameters, *slip)?
+            }
         };
         Ok(Response {
             load: self.in_proportion(last.load, interference),
@@ -203,28 +224,38 @@ impl<'a> AsperityAtSlip<'a> {
 
     /// Mean over the ages of a contact, slips from 0 to its life; beyond the histories of the law its friction is steady.
     fn mean_over_life(&self, interference: f64, diameters: f64) -> Result<Response, LookupError> {
-        let radius = ((self.sliding)(interference, 0.0)?.area.value.max(0.0) / PI).sqrt();
-        let life = 2.0 * diameters;
+        let life = self.life(interference, diameters)?;
         let beyond = self.beyond_histories();
-        let mut mean = Response::default();
-        let mut quadrature_error = 0.0;
-        // s = u³: friction rises steeply at first, and changes with √s.
-        for ((abscissa, weight), excess) in MANY.points().zip(MANY.excess) {
-            let u = 0.5 * (1.0 + abscissa);
-            let weight = 1.5 * weight * u * u * (1.0 - beyond);
-            let young = (self.sliding)(interference, (1.0 - beyond) * life * u.powi(3) * radius)?;
-            quadrature_error += weight * excess * young.friction.value;
-            add(&mut mean, weight, &young);
-        }
+        let mut mean = MeanOverAges::default();
+        mean.add_ages(1.0 - beyond, |share| (self.sliding)(interference, (1.0 - beyond) * share * life))?;
         if beyond > 0.0 {
-            add(&mut mean, beyond, &self.steady(interference)?);
+            mean.add(beyond, &self.steady(interference)?);
         }
-        mean.friction.error += quadrature_error.abs();
-        // Relative to the mean friction.
-        let coefficient_error = mean.coefficient_error + quadrature_error.abs();
-        let friction = mean.friction.value;
-        mean.coefficient_error = if friction > 0.0 { coefficient_error / friction } else { 0.0 };
-        Ok(mean)
+        Ok(mean.response())
+    }
+
+    /// The same of the slip `since` (m) a step of the slip rate: contacts born after the step, and before it.
+    fn mean_since_step(
+        &self,
+        step: &RateStep,
+        interference: f64,
+        diameters: f64,
+        since: f64,
+    ) -> Result<Response, LookupError> {
+        let life = self.life(interference, diameters)?;
+        let since = since.min(life);
+        let renewed = if life > 0.0 { since / life } else { 1.0 };
+        let contact = step.contact(interference)?;
+        let mut mean = MeanOverAges::default();
+        mean.add_ages(renewed, |share| (self.sliding)(interference, share * since))?;
+        mean.add_ages(1.0 - renewed, |share| contact.response(share * (life - since), since))?;
+        Ok(mean.response())
+    }
+
+    /// Slip over which a contact lasts, m.
+    fn life(&self, interference: f64, diameters: f64) -> Result<f64, LookupError> {
+        let radius = ((self.sliding)(interference, 0.0)?.area.value.max(0.0) / PI).sqrt();
+        Ok(2.0 * diameters * radius)
     }
 
     /// Initial temperature of the asperities, K: that of a contact of no size.
@@ -252,20 +283,6 @@ impl<'a> AsperityAtSlip<'a> {
         let growth = (interference / self.contact_limit).max(1.0);
         Estimate { value: growth * last.value, error: growth * last.error }
     }
-}
-
-/// Adds a share of a response; of the relative error of Q/P that times Q.
-fn add(mean: &mut Response, share: f64, response: &Response) {
-    for (mean, part) in [
-        (&mut mean.load, response.load),
-        (&mut mean.friction, response.friction),
-        (&mut mean.area, response.area),
-        (&mut mean.temperature_max, response.temperature_max),
-    ] {
-        mean.value += share * part.value;
-        mean.error += share * part.error;
-    }
-    mean.coefficient_error += share * response.coefficient_error * response.friction.value;
 }
 
 #[cfg(test)]

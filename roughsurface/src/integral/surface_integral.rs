@@ -59,6 +59,22 @@ impl<'a> Asperities<'a> {
         self.changed(|asperity| asperity.of_all_ages(life))
     }
 
+    /// The same asperities with contacts of all ages of a life in `diameters`, which have slid at `before` (m/s) until now.
+    pub fn stepping_from(&self, before: f64, diameters: f64) -> Result<Self, LookupError> {
+        let all = |classes: &Arc<[(f64, AsperityAtSlip<'a>)]>| {
+            let stepping = |(share, asperity): &(f64, AsperityAtSlip<'a>)| {
+                Ok((*share, asperity.stepping_from(before, diameters)?))
+            };
+            classes.iter().map(stepping).collect::<Result<_, LookupError>>()
+        };
+        Ok(Self { classes: all(&self.classes)?, coarse: self.coarse.as_ref().map(all).transpose()? })
+    }
+
+    /// Those after a slip (m) since the step.
+    pub fn since_step(&self, slip: f64) -> Self {
+        self.changed(|asperity| asperity.since_step(slip))
+    }
+
     /// The same asperities with an additional quantity, if the law states it.
     pub fn with(&self, additional: Additional) -> Self {
         self.changed(|asperity| asperity.with(additional))

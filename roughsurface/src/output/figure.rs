@@ -3,6 +3,7 @@
 use crate::friction::Prediction;
 use crate::friction::quantities::Quantity;
 use crate::friction::rate_law::RateLaw;
+use crate::friction::rate_step::RateStepResponse;
 use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
@@ -14,9 +15,9 @@ const MOST_CURVES: usize = 6;
 
 const FRICTION_LABEL: &str = "Friction coefficient μ";
 
-/// Names of the panels; `models` is drawn in a comparison with models.
-pub const PANELS: [&str; 8] =
-    ["rate", "friction", "static", "slide", "area", "separation", "regimes", "models"];
+/// Names of the panels; `step` is drawn for a step of the slip rate, `models` in a comparison with models.
+pub const PANELS: [&str; 9] =
+    ["rate", "friction", "static", "slide", "area", "separation", "regimes", "step", "models"];
 
 /// Friction against slip rate, pressure and slip, real contact area, separation, and the regimes of the
 /// contacts; with models of the literature if there are any.
@@ -65,6 +66,7 @@ pub fn figure(results: &Results) -> Figure {
             1.0,
         ));
     }
+    panels.extend(prediction.rate_step.as_ref().map(|response| since_step(prediction, response)));
     if !results.comparisons.is_empty() {
         panels.push(compared(results));
     }
@@ -97,6 +99,19 @@ fn shares(prediction: &Prediction) -> [Panel; 2] {
             1.0,
         ),
     ]
+}
+
+/// Friction against the slip since a step of the slip rate.
+fn since_step(prediction: &Prediction, response: &RateStepResponse) -> Panel {
+    let slip: Vec<f64> = response.slip[1..].iter().map(|slip| 1e6 * slip).collect();
+    let curve = |row: usize| {
+        let (y, error) = values_and_errors(response.rows[row].mu[1..].iter().copied());
+        Curve::new(row_label(prediction, row), slip.clone(), y).with_error(error)
+    };
+    let curves = chosen(response.rows.len(), MOST_CURVES).into_iter().map(curve).collect();
+    let title = format!("Step from {} to {} m/s", response.rates[0], response.rates[1]);
+    let (x, y) = (Axis::logarithmic("Slip since the step (µm)"), Axis::linear(FRICTION_LABEL));
+    Panel::new("step", &title, x, y, curves)
 }
 
 /// Sliding friction at the lowest rate in comparison with that of the models.

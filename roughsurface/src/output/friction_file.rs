@@ -7,6 +7,7 @@ use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::origin::{Origin, coordinate, described, grid_coordinates, with_error};
 use crate::output::rate_laws;
+use crate::output::rate_step;
 use crate::sampling::case::Results;
 use crate::sampling::uncertainty::{Propagated, outputs};
 use std::path::Path;
@@ -51,6 +52,7 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
     with_error(&mut file, "mu_history", &[row, "slip_rate", "slip"], meaning, &history)?;
 
     rate_laws::write(&mut file, &prediction.rate_laws, row)?;
+    rate_step::write(&mut file, prediction.rate_step.as_ref(), row)?;
     compared(&mut file, &results.comparisons, row)?;
     cutoffs::write(&mut file, &results.cutoffs, &grid, cells.len())?;
     if let Some(propagated) = &results.propagated {

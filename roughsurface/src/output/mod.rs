@@ -9,6 +9,7 @@ pub mod figure;
 pub mod friction_file;
 mod origin;
 mod rate_laws;
+mod rate_step;
 pub mod report;
 mod result_tables;
 pub mod sample_file;

@@ -3,6 +3,7 @@
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::rate_laws;
+use crate::output::rate_step;
 use crate::output::result_tables::{Rows, compared, parameters, quantities};
 use crate::sampling::case::Results;
 
@@ -35,6 +36,7 @@ pub fn text(results: &Results) -> String {
             "Rate dependence of mu, and flash heating with mu_w as mu_inf and V_w as V*:",
             rate_laws::rows(results),
         ),
+        ("Step of the slip rate in steady sliding:", rate_step::rows(results)),
     ] {
         if !rows.is_empty() {
             text.push_str(&format!("\n{title}\n{}", aligned(&rows)));

@@ -7,6 +7,7 @@ use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::friction_file::COMPARED;
 use crate::output::rate_laws;
+use crate::output::rate_step;
 use crate::sampling::case::Results;
 use crate::sampling::uncertainty::outputs;
 use crate::surface::query::NormalLoading;
@@ -65,6 +66,7 @@ pub fn json(results: &Results) -> Value {
         "comparisons": compared.collect::<Vec<Value>>(),
         "rate_law": by_load(rate_laws::json),
         "flash_heating": by_load(rate_laws::flash_heating_json),
+        "rate_step": rate_step::json(prediction.rate_step.as_ref()),
         "warnings": warnings,
     })
 }

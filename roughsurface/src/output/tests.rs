@@ -158,3 +158,25 @@ fn the_report_is_one_well_formed_page_without_references_outside() {
         }
     }
 }
+
+#[test]
+fn a_step_of_the_slip_rate_is_in_every_output() {
+    let query = "pressure = [1e5, 1e6]\nslip_rate = 1.0\nrate_step = { before = 0.1, after = 1.0 }";
+    let results = Results::from(prediction(query));
+    let step = results.prediction.rate_step.clone().unwrap();
+    written("step", &results, |file| {
+        assert_eq!(file.coordinate("slip_since_step").unwrap(), step.slip);
+        let mu = file.reals("mu_since_step", &[2, step.slip.len()]).unwrap();
+        assert_eq!(mu[step.slip.len()], step.rows[1].mu[0].value);
+        for (name, of) in [("mu_before_step", step.rows[0].before), ("mu_after_step", step.rows[0].after)] {
+            assert_eq!(file.reals(name, &[2]).unwrap()[0], of.value);
+        }
+    });
+    let json = summary_json::json(&results);
+    assert_eq!(
+        json["rate_step"]["rows"][1]["mu_after_step"]["value"].as_f64(),
+        Some(step.rows[1].after.value)
+    );
+    assert!(summary::text(&results).contains("Step of the slip rate"));
+    assert!(figure::figure(&results).svg().contains("Step from 0.1 to 1 m/s"));
+}

@@ -152,6 +152,8 @@ pub struct Query {
     pub control: LoadingControl,
     pub contact_life: ContactLife,
     pub interaction: Interaction,
+    /// Slip rates before and after a step, m/s.
+    pub rate_step: Option<[f64; 2]>,
 }
 
 impl Query {
@@ -165,7 +167,8 @@ impl Query {
     pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radii: &Radii) -> Result<(), LookupError> {
         for class in radii.classes() {
             let (from, to) = law.slip_rate_range(class.radius);
-            if let Some(&slip_rate) = self.slip_rates.iter().find(|rate| !(from..=to).contains(*rate)) {
+            let mut rates = self.slip_rates.iter().chain(self.rate_step.iter().flatten());
+            if let Some(&slip_rate) = rates.find(|rate| !(from..=to).contains(*rate)) {
                 return Err(LookupError::SlipRateOutside { slip_rate, from, to });
             }
         }

@@ -39,7 +39,7 @@ pub(crate) use nodes::{blend_one, cubic};
 
 use crate::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 use crate::quantity::Quantity;
-use crate::table::Slice;
+use crate::table::{Metadata, Slice};
 use nodes::{COEFFICIENT, Errors, Field, Values};
 use steffen::Location;
 
@@ -159,10 +159,11 @@ impl InterpolatedTable {
 
 impl AsperityLaw for InterpolatedTable {
     fn name(&self) -> String {
-        match self.metadata().title.as_str() {
-            "" => "table".to_string(),
-            title => title.to_string(),
-        }
+        let title = match self.metadata().title.as_str() {
+            "" => "table",
+            title => title,
+        };
+        format!("{title}; counterface: {}", self.metadata().counterface_in_words())
     }
 
     fn critical_interference(&self, radius: f64) -> f64 {
@@ -229,6 +230,28 @@ impl AsperityLaw for InterpolatedTable {
                 // The general lookup gives the reason of an error.
                 .or_else(|_| self.response(radius, interference, slip_rate, slip))
         }))
+    }
+
+    /// At the lowest slip rate; heat hardly changes it.
+    fn inception_slip(&self, radius: f64, interference: f64) -> Result<f64, LookupError> {
+        if interference <= 0.0 {
+            return Ok(0.0);
+        }
+        let (slowest, _) = self.slip_rate_range(radius);
+        let slip = self.estimate(Quantity::InceptionSlip, radius, interference, slowest)?.value;
+        Ok(if slip.is_finite() { slip } else { 0.0 })
+    }
+
+    /// 1 + C ln(V/(aε̇₀)).
+    fn rate_factor(&self, radius: f64, interference: f64, slip_rate: f64) -> Result<f64, LookupError> {
+        let Metadata { rate_coefficient, rate_reference, .. } = *self.metadata();
+        let Some((coefficient, reference)) = rate_coefficient.zip(rate_reference) else { return Ok(1.0) };
+        if interference <= 0.0 {
+            return Ok(1.0);
+        }
+        let (slowest, _) = self.slip_rate_range(radius);
+        let contact = self.estimate(Quantity::ContactRadius, radius, interference, slowest)?.value;
+        Ok(1.0 + coefficient * (slip_rate / (contact * reference)).max(1.0).ln())
     }
 
     fn last_slip(&self) -> f64 {

@@ -1,7 +1,8 @@
 //! Tables that come with the crate, used by name.
 //!
-//! Each was made by `asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc`; the file itself
-//! records request, version, cost and errors (`asperity table info NAME -v`), and `asperity table check
+//! There are two of each metal: `METAL` slides on a body of the same metal that conducts heat, `METAL-rigid` on a rigid
+//! flat that stays at the initial temperature. Each was made by
+//! `asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc`; the file itself records request, version, cost and errors (`asperity table info NAME -v`), and `asperity table check
 //! NAME` computes some of its cells again. Depends on `netcdf` and `interpolation`. Chapter "Shipped tables" of the book.
 
 use std::io::Write;
@@ -13,17 +14,33 @@ use crate::quantity::hint;
 use crate::table::{Table, TemperatureError};
 
 macro_rules! shipped {
-    ($($name:literal),*) => {
-        [$(($name, include_bytes!(concat!("../../data/", $name, ".nc")) as &[u8])),*]
+    ($($metal:literal),*) => {
+        [$(
+            ($metal, include_bytes!(concat!("../../data/", $metal, ".nc")) as &[u8]),
+            (concat!($metal, "-rigid"), include_bytes!(concat!("../../data/", $metal, "-rigid.nc")) as &[u8]),
+        )*]
     };
 }
 
-const SHIPPED: [(&str, &[u8]); 6] =
+const SHIPPED: [(&str, &[u8]); 12] =
     shipped!["steel-4340", "steel-1045", "steel-304", "aluminium-6061", "copper", "titanium-6al4v"];
+
+/// What the name of a table adds to that of its metal if the counterface is rigid and isothermal.
+const RIGID: &str = "-rigid";
 
 /// Names of the shipped tables.
 pub fn names() -> impl Iterator<Item = &'static str> {
     SHIPPED.iter().map(|(name, _)| *name)
+}
+
+/// Metals of the shipped tables, which are the names of those with a like counterface.
+pub fn metals() -> impl Iterator<Item = &'static str> {
+    names().filter(|name| !name.ends_with(RIGID))
+}
+
+/// Name of the table of a metal on a rigid flat at the initial temperature.
+pub fn on_rigid_flat(metal: &str) -> String {
+    format!("{metal}{RIGID}")
 }
 
 /// Why a table is unavailable.
@@ -123,14 +140,16 @@ mod tests {
             // To a contact radius of 0.23 of that of the asperity; copper does not stick that far.
             let last = axes.interference[axes.interference.len() - 1];
             let reach = last / table.contact_limit();
-            assert!(reach > 0.33 || (name == "copper" && last == 3000.0), "{name}: {last}, {reach}");
+            let metal = name.trim_end_matches(RIGID);
+            assert!(reach > 0.33 || (metal == "copper" && last == 3000.0), "{name}: {last}, {reach}");
+            assert_eq!(table.metadata().counterface.is_empty(), name.ends_with(RIGID), "{name}");
             for i in 0..axes.interference.len() {
                 for j in 0..axes.slip_rate.len() {
                     assert!(table.cell(i, j).is_some(), "{name}: {}", table.label(i, j));
                 }
             }
             let request = std::fs::read_to_string(format!("data/{name}.toml")).unwrap();
-            assert!(request.contains(&format!("preset = \"{name}\"")), "{request}");
+            assert!(request.contains(&format!("preset = \"{metal}\"")), "{request}");
         }
     }
 

@@ -50,3 +50,13 @@ pub struct Metadata {
     /// of the cells include that of interpolating around them.
     pub interpolation_tolerance: Option<f64>,
 }
+
+impl Metadata {
+    /// The body on the other side in words.
+    pub fn counterface_in_words(&self) -> String {
+        match self.counterface.as_str() {
+            "" => "rigid and isothermal".to_string(),
+            constants => constants.lines().collect::<Vec<_>>().join(", "),
+        }
+    }
+}

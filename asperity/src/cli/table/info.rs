@@ -30,20 +30,22 @@ pub fn list(display: &Display) -> Result<(), Failure> {
             statistics.iter().find(|of| of.quantity == quantity).map_or(f64::NAN, |of| of.largest)
         };
         let [mu_static, mu] = [Quantity::MuStatic, Quantity::Mu].map(worst);
-        rows.push((name, table.axes().clone(), mu_static, mu));
+        let counterface = if table.metadata().counterface.is_empty() { "rigid flat" } else { "like body" };
+        rows.push((name, counterface, table.axes().clone(), [mu_static, mu]));
     }
-    let as_json = |(name, axes, mu_static, mu): &(&str, Axes, f64, f64)| {
+    let as_json = |(name, counterface, axes, [mu_static, mu]): &(&str, &str, Axes, [f64; 2])| {
         json!({
             "name": name,
+            "counterface": counterface,
             "interference": axes.interference,
             "slip_rate": axes.slip_rate,
             "mu_static_relative_error_largest": mu_static,
             "mu_relative_error_largest": mu,
         })
     };
-    let line = |(name, axes, mu_static, mu): &(&str, Axes, f64, f64)| {
+    let line = |(name, counterface, axes, [mu_static, mu]): &(&str, &str, Axes, [f64; 2])| {
         format!(
-            "{name:16} {}, {}; largest error of mu_static {}, of mu {}\n",
+            "{name:21} {counterface}, {}, {}; largest error of mu_static {}, of mu {}\n",
             range(&axes.interference, "omega_c"),
             range(&axes.slip_rate, "m/s"),
             percent(*mu_static),
@@ -70,6 +72,7 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     line("slip rate", range(&axes.slip_rate, "m/s"));
     line("slip", range(&axes.slip, "contact radii"));
     line("radius", format!("{} m", plain(metadata.asperity_radius)));
+    line("counterface", metadata.counterface_in_words());
     let done = sum(|counts| counts.done);
     let (not_run, failed) = (sum(|counts| counts.not_run), sum(|counts| counts.failed));
     line("cells", format!("{done} done, {not_run} not run, {failed} failed"));

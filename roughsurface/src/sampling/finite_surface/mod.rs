@@ -79,7 +79,7 @@ impl Samples {
 /// };
 /// let loading = NormalLoading::Pressure(vec![1e7]);
 /// let (control, contact_life, interaction) = (LoadingControl::Load, ContactLife::default(), Interaction::None);
-/// let query = Query { loading, slip_rates: vec![1.0], control, contact_life, interaction };
+/// let query = Query { loading, slip_rates: vec![1.0], control, contact_life, interaction, rate_step: None };
 /// let sampling = Sampling { asperities: 300, realizations: 5, seed: 1, slip: None };
 /// let found = sample(law.as_ref(), &surface, &query, &sampling, &Settings::default(), &|_, _| ())?;
 /// assert!(found.scatter(0, 0, |one| one.state.mu.value).mean > 0.1);

@@ -21,6 +21,7 @@ fn samples(asperities: usize) -> Samples {
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,
+        rate_step: None,
     };
     let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: Some(1.0) };
     sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap()
@@ -61,6 +62,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
             control: LoadingControl::Separation,
             contact_life: ContactLife::default(),
             interaction: Interaction::None,
+            rate_step: None,
         };
         let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: Some(1e-8) };
         let settings = Settings::default();

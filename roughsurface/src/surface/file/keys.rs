@@ -71,7 +71,29 @@ pub(super) struct QueryKeys {
     pub(super) contact_life: ContactLife,
     pub(super) interaction: Option<InteractionKind>,
     pub(super) nominal_size: Option<f64>,
+    pub(super) rate_step: Option<RateStepKeys>,
     pub(super) temperature: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RateStepKeys {
+    before: f64,
+    after: f64,
+}
+
+/// The slip rates of the key `rate_step`; contacts that last have no steady state of which all ages are equally likely.
+pub(super) fn rate_step_of(
+    keys: Option<RateStepKeys>,
+    life: ContactLife,
+) -> Result<Option<[f64; 2]>, String> {
+    let Some(RateStepKeys { before, after }) = keys else { return Ok(None) };
+    positive("query.rate_step.before", before, "m/s")?;
+    positive("query.rate_step.after", after, "m/s")?;
+    match life {
+        ContactLife::Diameters(_) => Ok(Some([before, after])),
+        ContactLife::Steady => Err("query.rate_step: needs contacts that are replaced by others; give contact_life as a number, not \"steady\"".into()),
+    }
 }
 
 #[derive(Clone, Copy, Deserialize)]

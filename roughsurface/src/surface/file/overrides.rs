@@ -45,6 +45,15 @@ impl Override {
         Self { path: vec!["query".into(), key.into()], value: Some(value.into()) }
     }
 
+    /// Slip rates before and after a step, m/s.
+    pub fn rate_step(rates: [f64; 2]) -> [Self; 2] {
+        let of = |(key, rate): (&str, f64)| Self {
+            path: ["query", "rate_step", key].map(String::from).to_vec(),
+            value: Some(Value::Float(rate)),
+        };
+        [("before", rates[0]), ("after", rates[1])].map(of)
+    }
+
     /// Slip over which a contact lasts.
     pub fn contact_life(life: ContactLife) -> Self {
         let value = Value::try_from(life).ok();

@@ -1,6 +1,6 @@
 //! Reads and checks a surface file.
 
-use super::keys::{FileKeys, SurfaceKeys, allowed, interaction_of, positive, radii_of};
+use super::keys::{FileKeys, SurfaceKeys, allowed, interaction_of, positive, radii_of, rate_step_of};
 use super::overrides::{Override, lay_over};
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
@@ -178,6 +178,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
             control: keys.query.hold,
             contact_life: keys.query.contact_life,
             interaction: interaction_of(keys.query.interaction, keys.query.nominal_size)?,
+            rate_step: rate_step_of(keys.query.rate_step, keys.query.contact_life)?,
         },
         temperature: keys.query.temperature,
         material: keys.material,

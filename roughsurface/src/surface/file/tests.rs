@@ -47,7 +47,7 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
         (
             "pressure =",
             "presure =",
-            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, contact_life, interaction, nominal_size, temperature",
+            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, contact_life, interaction, nominal_size, rate_step, temperature",
         ),
         (
             "std = 0.5e-6",
@@ -89,6 +89,16 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
             "hold = \"separation\"",
             "nominal_size = 0.01",
             "surface.toml: query.nominal_size: has no meaning without interaction = \"mean-pressure\"",
+        ),
+        (
+            "hold = \"separation\"",
+            "rate_step = { before = 0.1, after = 0.0 }",
+            "surface.toml: query.rate_step.after = 0: must be a positive number (m/s)",
+        ),
+        (
+            "hold = \"separation\"",
+            "rate_step = { before = 0.1, after = 1.0 }\ncontact_life = \"steady\"",
+            "surface.toml: query.rate_step: needs contacts that are replaced by others; give contact_life as a number, not \"steady\"",
         ),
         ("= 0.3", "= 0.5", "surface.toml: material.poisson_ratio = 0.5: must be at least 0 and below 0.5"),
         (

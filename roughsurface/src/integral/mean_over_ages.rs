@@ -1,0 +1,60 @@
+//! Mean of the responses of a contact over ages that are equally likely.
+
+use crate::integral::kronrod::MANY;
+use tables::law::{LookupError, Response};
+
+/// The mean, while it is added up.
+#[derive(Default)]
+pub(super) struct MeanOverAges {
+    /// With the relative error of Q/P times Q.
+    sum: Response,
+    quadrature_error: f64,
+}
+
+impl MeanOverAges {
+    /// Adds contacts that are the share `weight` of all, by `response` at any share of their range of ages.
+    pub(super) fn add_ages(
+        &mut self,
+        weight: f64,
+        response: impl Fn(f64) -> Result<Response, LookupError>,
+    ) -> Result<(), LookupError> {
+        if weight <= 0.0 {
+            return Ok(());
+        }
+        // The age is u³ of the range: friction rises steeply at first, and changes with √s.
+        for ((abscissa, of_point), excess) in MANY.points().zip(MANY.excess) {
+            let u = 0.5 * (1.0 + abscissa);
+            let of_point = 1.5 * of_point * u * u * weight;
+            let here = response(u.powi(3))?;
+            self.quadrature_error += of_point * excess * here.friction.value;
+            self.add(of_point, &here);
+        }
+        Ok(())
+    }
+
+    /// Adds contacts that are the share `weight` of all, with one response.
+    pub(super) fn add(&mut self, weight: f64, response: &Response) {
+        let sum = &mut self.sum;
+        for (sum, part) in [
+            (&mut sum.load, response.load),
+            (&mut sum.friction, response.friction),
+            (&mut sum.area, response.area),
+            (&mut sum.temperature_max, response.temperature_max),
+        ] {
+            sum.value += weight * part.value;
+            sum.error += weight * part.error;
+        }
+        sum.coefficient_error += weight * response.coefficient_error * response.friction.value;
+    }
+
+    /// The mean, with the error of the quadrature.
+    pub(super) fn response(self) -> Response {
+        let Self { mut sum, quadrature_error } = self;
+        sum.friction.error += quadrature_error.abs();
+        // Relative to the mean friction.
+        let coefficient_error = sum.coefficient_error + quadrature_error.abs();
+        let friction = sum.friction.value;
+        sum.coefficient_error = if friction > 0.0 { coefficient_error / friction } else { 0.0 };
+        sum
+    }
+}
