@@ -1,3 +1,3 @@
 """The blocks of measured numbers in the book, by page; docs/numbers.py writes them."""
 
-from . import measured, model, tutorial  # noqa: F401
+from . import measured, model, published, tutorial  # noqa: F401

@@ -132,6 +132,14 @@ fn friction_follows_the_mesh_where_nothing_hardens_and_only_there() {
 }
 
 #[test]
+fn static_friction_in_full_stick_is_that_of_brizmer_and_above_that_at_shear_strength() {
+    let text = printed("static_friction", Path::new("."), "coarse");
+    let rows: Vec<&str> = text.lines().filter(|line| line.trim_start().starts_with("10 ")).collect();
+    let (stuck, limited, brizmer) = (number(rows[0], 1), number(rows[1], 1), number(rows[0], 6));
+    assert!((stuck / brizmer - 1.0).abs() < 0.15 && limited < stuck, "{text}");
+}
+
+#[test]
 fn friction_of_a_rough_surface_from_a_closed_form_hardly_depends_on_pressure() {
     let text = printed("rough_surface", Path::new("."), "");
     let rows: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("pressure")).skip(1).collect();

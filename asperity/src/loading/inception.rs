@@ -45,7 +45,7 @@ pub fn inception(history: &[SlideState]) -> Inception {
 
 /// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
 /// [`STIFFNESS_SPAN`] of the slip falls below this share of the first; both interpolated between states.
-fn inception_at(history: &[SlideState], stiffness_share: f64) -> Inception {
+pub fn inception_at(history: &[SlideState], stiffness_share: f64) -> Inception {
     let secant = |from: &SlideState, to: &SlideState| (to.friction - from.friction) / (to.slip - from.slip);
     // Slip in the middle of the span, and the stiffness.
     let mut stiffness = (0.0, if history.len() > 1 { secant(&history[0], &history[1]) } else { 0.0 });

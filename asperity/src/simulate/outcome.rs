@@ -1,6 +1,9 @@
 //! Outcome of a simulation. SI units; forces, areas and energies of the whole asperity.
 
-use tables::quantity::{History, Quantity, Scalars};
+use tables::quantity::{History, Quantity, Scalars, State};
+
+use crate::loading::inception::inception_at;
+use crate::loading::state::SlideState;
 
 pub use crate::interface::contact::Status as ContactStatus;
 pub use crate::loading::body_fields::{BodyFields, BodySnapshot};
@@ -84,4 +87,23 @@ pub struct Outcome {
     /// If recorded.
     pub body: Option<BodyFields>,
     pub account: Account,
+}
+
+impl Outcome {
+    /// Q/P where the tangential stiffness dQ/ds has fallen to `share` of its first value, or where the last contact point
+    /// begins to slip, if that is earlier; nothing if the slide ends before.
+    ///
+    /// `mu_static` is that of a share of 0.01. Results of others in full stick have thresholds of their own.
+    pub fn friction_at_stiffness(&self, share: f64) -> Option<f64> {
+        let state = |state: State<'_>| SlideState {
+            slip: state[Quantity::Slip],
+            friction: state[Quantity::Friction],
+            load: state[Quantity::Load],
+            stick_fraction: state[Quantity::StickFraction],
+            ..SlideState::default()
+        };
+        let history: Vec<SlideState> = self.slide.states().map(state).collect();
+        let inception = inception_at(&history, share);
+        (inception.criterion != InceptionCriterion::None).then(|| inception.friction / inception.load)
+    }
 }

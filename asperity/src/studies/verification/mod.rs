@@ -23,6 +23,7 @@ mod regression;
 mod row;
 pub mod setup;
 mod softening;
+mod static_friction;
 mod strain_rate;
 
 pub use row::{Computed, Reference, Row, Tolerance};
@@ -68,12 +69,13 @@ pub struct Group {
 }
 
 /// Every group, elementary ones first.
-pub const GROUPS: [Group; 13] = [
+pub const GROUPS: [Group; 14] = [
     Group { name: "Hertz", cases: &hertz::CASES },
     Group { name: "full stick", cases: &full_stick::CASES },
     Group { name: "elastic-plastic sphere", cases: &elastic_plastic::CASES },
     Group { name: "partial slip", cases: &partial_slip::CASES },
     Group { name: "interface laws and load control", cases: &interface_law::CASES },
+    Group { name: "static friction", cases: &static_friction::CASES },
     Group { name: "heat source", cases: &heat_source::CASES },
     Group { name: "counterface", cases: &counterface::CASES },
     Group { name: "thermal softening", cases: &softening::CASES },
