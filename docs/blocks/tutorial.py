@@ -52,6 +52,6 @@ def cutoff():
     return "```text\n" + text[text.index("Influence of the cut-off") :]
 
 
-@block("tutorial-scatter", 2)
+@block("tutorial-scatter", 25)
 def scatter():
     return of_surface(SAMPLE)
