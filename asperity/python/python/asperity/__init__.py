@@ -6,7 +6,7 @@ every number has an error estimate. Results are those of the programs ``asperity
 
     >>> import asperity
     >>> steel = asperity.table("steel-4340")
-    >>> round(steel.at("mu", interference=10.0, slip_rate=1.0).value, 1)
+    >>> round(steel.at("mu", interference=40.0, slip_rate=1.0).value, 1)
     0.2
 """
 
