@@ -103,7 +103,12 @@ impl Ladder {
 
     /// The next finer resolution, if the accuracy requires one and the last refinement, if any, reduced the error.
     pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics) -> Option<Resolution> {
-        let (_, parts) = budget.worst(&self.result().values);
+        let (quantity, parts) = budget.worst(&self.result().values);
+        if parts.solver_exceeds(numerics.accuracy) {
+            let solver = parts.solver;
+            self.notes.push(Note::AccuracyOutOfReach { quantity, solver, accuracy: numerics.accuracy });
+            return None;
+        }
         let finer = self.result().resolution.refine(numerics, &parts)?;
         let after = parts.total();
         if let Some(&before) = self.errors.last()

@@ -33,6 +33,12 @@ impl RelativeParts {
     pub fn total(&self) -> f64 {
         self.mesh + self.sectors + self.steps + self.solver + self.model
     }
+
+    /// Whether the accuracy is out of reach of a finer resolution: the solver's part alone is above it. Such a quantity
+    /// depends on the tolerance of equilibrium, as the body hardly resists more than the interface transmits.
+    pub fn solver_exceeds(&self, accuracy: f64) -> bool {
+        self.solver > accuracy
+    }
 }
 
 /// How finely a run is divided, in each direction.
@@ -148,6 +154,9 @@ impl Resolution {
     /// (relative) of the error.
     pub fn refine_other_than_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {
         const SHARE: f64 = 0.4;
+        if parts.solver_exceeds(numerics.accuracy) {
+            return *self;
+        }
         let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
         if parts.sectors > SHARE * numerics.accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
             sectors *= 2;
@@ -162,7 +171,7 @@ impl Resolution {
     /// none if that is met, or fixed by the scene or the limits.
     pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
         let accuracy = numerics.accuracy;
-        if parts.total() <= accuracy {
+        if parts.total() <= accuracy || parts.solver_exceeds(accuracy) {
             return None;
         }
         let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
@@ -234,6 +243,17 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn nothing_is_refined_where_the_solver_decides() {
+        let numerics = Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None };
+        let start = Resolution::choose(&numerics);
+        let parts = |solver| RelativeParts { mesh: 0.05, sectors: 0.02, steps: 0.02, solver, model: 0.0 };
+        assert!(start.refine(&numerics, &parts(0.01)).is_some());
+        assert_ne!(start.refine_other_than_mesh(&numerics, &parts(0.01)), start);
+        assert_eq!(start.refine(&numerics, &parts(0.03)), None);
+        assert_eq!(start.refine_other_than_mesh(&numerics, &parts(0.03)), start);
     }
 
     /// The thinnest layer is 2/n_c of the heated depth, and no thinner than needed.

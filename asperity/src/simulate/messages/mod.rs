@@ -10,6 +10,7 @@ use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::{Problem, Units};
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
+use tables::quantity::Quantity;
 pub use warning::Warning;
 
 /// Choices of a run, with their reasons.
@@ -31,6 +32,12 @@ pub enum Note {
     /// The first resolution, chosen for the accuracy `planned`, is the last one, as the body may shear without limit.
     UnlimitedShear {
         planned: f64,
+    },
+    /// The part of the solver in the relative error of a quantity is above the accuracy.
+    AccuracyOutOfReach {
+        quantity: Quantity,
+        solver: f64,
+        accuracy: f64,
     },
     /// A refinement did not reduce the largest relative error.
     RefinementStopped {
@@ -104,6 +111,15 @@ impl Display for Note {
                  no stronger than the interface, so shear localises in the elements below it; give \
                  material.hardening, or interface.strength_factor below 1, for a higher accuracy",
                 100.0 * planned
+            ),
+            Self::AccuracyOutOfReach { quantity, solver, accuracy } => write!(
+                f,
+                "not refined: {} changes by {:.1} % with the tolerance of equilibrium, above the accuracy of {:.1} %, \
+                 and no finer mesh reduces that; the body hardly resists more than the interface transmits: give \
+                 more hardening, interface.strength_factor below 1, or no rate law",
+                quantity.descriptor().name,
+                100.0 * solver,
+                100.0 * accuracy
             ),
             Self::RefinementStopped { before, after } => write!(
                 f,
