@@ -44,3 +44,4 @@ python examples/scaling.py --set loading.slip_distance=0.1 4
 # With the dependencies that were built for the programs.
 target/python/bin/pip install -q './asperity/python[all]'
 pytest -q asperity/python/tests
+examples/tests/old-processor.sh "${CARGO_TARGET_DIR:-target}/release" python

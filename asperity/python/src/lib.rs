@@ -12,20 +12,29 @@ mod table;
 mod tabulate;
 mod watch;
 
-use pyo3::exceptions::PyImportError;
+use pyo3::ffi::{PyErr_Format, PyExc_ImportError, PyObject};
 use pyo3::prelude::*;
 
-#[pymodule]
-fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    match tables::netcdf::missing_instruction_set() {
-        Some(name) => Err(PyImportError::new_err(tables::netcdf::unsuitable_processor(name))),
-        None => fill(module),
-    }
+unsafe extern "C" {
+    /// Entry point of [`contents`], of PyO3.
+    fn PyInit_contents() -> *mut PyObject;
 }
 
-/// Not a part of `_core`, whose first instructions might already be ones that the processor lacks.
-#[inline(never)]
-fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
+/// Entry point for Python. The processor is checked first: that of PyO3 may already have instructions that it lacks.
+///
+/// # Safety
+/// Python calls it, with its lock.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn PyInit__core() -> *mut PyObject {
+    let Some(name) = tables::netcdf::missing_instruction_set() else { return unsafe { PyInit_contents() } };
+    let [before, after] = [tables::netcdf::UNSUITABLE, tables::netcdf::REMEDY].map(std::ffi::CStr::as_ptr);
+    // Python joins the texts: a copy made here may be by the instructions that are missing.
+    unsafe { PyErr_Format(PyExc_ImportError, c"%s%s%s".as_ptr(), before, name.as_ptr(), after) };
+    std::ptr::null_mut()
+}
+
+#[pymodule]
+fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("SHIPPED", tables::shipped::names().collect::<Vec<_>>())?;
     module.add("CLOSED_FORMS", tables::closed_forms::NAMES)?;

@@ -3,6 +3,7 @@
 //! A processor without an instruction of the program ends it by a signal (SIGILL) at a place that depends on the input.
 //! So its instruction sets are compared first, in integers only, and the message is a text that is there already.
 
+use std::ffi::CStr;
 use std::io::Write;
 
 /// To be called first in `main`: ends the program with a message where the processor lacks an instruction set that the
@@ -11,44 +12,36 @@ use std::io::Write;
 pub fn check_processor() {
     let Some(name) = missing_instruction_set() else { return };
     // One after the other: an array of texts may be copied by the instructions that are missing.
-    print("error: ");
-    print(CAUSE);
+    print(c"error: ");
+    print(UNSUITABLE);
     print(name);
     print(REMEDY);
-    print("\n");
+    print(c"\n");
     std::process::exit(1);
 }
 
 /// An instruction set that the program was compiled with and the processor lacks.
 #[inline(never)]
-pub fn missing_instruction_set() -> Option<&'static str> {
+pub fn missing_instruction_set() -> Option<&'static CStr> {
     missing(instruction_sets())
 }
 
-/// What an error says about it.
-#[inline(never)]
-pub fn unsuitable_processor(name: &str) -> String {
-    let mut message = String::from(CAUSE);
-    message.push_str(name);
-    message.push_str(REMEDY);
-    message
-}
-
-const CAUSE: &str = "this program was compiled for a processor with ";
-const REMEDY: &str =
-    ", which this one lacks; compile it on this machine with RUSTFLAGS=\"-C target-cpu=native\"";
+/// What an error says before its name, and after it.
+pub const UNSUITABLE: &CStr = c"this program was compiled for a processor with ";
+pub const REMEDY: &CStr =
+    c", which this one lacks; compile it on this machine with RUSTFLAGS=\"-C target-cpu=native\"";
 
 #[inline(never)]
-fn print(text: &str) {
+fn print(text: &CStr) {
     // The end is the same if nothing can be written.
-    let _ = std::io::stderr().write_all(text.as_bytes());
+    let _ = std::io::stderr().write_all(text.to_bytes());
 }
 
 /// Its name with whether the program uses it and whether the processor has it.
-type InstructionSet = (&'static str, bool, bool);
+type InstructionSet = (&'static CStr, bool, bool);
 
 /// The first that the program uses and the processor lacks.
-fn missing<const N: usize>(sets: [InstructionSet; N]) -> Option<&'static str> {
+fn missing<const N: usize>(sets: [InstructionSet; N]) -> Option<&'static CStr> {
     let mut sets = sets.into_iter();
     sets.find_map(|(name, used, present)| (used && !present).then_some(name))
 }
@@ -67,20 +60,20 @@ fn instruction_sets() -> [InstructionSet; 14] {
     // The system saves the wider registers (bit 27) in addition to the processor's having them.
     let avx = has(basic, 27) && has(basic, 28);
     [
-        ("sse3", cfg!(target_feature = "sse3"), has(basic, 0)),
-        ("ssse3", cfg!(target_feature = "ssse3"), has(basic, 9)),
-        ("sse4.1", cfg!(target_feature = "sse4.1"), has(basic, 19)),
-        ("sse4.2", cfg!(target_feature = "sse4.2"), has(basic, 20)),
-        ("popcnt", cfg!(target_feature = "popcnt"), has(basic, 23)),
-        ("movbe", cfg!(target_feature = "movbe"), has(basic, 22)),
-        ("lzcnt", cfg!(target_feature = "lzcnt"), has(amd, 5)),
-        ("avx", cfg!(target_feature = "avx"), avx),
-        ("fma", cfg!(target_feature = "fma"), avx && has(basic, 12)),
-        ("avx2", cfg!(target_feature = "avx2"), avx && has(extended, 5)),
-        ("bmi1", cfg!(target_feature = "bmi1"), has(extended, 3)),
-        ("bmi2", cfg!(target_feature = "bmi2"), has(extended, 8)),
-        ("avx512f", cfg!(target_feature = "avx512f"), avx && has(extended, 16)),
-        ("avx512vl", cfg!(target_feature = "avx512vl"), avx && has(extended, 31)),
+        (c"sse3", cfg!(target_feature = "sse3"), has(basic, 0)),
+        (c"ssse3", cfg!(target_feature = "ssse3"), has(basic, 9)),
+        (c"sse4.1", cfg!(target_feature = "sse4.1"), has(basic, 19)),
+        (c"sse4.2", cfg!(target_feature = "sse4.2"), has(basic, 20)),
+        (c"popcnt", cfg!(target_feature = "popcnt"), has(basic, 23)),
+        (c"movbe", cfg!(target_feature = "movbe"), has(basic, 22)),
+        (c"lzcnt", cfg!(target_feature = "lzcnt"), has(amd, 5)),
+        (c"avx", cfg!(target_feature = "avx"), avx),
+        (c"fma", cfg!(target_feature = "fma"), avx && has(basic, 12)),
+        (c"avx2", cfg!(target_feature = "avx2"), avx && has(extended, 5)),
+        (c"bmi1", cfg!(target_feature = "bmi1"), has(extended, 3)),
+        (c"bmi2", cfg!(target_feature = "bmi2"), has(extended, 8)),
+        (c"avx512f", cfg!(target_feature = "avx512f"), avx && has(extended, 16)),
+        (c"avx512vl", cfg!(target_feature = "avx512vl"), avx && has(extended, 31)),
     ]
 }
 
@@ -96,8 +89,11 @@ mod tests {
 
     #[test]
     fn what_the_program_uses_must_be_there() {
-        assert_eq!(missing([("avx", true, true), ("avx2", false, false)]), None);
-        assert_eq!(missing([("avx", true, true), ("avx2", true, false), ("fma", true, false)]), Some("avx2"));
+        assert_eq!(missing([(c"avx", true, true), (c"avx2", false, false)]), None);
+        assert_eq!(
+            missing([(c"avx", true, true), (c"avx2", true, false), (c"fma", true, false)]),
+            Some(c"avx2")
+        );
         assert_eq!(missing(instruction_sets()), None, "this processor runs the test");
     }
 
@@ -123,7 +119,7 @@ mod tests {
             is_x86_feature_detected!("avx512vl"),
         ];
         for ((name, _, present), standard) in instruction_sets().into_iter().zip(standard) {
-            assert_eq!(present, standard, "{name}");
+            assert_eq!(present, standard, "{name:?}");
         }
     }
 }
