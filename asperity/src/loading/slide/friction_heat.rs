@@ -77,7 +77,8 @@ impl HeatSources {
         if problem.taylor_quinney > 0.0 {
             body.add_plastic_work(problem.taylor_quinney / dt, &mut plastic);
         }
-        Self { speed: (0..contact.len()).map(|i| contact.point_slip(i) / dt).collect(), plastic }
+        let speed = |i| if is_released(contact, i) { 0.0 } else { contact.point_slip(i) / dt };
+        Self { speed: (0..contact.len()).map(speed).collect(), plastic }
     }
 
     /// Temperature after a step of length `dt`, in which the flat moves by `slip`, with these sources and the factor by
@@ -96,6 +97,14 @@ impl HeatSources {
         speed.resize(contact.len(), 0.0);
         conduction.advance(dt, &plastic, &FrictionHeat { problem, contact, speed, hardened, slip })
     }
+}
+
+/// Whether a point has no friction for the rest of the step because it chatters, and so no heat of friction.
+fn is_released(contact: &Contact, point: usize) -> bool {
+    let state = &contact.trial;
+    state.status[point] != Status::Open
+        && contact.contact_fraction[point] > 0.0
+        && state.traction[point] == [0.0; 2]
 }
 
 /// Largest and mean temperature rise over the contact.

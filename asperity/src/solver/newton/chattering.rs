@@ -37,8 +37,9 @@ impl Chattering {
             if open[i] != self.open[i] {
                 self.changes[i] = self.changes[i].saturating_add(1);
             }
-            if self.changes[i] > STATUS_CHANGES && limit[i].is_finite() && limit[i] > 0.0 {
-                self.taken[i] = std::mem::take(&mut limit[i]);
+            if self.changes[i] > STATUS_CHANGES && limit[i] > 0.0 {
+                self.taken[i] = largest_traction(contact, limit, i);
+                limit[i] = 0.0;
                 damped = true;
             }
         }
@@ -62,10 +63,11 @@ impl Chattering {
         let touches = |state: &ContactState, i: usize| state.status[i] != Status::Open;
         let alternating: Vec<usize> = (0..limit.len())
             .filter(|&i| touches(&contact.trial, i) != touches(&there, i))
-            .filter(|&i| limit[i].is_finite() && limit[i] > 0.0)
+            .filter(|&i| limit[i] > 0.0)
             .collect();
         let (taken, left) = self.friction(contact, limit);
-        let released = alternating.iter().map(|&i| contact.areas[i] * limit[i]).sum::<f64>();
+        let released =
+            alternating.iter().map(|&i| contact.areas[i] * largest_traction(contact, limit, i)).sum::<f64>();
         let may_help = !alternating.is_empty() && taken + released <= LARGEST_RELEASED * (taken + left);
         if may_help {
             alternating.into_iter().for_each(|i| self.changes[i] = STATUS_CHANGES + 1);
@@ -86,8 +88,14 @@ impl Chattering {
             (0.0, 0.0),
             |(taken, left), i| {
                 let area = contact.areas[i];
-                (taken + area * self.taken[i], left + area * limit[i])
+                (taken + area * self.taken[i], left + area * largest_traction(contact, limit, i))
             },
         )
     }
+}
+
+/// Largest shear traction of a point: its limit, or without one the traction that it begins the step with.
+fn largest_traction(contact: &Contact, limit: &[f64], point: usize) -> f64 {
+    let [radial, hoop] = contact.committed.traction[point];
+    if limit[point].is_finite() { limit[point] } else { radial.hypot(hoop) }
 }
