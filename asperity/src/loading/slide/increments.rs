@@ -30,8 +30,7 @@ const SHORTEST: f64 = 1e-6;
 pub struct Increments {
     /// Largest increment relative to the slip so far.
     pub growth: f64,
-    /// Updates of temperature and contact edge in a step: each leaves about a fifth of the change
-    /// of the one before (measured).
+    /// Updates of temperature and contact edge in a step at most.
     pub coupling_limit: usize,
 }
 

@@ -25,7 +25,7 @@ mod linear;
 const REFRESH: f64 = 3e-2;
 /// Where the shear strength is many times the pressure, the points that stick, slip and touch are found a few at a
 /// time: at 0.001 ω_c in up to 50 iterations, elsewhere in fewer than 30.
-const NEWTON_LIMIT: usize = 60;
+const NEWTON_LIMIT: usize = 80;
 /// Stagnation tolerance: share of a Newton step below which there is no progress, and the number of such steps in a row
 /// at which the solution has stagnated. A point that touches sticks at once; if stick lifts it off again there is no
 /// equilibrium with this increment.
