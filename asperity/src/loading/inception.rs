@@ -33,8 +33,9 @@ pub struct Inception {
     pub load: f64,
     /// (work of the flat − change of elastic energy)/A.
     pub energy_release: f64,
-    /// Uncertainty of the slip between two states, and what G changes over it.
+    /// Uncertainty of the slip between two states, and what friction and G change over it.
     pub slip_bracket: f64,
+    pub friction_bracket: f64,
     pub energy_bracket: f64,
 }
 
@@ -83,6 +84,7 @@ impl Inception {
             load,
             energy_release: 0.0,
             slip_bracket: 0.0,
+            friction_bracket: 0.0,
             energy_bracket: 0.0,
         }
     }
@@ -114,6 +116,7 @@ impl Inception {
             load: state.load,
             energy_release: release(&state),
             slip_bracket: share * width,
+            friction_bracket: share * (high.friction - low.friction).abs(),
             energy_bracket: share * (release(&high) - release(&low)).abs(),
         }
     }
@@ -199,6 +202,8 @@ mod tests {
         // G = 2 s².
         let change = 2.0 * (0.995f64.powi(2) - 0.95f64.powi(2));
         assert!((smooth.energy_bracket - 0.1 * change).abs() < 1e-12, "{smooth:?}");
+        // The friction is the slip.
+        assert_eq!(smooth.friction_bracket, smooth.slip_bracket);
         let sudden = slides(|slip| if slip < 0.96 { 1.0 } else { 0.0 });
         assert!((sudden.slip_bracket - 0.0225).abs() < 1e-3, "{sudden:?}");
     }

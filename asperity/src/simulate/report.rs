@@ -101,7 +101,8 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     }
     warnings.extend(fast_inception(scene, run));
     let spread = run.values.bracket(Quantity::MuStatic) / run.values.value(Quantity::MuStatic);
-    warnings.extend((spread > scene.numerics.accuracy).then_some(Warning::InceptionByStiffness { spread }));
+    let is_unsure = inception == InceptionCriterion::Stiffness && spread > scene.numerics.accuracy;
+    warnings.extend(is_unsure.then_some(Warning::InceptionByStiffness { spread }));
     let strain = run.plastic_strain();
     warnings.extend(warnings_of_strength(scene, strain));
     if strain > LARGE_STRAIN && !runner.pressed.problem.finite_strain {

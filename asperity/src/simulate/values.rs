@@ -71,6 +71,8 @@ impl Values {
         let others = inception.by_other_thresholds(first);
         let brackets = Quantity::SCALARS.map(|quantity| {
             let bracket = match quantity {
+                Quantity::FrictionStatic => inception.friction_bracket * units.force(),
+                Quantity::MuStatic if inception.load > 0.0 => inception.friction_bracket / inception.load,
                 Quantity::EnergyRelease => inception.energy_bracket * energy,
                 Quantity::InceptionSlip => inception.slip_bracket * units.length,
                 Quantity::MuSteady => steady.error,
