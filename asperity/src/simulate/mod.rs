@@ -34,6 +34,7 @@ use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{Scene, Switch};
 use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::expected_time::expected_time;
 use crate::simulate::outcome::Outcome;
 use messages::{RunKind, RunProgress};
 pub(crate) use pressed::bisect;
@@ -138,10 +139,10 @@ pub(crate) fn slide_refined(
     let mut budget = runner.judge(&ladder);
     let mut stopped = false;
     let refinements = if pressed.shears_without_limit { 0 } else { refinements };
+    let expected = expected_time(&pressed.scene);
     while ladder.main.len() <= refinements {
-        let Some(finer) = budget.as_ref().and_then(|budget| ladder.finer(budget, &pressed.numerics)) else {
-            break;
-        };
+        let finer = budget.as_ref().and_then(|budget| ladder.finer(budget, &pressed.numerics, expected));
+        let Some(finer) = finer else { break };
         match runner.finer(&finer) {
             Ok([run, coarse]) if run.failure.is_none() && coarse.failure.is_none() => {
                 ladder.main.push(run);

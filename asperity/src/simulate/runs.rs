@@ -21,6 +21,7 @@ use crate::loading::state::SlideState;
 use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_of, time_ratio};
 use crate::simulate::values::Values;
 use crate::solver::newton::Effort;
 use crate::solver::timings::{Kernel, Timings};
@@ -58,6 +59,11 @@ impl Run {
     /// Largest plastic strain.
     pub fn plastic_strain(&self) -> f64 {
         self.history.last().map_or(0.0, |state| state.plastic_strain_max)
+    }
+
+    /// Processor time of the slide by its counts, s.
+    fn expected_time(&self) -> f64 {
+        time_of(self.effort.newton, self.unknowns)
     }
 
     /// Time of the slide without the press, s.
@@ -101,8 +107,9 @@ impl Ladder {
         self.main.last().expect("there is a main run")
     }
 
-    /// The next finer resolution, if the accuracy requires one and the last refinement, if any, reduced the error.
-    pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics) -> Option<Resolution> {
+    /// The next finer resolution, if the accuracy requires one, the last refinement, if any, reduced the error, and the
+    /// time with it is within the factor of the time `expected` (s) of all runs.
+    pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics, expected: f64) -> Option<Resolution> {
         let (quantity, parts) = budget.worst(&self.result().values);
         if parts.solver_exceeds(numerics.accuracy) {
             let solver = parts.solver;
@@ -115,6 +122,13 @@ impl Ladder {
             && after > STAGNATION * before
         {
             self.notes.push(Note::RefinementStopped { before, after });
+            return None;
+        }
+        let spent: f64 = self.main.iter().map(Run::expected_time).sum();
+        let next = self.result().expected_time() * time_ratio(&finer, &self.result().resolution);
+        if spent + next > EXPECTED_TIME_FACTOR * expected {
+            let (elements, sectors) = (finer.elements_per_radius, finer.sectors);
+            self.notes.push(Note::RefinementTooLong { next, expected, elements, sectors });
             return None;
         }
         self.errors.push(after);

@@ -39,6 +39,13 @@ pub enum Note {
         solver: f64,
         accuracy: f64,
     },
+    /// A refinement would take longer than the factor of the expected time, s.
+    RefinementTooLong {
+        next: f64,
+        expected: f64,
+        elements: usize,
+        sectors: usize,
+    },
     /// A refinement did not reduce the largest relative error.
     RefinementStopped {
         before: f64,
@@ -120,6 +127,11 @@ impl Display for Note {
                 quantity.descriptor().name,
                 100.0 * solver,
                 100.0 * accuracy
+            ),
+            Self::RefinementTooLong { next, expected, elements, sectors } => write!(
+                f,
+                "not refined further: that would take about {next:.0} s more, and {expected:.0} s were expected; \
+                 numerics.elements_per_radius = {elements} and numerics.sectors = {sectors} take that mesh at once"
             ),
             Self::RefinementStopped { before, after } => write!(
                 f,
