@@ -42,14 +42,14 @@ pub const CASES: [Case; 3] = [
     Case::new("shear strength and first failure", Cost::Medium, shear_strength),
 ];
 
-/// Load held, 6 elements, slid over `slip` contact radii.
+/// Load held, 8 elements, slid over `slip` contact radii.
 fn slide(
     law: FrictionLaw,
     interference: f64,
     slip: f64,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
-    let mut scene = scene(plain_material(POISSON), law, interference, mesh(6, 4));
+    let mut scene = scene(plain_material(POISSON), law, interference, mesh(8, 4));
     scene.material.yield_strength = YIELD;
     scene.material.hardening = Hardening::Linear { modulus: 0.0005 * scene.material.youngs_modulus };
     scene.loading.control = Control::Load;
