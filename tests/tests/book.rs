@@ -210,7 +210,7 @@ fn undocumented(file: &Path, name: &str) -> Vec<String> {
         let sources = ["_by_source", "_mesh", "_sectors", "_steps", "_solver", "_model"];
         let base = sources.iter().find_map(|source| name.strip_suffix(source)).unwrap_or(name);
         let base = base.strip_suffix("_error").unwrap_or(base);
-        let statistics = ["_mean", "_mean_error", "_std", "_lower", "_upper"];
+        let statistics = ["_mean", "_mean_error", "_std", "_lower", "_upper", "_infinite", "_bias"];
         let derived = ["_end", "_press", "_real_area", "_parameter_std", "_parameter_change", "_history"];
         let mut bases = derived.iter().chain(&statistics).filter_map(|ending| {
             let said = spans.contains(ending) || spans.contains(format!("NAME{ending}").as_str());

@@ -48,6 +48,17 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
             let attributes = described(unit, &format!("{words} {long_name}"));
             file.reals(&format!("{name}_{statistic}"), &[row, "slip_rate"], &values, &attributes)?;
         }
+        let infinite = samples.infinite.iter().flatten();
+        let infinite: Vec<f64> = infinite.map(|state| state.as_ref().map_or(f64::NAN, of)).collect();
+        let bias: Vec<f64> =
+            scatters.iter().zip(&infinite).map(|(one, infinite)| one.mean - infinite).collect();
+        for (name, words, values) in [
+            (format!("{name}_infinite"), "surface of infinite extent:", &infinite),
+            (format!("{name}_bias"), "mean over the surfaces less the surface of infinite extent:", &bias),
+        ] {
+            let attributes = described(unit, &format!("{words} {long_name}"));
+            file.reals(&name, &[row, "slip_rate"], values, &attributes)?;
+        }
         Ok(())
     };
     for quantity in &QUANTITIES {
@@ -61,11 +72,24 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
     file.finish()
 }
 
-/// Pressure or separation, slip rate, and scatter of friction and contacts of every cell.
-fn cells(samples: &Samples) -> impl Iterator<Item = (f64, f64, Scatter, Scatter)> {
-    samples.query.cells().zip(samples.states.iter().flatten()).map(|((load, slip_rate), surfaces)| {
+/// Friction and contacts at one load and slip rate.
+struct Cell {
+    /// Pa or m.
+    load: f64,
+    /// m/s.
+    slip_rate: f64,
+    mu: Scatter,
+    /// Mean μ over the surfaces less that of the surface of infinite extent.
+    bias: f64,
+    contacts: Scatter,
+}
+
+fn cells(samples: &Samples) -> impl Iterator<Item = Cell> {
+    let states = samples.states.iter().flatten().zip(samples.infinite.iter().flatten());
+    samples.query.cells().zip(states).map(|((load, slip_rate), (surfaces, infinite))| {
         let mu = Scatter::of(surfaces.iter().map(|one| one.state.mu.value));
-        (load, slip_rate, mu, Scatter::of(surfaces.iter().map(|one| one.contacts)))
+        let bias = mu.mean - infinite.map_or(f64::NAN, |infinite| infinite.state.mu.value);
+        Cell { load, slip_rate, mu, bias, contacts: Scatter::of(surfaces.iter().map(|one| one.contacts)) }
     })
 }
 
@@ -78,15 +102,15 @@ pub fn text(samples: &Samples) -> String {
         None => format!("contact life {}", samples.query.contact_life),
     };
     let mut text = format!(
-        "{} surfaces of {} asperities, {state}; intervals hold 95 %\n\
-         {head:>width$}   slip rate [m/s]     mean mu             mu of one surface   contacts\n",
+        "{} surfaces of {} asperities, {state}; intervals hold 95 %; bias: mean less mu of a surface of infinite extent\n\
+         {head:>width$}   slip rate [m/s]     mean mu             bias   mu of one surface   contacts\n",
         samples.sampling.realizations, samples.sampling.asperities
     );
-    for (load, rate, mu, contacts) in cells(samples) {
+    for Cell { load, slip_rate, mu, bias, contacts } in cells(samples) {
         let _ = writeln!(
             text,
-            "{load:>width$.3e}   {:>15}   {:>7.4} ±{:.4}   {:>9.4} to {:.4}   {:.0} to {:.0}",
-            digits(rate, 4),
+            "{load:>width$.3e}   {:>15}   {:>7.4} ±{:.4}   {bias:>+14.4}   {:>9.4} to {:.4}   {:.0} to {:.0}",
+            digits(slip_rate, 4),
             mu.mean,
             mu.mean_error,
             mu.lower,
@@ -110,8 +134,10 @@ fn scatter(scatter: Scatter) -> Value {
 /// The samples as JSON.
 pub fn json(samples: &Samples) -> Value {
     let row = row_key(&samples.query.loading);
-    let cells = cells(samples).map(|(load, slip_rate, mu, contacts)| {
-        json!({row: load, "slip_rate": slip_rate, "mu": scatter(mu), "contacts": scatter(contacts)})
+    let cells = cells(samples).map(|Cell { load, slip_rate, mu, bias, contacts }| {
+        let mut friction = scatter(mu);
+        friction["bias"] = json!(bias);
+        json!({row: load, "slip_rate": slip_rate, "mu": friction, "contacts": scatter(contacts)})
     });
     let warnings: Vec<String> = samples.warnings.iter().map(ToString::to_string).collect();
     json!({

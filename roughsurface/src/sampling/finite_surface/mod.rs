@@ -7,6 +7,7 @@
 //! Depends on `friction`, `integral` and `surface`. Chapter "Rough surfaces" of the book.
 
 mod drawn;
+mod states;
 #[cfg(test)]
 mod tests;
 
@@ -19,10 +20,11 @@ use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::sampling::scatter::Scatter;
 use crate::surface::heights::Random;
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
-pub use drawn::SampledState;
-use drawn::{DrawnSurface, LawAtRate};
+use drawn::DrawnSurface;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
+pub use states::SampledState;
+use states::{InfiniteSurface, LawAtRate, Summits};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AboveRange, AsperityLaw, LookupError};
 
@@ -47,6 +49,8 @@ pub struct Samples {
     pub law: String,
     /// One row per pressure or separation, one column per slip rate, then the surfaces.
     pub states: Vec<Vec<Vec<SampledState>>>,
+    /// Of the surface of infinite extent, in the same rows and columns, where it has an equilibrium.
+    pub infinite: Vec<Vec<Option<SampledState>>>,
     pub warnings: Vec<Warning>,
 }
 
@@ -111,20 +115,25 @@ pub fn sample(
         .into_par_iter()
         .map(|seed| {
             let states = DrawnSurface::new(surface, sampling.asperities, seed)
-                .and_then(|drawn| drawn.states(law, &laws, &predictors, query, settings));
+                .and_then(|drawn| drawn.states(law, &laws, &predictors, query, settings))
+                .and_then(|states| states.into_iter().collect::<Result<Vec<_>, _>>());
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
             states
         })
         .collect();
     let surfaces = surfaces.into_iter().collect::<Result<Vec<_>, _>>()?;
 
+    let infinite = InfiniteSurface { surface, asperities: sampling.asperities };
+    let mut infinite = infinite.states(law, &laws, &predictors, query, settings)?.into_iter().map(Result::ok);
+
     let rates = query.slip_rates.len();
     let cell = |cell: usize| surfaces.iter().map(|surface| surface[cell]).collect();
-    let states: Vec<Vec<Vec<SampledState>>> = (0..query.loading.values().len())
-        .map(|row| (0..rates).map(|rate| cell(row * rates + rate)).collect())
-        .collect();
+    let rows = query.loading.values().len();
+    let infinite = (0..rows).map(|_| infinite.by_ref().take(rates).collect()).collect();
+    let states: Vec<Vec<Vec<SampledState>>> =
+        (0..rows).map(|row| (0..rates).map(|rate| cell(row * rates + rate)).collect()).collect();
     let warnings = warnings(law, query, &states);
-    Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, warnings })
+    Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, infinite, warnings })
 }
 
 /// Where finite surfaces search for their separation: at that of the surface of infinite extent, for every

@@ -33,6 +33,10 @@ fn large_surfaces_approach_the_integral_and_small_ones_scatter() {
     let exact = 1e-4 / (1e-3 * libm::tgamma(2.5) * 10f64.sqrt());
     let (small, large) = (samples(50), samples(2000));
     let mu = large.scatter(1, 0, |one| one.state.mu.value);
+    for samples in [&small, &large] {
+        let infinite = samples.infinite[1][0].expect("there is an equilibrium").state.mu.value;
+        assert!((infinite / exact - 1.0).abs() < 1e-4, "{infinite} {exact}");
+    }
     // A ratio of sums is biased by the order of 1/n, 0.1 % here, on top of the scatter.
     assert!((mu.mean - exact).abs() < 2.0 * mu.mean_error + 2e-3 * exact, "{mu:?} {exact}");
     let scattered = small.scatter(1, 0, |one| one.state.mu.value);
