@@ -20,6 +20,8 @@ use crate::solver::timings::Kernel;
 const LIMIT_TOLERANCE: f64 = 3e-5;
 /// Tolerance of the relative change of the areas of the contact points between iterations.
 const AREA_TOLERANCE: f64 = 1e-4;
+/// Frictional power of the last update over that of the solution, above which the heat is that of the solution.
+const EXCESS_HEAT: f64 = 1.1;
 /// Updates in a row that do not reduce the smallest change so far, after which the shear limits are held: points at the
 /// edge touch and lift off in turn. Converging updates leave 0.1 to 0.7 of the change before.
 const STALLED_UPDATES: usize = 4;
@@ -116,6 +118,18 @@ impl Coupling<'_> {
         }
     }
 
+    /// Heat of the solution, where the last update has more than the solution dissipates.
+    fn finish(&mut self, body: &Body, contact: &Contact) {
+        if self.conduction.is_none() {
+            return;
+        }
+        let solution = HeatSources::of(self.problem, body, contact, self.dt);
+        if self.sources.area_swept(contact) > EXCESS_HEAT * solution.area_swept(contact) {
+            let hardened = interface_hardening(self.problem, self.slip_rate, body, contact, &body.trial);
+            self.temperature(body, contact, &hardened, 1);
+        }
+    }
+
     /// Largest change of the shear limits since the iteration before, relative to the strength.
     fn change(&self, limit: &[f64]) -> f64 {
         let strength = shear_strength(self.problem, 1.0, 0.0);
@@ -161,6 +175,9 @@ impl Slide<'_> {
         let solved = self.mechanics.solve(flat, self.hold, start, stop, |body, contact, iteration| {
             coupling.update(body, contact, iteration)
         });
+        if solved.is_ok() {
+            coupling.finish(&self.mechanics.body, &self.mechanics.contact);
+        }
         let Coupling { sources, heated, failure, heat_time, .. } = coupling;
         self.mechanics.timings.add(Kernel::Heat, heat_time);
         let flat = solved?;

@@ -81,6 +81,12 @@ impl HeatSources {
         Self { speed: (0..contact.len()).map(speed).collect(), plastic }
     }
 
+    /// Slip speed of the contact times its area: the frictional power over the shear strength.
+    pub fn area_swept(&self, contact: &Contact) -> f64 {
+        let points = self.speed.iter().enumerate();
+        points.map(|(i, speed)| speed * contact.areas[i] * contact.contact_fraction[i]).sum()
+    }
+
     /// Temperature after a step of length `dt`, in which the flat moves by `slip`, with these sources and the factor by
     /// which the interface has hardened.
     pub fn heat(
