@@ -4,7 +4,7 @@
     examples/scaling.py [--asperity PATH] [--set section.key=value]... [N_C]...
 
 Runs examples/scenes/single-asperity.toml at each number of elements per contact radius on one
-thread. Processor time is that of the main run alone, without the companions for the errors; memory is the
+thread. Processor time is that of the main run alone, without the auxiliary runs for the errors; memory is the
 largest of the whole process. Standard library only.
 """
 
@@ -44,8 +44,8 @@ def main():
     parser.add_argument("--set", action="append", default=[], metavar="section.key=value")
     arguments = parser.parse_args()
     rows = []
-    print("| n_c | unknowns | steps | Newton per step | CG per Newton | s | preconditioner | MB | s with errors |")
-    print("|---|---|---|---|---|---|---|---|---|")
+    print("| n_c | unknowns | steps | Newton, press | Newton per step | CG per Newton | s | preconditioner | MB | s with errors |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
     for elements in arguments.elements:
         with tempfile.TemporaryDirectory() as folder:
             settings = [f"numerics.elements_per_radius={elements}", *arguments.set]
@@ -55,6 +55,7 @@ def main():
             result, usage = run(command)
         account, timings = result["account"], result["timings"]
         newton, krylov, steps = account["newton_iterations"], account["krylov_iterations"], account["steps"]
+        press = account["press_newton_iterations"]
         # The clocks of the parts run on while others have the processor: their shares are sound.
         processor = usage.ru_utime + usage.ru_stime
         main_run = processor * timings["main_run"] / timings["total"]
@@ -62,7 +63,7 @@ def main():
         rows.append(row)
         share = timings["parts"]["preconditioner"] / timings["main_run"]
         print(
-            f"| {elements} | {row[0]} | {steps} | {newton / steps:.1f} | {krylov / newton:.1f} | {row[1]:.2f} "
+            f"| {elements} | {row[0]} | {steps} | {press} | {(newton - press) / steps:.1f} | {krylov / newton:.1f} | {row[1]:.2f} "
             f"| {100 * share:.0f} % | {row[2]:.0f} | {processor:.1f} |",
             flush=True,
         )

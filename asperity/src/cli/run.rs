@@ -11,7 +11,7 @@ use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
 use asperity::simulate::derived;
 use asperity::simulate::expected_time::expected_time;
-use asperity::simulate::outcome::{ErrorSource, Kernel, Note, Outcome, Warning};
+use asperity::simulate::outcome::{Account, ErrorSource, Kernel, Note, Outcome, Warning};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
 use tables::netcdf::check_distinct;
@@ -100,6 +100,7 @@ fn report(
         say(account(outcome).trim_end());
     }
     if arguments.timings && !display.json {
+        say(iterations(&outcome.account));
         say(timings::as_text(&spent).trim_end());
     }
     let json = || {
@@ -149,19 +150,30 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
     text
 }
 
+/// Iterations of the main run and its press.
+fn iterations(account: &Account) -> String {
+    format!(
+        "steps: {}, cut back {} times; {} Newton iterations, {} of them of the press and {} with a line search; {} Krylov \
+         iterations",
+        account.steps,
+        account.cutbacks,
+        account.newton_iterations,
+        account.press_newton_iterations,
+        account.line_searches,
+        account.krylov_iterations,
+    )
+}
+
 fn account(outcome: &Outcome) -> String {
     let account = &outcome.account;
     let mut text = format!(
         "mesh: {} elements per contact radius, {} sectors, {} unknowns\n\
-         steps: {}, cut back {} times; {} Newton and {} Krylov iterations\n\
+         {}\n\
          heat: {}; strain: {}\n",
         account.elements_per_radius,
         account.sectors,
         account.unknowns,
-        account.steps,
-        account.cutbacks,
-        account.newton_iterations,
-        account.krylov_iterations,
+        iterations(account),
         if account.heat { "simulated" } else { "left out" },
         if account.finite_strain { "finite" } else { "small" },
     );
@@ -230,7 +242,9 @@ fn as_json(
             "steps": account.steps,
             "cutbacks": account.cutbacks,
             "newton_iterations": account.newton_iterations,
+            "press_newton_iterations": account.press_newton_iterations,
             "krylov_iterations": account.krylov_iterations,
+            "line_searches": account.line_searches,
             "wall_time": account.wall_time,
         },
     })

@@ -55,8 +55,13 @@ pub struct Account {
     pub finite_strain: bool,
     pub steps: usize,
     pub cutbacks: usize,
+    /// Of press and slide.
     pub newton_iterations: usize,
+    /// Of the press alone.
+    pub press_newton_iterations: usize,
     pub krylov_iterations: usize,
+    /// Newton iterations whose full step was too long or too short.
+    pub line_searches: usize,
     /// s.
     pub wall_time: f64,
     /// Where the time went; without that of the output, which is not done then.

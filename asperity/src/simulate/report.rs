@@ -77,6 +77,8 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
         steps: run.history.len() - 1,
         cutbacks: run.cutbacks + others().map(|run| run.cutbacks).sum::<usize>(),
         newton_iterations: run.press.effort.newton + run.effort.newton,
+        press_newton_iterations: run.press.effort.newton,
+        line_searches: run.press.effort.line_searches + run.effort.line_searches,
         krylov_iterations: run.press.effort.krylov + run.effort.krylov,
         wall_time,
         timings,

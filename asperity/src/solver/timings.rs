@@ -54,7 +54,7 @@ impl Kernel {
             Self::ContactFactorisation => "contact_factorisation",
             Self::Heat => "heat",
             Self::Rest => "rest",
-            Self::AuxiliaryRuns => "companions",
+            Self::AuxiliaryRuns => "auxiliary_runs",
             Self::Output => "output",
         }
     }

@@ -67,6 +67,8 @@ pub enum StepFailure {
 pub struct Effort {
     pub newton: usize,
     pub krylov: usize,
+    /// Newton iterations whose full step was too long or too short.
+    pub line_searches: usize,
     /// Sum of the relative residuals of stagnant steps, which are above the tolerance.
     pub residual: f64,
 }
@@ -232,6 +234,7 @@ impl Mechanics {
             next = coupling(&mut self.body, &mut self.contact);
         }
         let step = self.line_search(&mut now.u, &mut now.trial, line, &now.data, next.as_ref());
+        self.effort.line_searches += usize::from(step != 1.0);
         now.stagnant = if step < STAGNATION_TOLERANCE { now.stagnant + 1 } else { 0 };
         if now.stagnant > STAGNATION_LIMIT {
             let further = |p: usize| now.u[p] + line.direction[p];
