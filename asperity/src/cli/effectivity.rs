@@ -12,7 +12,7 @@ use super::{Display, EffectivityArguments, Failure, outputs, print};
 /// Run the scenes that the journal lacks, evaluate all of it.
 pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Result<(), Failure> {
     outputs::check(&[("--journal", &arguments.journal)], &[(outputs::OUTPUT, &arguments.output)])?;
-    let all = scenes::SCENES.len();
+    let all = scenes::COUNT;
     let which: Vec<usize> = match arguments.scenes.as_slice() {
         [] => (0..all).collect(),
         chosen => chosen.iter().map(|number| number - 1).collect(),
@@ -24,8 +24,7 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
     let progress = Progress::new(display);
     let done = |record: &Record| {
         if display.verbose {
-            let (preset, interference, slip_rate) = scenes::SCENES[record.scene];
-            let name = scenes::name(preset, interference, slip_rate);
+            let name = scenes::study_scene(record.scene).name();
             let outcome = record.failure.as_deref().unwrap_or("done");
             say(format!("{name}, {:?}: {outcome}, {:.1} s", record.role, record.wall_time));
         }

@@ -2,42 +2,37 @@
 
 use std::fmt::Write;
 
-use super::report::{EFFECTIVE, JUDGED, NEGLIGIBLE, QuantityReport, Report};
-use super::{WORKING_ELEMENTS, scenes};
+use super::report::{JUDGED, NEGLIGIBLE, QuantityReport, Report};
+use super::{ELEMENTS, SECTORS, STEPS, scenes};
 
 /// What was found, over quantities and over scenes.
 pub fn markdown(report: &Report) -> String {
     let mut text = format!(
         "# Effectivity of the error estimates\n\n\
          Written by `asperity effectivity --output FILE`. The runs are kept in its journal, so that the study can be\n\
-         interrupted, continued and judged anew (`--judge-only`). {} of {} scenes are judged, at\n\
-         {WORKING_ELEMENTS} elements per contact radius and otherwise as the default accuracy chooses.\n\n\
-         True errors are against runs with four times the elements, a quarter of the increments and twice the\n\
-         angles, each alone, extrapolated with order 1.5 in the elements and 1 in the increments. An estimate is\n\
-         *effective* if the true error is between {} and {} times the estimate, or both are below {} % of the value. The\n\
-         *coverage* is the share of true errors of at most {} times the estimate.\n\n",
+         interrupted, continued and judged anew (`--judge-only`). {} of {} scenes are judged: slides by two contact radii\n\
+         at the default accuracy, with interference (ω) or load (P) held, at the strain measure that the program chooses or\n\
+         at finite strain.\n\n\
+         The reference value is that of a single run at the first resolution of the default accuracy, corrected by the\n\
+         effects of {ELEMENTS} times the elements, {SECTORS} times the angles and 1/{STEPS} of the increments, each alone,\n\
+         extrapolated with order 1.5 in the elements and 1 in the increments. The *true error* is the reported value less\n\
+         the reference. It is *covered* if it is no larger than the reported error, or below {} % of the value (of the rise,\n\
+         for temperatures).\n\n",
         report.scenes.len(),
-        scenes::SCENES.len(),
-        EFFECTIVE.0,
-        EFFECTIVE.1,
+        scenes::COUNT,
         100.0 * NEGLIGIBLE,
-        EFFECTIVE.1,
     );
     let parts = [
-        (
-            0..scenes::SEEN,
-            "Scenes used for two constants of the estimates",
-            "the share of the contact edge, chosen among three, and the order in the elements of friction below first yield",
-        ),
-        (scenes::SEEN..scenes::SCENES.len(), "Scenes used for no constant", "five other materials"),
+        (0..scenes::USED, "Scenes used for constants of the estimates"),
+        (scenes::USED..scenes::COUNT, "Scenes used for no constant"),
     ];
-    for (positions, title, remark) in parts {
+    for (positions, title) in parts {
         let part = report.part(positions);
         if part.scenes.is_empty() {
             continue;
         }
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "## {title}\n\n({remark})\n");
+        let _ = writeln!(text, "## {title}\n");
         summary(&part, &mut text);
         scene_table(&part, &mut text);
     }
@@ -45,8 +40,7 @@ pub fn markdown(report: &Report) -> String {
         text.push_str("Not judged:\n\n");
     }
     for (scene, reason) in &report.missing {
-        let (preset, interference, slip_rate) = scenes::SCENES[*scene];
-        let _ = writeln!(text, "- {}: {reason}", scenes::name(preset, interference, slip_rate));
+        let _ = writeln!(text, "- {}: {reason}", scenes::study_scene(*scene).name());
     }
     text
 }
@@ -54,36 +48,32 @@ pub fn markdown(report: &Report) -> String {
 fn summary(report: &Report, text: &mut String) {
     let _ = writeln!(
         text,
-        "**{:.0} % of the estimates are effective; the coverage is {:.0} %.**\n\n\
-         The accuracy is asked of the worst of `mu`, `mu_static`, `Q`, `P` and `area` of a scene: in {} of {} scenes\n\
-         the largest true error is between {} and {} times the largest estimate, which may be that of another quantity.\n",
-        100.0 * report.share(),
-        100.0 * report.covered(),
-        report.effective_scenes(),
+        "**{} scenes: the reported errors cover {:.1} % of the true errors.**\n\n\
+         True errors in % of the value: mean, mean size, median size, size that nine of ten do not exceed; median of the\n\
+         reported errors in %; share covered; median, 95th percentile and largest of true over reported error:\n\n\
+         | quantity | mean | mean size | median | nine of ten | reported | covered | median ratio | 95 % | largest |\n\
+         |---|---|---|---|---|---|---|---|---|---|",
         report.scenes.len(),
-        EFFECTIVE.0,
-        EFFECTIVE.1,
-    );
-    text.push_str(
-        "Mean and mean size of the true errors in % of the value; share of true errors no larger than the estimate; true \
-         error over its estimate:\n\n\
-         | quantity | mean | mean size | covered | effective | least | median | largest |\n|---|---|---|---|---|---|---|---|\n",
+        100.0 * report.covered(),
     );
     for quantity in JUDGED {
-        let QuantityReport { bias, size, share, covered, ratios: [least, median, largest], .. } =
+        let QuantityReport { bias, size, sizes, stated, covered, ratios: [median, high, largest], .. } =
             report.of(quantity);
         let name = quantity.descriptor().name;
-        let [bias, size, share, covered] = [bias, size, share, covered].map(|part| 100.0 * part);
+        let [bias, size, middle, most, stated, covered] =
+            [bias, size, sizes[0], sizes[1], stated, covered].map(|share| 100.0 * share);
         let _ = writeln!(
             text,
-            "| {name} | {bias:+.2} | {size:.2} | {covered:.0} % | {share:.0} % | {least:.2} | {median:.2} | {largest:.2} |"
+            "| {name} | {bias:+.2} | {size:.2} | {middle:.2} | {most:.2} | {stated:.2} | {covered:.0} % | \
+             {median:.2} | {high:.2} | {largest:.2} |"
         );
     }
 }
 
 fn scene_table(report: &Report, text: &mut String) {
     text.push_str(
-        "\nTrue error in % (in brackets as estimated; of the rise, for temperatures):\n\n| scene |",
+        "\nTrue error in % (in brackets as reported; of the rise, for temperatures); ! marks one that is not covered:\n\n\
+         | scene |",
     );
     for quantity in JUDGED {
         let _ = write!(text, " {} |", quantity.descriptor().name);
@@ -92,12 +82,11 @@ fn scene_table(report: &Report, text: &mut String) {
     text.push_str(&"---|".repeat(JUDGED.len()));
     text.push('\n');
     for scene in &report.scenes {
-        let (preset, interference, slip_rate) = scenes::SCENES[scene.scene];
-        let _ = write!(text, "| {} |", scenes::name(preset, interference, slip_rate));
+        let _ = write!(text, "| {} |", scenes::study_scene(scene.scene).name());
         for judged in &scene.judged {
-            let [error, estimate] = [judged.error(), judged.estimate()].map(|x| 100.0 * x / judged.scale);
-            let mark = if judged.is_effective() { "" } else { " !" };
-            let _ = write!(text, " {error:+.2} ({estimate:.2}){mark} |");
+            let [error, stated] = [judged.error(), judged.stated].map(|x| 100.0 * x / judged.scale);
+            let mark = if judged.is_covered() { "" } else { " !" };
+            let _ = write!(text, " {error:+.2} ({stated:.2}){mark} |");
         }
         text.push('\n');
     }

@@ -1,11 +1,11 @@
-//! Effectivity of the error estimates: scenes are run as usual and far more finely, and the true errors compared with
-//! the estimates (book, "Effectivity of the error estimates"). Uses simulate as any caller, and the rooms below it for
-//! single runs.
+//! Effectivity of the error estimates: scenes are run at the default accuracy and far more finely, and the true errors
+//! compared with the reported ones (book, "Effectivity of the error estimates"). Uses simulate as any caller, and the
+//! rooms below it for single runs.
 //!
-//! The sources of error are taken one at a time, each against a run in which it alone is several
-//! times smaller: four times the elements, and from these the limit at order 1.5; a quarter of the
-//! increments, and from these the limit at order 1; twice the angles. The true error is the sum of these
-//! effects; their interaction is of second order. The solver's part is a hundredth of the others and left out.
+//! The reference value is that of a base run without auxiliary runs, corrected by the effect of each source of error:
+//! three times the elements, and from these the limit at order 1.5; a quarter of the increments, and from these the limit
+//! at order 1; four times the angles. The interaction of the sources is of second order. The solver's part is a hundredth
+//! of the others and left out.
 
 mod document;
 mod record;
@@ -21,60 +21,64 @@ use serde::{Deserialize, Serialize};
 
 pub use document::markdown;
 use record::Journal;
-pub use record::Record;
-pub use report::{Judged, QuantityReport, Report};
+pub use record::{Record, Reported};
+pub use report::{JUDGED, Judged, QuantityReport, Report};
 
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::{Watch, sample};
-
-/// n_c of the runs whose estimates are judged; the finest have four times as many.
-pub const WORKING_ELEMENTS: usize = 8;
+use crate::simulate::{Watch, sample, simulate};
 
 /// What a run of the study is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, Serialize)]
 pub enum Role {
-    /// The run that is judged.
-    Working,
-    /// Its auxiliary runs, from which its errors are estimated.
-    Coarse,
-    CoarseSectors,
-    CoarseSteps,
-    CoarseSolver,
-    /// Runs for its true errors.
-    FourTimesElements,
+    /// The scene as a user runs it: the values and errors that are judged.
+    Reported,
+    /// The base of the reference value: the first resolution at the default accuracy.
+    Base,
+    MoreElements,
     MoreSectors,
-    QuarterSteps,
+    ShorterSteps,
 }
+
+/// Elements, angles and increments of the runs of the reference value, over those of the base.
+pub const ELEMENTS: usize = 3;
+pub const SECTORS: usize = 4;
+pub const STEPS: usize = 4;
 
 impl Role {
     /// Runs of a scene; the long ones first.
-    pub const ALL: [Role; 8] = [
-        Role::FourTimesElements,
-        Role::MoreSectors,
-        Role::QuarterSteps,
-        Role::Working,
-        Role::Coarse,
-        Role::CoarseSectors,
-        Role::CoarseSteps,
-        Role::CoarseSolver,
-    ];
+    pub const ALL: [Role; 5] =
+        [Role::MoreElements, Role::MoreSectors, Role::ShorterSteps, Role::Reported, Role::Base];
 
-    fn resolution(self, working: &Resolution) -> Resolution {
-        let coarse = working.coarse();
+    /// Of a single run; none of a run with error estimates.
+    fn resolution(self, base: &Resolution) -> Option<Resolution> {
         match self {
-            Role::Working => *working,
-            Role::Coarse => coarse,
-            Role::CoarseSectors => coarse.other_sectors(),
-            Role::CoarseSteps => coarse.longer_steps(),
-            Role::CoarseSolver => coarse.looser_solver(),
-            Role::FourTimesElements => working.finer_mesh(4),
-            Role::MoreSectors => Resolution { sectors: 2 * working.sectors, ..*working },
-            Role::QuarterSteps => working.shorter_steps(4),
+            Role::Reported => None,
+            Role::Base => Some(*base),
+            Role::MoreElements => Some(base.finer_mesh(ELEMENTS)),
+            Role::MoreSectors => Some(Resolution { sectors: SECTORS * base.sectors, ..*base }),
+            Role::ShorterSteps => Some(base.shorter_steps(STEPS)),
         }
+    }
+
+    fn run(self, scene: usize, watch: &dyn Watch) -> Record {
+        let begun = Instant::now();
+        let definition = scenes::study_scene(scene).scene();
+        let mut record = Record::new(scene, self);
+        let failure = match self.resolution(&Resolution::choose(&definition.numerics)) {
+            None => {
+                simulate(&definition, watch).map(|outcome| record.reported = Some(Reported::of(&outcome)))
+            }
+            // Each presses for itself, so that no run waits for the mesh of another.
+            Some(resolution) => sample(&definition, definition.loading.slip_rate, &resolution, watch)
+                .map(|sample| record.sample = Some(sample)),
+        };
+        record.failure = failure.err().map(|error| error.to_string());
+        record.wall_time = begun.elapsed().as_secs_f64();
+        record
     }
 }
 
-/// Runs the missing runs of the given scenes (positions in [`scenes::SCENES`]); `done` is
+/// Runs the missing runs of the given scenes (positions, see [`scenes::study_scene`]); `done` is
 /// called after each run. Ends early, without error, if cancelled by the watch.
 ///
 /// A scene takes minutes; `asperity effectivity` runs them all.
@@ -82,10 +86,11 @@ impl Role {
 /// ```no_run
 /// use asperity::Unwatched;
 /// use asperity::studies::effectivity::{Report, run};
+/// use tables::quantity::Quantity;
 ///
 /// // The first scene, on as many threads as there are; started again, it runs what is missing.
 /// let records = run("effectivity.jsonl".as_ref(), &[0], &Unwatched, &|_| ())?;
-/// println!("{:.0} % of the estimates are effective", 100.0 * Report::new(&records).share());
+/// println!("{:.0} % of the errors of mu are covered", 100.0 * Report::new(&records).of(Quantity::Mu).covered);
 /// # Ok::<(), std::io::Error>(())
 /// ```
 ///
@@ -99,7 +104,7 @@ impl Role {
 /// let report = Report::new(&run(&path, &[], &Unwatched, &|_| ())?);
 /// // Without runs no scene is evaluated, and each has a reason.
 /// assert!(report.scenes.is_empty());
-/// assert_eq!(report.missing.len(), scenes::SCENES.len());
+/// assert_eq!(report.missing.len(), scenes::COUNT);
 /// assert!(report.missing[0].1.contains("not run"));
 /// assert!(markdown(&report).starts_with("# Effectivity of the error estimates"));
 /// # std::fs::remove_file(&path)?;
@@ -126,17 +131,10 @@ pub fn run(
             if watch.cancelled() {
                 return Ok(None);
             }
-            let begun = Instant::now();
-            let (preset, interference, slip_rate) = scenes::SCENES[scene];
-            let definition = scenes::scene(preset, interference, slip_rate, WORKING_ELEMENTS);
-            let resolution = role.resolution(&Resolution::choose(&definition.numerics));
-            // Each presses for itself, so that no run waits for the mesh of another.
-            let result =
-                sample(&definition, slip_rate, &resolution, watch).map_err(|error| error.to_string());
+            let record = role.run(scene, watch);
             if watch.cancelled() {
                 return Ok(None);
             }
-            let record = Record::new(scene, role, begun.elapsed().as_secs_f64(), result);
             journal.append(&record)?;
             done(&record);
             Ok(Some(record))

@@ -7,33 +7,56 @@ use std::sync::{Mutex, PoisonError};
 
 use serde::{Deserialize, Serialize};
 
-use super::Role;
+use super::{JUDGED, Role};
 use crate::output::journal_file::{JournalFile, decode};
 use crate::output::provenance::FINGERPRINT;
 use crate::simulate::Sample;
+use crate::simulate::outcome::{ErrorSource, Outcome};
 
 /// One run.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Record {
-    /// Position in [`super::scenes::SCENES`].
+    /// Its position, see [`super::scenes::study_scene`].
     pub scene: usize,
     pub role: Role,
     /// Of the build that ran it.
     pub fingerprint: String,
     /// s, of this run alone on one thread.
     pub wall_time: f64,
+    /// Of a single run.
     pub sample: Option<Sample>,
+    /// Of a run with error estimates.
+    pub reported: Option<Reported>,
     /// Why there is no result.
     pub failure: Option<String>,
 }
 
 impl Record {
-    pub fn new(scene: usize, role: Role, wall_time: f64, result: Result<Sample, String>) -> Self {
-        let (sample, failure) = match result {
-            Ok(sample) => (Some(sample), None),
-            Err(reason) => (None, Some(reason)),
-        };
-        Self { scene, role, fingerprint: FINGERPRINT.to_owned(), wall_time, sample, failure }
+    pub fn new(scene: usize, role: Role) -> Self {
+        let fingerprint = FINGERPRINT.to_owned();
+        Self { scene, role, fingerprint, wall_time: 0.0, sample: None, reported: None, failure: None }
+    }
+}
+
+/// What a run reports of the quantities [`JUDGED`], in their order, SI.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Reported {
+    pub values: Vec<f64>,
+    /// Stated errors.
+    pub errors: Vec<f64>,
+    /// By source, in the order of [`ErrorSource::ALL`].
+    pub parts: Vec<[f64; 5]>,
+}
+
+impl Reported {
+    pub fn of(outcome: &Outcome) -> Self {
+        let estimates = JUDGED.map(|quantity| outcome.scalars[quantity]);
+        let parts = |quantity| ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity));
+        Self {
+            values: estimates.iter().map(|estimate| estimate.value).collect(),
+            errors: estimates.iter().map(|estimate| estimate.error).collect(),
+            parts: JUDGED.map(parts).to_vec(),
+        }
     }
 }
 

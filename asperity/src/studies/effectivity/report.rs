@@ -1,24 +1,18 @@
-//! True errors against their estimates.
+//! True errors against the reported ones.
 
 use std::collections::HashMap;
 
 use tables::quantity::Quantity;
 
-use super::{Record, Role, WORKING_ELEMENTS, scenes};
+use super::{ELEMENTS, Record, Reported, Role, STEPS, scenes};
 use crate::loading::problem::Problem;
-use crate::scene::Scene;
-use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, CONTROLLED, ErrorSource, RunValues, estimate};
-use crate::simulate::accuracy::modelling_error::ModellingError;
-use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::outcome::MAIN;
 use crate::simulate::values::Values;
 
 /// Quantities that are judged.
 pub const JUDGED: [Quantity; 7] = MAIN;
-/// Ratios of true to estimated error at which an estimate is effective.
-pub const EFFECTIVE: (f64, f64) = (0.2, 1.5);
-/// Relative to the value (to the rise, for temperatures): below this neither an error nor an
-/// estimate matters.
+/// Relative to the value (to the rise, for temperatures): a true error below this counts as covered, as neither the
+/// error nor the estimate matters.
 pub const NEGLIGIBLE: f64 = 5e-4;
 
 /// One quantity of one scene.
@@ -27,71 +21,45 @@ pub const NEGLIGIBLE: f64 = 5e-4;
 /// use asperity::studies::effectivity::Judged;
 /// use tables::quantity::Quantity;
 ///
-/// // By mesh, angles, increments, solver and model: the mesh errs by 2 % of the value, 3 % are estimated.
-/// let judged = Judged {
-///     quantity: Quantity::Mu,
-///     value: 0.3,
-///     scale: 0.3,
-///     parts: [0.006, 0.0, 0.0, 0.0, 0.0],
-///     estimates: [0.008, 0.0, 0.001, 0.0, 0.0],
-/// };
-/// assert!((judged.ratio() - 2.0 / 3.0).abs() < 1e-12 && judged.is_effective());
-/// // Ten times the true error is no more informative than none.
-/// assert!(!Judged { estimates: [0.06, 0.0, 0.0, 0.0, 0.0], ..judged }.is_effective());
+/// let judged = Judged { quantity: Quantity::Mu, value: 0.3, scale: 0.3, reference: 0.294, stated: 0.009 };
+/// assert!((judged.error() - 0.006).abs() < 1e-12 && (judged.ratio() - 2.0 / 3.0).abs() < 1e-12);
+/// assert!(judged.is_covered());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
     pub quantity: Quantity,
-    /// At the working resolution, SI.
+    /// As reported, SI.
     pub value: f64,
     /// What errors are relative to: the value, or the rise of temperature.
     pub scale: f64,
-    /// Value − reference by source, in the order of [`ErrorSource::ALL`].
-    pub parts: [f64; 5],
-    /// Estimated, by source.
-    pub estimates: [f64; 5],
+    pub reference: f64,
+    /// The reported error.
+    pub stated: f64,
 }
 
 impl Judged {
     /// Value − reference.
     pub fn error(&self) -> f64 {
-        self.parts.iter().sum()
+        self.value - self.reference
     }
 
-    pub fn estimate(&self) -> f64 {
-        self.estimates.iter().sum()
-    }
-
-    /// |true error|/estimate.
+    /// |true error|/reported error.
     pub fn ratio(&self) -> f64 {
-        self.error().abs() / self.estimate()
+        self.error().abs() / self.stated
     }
 
-    /// Neither too large nor too small, or both too small to matter.
-    pub fn is_effective(&self) -> bool {
-        let small = self.error().abs().max(self.estimate()) <= NEGLIGIBLE * self.scale;
-        small || (EFFECTIVE.0..=EFFECTIVE.1).contains(&self.ratio())
+    /// Whether the interval reaches the reference, or the error is too small to matter.
+    pub fn is_covered(&self) -> bool {
+        self.error().abs() <= self.stated.max(NEGLIGIBLE * self.scale)
     }
 }
 
 /// One scene with all its runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneReport {
-    /// Position in [`scenes::SCENES`].
+    /// Its position, see [`scenes::study_scene`].
     pub scene: usize,
     pub judged: Vec<Judged>,
-}
-
-impl SceneReport {
-    /// Largest relative true error over the largest relative estimate among the quantities that an accuracy is asked
-    /// of. The two need not be of the same quantity.
-    pub fn worst_ratio(&self) -> f64 {
-        let largest = |of: fn(&Judged) -> f64| {
-            let asked = self.judged.iter().filter(|judged| CONTROLLED.contains(&judged.quantity));
-            asked.map(|judged| of(judged) / judged.scale).fold(0.0, f64::max)
-        };
-        largest(|judged| judged.error().abs()) / largest(Judged::estimate)
-    }
 }
 
 /// Statistics of one quantity over all scenes.
@@ -102,11 +70,13 @@ pub struct QuantityReport {
     pub bias: f64,
     /// Mean of their sizes.
     pub size: f64,
-    /// Share of effective estimates.
-    pub share: f64,
-    /// Share of true errors no larger than the estimate.
+    /// Median of their sizes, and the size that nine of ten do not exceed.
+    pub sizes: [f64; 2],
+    /// Median of the reported errors, relative.
+    pub stated: f64,
+    /// Share of true errors that the reported ones cover.
     pub covered: f64,
-    /// Least, median and largest ratio of true error to estimate.
+    /// Median, 95th percentile and largest ratio of true to reported error.
     pub ratios: [f64; 3],
 }
 
@@ -119,34 +89,30 @@ pub struct Report {
 }
 
 /// Error over the change by a refinement, at an order.
-fn of_limit(refinement: f64, order: f64) -> f64 {
-    1.0 / (1.0 - refinement.powf(-order))
+fn of_limit(refinement: usize, order: f64) -> f64 {
+    1.0 / (1.0 - (refinement as f64).powf(-order))
+}
+
+/// The value that a share of them does not exceed.
+fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1) as f64;
+    values.get((share * last).round() as usize).copied().unwrap_or(f64::NAN)
 }
 
 impl Report {
     /// Of the records of a journal.
     pub fn new(records: &[Record]) -> Self {
         let mut report = Self { scenes: Vec::new(), missing: Vec::new() };
-        for (position, &(preset, interference, slip_rate)) in scenes::SCENES.iter().enumerate() {
-            let scene = scenes::scene(preset, interference, slip_rate, WORKING_ELEMENTS);
-            let problem = Problem::new(&scene);
-            let runs: HashMap<Role, Values> = records
-                .iter()
-                .filter(|record| record.scene == position)
-                .filter_map(|record| {
-                    let sample = record.sample.as_ref()?;
-                    Some((record.role, Values::new(&problem, &sample.press, &sample.history)))
-                })
-                .collect();
-            match Role::ALL.into_iter().find(|role| !runs.contains_key(role)) {
-                None => {
-                    let judged = judge(&runs, &scene);
-                    report.scenes.push(SceneReport { scene: position, judged });
-                }
-                Some(role) => {
-                    let record = records.iter().find(|r| r.scene == position && r.role == role);
-                    let reason = record.and_then(|r| r.failure.clone()).unwrap_or_else(|| "not run".into());
-                    report.missing.push((position, format!("{role:?}: {reason}")));
+        for scene in 0..scenes::COUNT {
+            let of_scene: HashMap<Role, &Record> =
+                records.iter().filter(|record| record.scene == scene).map(|r| (r.role, r)).collect();
+            match judge(scene, &of_scene) {
+                Ok(judged) => report.scenes.push(SceneReport { scene, judged }),
+                Err(role) => {
+                    let failure = of_scene.get(&role).and_then(|record| record.failure.clone());
+                    let reason = failure.unwrap_or_else(|| "not run".into());
+                    report.missing.push((scene, format!("{role:?}: {reason}")));
                 }
             }
         }
@@ -162,93 +128,56 @@ impl Report {
         }
     }
 
-    pub fn all(&self) -> impl Iterator<Item = &Judged> {
-        self.scenes.iter().flat_map(|scene| &scene.judged)
-    }
-
-    /// Share of effective estimates among all.
-    pub fn share(&self) -> f64 {
-        share(self.all())
-    }
-
-    /// Number of scenes whose worst error is neither too large nor too small for their worst estimate.
-    pub fn effective_scenes(&self) -> usize {
-        let effective = |scene: &&SceneReport| (EFFECTIVE.0..=EFFECTIVE.1).contains(&scene.worst_ratio());
-        self.scenes.iter().filter(effective).count()
-    }
-
-    /// Share of true errors that are at most 1.5 times the estimate: the coverage.
+    /// Share of all true errors that the reported ones cover.
     pub fn covered(&self) -> f64 {
-        let (mut covered, mut all) = (0u32, 0u32);
-        for judged in self.all() {
-            all += 1;
-            covered += u32::from(judged.is_effective() || judged.ratio() <= EFFECTIVE.1);
-        }
-        f64::from(covered) / f64::from(all.max(1))
+        let all = || self.scenes.iter().flat_map(|scene| &scene.judged);
+        all().filter(|judged| judged.is_covered()).count() as f64 / all().count().max(1) as f64
     }
 
     pub fn of(&self, quantity: Quantity) -> QuantityReport {
-        let chosen = || self.all().filter(move |judged| judged.quantity == quantity);
-        let mut ratios: Vec<f64> = chosen().map(Judged::ratio).filter(|ratio| ratio.is_finite()).collect();
-        ratios.sort_by(f64::total_cmp);
-        let at = |share: f64| {
-            let last = ratios.len().saturating_sub(1) as f64;
-            ratios.get((share * last).round() as usize).copied().unwrap_or(f64::NAN)
-        };
-        let mean = |of: fn(&Judged) -> f64| chosen().map(of).sum::<f64>() / chosen().count().max(1) as f64;
+        let all = self.scenes.iter().flat_map(|scene| &scene.judged);
+        let chosen: Vec<&Judged> = all.filter(|judged| judged.quantity == quantity).collect();
+        let of = |of: fn(&Judged) -> f64| -> Vec<f64> { chosen.iter().map(|judged| of(judged)).collect() };
+        let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len().max(1) as f64;
+        let size: fn(&Judged) -> f64 = |judged| judged.error().abs() / judged.scale;
+        let ratios: Vec<f64> = of(Judged::ratio).into_iter().filter(|ratio| ratio.is_finite()).collect();
         QuantityReport {
             quantity,
-            bias: mean(|judged| judged.error() / judged.scale),
-            size: mean(|judged| judged.error().abs() / judged.scale),
-            share: share(chosen()),
-            covered: mean(|judged| f64::from(u8::from(judged.error().abs() <= judged.estimate()))),
-            ratios: [at(0.0), at(0.5), at(1.0)],
+            bias: mean(of(|judged| judged.error() / judged.scale)),
+            size: mean(of(size)),
+            sizes: [0.5, 0.9].map(|share| quantile(of(size), share)),
+            stated: quantile(of(|judged| judged.stated / judged.scale), 0.5),
+            covered: mean(of(|judged| f64::from(u8::from(judged.is_covered())))),
+            ratios: [0.5, 0.95, 1.0].map(|share| quantile(ratios.clone(), share)),
         }
     }
 }
 
-fn share<'a>(judged: impl Iterator<Item = &'a Judged>) -> f64 {
-    let (mut effective, mut all) = (0u32, 0u32);
-    for judged in judged {
-        all += 1;
-        effective += u32::from(judged.is_effective());
-    }
-    f64::from(effective) / f64::from(all.max(1))
-}
-
-fn judge(runs: &HashMap<Role, Values>, scene: &Scene) -> Vec<Judged> {
-    let auxiliary = AuxiliaryRuns {
-        coarse: &runs[&Role::Coarse],
-        other_sectors: &runs[&Role::CoarseSectors],
-        longer_steps: &runs[&Role::CoarseSteps],
-        looser_solver: &runs[&Role::CoarseSolver],
+/// The quantities of a scene from its runs; or the run that is missing.
+fn judge(scene: usize, records: &HashMap<Role, &Record>) -> Result<Vec<Judged>, Role> {
+    let scene = scenes::study_scene(scene).scene();
+    let problem = Problem::new(&scene);
+    let values = |role: Role| {
+        let sample = records.get(&role).and_then(|record| record.sample.as_ref()).ok_or(role)?;
+        Ok(Values::new(&problem, &sample.press, &sample.history))
     };
-    let working = &runs[&Role::Working];
-    let resolution = Resolution::choose(&scene.numerics);
-    let start = scene.loading.temperature;
-    let runs_of_mesh = [
-        RunValues { resolution: &resolution, values: working },
-        RunValues { resolution: &resolution.coarse(), values: auxiliary.coarse },
+    let reported: &Reported =
+        records.get(&Role::Reported).and_then(|record| record.reported.as_ref()).ok_or(Role::Reported)?;
+    let base = values(Role::Base)?;
+    let finer = [
+        (values(Role::MoreElements)?, of_limit(ELEMENTS, 1.5)),
+        (values(Role::MoreSectors)?, 1.0),
+        (values(Role::ShorterSteps)?, of_limit(STEPS, 1.0)),
     ];
-    let budget = estimate(&resolution, &auxiliary, runs_of_mesh, &ModellingError::default());
-    let of = |quantity: Quantity| {
-        let here = working.value(quantity);
-        let against = |role: Role| here - runs[&role].value(quantity);
-        Judged {
-            quantity,
-            value: here,
-            scale: if quantity.is_temperature() { (here - start).max(1.0) } else { here.abs() },
-            parts: [
-                against(Role::FourTimesElements) * of_limit(4.0, 1.5),
-                against(Role::MoreSectors),
-                against(Role::QuarterSteps) * of_limit(4.0, 1.0),
-                0.0,
-                0.0,
-            ],
-            estimates: ErrorSource::ALL.map(|source| budget.part(source, quantity)),
-        }
+    let of = |(n, quantity): (usize, Quantity)| {
+        let here = base.value(quantity);
+        let change: f64 = finer.iter().map(|(finer, factor)| factor * (finer.value(quantity) - here)).sum();
+        let value = reported.values[n];
+        let start = if quantity.is_temperature() { scene.loading.temperature } else { 0.0 };
+        let scale = if quantity.is_temperature() { (value - start).max(1.0) } else { value.abs() };
+        Judged { quantity, value, scale, reference: here + change, stated: reported.errors[n] }
     };
-    JUDGED.into_iter().map(of).collect()
+    Ok(JUDGED.into_iter().enumerate().map(of).collect())
 }
 
 #[cfg(test)]
@@ -256,28 +185,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_worst_error_of_a_scene_is_over_its_worst_estimate() {
-        let judged = |quantity, error: f64, estimate: f64| Judged {
+    fn intervals_cover_a_share_of_the_true_errors() {
+        let judged = |quantity, error: f64, stated: f64| Judged {
             quantity,
             value: 2.0,
             scale: 2.0,
-            parts: [2.0 * error, 0.0, 0.0, 0.0, 0.0],
-            estimates: [0.0, 2.0 * estimate, 0.0, 0.0, 0.0],
+            reference: 2.0 - 2.0 * error,
+            stated: 2.0 * stated,
         };
-        let scene = SceneReport {
-            scene: 0,
-            judged: vec![
-                judged(Quantity::Mu, -0.03, 0.01),
-                judged(Quantity::Load, 0.001, 0.04),
-                // It is not controlled by the accuracy.
-                judged(Quantity::EnergyRelease, 0.5, 0.1),
-            ],
-        };
-        assert!((scene.worst_ratio() - 0.75).abs() < 1e-12);
-        let report = Report { scenes: vec![scene], missing: Vec::new() };
-        assert_eq!((report.effective_scenes(), report.share()), (1, 0.0));
+        let judged = vec![
+            judged(Quantity::Mu, -0.03, 0.01),
+            judged(Quantity::Mu, 0.01, 0.02),
+            judged(Quantity::Load, 0.001, 0.04),
+            // Neither matters.
+            judged(Quantity::Load, 4e-4, 1e-5),
+        ];
+        let report = Report { scenes: vec![SceneReport { scene: 0, judged }], missing: Vec::new() };
         let [load, mu] = [Quantity::Load, Quantity::Mu].map(|quantity| report.of(quantity));
-        assert_eq!((load.covered, mu.covered), (1.0, 0.0));
-        assert!((load.bias - 0.001).abs() < 1e-15 && (mu.bias + 0.03).abs() < 1e-15 && mu.size == -mu.bias);
+        assert_eq!((report.covered(), load.covered, mu.covered), (0.75, 1.0, 0.5));
+        assert!((mu.bias + 0.01).abs() < 1e-12 && (mu.size - 0.02).abs() < 1e-12, "{mu:?}");
+        assert!(
+            (mu.ratios[2] - 3.0).abs() < 1e-12 && (load.sizes[1] - 0.001).abs() < 1e-12,
+            "{mu:?} {load:?}"
+        );
     }
 }

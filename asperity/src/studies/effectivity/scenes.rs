@@ -1,80 +1,80 @@
-//! The scenes of the study, from elastic to deeply plastic contact, from 0 to 10 m/s: three materials, used for two constants
-//! of the estimates, and five others, used for none. No two scenes share interference and slip rate.
+//! The scenes of the study: materials, interferences, slip rates, both controls, both strain measures.
 
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 
-/// The first scenes of [`SCENES`], used for constants of the estimates.
-pub const SEEN: usize = 21;
+/// The first scenes, used for constants of the error estimates.
+pub const USED: usize = 21;
+/// All scenes.
+pub const COUNT: usize = USED + 64;
 
-/// Preset, ω₀/ω_c, V (m/s). Beyond the first [`SEEN`], five materials and seven slip rates in turn
-/// over growing interferences.
-pub const SCENES: [(&str, f64, f64); 41] = [
-    ("steel-4340", 0.1, 1.0),
-    ("steel-4340", 0.5, 0.0),
-    ("steel-4340", 2.0, 10.0),
-    ("steel-4340", 5.0, 0.1),
-    ("steel-4340", 20.0, 1.0),
-    ("steel-4340", 50.0, 3.0),
-    ("steel-4340", 100.0, 0.1),
-    ("aluminium-6061", 0.1, 10.0),
-    ("aluminium-6061", 1.0, 0.1),
-    ("aluminium-6061", 3.0, 1.0),
-    ("aluminium-6061", 10.0, 0.0),
-    ("aluminium-6061", 20.0, 10.0),
-    ("aluminium-6061", 50.0, 0.1),
-    ("aluminium-6061", 100.0, 1.0),
-    ("titanium-6al4v", 0.2, 0.1),
-    ("titanium-6al4v", 1.0, 10.0),
-    ("titanium-6al4v", 3.0, 0.0),
-    ("titanium-6al4v", 10.0, 1.0),
-    ("titanium-6al4v", 20.0, 0.1),
-    ("titanium-6al4v", 50.0, 10.0),
-    ("titanium-6al4v", 100.0, 0.0),
-    ("copper", 0.15, 0.3),
-    ("steel-304", 0.25, 3.0),
-    ("steel-1045", 0.4, 0.0),
-    ("brass-c26000", 0.7, 1.0),
-    ("carbon-steel-en1993", 1.0, 10.0),
-    ("copper", 1.5, 0.1),
-    ("steel-304", 2.0, 5.0),
-    ("steel-1045", 3.0, 0.3),
-    ("brass-c26000", 4.0, 3.0),
-    ("carbon-steel-en1993", 6.0, 0.0),
-    ("copper", 8.0, 1.0),
-    ("steel-304", 12.0, 10.0),
-    ("steel-1045", 15.0, 0.1),
-    ("brass-c26000", 20.0, 5.0),
-    ("carbon-steel-en1993", 30.0, 0.3),
-    ("copper", 40.0, 3.0),
-    ("steel-304", 50.0, 0.0),
-    ("steel-1045", 60.0, 1.0),
-    ("brass-c26000", 80.0, 10.0),
-    ("carbon-steel-en1993", 100.0, 0.1),
+const PRESETS: [&str; 8] = [
+    "steel-4340",
+    "copper",
+    "titanium-6al4v",
+    "steel-304",
+    "aluminium-6061",
+    "brass-c26000",
+    "steel-1045",
+    "carbon-steel-en1993",
 ];
+const SLIP_RATES: [f64; 7] = [0.3, 10.0, 0.0, 1.0, 3.0, 0.1, 6.0];
 
-/// The scene at small strain, R = 1 mm, slid by two contact radii, with `elements_per_radius`
-/// elements.
-///
-/// ```
-/// use asperity::studies::effectivity::scenes::{SCENES, name, scene};
-///
-/// let (preset, interference, slip_rate) = SCENES[4];
-/// let scene = scene(preset, interference, slip_rate, 8);
-/// assert_eq!((scene.radius, scene.loading.slip_distance), (1e-3, 2.0));
-/// assert_eq!(name(preset, interference, slip_rate), "steel-4340 20 ω_c 1 m/s");
-/// ```
-pub fn scene(preset: &str, interference: f64, slip_rate: f64, elements_per_radius: usize) -> Scene {
-    let text = format!(
-        "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
-         [loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n\
-         [model]\nkinematics = \"small\"\n\
-         [numerics]\nelements_per_radius = {elements_per_radius}\n"
-    );
-    parse_scene(&text, preset, &[]).expect("presets are valid")
+/// A slide by two contact radii of an asperity of R = 1 mm at the default accuracy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StudyScene {
+    pub preset: &'static str,
+    /// ω₀/ω_c.
+    pub interference: f64,
+    /// m/s.
+    pub slip_rate: f64,
+    pub load_held: bool,
+    /// Small strain where the expected strain is small; otherwise finite strain in any case.
+    pub strain_by_press: bool,
 }
 
-/// Name of a scene in tables.
-pub fn name(preset: &str, interference: f64, slip_rate: f64) -> String {
-    format!("{preset} {interference} ω_c {slip_rate} m/s")
+/// The scene at a position. Each property takes its values in turn, with periods (8, 7, 9 and 5) that have no common factor;
+/// the interferences from 0.1 to 100 ω_c are an additive sequence of the golden ratio.
+///
+/// ```
+/// use asperity::studies::effectivity::scenes::{COUNT, study_scene};
+///
+/// let scene = study_scene(COUNT - 1);
+/// assert!((0.1..=100.0).contains(&scene.interference));
+/// assert_eq!(scene.scene().radius, 1e-3);
+/// ```
+pub fn study_scene(position: usize) -> StudyScene {
+    const GOLDEN_RATIO: f64 = 0.618_033_988_749_895;
+    let place = (GOLDEN_RATIO * (position + 1) as f64).fract();
+    let interference = 0.1 * 1000f64.powf(place);
+    let digits = 10f64.powf(1.0 - interference.log10().floor());
+    StudyScene {
+        preset: PRESETS[position % PRESETS.len()],
+        interference: (interference * digits).round() / digits,
+        slip_rate: SLIP_RATES[position % SLIP_RATES.len()],
+        load_held: position % 9 < 3,
+        strain_by_press: position % 5 < 3,
+    }
+}
+
+impl StudyScene {
+    pub fn scene(&self) -> Scene {
+        let Self { preset, interference, slip_rate, load_held, strain_by_press } = *self;
+        let control = if load_held { "load" } else { "interference" };
+        let kinematics = if strain_by_press { "auto" } else { "finite" };
+        let text = format!(
+            "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
+             [loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\ncontrol = \"{control}\"\n\
+             [model]\nkinematics = \"{kinematics}\"\n"
+        );
+        parse_scene(&text, preset, &[]).expect("presets are valid")
+    }
+
+    /// Name in tables.
+    pub fn name(&self) -> String {
+        let Self { preset, interference, slip_rate, load_held, strain_by_press } = *self;
+        let held = if load_held { "P" } else { "ω" };
+        let strain = if strain_by_press { "" } else { ", finite" };
+        format!("{preset} {interference} ω_c {slip_rate} m/s, {held}{strain}")
+    }
 }

@@ -1,6 +1,6 @@
 //! Values of this program itself in the limit of fine resolution.
 //!
-//! From runs of scenes of `asperity effectivity` with 16, 24, 32 and 48 elements per radius, 8 angles and increments of
+//! From runs at small strain with 16, 24, 32 and 48 elements per radius, 8 angles and increments of
 //! 0.075 of the slip (0.15 with 48), extrapolated with order 1.5; at 16 and 24 elements also with 16 angles, and at 16
 //! with increments of 0.02, the effects of which are added. The uncertainty of a limit is by how much limits from
 //! different meshes, angles and increments differ.
@@ -8,10 +8,9 @@
 use tables::law::Estimate;
 use tables::quantity::Quantity;
 
-use super::setup::scalar;
+use super::setup::{scalar, slide_at_small_strain};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::simulate::{Watch, simulate};
-use crate::studies::effectivity::scenes;
 
 const SOURCE: &str = "this program, limit of fine meshes, angles and increments";
 
@@ -88,10 +87,10 @@ const ON_16: On = On {
 
 fn rows(limits: &Limits, on: &On, watch: &dyn Watch) -> Rows {
     let (preset, interference, slip_rate) = limits.scene;
-    let mut scene = scenes::scene(preset, interference, slip_rate, on.elements);
+    let mut scene = slide_at_small_strain(preset, interference, slip_rate, on.elements);
     scene.numerics.sectors = Some(on.sectors);
     let outcome = simulate(&scene, watch)?;
-    let name = scenes::name(preset, interference, slip_rate);
+    let name = format!("{preset} {interference} ω_c {slip_rate} m/s");
     let row = |quantity: &str, computed: Estimate, (limit, uncertainty): (f64, f64), tolerance| {
         let name = format!("{quantity}, {name}, {} elements", on.elements);
         Row::new(name, computed, Reference::exact(limit, SOURCE).known_to(uncertainty), tolerance)

@@ -35,10 +35,17 @@ pub fn plain_material(poisson_ratio: f64) -> Material {
 
 /// A shipped material.
 pub fn preset(name: &str) -> Material {
+    slide_at_small_strain(name, 1.0, 1.0, 8).material
+}
+
+/// A shipped material at small strain, R = 1 mm, slid by two contact radii.
+pub fn slide_at_small_strain(preset: &str, interference: f64, slip_rate: f64, elements: usize) -> Scene {
     let text = format!(
-        "[material]\npreset = \"{name}\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 1\nslip_rate = 1\n"
+        "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
+         [loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n\
+         [model]\nkinematics = \"small\"\n[numerics]\nelements_per_radius = {elements}\n"
     );
-    parse_scene(&text, name, &[]).expect("the preset is a material").material
+    parse_scene(&text, preset, &[]).expect("presets are valid")
 }
 
 /// The shipped 4340 steel (Johnson & Cook 1985), with its hardening and softening.
