@@ -140,7 +140,7 @@ fn scalar(
     let mut attributes = described(unit, long_name);
     attributes.push(("ancillary_variables", ancillary.into()));
     file.reals(name, &[], &[value], &attributes)?;
-    let attributes = described(unit, &format!("estimated absolute error of {name}"));
+    let attributes = described(unit, &format!("half-width of the 95 % interval of {name}"));
     file.reals(error_name, &[], &[error], &attributes)
 }
 
@@ -157,7 +157,9 @@ fn account(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErr
         ("steps", "1", "steps of the slide", account.steps as f64),
         ("cutbacks", "1", "steps repeated at a smaller size", account.cutbacks as f64),
         ("newton_iterations", "1", "Newton iterations", account.newton_iterations as f64),
+        ("press_newton_iterations", "1", "Newton iterations of the press", account.press_newton_iterations as f64),
         ("krylov_iterations", "1", "Krylov iterations", account.krylov_iterations as f64),
+        ("line_searches", "1", "Newton iterations with a line search", account.line_searches as f64),
     ];
     for (name, unit, long_name, value) in numbers {
         file.reals(name, &[], &[value], &described(unit, long_name))?;

@@ -153,7 +153,7 @@ impl Content<'_> {
         }
         file.reals(name, self.grid(), &values, &attributes)?;
 
-        let error_long_name = format!("absolute error of {long_name}");
+        let error_long_name = format!("half-width of the 95 % interval of the {long_name}");
         let attributes = describe(descriptor, error_long_name, "temperature: difference");
         file.reals(&error_name, self.grid(), &errors, &attributes)?;
 
@@ -192,7 +192,7 @@ impl Content<'_> {
         described.push(("ancillary_variables", "G_ratio_error status".into()));
         let values = self.collect(|slice, cell| ratio(slice, cell).value);
         file.reals("G_ratio", self.grid(), &values, &described)?;
-        let described = attributes(&format!("absolute error of {long_name}"));
+        let described = attributes(&format!("half-width of the 95 % interval of the {long_name}"));
         let errors = self.collect(|slice, cell| ratio(slice, cell).error);
         file.reals("G_ratio_error", self.grid(), &errors, &described)
     }

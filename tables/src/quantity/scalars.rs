@@ -4,7 +4,7 @@ use std::ops::{Index, IndexMut};
 
 use super::Quantity;
 
-/// A number with an estimate of its absolute error, both in the same unit.
+/// A number with its absolute error, the half-width of its 95 % interval, both in the same unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Estimate {
     /// The number.

@@ -19,7 +19,7 @@ class Estimate(NamedTuple):
     value: Any
     """The number, or an array."""
     error: Any
-    """Its estimated absolute error."""
+    """Its absolute error, the half-width of its 95 % interval."""
     unit: str
     """In UDUNITS notation; ``"1"`` for a pure number."""
 

@@ -9,13 +9,15 @@
 //! differences among the auxiliary runs are the errors of the other three sources, less where the run
 //! is finer than they are. All of this is a function of the values of the runs: [`estimate`].
 //!
-//! `asperity effectivity` compares the estimates with true errors.
+//! The accuracy of a scene is compared with the estimates. The reported errors are half-widths of 95 % intervals, the
+//! estimates times a coverage factor. `asperity effectivity` compares them with true errors.
 
 use tables::quantity::Quantity;
 
 use crate::discretisation::mesh::EDGE_SIZE;
 use crate::scene::fitted_constants::error_estimates::{
-    EDGE_OF_ELASTIC_FRICTION, EDGE_OF_SPACING, ORDER, ORDER_OF_ELASTIC_FRICTION,
+    COVERAGE_FACTOR, EDGE_OF_ELASTIC_FRICTION, EDGE_OF_LOAD, EDGE_OF_SPACING, ORDER,
+    ORDER_OF_ELASTIC_FRICTION,
 };
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{RelativeParts, Resolution};
@@ -58,7 +60,7 @@ impl ErrorSource {
 
 const QUANTITIES: usize = Quantity::SCALARS.len();
 
-/// Estimated absolute errors of all quantities, SI, by source.
+/// Absolute errors of all quantities, SI, by source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
@@ -168,21 +170,24 @@ impl ErrorBudget {
     /// Unknown errors: as large as the values.
     pub fn unknown(values: &Values, modelling_error: &ModellingError) -> Self {
         let mut budget = Self::default();
-        budget.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|q| values.value(q).abs());
+        budget.parts[ErrorSource::Mesh as usize] =
+            Quantity::SCALARS.map(|q| values.value(q).abs() / COVERAGE_FACTOR);
         budget.set_model(modelling_error, values);
         budget
     }
 
+    /// Of the reported error.
     pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
         let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
-        self.parts[source as usize][quantity as usize] + bracket
+        COVERAGE_FACTOR * (self.parts[source as usize][quantity as usize] + bracket)
     }
 
+    /// The reported error: the half-width of a 95 % interval.
     pub fn total(&self, quantity: Quantity) -> f64 {
         ErrorSource::ALL.iter().map(|&source| self.part(source, quantity)).sum()
     }
 
-    /// The worst of the controlled quantities, and the parts of its error relative to its value that a finer resolution
+    /// The worst of the controlled quantities, and the parts of its estimate relative to its value that a finer resolution
     /// reduces.
     pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
         let relative = |quantity: Quantity| {
@@ -205,7 +210,7 @@ impl ErrorBudget {
     }
 }
 
-/// Errors of a number of the press from mesh and increments, from its values on the mesh, on a coarser
+/// Reported errors of a number of the press from mesh and increments, from its values on the mesh, on a coarser
 /// one, and on that in increments twice as large; `power` of the contact radius it depends on.
 pub fn of_press(
     [fine, coarse, longer_steps]: [f64; 3],
@@ -216,7 +221,7 @@ pub fn of_press(
     let elements = run.elements_per_radius as f64;
     let mesh = mesh_share(elements / coarser.elements_per_radius as f64, ORDER) * (fine - coarse).abs();
     let steps = (coarse - longer_steps).abs();
-    [mesh + power * edge_share(elements) * fine.abs(), steps]
+    [mesh + power * edge_share(elements) * fine.abs(), steps].map(|part| COVERAGE_FACTOR * part)
 }
 
 /// Uncertainty of the contact radius after the press, relative, as the edge lies between two rings of
@@ -230,7 +235,7 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64, elastic: bool) -> f6
     use Quantity::*;
     let edge = edge_share(elements_per_radius);
     match quantity {
-        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic if elastic => {
+        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area if elastic => {
             2.0 * EDGE_OF_ELASTIC_FRICTION * edge
         }
         // Friction is strength times area.
@@ -241,6 +246,7 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64, elastic: bool) -> f6
         ContactRadius | InceptionSlip | EnergyRelease | EnergyWeakening | TemperatureMax
         | TemperatureMean => edge,
         // The pressure vanishes at the edge.
+        Load => EDGE_OF_LOAD * edge,
         _ => 0.0,
     }
 }
@@ -286,16 +292,16 @@ mod tests {
         let longer = coarser.longer_steps();
         let [_, steps] = of_press([of(&run), of(&coarser), of(&longer)], &run, &coarser, 0.0);
         let change = 0.4 / longer.press_increments as f64 - 0.4 / coarser.press_increments as f64;
-        assert!((steps - change).abs() < 1e-12);
+        assert!((steps - COVERAGE_FACTOR * change).abs() < 1e-12);
         let elements = |r: &Resolution| value(r.elements_per_radius, f64::INFINITY);
         let values = [elements(&run), elements(&coarser), elements(&coarser)];
         let [mesh, steps] = of_press(values, &run, &coarser, 0.0);
         assert_eq!(steps, 0.0);
-        assert!((mesh / (values[0] - 3.0) - 1.0).abs() < 1e-9, "{mesh}");
+        assert!((mesh / (values[0] - 3.0) - COVERAGE_FACTOR).abs() < 1e-9, "{mesh}");
         // The place of the edge adds its own to what depends on the radius.
         let [with_edge, _] = of_press(values, &run, &coarser, 2.0);
         let edge = 2.0 * edge_share(run.elements_per_radius as f64) * values[0];
-        assert!((with_edge - mesh - edge).abs() < 1e-12);
+        assert!((with_edge - mesh - COVERAGE_FACTOR * edge).abs() < 1e-12);
     }
 
     /// 3 + 2 n^-1.5 + 0.4 g + 0.5/N_θ² with n elements, slip increments g and N_θ angles: each part of the error is
@@ -328,11 +334,11 @@ mod tests {
             let exact = parts(resolution);
             let sources = [ErrorSource::Mesh, ErrorSource::Collocation, ErrorSource::Steps];
             for (source, exact) in sources.into_iter().zip(exact) {
-                // The load does not depend on the place of the edge.
-                let found = budget.part(source, Quantity::Load);
-                assert!((found / exact - 1.0).abs() < 1e-9, "{source:?}: {found} {exact}");
+                // The load of the press has no part by the place of the edge.
+                let found = budget.part(source, Quantity::LoadPress);
+                assert!((found / exact - COVERAGE_FACTOR).abs() < 1e-9, "{source:?}: {found} {exact}");
             }
-            assert_eq!(budget.part(ErrorSource::Model, Quantity::Load), 0.0);
+            assert_eq!(budget.part(ErrorSource::Model, Quantity::LoadPress), 0.0);
         }
     }
 
