@@ -6,6 +6,7 @@
 
 mod errors;
 mod input;
+mod output;
 mod run;
 mod surface;
 mod table;
@@ -43,6 +44,8 @@ fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<surface::Characterization>()?;
     module.add_class::<surface::Friction>()?;
     module.add_class::<surface::Samples>()?;
+    module.add_function(wrap_pyfunction!(output::check_output, module)?)?;
+    module.add_function(wrap_pyfunction!(output::write_text, module)?)?;
     module.add_function(wrap_pyfunction!(run::simulate, module)?)?;
     module.add_function(wrap_pyfunction!(tabulate::tabulate, module)?)?;
     module.add_function(wrap_pyfunction!(table::load, module)?)?;

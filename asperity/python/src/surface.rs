@@ -200,6 +200,14 @@ pub struct Friction {
     results: Results,
     surface: String,
     table: String,
+    /// Files that the surface file names.
+    inputs: Vec<PathBuf>,
+}
+
+/// Files of heights and tables that the surface file names.
+fn named_by(file: &SurfaceFile) -> Vec<PathBuf> {
+    let tables = file.uncertain_tables.iter().map(|(_, table)| table);
+    tables.chain(&file.heights_file).cloned().collect()
 }
 
 /// As `roughsurface predict`.
@@ -217,7 +225,7 @@ pub fn predict(
         case.predict(&compare, &settings, &|done, total| follower.counted("slips", done, total))
     })?;
     let results = results.map_err(errors::of_case)?;
-    Ok(Friction { results, surface: case.file.text, table: case.table })
+    Ok(Friction { results, inputs: named_by(&case.file), surface: case.file.text, table: case.table })
 }
 
 impl Friction {
@@ -228,6 +236,10 @@ impl Friction {
 
 #[pymethods]
 impl Friction {
+    fn inputs(&self) -> Vec<PathBuf> {
+        self.inputs.clone()
+    }
+
     fn json(&self) -> String {
         summary_json::json(&self.results).to_string()
     }
@@ -265,6 +277,8 @@ pub struct Samples {
     samples: finite_surface::Samples,
     surface: String,
     table: String,
+    /// Files that the surface file names.
+    inputs: Vec<PathBuf>,
 }
 
 /// As `roughsurface sample`.
@@ -285,11 +299,15 @@ pub fn sample(
         case.sample(asperities, (realizations, seed), slip, &settings, &show)
     })?;
     let samples = samples.map_err(errors::of_prediction)?;
-    Ok(Samples { samples, surface: case.file.text, table: case.table })
+    Ok(Samples { samples, inputs: named_by(&case.file), surface: case.file.text, table: case.table })
 }
 
 #[pymethods]
 impl Samples {
+    fn inputs(&self) -> Vec<PathBuf> {
+        self.inputs.clone()
+    }
+
     fn json(&self) -> String {
         sample_file::json(&self.samples).to_string()
     }

@@ -1,6 +1,6 @@
 //! `asperity.tabulate`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use asperity::output::provenance;
 use asperity::scene::file::{parse_request, read_request};
@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 use crate::errors;
 use crate::input::{Given, Source};
+use crate::output::distinct;
 use crate::table::Table;
 use crate::watch::{Follower, followed};
 
@@ -24,12 +25,18 @@ pub fn tabulate(
     resume: bool,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
-    let request = match request.source()? {
+    let source = request.source()?;
+    let journal = Journal::beside(&output);
+    let inputs: Vec<(&str, &Path)> = match &source {
+        Source::Path(path) => vec![("the request", path.as_path())],
+        Source::Text(..) => Vec::new(),
+    };
+    distinct(&inputs, &[("the output", &output), ("the journal", &journal)])?;
+    let request = match source {
         Source::Path(path) => read_request(&path, &overrides),
         Source::Text(text, name) => parse_request(&text, name, &overrides),
     };
     let request = request.map_err(errors::of_scene)?;
-    let journal = Journal::beside(&output);
     if resume
         && !journal.exists()
         && let Some(table) = completed(&request, None, &output)

@@ -1,10 +1,11 @@
 """predict, sample and characterize against the files of the program."""
 
 import json
+import os
 
 import numpy as np
 import pytest
-from conftest import SURFACE, assert_same, run
+from conftest import REQUEST, SCENE, SURFACE, assert_same, run, toml
 
 import asperity
 
@@ -125,3 +126,28 @@ def test_errors_state_key_and_reason():
     assert refused.value.key == "pixel"
     with pytest.raises(asperity.InputError, match="array: "):
         asperity.characterize(np.zeros((16, 16)), pixel=1e-6)
+
+
+def test_no_result_replaces_what_it_was_made_from(folder):
+    table = asperity.table("copper")
+    for name in ("table.nc", "up.nc"):
+        table.save(name)
+    os.link("table.nc", "hard.nc")
+    np.savetxt("heights.txt", [0.0, 1e-7, 2e-7, 3e-7])
+    np.save("map.npy", rough())
+    named = SURFACE.replace('"gaussian", std = 0.4e-6', '"sample", file = "heights.txt"')
+    (folder / "surface.toml").write_text(named + '[uncertainty]\ntables = { conductivity = "up.nc" }\n')
+    (folder / "scene.svg").write_text(toml(SCENE))
+    (folder / "request.toml").write_text(toml(REQUEST))
+    before = {path: path.read_bytes() for path in folder.iterdir()}
+    friction = asperity.predict("surface.toml", "table.nc")
+    samples = asperity.sample("surface.toml", "table.nc", asperities=9, realizations=2)
+    found = asperity.characterize("map.npy", pixel=1e-6)
+    replacing = [(friction.save, "hard.nc"), (friction.report, "surface.toml"), (friction.save, "heights.txt")]
+    replacing += [(friction.save, "up.nc"), (samples.save, "table.nc"), (found.save, "map.npy")]
+    replacing += [(asperity.simulate(str(folder / "scene.svg")).plot, "scene.svg")]
+    replacing += [(lambda path: asperity.tabulate("request.toml", path), "request.toml")]
+    for write, path in replacing:
+        with pytest.raises(asperity.InputError, match="are the same file"):
+            write(path)
+    assert {path: path.read_bytes() for path in folder.iterdir()} == before

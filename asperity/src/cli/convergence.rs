@@ -29,14 +29,13 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
     })?;
     let history = provenance::history(&command_line());
     let saved = outputs::save(&arguments.output, |path| convergence::write(path, &scene, &sweep, &history));
+    let drawn = arguments
+        .plot
+        .as_ref()
+        .map_or(Ok(()), |plot| outputs::draw(convergence::figure(&sweep), &arguments.panel, plot));
     let printed =
         display.print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
-    saved?;
-    if let Some(plot) = &arguments.plot {
-        let drawn = convergence::figure(&sweep).only(&arguments.panel).and_then(|figure| figure.save(plot));
-        drawn.map_err(Failure::run)?;
-    }
-    printed
+    outputs::all([saved, drawn, printed])
 }
 
 fn as_json(sweep: &Convergence) -> serde_json::Value {

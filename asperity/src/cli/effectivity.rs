@@ -39,6 +39,10 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
     if !display.quiet {
         print(&text)?;
     }
+    if Watch::cancelled(&progress) {
+        let journal = arguments.journal.display();
+        return Err(Failure::Run(format!("stopped on request; the same command continues from {journal}")));
+    }
     Ok(())
 }
 

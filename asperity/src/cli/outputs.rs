@@ -49,14 +49,28 @@ pub fn plot(table: &Table, plot: &Path, panels: &[String]) -> Result<(), Failure
     let temperatures = table.temperatures();
     for (temperature, place) in temperatures.iter().zip(plots(plot, &temperatures)) {
         let slice = table.at(*temperature).map_err(Failure::run)?;
-        slice.figure().only(panels).and_then(|figure| figure.save(&place)).map_err(Failure::run)?;
+        draw(slice.figure(), panels, &place)?;
     }
     Ok(())
+}
+
+/// Writes some panels of a figure, or all; elsewhere where `plot` cannot take it.
+pub fn draw(figure: Figure, panels: &[String], plot: &Path) -> Result<(), Failure> {
+    let figure = figure.only(panels).map_err(Failure::run)?;
+    save(plot, |path| figure.save(path))
 }
 
 /// Writes a result, elsewhere where `output` cannot take it; see [`netcdf::save`].
 pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -> Result<(), Failure> {
     netcdf::save(output, write).map_err(Failure::run)
+}
+
+/// Ok, or the reasons of all failures: each may name the place of something that was saved.
+pub fn all(results: impl IntoIterator<Item = Result<(), Failure>>) -> Result<(), Failure> {
+    let failures = results.into_iter().filter_map(Result::err);
+    let reasons: Vec<String> =
+        failures.map(|(Failure::Input(reason) | Failure::Run(reason))| reason).collect();
+    if reasons.is_empty() { Ok(()) } else { Err(Failure::Run(reasons.join("; "))) }
 }
 
 /// Whether files can be written into a directory, which is created if it does not exist.

@@ -60,13 +60,14 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     };
     outcome.account.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
     outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
-    report(&scene, &outcome, failure.as_deref(), arguments, display)?;
+    let reported = report(&scene, &outcome, failure.as_deref(), arguments, display);
     match failure {
-        None => Ok(()),
-        Some(reason) => Err(Failure::Run(format!(
+        None => reported,
+        Some(reason) if reported.is_ok() => Err(Failure::Run(format!(
             "{reason}; the steps before are in {}; a run cannot be continued, only repeated",
             arguments.output.display()
         ))),
+        Some(reason) => outputs::all([Err(Failure::Run(reason)), reported]),
     }
 }
 
@@ -75,7 +76,7 @@ fn check_outputs(arguments: &RunArguments) -> Result<(), Failure> {
     let written = outputs::with_plots(&arguments.output, &arguments.plot);
     let Some(directory) = &arguments.vtu else { return outputs::check(&inputs, &written) };
     let collection = directory.join(vtu::COLLECTION);
-    let all = [&written[..], &[("a file of --vtu", &collection)]].concat();
+    let all = [&written[..], &[("--vtu", directory), ("a file of --vtu", &collection)]].concat();
     check_distinct(&inputs, &all).map_err(Failure::input)?;
     outputs::check(&inputs, &written)?;
     outputs::check_directory(directory)
@@ -91,6 +92,14 @@ fn report(
     let about = About { history: provenance::history(&command_line()), incomplete };
     let clock = Instant::now();
     let saved = outputs::save(&arguments.output, |path| run_file::write(path, scene, outcome, &about));
+    let drawn = arguments
+        .plot
+        .as_ref()
+        .map_or(Ok(()), |plot| outputs::draw(figures::run_figure(scene, outcome), &arguments.panel, plot));
+    let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
+    let body = arguments.vtu.as_ref().map_or(Ok(()), |directory| {
+        outputs::save(directory, |place| vtu::write(place, outcome, extent).map(drop))
+    });
     let mut spent = outcome.account.timings;
     spent.since(Kernel::Output, clock);
     // Results are printed even if the disk is full.
@@ -111,17 +120,7 @@ fn report(
         json
     };
     let printed = display.print(json, || summary(scene, outcome));
-    saved?;
-    if let Some(plot) = &arguments.plot {
-        let figure = figures::run_figure(scene, outcome);
-        let drawn = figure.only(&arguments.panel).and_then(|figure| figure.save(plot));
-        drawn.map_err(Failure::run)?;
-    }
-    if let Some(directory) = &arguments.vtu {
-        let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
-        vtu::write(directory, outcome, extent).map_err(Failure::run)?;
-    }
-    printed
+    outputs::all([saved, drawn, body, printed])
 }
 
 fn summary(scene: &Scene, outcome: &Outcome) -> String {

@@ -63,11 +63,8 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
     journal.remove().map_err(Failure::run)?;
-    let printed = report(&tabulation, &spent, arguments, display);
-    if let Some(plot) = &arguments.plot {
-        outputs::plot(&table, plot, &arguments.panel)?;
-    }
-    printed?;
+    let drawn = arguments.plot.as_ref().map_or(Ok(()), |plot| outputs::plot(&table, plot, &arguments.panel));
+    outputs::all([drawn, report(&tabulation, &spent, arguments, display)])?;
     match tabulation.failures().count() {
         0 => Ok(()),
         failed => Err(Failure::Run(format!(

@@ -148,17 +148,16 @@ pub(crate) fn slide_refined(
                 ladder.main.push(run);
                 ladder.coarse = Some(coarse);
             }
-            // The run before is the result.
+            // Here and below the run before is the result.
             Ok([run, coarse]) => {
                 stopped = run.is_cancelled() || coarse.is_cancelled();
                 ladder.abandoned = Some(run);
                 break;
             }
-            Err(SimulationError::Cancelled { .. }) => {
-                stopped = true;
+            Err(error) => {
+                stopped = matches!(error, SimulationError::Cancelled { .. });
                 break;
             }
-            Err(error) => return Err(error),
         }
         budget = runner.judge(&ladder);
     }

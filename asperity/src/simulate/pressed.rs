@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
+use tables::numbers::{digits, plain};
 use tables::quantity::Estimate;
 
 use super::messages::StrainChoice;
@@ -266,12 +267,13 @@ fn press_mesh(
 /// The contact is so large that its mesh does not fit into the hemisphere.
 fn too_deep(problem: &Problem, radius: f64, fits: impl Fn(f64) -> bool) -> SimulationError {
     SimulationError::Unsupported(format!(
-        "an interference of {:.4} omega_c presses the asperity by {:.2} of its radius, to a contact radius \
-         of about {radius:.2} of it: the model needs a contact that is small beside the asperity, and with \
-         this material and mesh goes to about {:.2} omega_c",
-        problem.interference / problem.critical_interference,
-        problem.interference,
-        deepest(problem, fits),
+        "an interference of {} omega_c presses the asperity by {} of its radius, to a contact radius of about {} \
+         of it: the model needs a contact that is small beside the asperity, and with this material and mesh goes \
+         to about {} omega_c",
+        plain(problem.interference / problem.critical_interference),
+        digits(problem.interference, 2),
+        digits(radius, 2),
+        digits(deepest(problem, fits), 4),
     ))
 }
 
@@ -304,7 +306,7 @@ pub(super) fn press_error(failure: PressFailure) -> SimulationError {
         PressFailure::Stopped => return SimulationError::Cancelled { partial: None },
         PressFailure::Factor(error) => ("the elastic stiffness".into(), error.to_string()),
         PressFailure::Step { interference, failure } => {
-            (format!("interference {interference:.4} omega_c"), failure.to_string())
+            (format!("interference {} omega_c", plain(interference)), failure.to_string())
         }
     };
     SimulationError::NotConverged { stage: "press", at, reason, partial: None }

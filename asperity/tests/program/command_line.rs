@@ -33,6 +33,12 @@ fn bad_input_is_refused_before_any_work() {
             format!("{run} --set loading.interferance=3"),
             &["loading.interferance", "did you mean interference?"],
         ),
+        (
+            format!("{run} -q --set loading.interference=1e300"),
+            &["1e300 omega_c", "small beside the asperity"],
+        ),
+        (format!("{run} --set loading.slip_distance=1e15"), &["a number from 0 to 10000 (contact radii)"]),
+        (format!("{run} --set numerics.accuracy=1e-150"), &["a number from 1e-6 to 0.5"]),
         (format!("{run} --plot run.gif"), &["run.gif", "svg, png, pdf"]),
         (
             format!("{run} --fields-at 1,5"),
@@ -43,6 +49,7 @@ fn bad_input_is_refused_before_any_work() {
         ("run scene.toml -o ./scene.toml".into(), &["--output and the scene are the same file"]),
         (format!("{run} --plot scene.toml"), &["scene.toml", "svg, png"]),
         ("run scene.toml -o x.svg --plot x.svg".into(), &["--plot and --output are the same file"]),
+        ("run scene.toml -o a --vtu a".into(), &["--vtu and --output are the same file"]),
         ("run scene.toml -o a/body.pvd --vtu a".into(), &["a file of --vtu and --output are the same file"]),
         ("tabulate request.toml -o request.toml".into(), &["--output and the request are the same file"]),
         ("convergence scene.toml -o scene.toml".into(), &["--output and the scene are the same file"]),

@@ -108,18 +108,21 @@ fn signals_that_are_ignored_stay_ignored() {
     }
 }
 
-/// A mesh of which a single factorisation takes minutes: the stop is honoured within it.
+/// A mesh of which a single factorisation takes minutes, and increments of a body without hardening: the stop is
+/// honoured within them.
 #[test]
-fn a_request_to_stop_is_honoured_within_a_factorisation() {
+fn a_request_to_stop_is_honoured_within_an_increment() {
     /// Of processor time; a second is promised, the machine may be busy.
     const LATEST: std::time::Duration = std::time::Duration::from_secs(5);
     let _alone = alone();
     let directory = tempfile::tempdir().unwrap();
-    let numerics = "[numerics]\nelements_per_radius = 192\n";
-    let scene = format!("{MATERIAL}[loading]\ninterference = 20\nslip_rate = 1\n{numerics}");
+    let scene = format!("{MATERIAL}[loading]\ninterference = 20\nslip_rate = 1\n[numerics]\n");
     std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
-    for after in [0.5, 2.0, 5.0] {
-        let mut child = start(directory.path(), "run scene.toml -o run.nc");
+    let fine = "--set numerics.elements_per_radius=192";
+    let perfect = "--set numerics.elements_per_radius=32 --set loading.interference=100 \
+                   --set material.hardening.law=\"none\" --set interface.law=full-stick";
+    for (settings, after) in [(fine, 0.5), (fine, 2.0), (fine, 5.0), (perfect, 2.0), (perfect, 6.0)] {
+        let mut child = start(directory.path(), &format!("run scene.toml -o run.nc {settings}"));
         std::thread::sleep(std::time::Duration::from_secs_f64(after));
         assert!(child.try_wait().unwrap().is_none(), "it ended before it could be interrupted");
         let asked = std::time::Instant::now();

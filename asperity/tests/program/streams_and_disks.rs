@@ -110,6 +110,36 @@ fn a_run_for_which_there_is_no_room_is_saved_elsewhere() {
     }
 }
 
+/// Figures and fields of a run too, even where none of its files has room and the slide failed.
+#[test]
+fn every_file_of_a_run_is_saved_elsewhere() {
+    let _alone = alone();
+    let folder = folder();
+    let failing = "--set interface.law=full-stick --set material.hardening.law=none --set loading.interference=10 \
+                   --set loading.slip_distance=1";
+    for (settings, reason) in
+        [("", "no space left on the disk"), (failing, "the body shears below a sticking interface")]
+    {
+        let script = format!(
+            "mkdir -p disk; mount -t tmpfs -o size=4k tmpfs disk; mkdir disk/fields; export TMPDIR=$PWD
+             $ASPERITY run scene.toml -o disk/run.nc --plot disk/run.svg --vtu disk/fields {settings} --quiet"
+        );
+        let Some(output) = in_namespace(folder.path(), &script) else { return };
+        let said = message(&output);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert!(said.starts_with("error: ") && said.contains(reason), "{said}");
+        let places: Vec<&str> = said
+            .split("the results are in ")
+            .skip(1)
+            .map(|rest| rest.split_once(" instead").expect(&said).0)
+            .collect();
+        let [run, figure, fields] = places[..] else { panic!("{said}") };
+        assert_eq!(taken(Path::new(run)), settings.is_empty(), "{said}");
+        assert!(std::fs::read_to_string(figure).unwrap().contains("</svg>"), "{said}");
+        assert!(Path::new(fields).join("body.pvd").exists(), "{said}");
+    }
+}
+
 /// The same of shards in one.
 #[test]
 fn a_table_for_which_there_is_no_room_is_saved_elsewhere() {

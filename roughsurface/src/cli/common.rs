@@ -119,6 +119,14 @@ pub fn save<E: Printable>(output: &Path, write: impl Fn(&Path) -> Result<(), E>)
     netcdf::save(output, write).map_err(|error| Failure::Run(error.into()))
 }
 
+/// Ok, or the reasons of all failures: each may name the place of something that was saved.
+pub fn all(results: impl IntoIterator<Item = Result<(), Failure>>) -> Result<(), Failure> {
+    let failures = results.into_iter().filter_map(Result::err);
+    let reasons: Vec<String> =
+        failures.map(|(Failure::Input(reason) | Failure::Run(reason))| format!("{reason:#}")).collect();
+    if reasons.is_empty() { Ok(()) } else { Err(Failure::Run(anyhow!(reasons.join("; ")))) }
+}
+
 /// Writes a file that appears whole or not at all.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_atomically(path, bytes)

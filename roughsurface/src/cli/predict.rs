@@ -17,8 +17,8 @@ use std::path::PathBuf;
 use tables::closed_forms::NAMES;
 use tables::figures::Figure;
 use tables::law::AsperityLaw;
-use tables::netcdf::history;
 use tables::netcdf::streams::say;
+use tables::netcdf::{history, write_atomically};
 
 pub const HELP: &str = "\
 Examples:
@@ -154,23 +154,22 @@ fn write(
 ) -> Result<(), Failure> {
     let origin = Origin { surface: &case.file.text, table: &case.table, history: &history(&command_line()) };
     let saved = save(&options.output, |path| friction_file::write(path, results, &origin));
-    let drawn = draw(options, results, &origin);
+    let drawn = options.plot.as_ref().map_or(Ok(()), |plot| {
+        let figure = figure(results).only(&options.panel).map_err(|error| Failure::Run(error.into()))?;
+        save(plot, |path| figure.save(path))
+    });
+    let reported = options.report.as_ref().map_or(Ok(()), |report| {
+        let page = report::html(results, &origin);
+        save(report, |path| {
+            write_atomically(path, page.as_bytes())
+                .map_err(|error| format!("cannot write {}: {error}", path.display()))
+        })
+    });
     let printed = summarise(
         display,
         &Warning::condensed(&results.prediction.warnings[said..]),
         || summary::text(results),
         || summary_json::json(results),
     );
-    saved.and(drawn).and(printed)
-}
-
-fn draw(options: &Predict, results: &Results, origin: &Origin) -> Result<(), Failure> {
-    if let Some(plot) = &options.plot {
-        let drawn = figure(results).only(&options.panel).and_then(|figure| figure.save(plot));
-        drawn.map_err(|error| Failure::Run(error.into()))?;
-    }
-    match &options.report {
-        Some(report) => write_whole(report, report::html(results, origin).as_bytes()),
-        None => Ok(()),
-    }
+    all([saved, drawn, reported, printed])
 }

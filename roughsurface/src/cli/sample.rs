@@ -67,5 +67,5 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
         || sample_file::text(&samples),
         || sample_file::json(&samples),
     );
-    saved.and(printed)
+    all([saved, printed])
 }

@@ -7,4 +7,5 @@ mod folder;
 mod map_to_friction;
 mod overwriting;
 mod predict;
+mod refusals;
 mod worked_examples;

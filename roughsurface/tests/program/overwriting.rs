@@ -76,43 +76,73 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
     assert!(!folder.path("f.nc").exists() && !folder.path("f.svg").exists());
 }
 
-/// A small disk: the prediction is on it, or in the place that the message names, and is printed.
+/// Runs a command of the program with its outputs on a small disk, the folder `disk`, which is then copied to the
+/// folder `left`; none where there are no mount namespaces.
 #[cfg(target_os = "linux")]
-#[test]
-fn a_prediction_for_which_there_is_no_room_is_saved_elsewhere() {
-    use std::process::Command;
-    let folder = folder("full-disk");
-    let allowed = Command::new("unshare").args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"]).output();
+fn on_small_disk(folder: &Folder, kilobytes: usize, command: &str) -> Option<std::process::Output> {
+    let allowed =
+        std::process::Command::new("unshare").args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"]).output();
     if !allowed.is_ok_and(|output| output.status.success()) {
         eprintln!("skipped: no mount namespaces here");
-        return;
+        return None;
     }
+    let script = format!(
+        "mkdir -p disk; mount -t tmpfs -o size={kilobytes}k tmpfs disk; export TMPDIR=$PWD
+         $ROUGHSURFACE {command}; status=$?; rm -rf left; cp -r disk left; exit $status"
+    );
+    let mut shell = std::process::Command::new("unshare");
+    shell.args(["-rm", "sh", "-c", &script]).current_dir(folder.path("."));
+    Some(shell.env("ROUGHSURFACE", env!("CARGO_BIN_EXE_roughsurface")).output().unwrap())
+}
+
+/// Every file is on the disk, or in the place that the message names, and the summary is printed.
+#[cfg(target_os = "linux")]
+#[test]
+fn results_for_which_there_is_no_room_are_saved_elsewhere() {
+    let folder = folder("full-disk");
     folder.write("plain.toml", PLAIN);
-    for kilobytes in [4, 16, 24, 32, 40, 48, 64, 96, 128, 180] {
-        let script = format!(
-            "mkdir -p disk; mount -t tmpfs -o size={kilobytes}k tmpfs disk; export TMPDIR=$PWD
-             $ROUGHSURFACE predict plain.toml --table table.nc -o disk/f.nc; status=$?; cp disk/f.nc .; exit $status"
-        );
-        let mut command = Command::new("unshare");
-        command.args(["-rm", "sh", "-c", &script]).current_dir(folder.path("."));
-        let output = command.env("ROUGHSURFACE", env!("CARGO_BIN_EXE_roughsurface")).output().unwrap();
-        let said = stderr(&output);
-        assert!(
-            String::from_utf8_lossy(&output.stdout).contains("mu_static"),
-            "{kilobytes} kB: the summary is lost"
-        );
-        let place = match output.status.code() {
-            Some(0) => folder.path("f.nc"),
-            status => {
-                assert_eq!(status, Some(1), "{kilobytes} kB: {said}");
-                assert!(said.contains("no space left on the disk"), "{kilobytes} kB: {said}");
-                let (_, place) = said.split_once("the results are in ").expect(&said);
-                place.split_once(" instead").unwrap().0.into()
+    let predict = "predict plain.toml --table table.nc -o disk/f.nc --plot disk/f.svg --report disk/f.html";
+    let sample = "sample plain.toml --table table.nc --asperities 9 --realizations 2 -o disk/f.nc";
+    for (command, names) in [(predict, &["f.nc", "f.svg", "f.html"][..]), (sample, &["f.nc"])] {
+        for kilobytes in [4, 16, 24, 32, 48, 64, 96, 128, 180] {
+            let Some(output) = on_small_disk(&folder, kilobytes, command) else { return };
+            let said = stderr(&output);
+            let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+            assert!(printed.contains("pressure"), "{kilobytes} kB: the summary is lost");
+            let places = said.split("the results are in ").skip(1);
+            let places: Vec<&Path> =
+                places.map(|rest| Path::new(rest.split_once(" instead").expect(&said).0)).collect();
+            assert_eq!(output.status.code(), Some(i32::from(!places.is_empty())), "{kilobytes} kB: {said}");
+            assert_eq!(said.matches("no space left on the disk").count(), places.len(), "{said}");
+            for name in names {
+                let elsewhere = places.iter().find(|place| place.ends_with(name));
+                let place = elsewhere.map_or(folder.path("left").join(name), |place| place.to_path_buf());
+                match *name {
+                    "f.nc" => drop(tables::netcdf::DatasetReader::open(&place).expect(&said)),
+                    _ => {
+                        let text = std::fs::read_to_string(&place).expect(&said);
+                        assert!(text.trim_end().ends_with(['>']), "{kilobytes} kB: {name} is cut off");
+                    }
+                }
             }
-        };
-        tables::netcdf::DatasetReader::open(&place).expect(&said);
-        std::fs::remove_file(place).unwrap();
+            let left = std::fs::read_dir(folder.path("left")).unwrap().count();
+            assert_eq!(left + places.len(), names.len(), "{kilobytes} kB: {said}");
+        }
     }
+}
+
+/// An export is made again from its input.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_export_for_which_there_is_no_room_leaves_nothing() {
+    let folder = folder("full-disk-export");
+    folder.write("plain.toml", PLAIN);
+    folder.run_well("predict plain.toml --table table.nc --slip-rate 0.1..10:300 -o f.nc --quiet");
+    let Some(output) = on_small_disk(&folder, 4, "export f.nc -o disk/f.csv") else { return };
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("cannot write disk/f.csv: no space left on the disk"), "{said}");
+    assert_eq!(std::fs::read_dir(folder.path("left")).unwrap().count(), 0);
 }
 
 /// The file of heights beside the surface file would replace the map.

@@ -12,7 +12,8 @@ from typing import Any, Callable, Iterable, Iterator, Mapping, NamedTuple, Seque
 
 import numpy as np
 
-from ._errors import InputError, ModelWarning
+from . import _core
+from ._errors import ModelWarning
 
 Document = Union[Mapping[str, Any], str, "os.PathLike[str]"]
 """A dictionary of sections, TOML as text, or the path of a file."""
@@ -29,6 +30,10 @@ class Given(NamedTuple):
 
     kind: str
     content: str
+
+    @property
+    def files(self) -> list[str]:
+        return [self.content] if self.kind == "path" else []
 
 
 def given(document: Document) -> Given:
@@ -78,11 +83,10 @@ def warn(sentences: Iterable[str]) -> None:
         warnings.warn(sentence, ModelWarning, stacklevel=3)
 
 
-def output(path: str | os.PathLike[str]) -> Path:
-    path = Path(path)
-    if not path.parent.is_dir():
-        raise InputError(f"{path}: its folder does not exist", str(path), None, "its folder does not exist")
-    return path
+def output(path: str | os.PathLike[str], inputs: Iterable[str | os.PathLike[str]] = ()) -> Path:
+    """The path, if a file can be written there without replacing one of the inputs."""
+    _core.check_output(os.fspath(path), [os.fspath(file) for file in inputs if os.path.exists(file)])
+    return Path(path)
 
 
 @contextmanager

@@ -59,6 +59,7 @@ class Drawn:
     """A result with a figure."""
 
     _core: Any
+    _inputs: Iterable[str | os.PathLike[str]] = ()
 
     def plot(self, path: str | os.PathLike[str] | None = None, panels: str | Iterable[str] = ()) -> Figure:
         """The figure that the programs draw.
@@ -69,7 +70,7 @@ class Drawn:
         """
         chosen = names(panels)
         if path is not None:
-            self._core.draw(output(path), chosen)
+            self._core.draw(output(path, self._inputs), chosen)
         return Figure(self._core.svg(chosen))
 
     def _repr_svg_(self) -> str:

@@ -23,8 +23,8 @@ class Run(Drawn):
     SI units; forces, areas and energies of the whole asperity.
     """
 
-    def __init__(self, core: _core.Run):
-        self._core = core
+    def __init__(self, core: _core.Run, inputs: Sequence[str] = ()):
+        self._core, self._inputs = core, inputs
         scalars = core.scalars()
         self.scalars: dict[str, Estimate] = {name: Estimate(x, dx, unit) for name, x, dx, unit, _ in scalars}
         """Scalars by name, such as ``scalars["mu"]``: value, error and unit."""
@@ -76,7 +76,7 @@ class Run(Drawn):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes ``run.nc``, the file of ``asperity run``."""
-        self._core.write(output(path), "asperity.simulate (Python)")
+        self._core.write(output(path, self._inputs), "asperity.simulate (Python)")
 
     def save_body(self, directory: str | os.PathLike[str], whole: bool = False) -> Path:
         """Writes displacement, stress, plastic strain and temperature of the body for ParaView.
@@ -125,9 +125,10 @@ def simulate(
     """
     with shown(progress) as show:
         laid_over = _overrides(overrides)
-        core = _core.simulate(given(scene), laid_over, [float(s) for s in fields_at], body, threads, show)
+        document = given(scene)
+        core = _core.simulate(document, laid_over, [float(s) for s in fields_at], body, threads, show)
     warn(core.warnings())
-    return Run(core)
+    return Run(core, document.files)
 
 
 _overrides = overrides

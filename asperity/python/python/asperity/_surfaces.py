@@ -26,8 +26,8 @@ _METRES = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-
 class Characterization(Drawn):
     """Summits of a measured topography: result of :func:`characterize`."""
 
-    def __init__(self, core: _core.Characterization):
-        self._core = core
+    def __init__(self, core: _core.Characterization, inputs: Iterable[str | os.PathLike[str]] = ()):
+        self._core, self._inputs = core, inputs
         self.summary: dict[str, Any] = json.loads(core.json())
         """Moments, summits, cut-offs and slopes, in SI units: the JSON of ``roughsurface characterize``."""
 
@@ -48,7 +48,7 @@ class Characterization(Drawn):
             summits: ``"moments"``, or ``"found"`` for the summits found one by one, whose heights are written to a file
                 ``.heights.txt`` beside it.
         """
-        path = output(path)
+        path = output(path, self._inputs)
         if summits not in ("moments", "found"):
             raise ValueError(f'summits = {summits!r}: must be "moments" or "found"')
         heights = None
@@ -56,9 +56,9 @@ class Characterization(Drawn):
             if self.summary["points"][0] == 1:
                 reason = "peaks of a profile are no summits"
                 raise InputError(f'summits="found": {reason}', None, "summits", reason)
-            heights = path.with_suffix(".heights.txt")
-            heights.write_text(self._core.heights_file(), encoding="utf-8")
-        path.write_text(self._core.surface_file(heights and heights.name), encoding="utf-8")
+            heights = output(path.with_suffix(".heights.txt"), self._inputs)
+            _core.write_text(heights, self._core.heights_file())
+        _core.write_text(path, self._core.surface_file(heights and heights.name))
 
     def __str__(self) -> str:
         return self._core.text()
@@ -105,7 +105,7 @@ def characterize(
         name = getattr(topography, "name", None) or "array"
         core = _core.characterize_heights(str(name), heights, pixels, treatment)
     warn(core.warnings())
-    return Characterization(core)
+    return Characterization(core, [topography] if isinstance(topography, (str, os.PathLike)) else ())
 
 
 def _metres(unit: str) -> float:
@@ -145,6 +145,7 @@ class _Predicted:
 
     _core: _core.Friction | _core.Samples
     _command: str
+    _inputs: Iterable[str | os.PathLike[str]]
 
     @property
     def warnings(self) -> list[str]:
@@ -157,7 +158,7 @@ class _Predicted:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the netCDF file of the program."""
-        self._core.write(output(path), self._command)
+        self._core.write(output(path, self._inputs), self._command)
 
     def __str__(self) -> str:
         return self._core.text()
@@ -170,8 +171,8 @@ class Friction(_Predicted, Drawn):
 
     _command = "asperity.predict (Python)"
 
-    def __init__(self, core: _core.Friction):
-        self._core = core
+    def __init__(self, core: _core.Friction, inputs: Iterable[str | os.PathLike[str]] = ()):
+        self._core, self._inputs = core, [*inputs, *core.inputs()]
         self.summary: dict[str, Any] = json.loads(core.json())
         """Every number with value, error and unit: the JSON of ``roughsurface predict``."""
 
@@ -183,7 +184,7 @@ class Friction(_Predicted, Drawn):
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the report as one HTML file."""
-        output(path).write_text(self._core.report(self._command), encoding="utf-8")
+        _core.write_text(output(path, self._inputs), self._core.report(self._command))
 
 
 class Samples(_Predicted):
@@ -191,8 +192,8 @@ class Samples(_Predicted):
 
     _command = "asperity.sample (Python)"
 
-    def __init__(self, core: _core.Samples):
-        self._core = core
+    def __init__(self, core: _core.Samples, inputs: Iterable[str | os.PathLike[str]] = ()):
+        self._core, self._inputs = core, [*inputs, *core.inputs()]
         self.summary: dict[str, Any] = json.loads(core.json())
         """Means and intervals: the JSON of ``roughsurface sample``."""
 
@@ -201,6 +202,13 @@ class Samples(_Predicted):
         """The content of the file of samples: ``mu`` and others over (``pressure``, ``slip_rate``, ``realization``), with
         their statistics. Needs xarray."""
         return dataset(self.save)
+
+
+def _files(surface: Any, table: Any) -> list[str | os.PathLike[str]]:
+    """The files that the arguments of a prediction are read from."""
+    of_surface = surface._inputs if isinstance(surface, Characterization) else given(surface).files
+    name = table.name if isinstance(table, Table) else table
+    return [*of_surface, *([] if name is None else [name])]
 
 
 def _question(surface: Any, table: str, **more: Any) -> SimpleNamespace:
@@ -265,7 +273,7 @@ def predict(
         )
         core = _core.predict(question, models, threads, show)
     warn(core.warnings())
-    return Friction(core)
+    return Friction(core, _files(surface, table))
 
 
 def sample(
@@ -314,4 +322,4 @@ def sample(
         )
         core = _core.sample(question, (asperities, realizations, seed), slip, threads, show)
     warn(core.warnings())
-    return Samples(core)
+    return Samples(core, _files(surface, table))

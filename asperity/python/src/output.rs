@@ -1,0 +1,29 @@
+//! Files that the package writes.
+
+use std::path::{Path, PathBuf};
+
+use pyo3::prelude::*;
+use tables::netcdf::{check_outputs, write_atomically};
+
+use crate::errors;
+
+/// Refuses an output that cannot be written, or is one of the `inputs`.
+#[pyfunction]
+pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>) -> PyResult<()> {
+    let inputs: Vec<(&str, &Path)> = inputs.iter().map(|path| ("an input of the result", &**path)).collect();
+    distinct(&inputs, &[("the output", &output)])
+}
+
+/// The same of several files with their roles.
+pub fn distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> PyResult<()> {
+    let file = outputs.first().map(|(_, path)| path.display().to_string());
+    check_outputs(inputs, outputs).map_err(|error| errors::input(&error, file.as_deref(), None, &error))
+}
+
+/// Writes a text that appears whole or not at all.
+#[pyfunction]
+pub fn write_text(path: PathBuf, text: &str) -> PyResult<()> {
+    let failed =
+        |error: std::io::Error| errors::failed(format!("cannot write {}: {error}", path.display()), None);
+    write_atomically(&path, text.as_bytes()).map_err(failed)
+}

@@ -1,0 +1,67 @@
+//! Contacts beyond the model, and signals.
+
+use crate::folder::{Folder, stderr};
+
+/// Summits as sharp as the last interference asks for: the radius is 1 µm.
+const SHARP: &str = r#"
+[surface]
+asperity_density = 1e10
+asperity_radius = 1e-6
+heights = { distribution = "gaussian", std = 1e-7 }
+[query]
+separation = -1e-3
+slip_rate = 1.0
+[material]
+youngs_modulus = 200e9
+poisson_ratio = 0.3
+yield_strength = 400e6
+"#;
+
+#[test]
+fn no_closed_form_is_taken_to_an_indentation_of_a_thousand_radii() {
+    let folder = Folder::new("thousand-radii");
+    folder.write("surface.toml", SHARP);
+    for name in tables::closed_forms::NAMES {
+        let predict = format!("predict surface.toml --table model:{name} -o f.nc");
+        folder.refused(&format!("{predict} -q"), "above 0.4 of their radius");
+        let output = folder.run(&format!("{predict} --extrapolate"));
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{name}: {said}");
+        assert!(
+            said.contains("% of the nominal area; the model of separate asperities ends"),
+            "{name}: {said}"
+        );
+    }
+    assert!(!folder.path("f.nc").exists());
+}
+
+/// A signal ends prediction and sampling at once; one that is ignored, as under `nohup`, does not.
+#[cfg(unix)]
+#[test]
+fn signals_end_a_computation_unless_they_are_ignored() {
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::Command;
+    use std::time::{Duration, Instant};
+
+    let folder = Folder::new("signals");
+    folder.write("surface.toml", SHARP.replace("separation = -1e-3", "pressure = 1e5"));
+    let input = "surface.toml --table model:jackson-green --extrapolate -q -o f.nc";
+    let predict = format!("predict {input} --pressure 1e4..1e6:4000 --slip-rate 0.1..10:100");
+    let sample = format!("sample {input} --asperities 1000000 --realizations 100000");
+    for (line, signal, number) in [(&predict, "-INT", 2), (&sample, "-INT", 2), (&sample, "-TERM", 15)] {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &format!("trap '' HUP; exec \"$ROUGHSURFACE\" {line}")]);
+        shell.env("ROUGHSURFACE", env!("CARGO_BIN_EXE_roughsurface")).current_dir(folder.path("."));
+        let mut child = shell.spawn().unwrap();
+        let kill =
+            |signal: &str| Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+        std::thread::sleep(Duration::from_secs(1));
+        assert!(kill("-HUP").success());
+        std::thread::sleep(Duration::from_millis(300));
+        assert!(kill(signal).success(), "{line}: SIGHUP was not ignored");
+        let asked = Instant::now();
+        assert_eq!(child.wait().unwrap().signal(), Some(number), "{line}");
+        assert!(asked.elapsed() < Duration::from_secs(1), "{line}: {:?}", asked.elapsed());
+    }
+    assert!(!folder.path("f.nc").exists());
+}
