@@ -186,5 +186,7 @@ def test_material_and_works_to_cite_are_named(report):
 
 def test_a_report_has_less_than_two_megabytes(tmp_path):
     many = ["--pressure", "1e6..1e8:40", "--slip-rate", "0.1..10:40"]
-    size = predict(tmp_path, *many).stat().st_size
+    page = predict(tmp_path, *many)
+    size = page.stat().st_size
     assert 100_000 < size < 2_000_000, size
+    assert "400 of 1600 rows" in page.read_text(encoding="utf-8")
