@@ -5,8 +5,9 @@ import json
 import numpy as np
 import pytest
 import SurfaceTopography
+import xarray
+from conftest import REQUEST, ROOT, SURFACE, assert_same, run
 from scipy.io import loadmat
-from conftest import ROOT, SURFACE, assert_same, run
 
 import asperity
 
@@ -53,24 +54,35 @@ def test_exports_are_read_by_numpy(folder):
         assert np.allclose(fitted, row, atol=4 * law["rms"])
 
 
-def test_a_mat_file_has_the_friction_of_every_temperature(folder):
-    query = dict(pressure=[1e5, 1e6, 1e7], slip_rate="0.1..10:7")
-    at = lambda kelvin: asperity.predict(SURFACE, "copper", **query, overrides={"query.temperature": kelvin})
-    cold = at(298.0)
-    cold.save("cold.nc")
-    asperity.export("cold.nc", "cold.MAT")
-    found = loadmat("cold.MAT")
-    dataset = cold.dataset
-    assert found["mu"].shape == (3, 7) and np.array_equal(found["mu"], dataset.mu)
-    assert np.array_equal(found["mu_error"], dataset.mu_error)
-    assert np.array_equal(found["pressure"][:, 0], dataset.pressure) and found["temperature"] == [[298.0]]
+def test_a_mat_file_has_the_friction_and_its_law(folder):
+    asperity.predict(SURFACE, "copper", pressure=[1e5, 1e6, 1e7], slip_rate="0.1..10:7").save("f.nc")
+    asperity.export("f.nc", "f.MAT")
+    found, dataset = loadmat("f.MAT"), xarray.load_dataset("f.nc")
+    for name in ("mu", "mu_error"):
+        assert np.array_equal(found[name][:, :, 0], dataset[name])
+    assert np.array_equal(found["pressure"][:, 0], dataset.pressure) and np.isnan(found["temperature"]).all()
     assert np.array_equal(found["slip_rate"][0], dataset.slip_rate)
     drop = found["mu_0"] - found["mu_inf"]
     fitted = found["mu_inf"] + drop / (1 + (found["slip_rate"] / found["V_star"]) ** found["n"])
-    assert np.allclose(fitted, found["mu"], rtol=0, atol=4 * dataset.rate_rms.values.max())
-    asperity.export([cold], "law.mat", law=True)
-    law = loadmat("law.mat")
-    assert law["mu"].shape == (3, 21) and np.allclose(law["mu"][:, [0, -1]], fitted[:, [0, -1]], rtol=1e-9)
+    assert np.allclose(fitted, dataset.mu, rtol=0, atol=4 * dataset.rate_rms.values.max())
+    asperity.export(["f.nc"], "law.mat", law=True)
+    law = loadmat("law.mat")["mu"]
+    assert law.shape == (3, 21, 1) and np.allclose(law[:, [0, -1], 0], fitted[:, [0, -1]], rtol=1e-9)
+
+
+def test_a_mat_file_has_an_axis_of_temperatures(folder):
+    request = {**REQUEST, "table": {**REQUEST["table"], "temperature": [298.0, 500.0]}}
+    table = asperity.tabulate(request, "table.nc")
+    at = lambda kelvin: asperity.predict(
+        SURFACE, table, pressure=[1e5, 1e6, 2e6], slip_rate=[0.5, 1.0], overrides={"query.temperature": kelvin}
+    )
+    cold, hot = at(298.0), at(500.0)
+    asperity.export([hot, cold], "both.mat")
+    found = loadmat("both.mat")
+    assert found["temperature"].ravel().tolist() == [298.0, 500.0]
+    for number, friction in enumerate([cold, hot]):
+        assert np.array_equal(found["mu"][:, :, number], friction.dataset.mu)
+    assert found["mu_0"].shape == (3, 2) and not np.array_equal(found["mu"][:, :, 0], found["mu"][:, :, 1])
 
 
 def test_exports_are_those_of_the_program_and_lose_no_error(folder):
