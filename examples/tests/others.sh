@@ -1,22 +1,28 @@
 #!/usr/bin/env bash
 # Runs the examples that are not in Rust, coarsely: Python, Snakemake, the job array (one task after the
-# other), the table of costs, and the tests of the Python package. Not the comparison with other codes in
+# other), the table of costs, and the tests of the Python package, of the HTML report in Chromium and of the lines for
+# other programs. Not the comparison with other codes in
 # examples/peers, which has needs of its own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-if ! python3 -c 'import ensurepip' 2>/dev/null; then
+packages=()
+python3 -c 'import ensurepip' 2>/dev/null || packages+=(python3-venv)
+{ command -v chromium && command -v chromedriver; } >/dev/null || packages+=(chromium chromium-driver)
+command -v pvpython >/dev/null || packages+=(paraview python3-paraview)
+if [ ${#packages[@]} -gt 0 ]; then
     as_root=()
     [ "$(id -u)" -eq 0 ] || as_root=(sudo)
     "${as_root[@]}" apt-get update -q
-    "${as_root[@]}" apt-get install -q -y --no-install-recommends python3-venv
+    "${as_root[@]}" apt-get install -q -y --no-install-recommends "${packages[@]}"
 fi
 versions=$PWD/examples/tests/python-versions.txt
 # Also for what pip needs to build a package.
 export PIP_CONSTRAINT=$versions PIP_BUILD_CONSTRAINT=$versions
 cmp -s "$versions" target/python/versions.txt || {
     python3 -m venv --clear target/python
-    target/python/bin/pip install -q meshio xarray netCDF4 matplotlib snakemake pytest tqdm nbclient ipykernel
+    target/python/bin/pip install -q meshio xarray netCDF4 matplotlib snakemake pytest tqdm nbclient ipykernel \
+        scipy selenium SurfaceTopography
     cp "$versions" target/python/versions.txt
 }
 cargo build --locked --release --workspace
@@ -43,5 +49,5 @@ python examples/scaling.py --set loading.slip_distance=0.1 4
 
 # With the dependencies that were built for the programs.
 target/python/bin/pip install -q './asperity/python[all]'
-pytest -q asperity/python/tests
+pytest -q asperity/python/tests examples/tests
 examples/tests/old-processor.sh "${CARGO_TARGET_DIR:-target}/release" python

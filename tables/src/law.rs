@@ -109,6 +109,10 @@ pub type SlidingResponse<'a> = Box<dyn Fn(f64, f64) -> Result<Response, LookupEr
 pub trait AsperityLaw: Send + Sync {
     /// Name to print.
     fn name(&self) -> String;
+    /// The request that it was computed from, as TOML; empty for a formula.
+    fn request(&self) -> &str {
+        ""
+    }
     /// ω_c in metres for a sphere of `radius` metres.
     fn critical_interference(&self, radius: f64) -> f64;
     /// E*, Pa, of asperity and flat at the initial temperature; none if the law does not state it.

@@ -5,6 +5,7 @@
 //! units and documentation.
 
 mod errors;
+mod export;
 mod input;
 mod output;
 mod run;
@@ -46,6 +47,7 @@ fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<surface::Samples>()?;
     module.add_function(wrap_pyfunction!(output::check_output, module)?)?;
     module.add_function(wrap_pyfunction!(output::write_text, module)?)?;
+    module.add_class::<export::FrictionTable>()?;
     module.add_function(wrap_pyfunction!(run::simulate, module)?)?;
     module.add_function(wrap_pyfunction!(tabulate::tabulate, module)?)?;
     module.add_function(wrap_pyfunction!(table::load, module)?)?;
@@ -53,5 +55,6 @@ fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(surface::characterize_heights, module)?)?;
     module.add_function(wrap_pyfunction!(surface::predict, module)?)?;
     module.add_function(wrap_pyfunction!(surface::sample, module)?)?;
+    module.add_function(wrap_pyfunction!(export::friction_table, module)?)?;
     Ok(())
 }

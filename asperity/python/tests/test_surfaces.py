@@ -5,7 +5,10 @@ import os
 
 import numpy as np
 import pytest
-from conftest import REQUEST, SCENE, SURFACE, assert_same, run, toml
+import SurfaceTopography
+import xarray
+from conftest import REQUEST, ROOT, SCENE, SURFACE, assert_same, run, toml
+from scipy.io import loadmat
 
 import asperity
 
@@ -50,6 +53,55 @@ def test_exports_are_read_by_numpy(folder):
         drop = law["mu_0"]["value"] - law["mu_inf"]["value"]
         fitted = law["mu_inf"]["value"] + drop / (1 + (rates / law["V_star"]["value"]) ** law["n"]["value"])
         assert np.allclose(fitted, row, atol=4 * law["rms"])
+
+
+def test_a_mat_file_has_the_friction_and_its_law(folder):
+    asperity.predict(SURFACE, "copper", pressure=[1e5, 1e6, 1e7], slip_rate="0.1..10:7").save("f.nc")
+    asperity.export("f.nc", "f.MAT")
+    found, dataset = loadmat("f.MAT"), xarray.load_dataset("f.nc")
+    for name in ("mu", "mu_error"):
+        assert np.array_equal(found[name][:, :, 0], dataset[name])
+    assert np.array_equal(found["pressure"][:, 0], dataset.pressure) and np.isnan(found["temperature"]).all()
+    assert np.array_equal(found["slip_rate"][0], dataset.slip_rate)
+    drop = found["mu_0"] - found["mu_inf"]
+    fitted = found["mu_inf"] + drop / (1 + (found["slip_rate"] / found["V_star"]) ** found["n"])
+    assert np.allclose(fitted, dataset.mu, rtol=0, atol=4 * dataset.rate_rms.values.max())
+    asperity.export(["f.nc"], "law.mat", law=True)
+    law = loadmat("law.mat")["mu"]
+    assert law.shape == (3, 21, 1) and np.allclose(law[:, [0, -1], 0], fitted[:, [0, -1]], rtol=1e-9)
+
+
+def test_a_mat_file_has_an_axis_of_temperatures(folder):
+    request = {**REQUEST, "table": {**REQUEST["table"], "temperature": [298.0, 500.0]}}
+    table = asperity.tabulate(request, "table.nc")
+    at = lambda kelvin: asperity.predict(
+        SURFACE, table, pressure=[1e5, 1e6, 2e6], slip_rate=[0.5, 1.0], overrides={"query.temperature": kelvin}
+    )
+    cold, hot = at(298.0), at(500.0)
+    asperity.export([hot, cold], "both.mat")
+    found = loadmat("both.mat")
+    assert found["temperature"].ravel().tolist() == [298.0, 500.0]
+    for number, friction in enumerate([cold, hot]):
+        assert np.array_equal(found["mu"][:, :, number], friction.dataset.mu)
+    assert found["mu_0"].shape == (3, 2) and not np.array_equal(found["mu"][:, :, 0], found["mu"][:, :, 1])
+
+
+def test_exports_are_those_of_the_program_and_lose_no_error(folder):
+    friction = asperity.predict(SURFACE, "copper", pressure=[1e6, 1e7], slip_rate="0.1..10:7")
+    friction.save("f.nc")
+    for name in ("f.inp", "f.txt", "f.csv", "f.json"):
+        run("roughsurface", "export", "f.nc", "-o", name)
+        asperity.export("f.nc", f"python-{name}")
+        assert (folder / f"python-{name}").read_text() == (folder / name).read_text()
+    for name in ("full.mat", "full.csv"):
+        (folder / name).symlink_to("/dev/full")
+        with pytest.raises(OSError, match="No space left"):
+            asperity.export(friction, name)
+    with pytest.raises(asperity.InputError, match="ends in .inp") as refused:
+        asperity.export(friction, "friction.nc")
+    assert (refused.value.file, refused.value.key) == ("friction.nc", "path")
+    with pytest.raises(asperity.InputError, match="initial temperature") as refused:
+        asperity.export([friction, friction], "friction.mat")
 
 
 def test_query_comparison_and_report(folder):
@@ -97,16 +149,31 @@ def test_a_map_in_memory_is_as_in_a_file(folder):
 
 
 def test_objects_of_surface_topography():
-    class Topography:
-        unit, is_periodic, pixel_size = "µm", True, (1.0, 1.0)
-
-        def heights(self):
-            return np.ma.masked_array(1e6 * rough(), mask=False)
-
-    found = asperity.characterize(Topography()).summary
-    expected = asperity.characterize(rough(), pixel=1e-6, periodic=True).summary
+    heights = 1e6 * rough()
+    topography = SurfaceTopography.Topography(heights, (96.0, 96.0), unit="um", periodic=True)
+    found = asperity.characterize(topography).summary
+    expected = asperity.characterize(rough().T, pixel=1e-6, periodic=True).summary
     assert found["periodic"] and found["points"] == expected["points"]
     assert found["summits"]["radius"] == pytest.approx(expected["summits"]["radius"], rel=1e-9)
+    undefined = np.ma.masked_array(heights, mask=np.indices(heights.shape).sum(axis=0) < 3)
+    masked = asperity.characterize(SurfaceTopography.Topography(undefined, (96.0, 96.0), unit="um"))
+    assert "no height" in " ".join(masked.warnings)
+    line = asperity.characterize(SurfaceTopography.UniformLineScan(heights[0], 96.0, unit="um", periodic=True))
+    assert line.summary["points"] == [1, 96]
+    uneven = SurfaceTopography.NonuniformLineScan([0.0, 1.0, 3.0], [0.0, 1.0, 0.0], unit="um")
+    with pytest.raises(asperity.InputError) as refused:
+        asperity.characterize(uneven)
+    assert refused.value.key == "topography"
+
+
+@pytest.mark.parametrize("name", ["map.nc", "map.x3p", "periodic.nc"])
+def test_an_object_of_surface_topography_is_as_its_file(name):
+    path = ROOT / "roughsurface/tests/data" / name
+    (found, expected) = (asperity.characterize(one).summary for one in (SurfaceTopography.read_topography(path), path))
+    assert found["periodic"] == expected["periodic"] and found["points"] == expected["points"]
+    for key, value in expected["summits"].items():
+        if isinstance(value, float):
+            assert found["summits"][key] == pytest.approx(value, rel=1e-5), key
 
 
 def test_errors_state_key_and_reason():

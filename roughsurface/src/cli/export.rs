@@ -11,6 +11,7 @@ The extension decides on the format:
   .txt    COMSOL: interpolation function, data format Grid
   .csv    MATLAB (readtable), pandas, spreadsheets; MATLAB also reads friction.nc itself (ncread)
   .json   parameters of the rate law at each pressure
+A .mat file for MATLAB is written by the Python package: asperity.export(\"friction.nc\", \"friction.mat\")
 
 Examples:
     roughsurface export friction.nc -o friction.inp

@@ -74,6 +74,7 @@ pub fn predict(
     Ok(Prediction {
         query: query.clone(),
         law: law.name(),
+        request: law.request().into(),
         slip,
         friction,
         plasticity_index: plasticity_index(law, surface),

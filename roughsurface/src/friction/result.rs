@@ -60,6 +60,8 @@ pub struct Prediction {
     pub query: Query,
     /// Name of the asperity law.
     pub law: String,
+    /// The request that it was computed from, as TOML; empty for a formula.
+    pub request: String,
     /// Slips of the histories, m.
     pub slip: Vec<f64>,
     /// One row per pressure or separation, one column per slip rate.

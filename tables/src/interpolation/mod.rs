@@ -166,6 +166,10 @@ impl AsperityLaw for InterpolatedTable {
         format!("{title}; counterface: {}", self.metadata().counterface_in_words())
     }
 
+    fn request(&self) -> &str {
+        &self.metadata().scene
+    }
+
     fn critical_interference(&self, radius: f64) -> f64 {
         self.metadata().critical_interference * radius / self.metadata().asperity_radius
     }

@@ -1,8 +1,8 @@
 """Friction of rough surfaces from thermomechanical simulation of one asperity.
 
 ``simulate`` presses and slides one asperity, ``tabulate`` a grid of them, ``table`` interpolates, ``characterize`` finds the
-summits of a measured topography, ``predict`` and ``sample`` give the friction of a surface. SI units and kelvin throughout;
-every number has an error estimate. Results are those of the programs ``asperity`` and ``roughsurface``, bit for bit.
+summits of a measured topography, ``predict`` and ``sample`` give the friction of a surface, ``export`` writes it for other programs. SI
+units and kelvin throughout; every number has an error estimate. Results are those of the programs ``asperity`` and ``roughsurface``, bit for bit.
 
     >>> import asperity
     >>> steel = asperity.table("steel-4340")
@@ -12,6 +12,7 @@ every number has an error estimate. Results are those of the programs ``asperity
 
 from ._core import __version__
 from ._errors import AsperityError, InputError, ModelWarning, RunError
+from ._export import export
 from ._results import Estimate, Figure
 from ._simulation import Run, simulate, tabulate
 from ._surfaces import Characterization, Friction, Samples, characterize, predict, sample
@@ -34,6 +35,7 @@ __all__ = [
     "Table",
     "__version__",
     "characterize",
+    "export",
     "predict",
     "sample",
     "simulate",

@@ -121,6 +121,9 @@ def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[
     periodic = False
     if hasattr(topography, "heights"):
         scale = _metres(getattr(topography, "unit", None) or unit)
+        if pixel is None and not hasattr(topography, "pixel_size"):
+            reason = "its points are not at equal distances; to_uniform() of SurfaceTopography makes them so"
+            raise InputError(f"topography: {reason}", None, "topography", reason)
         if pixel is None:
             pixel = tuple(scale * float(step) for step in np.atleast_1d(topography.pixel_size))
         periodic = bool(getattr(topography, "is_periodic", False))

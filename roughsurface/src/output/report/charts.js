@@ -39,10 +39,13 @@
       value: (_, value) => number(value),
       points: { show: drawn.length < 40 },
     }));
+    // Exactly what was dragged over; one value alone has the range of the library around it.
+    const around = (low, high) => (x.logarithmic ? uPlot.rangeLog(low, high, 10, true) : uPlot.rangeNum(low, high, 0.1, true));
+    const range = (_, low, high) => (low < high || low == null ? [low, high] : around(low, high));
     const options = {
       width: Math.max(320, Math.min(holder.clientWidth || 900, 1100)),
       height: 360,
-      scales: { x: { time: false, distr: x.logarithmic ? 3 : 1 } },
+      scales: { x: { time: false, distr: x.logarithmic ? 3 : 1, range } },
       axes: [{ ...axis, label: x.label }, { ...axis, label, size: 90 }],
       series: [{ label: x.label, value: (_, value) => number(value) }, ...series],
     };

@@ -12,8 +12,8 @@ const CHARTS: &str = include_str!("charts.js");
 /// Style sheet of the charts.
 pub(super) const STYLE: &str = include_str!("uplot/uPlot.min.css");
 
-/// Pressures and slip rates each: 576 slides of 200 slips have about 1 MB.
-const MOST: usize = 24;
+/// Pressures and slip rates each: 256 slides of 200 slips have about 0.5 MB.
+const MOST: usize = 16;
 
 const CONTROLS: &str = "<h2>Charts</h2>\n\
 <p>The boxes switch pressures and slip rates on and off, as do the entries of a legend, which show the values under the pointer. \

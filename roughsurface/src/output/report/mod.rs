@@ -7,7 +7,7 @@ mod charts;
 
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
-use crate::output::figure::figure;
+use crate::output::figure::{chosen, figure};
 use crate::output::origin::Origin;
 use crate::output::rate_laws;
 use crate::output::result_tables::{Rows, compared, parameters, quantities};
@@ -28,7 +28,7 @@ const CAVEATS: [&str; 6] = [
     "No adhesion: the model does not hold for loads below the pull-off force of the summits.",
     "No wear: heights and radii stay what they are; running-in and polishing change them.",
     "No third body: no oxide, transfer layer, lubricant, gouge or debris between the surfaces.",
-    "The counter-face is smooth and rigid: for two rough surfaces, heights and curvatures add up.",
+    "The counter-face is smooth: for two rough surfaces, heights and curvatures add up.",
     "Errors are those of the asperity law, with one sign in all asperities, of interpolation and of \
      quadrature; modelling errors are not included.",
 ];
@@ -41,6 +41,9 @@ const CITATIONS: [&str; 6] = [
     "N. M. Beeler, T. E. Tullis & D. L. Goldsby, Constitutive relationships and physical basis of fault strength due to flash heating, J. Geophys. Res. 113, B01401 (2008), doi 10.1029/2007JB004988",
     "Y. Ida, Cohesive force across the tip of a longitudinal-shear crack and Griffith's specific surface energy, J. Geophys. Res. 77, 3796 (1972), doi 10.1029/JB077i020p03796",
 ];
+
+/// Of a table in the page, so that the page stays below 2 MB.
+const MOST_ROWS: usize = 400;
 
 const RATE_LAW: &str = "<p>The law that is chosen at each pressure; below it the form of flash heating, with μ<sub>w</sub> as mu_inf and V<sub>w</sub> as V*.</p>\n";
 
@@ -125,6 +128,9 @@ pub fn html(results: &Results, origin: &Origin) -> String {
         env!("CARGO_PKG_VERSION"),
         escaped(origin.surface)
     );
+    if !prediction.request.is_empty() {
+        let _ = writeln!(page, "<p>Request of the table:</p>\n<pre>{}</pre>", escaped(&prediction.request));
+    }
     list(&mut page, "To cite", CITATIONS.iter().map(ToString::to_string));
     page.push_str("</body>\n</html>\n");
     page
@@ -136,7 +142,7 @@ fn material(origin: &Origin) -> String {
         Some(model) => {
             format!("that of the section [material] of the input, in the closed form {}", escaped(model))
         }
-        None => format!("that of the table {}", escaped(origin.table)),
+        None => format!("that of the table {} (constants under Input)", escaped(origin.table)),
     }
 }
 
@@ -149,13 +155,18 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A table under a title and a line of HTML; empty without rows.
+/// A table under a title and a line of HTML, of a choice of the rows if there are many; empty without rows.
 fn table(page: &mut String, title: &str, note: &str, rows: &Rows) {
     let Some((head, rows)) = rows.split_first() else { return };
+    let shown = chosen(rows.len(), MOST_ROWS);
+    let part = match rows.len() - shown.len() {
+        0 => String::new(),
+        _ => format!("<p>{} of {} rows; the NetCDF file has all.</p>\n", shown.len(), rows.len()),
+    };
     let line = |cells: &[String], tag: &str| {
         let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell)));
         format!("<tr>{}</tr>\n", cells.collect::<String>())
     };
-    let rows: String = rows.iter().map(|row| line(row, "td")).collect();
-    let _ = write!(page, "<h2>{title}</h2>\n{note}<table>\n{}{rows}</table>\n", line(head, "th"));
+    let rows: String = shown.iter().map(|&row| line(&rows[row], "td")).collect();
+    let _ = write!(page, "<h2>{title}</h2>\n{note}{part}<table>\n{}{rows}</table>\n", line(head, "th"));
 }
