@@ -49,7 +49,7 @@ const fn limit(exponent: f64, geometry: f64, uncertainty: [f64; 2]) -> Limit {
 const LOAD: Limit = limit(1.1, -1.1, [0.1, 0.35]);
 const LOAD_PRESS: Limit = limit(1.1, -0.7, [0.1, 0.2]);
 const AREA: Limit = limit(1.0, -0.1, [0.05, 0.1]);
-const STATIC_FRICTION: Limit = limit(1.0, -0.2, [0.03, 0.22]);
+const STATIC_FRICTION: Limit = limit(1.0, -0.2, [0.025, 0.2]);
 const CONTACT_RADIUS: Limit = limit(0.5, 0.0, [0.05, 0.1]);
 const STATIC_COEFFICIENT: Limit = limit(-0.1, 0.8, [0.1, 0.3]);
 const INCEPTION_SLIP: Limit = limit(0.75, -0.3, [0.2, 0.5]);
