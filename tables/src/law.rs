@@ -1,5 +1,7 @@
 //! The single-asperity response: the interface of tables and closed forms. Depends on `quantity`.
 
+use crate::quantity::numbers::plain;
+
 pub use crate::quantity::Estimate;
 
 /// Largest contact radius over the radius of the asperity. Beyond it the meridian mesh does not fit into the
@@ -40,7 +42,10 @@ pub enum LookupError {
     )]
     ContactTooLarge { interference: f64, limit: f64 },
     #[error(
-        "slip rate {slip_rate:e} m/s is outside the table, which covers {from:e} to {to:e} m/s at this radius"
+        "slip rate {} m/s is outside the table, which covers {} to {} m/s at this radius",
+        plain(*.slip_rate),
+        plain(*.from),
+        plain(*.to)
     )]
     SlipRateOutside { slip_rate: f64, from: f64, to: f64 },
     #[error(

@@ -55,8 +55,9 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
 
 The flat is rigid and isothermal unless the scene has a body on the other side:
   [counterface]
-  preset = \"steel-1045\"          # or youngs_modulus and poisson_ratio; thermal_conductivity, density
-                                 # and specific_heat, with which heat_partition is a result
+  preset = \"steel-1045\"          # or youngs_modulus and poisson_ratio; density,
+                                 # thermal_conductivity and specific_heat, with which
+                                 # heat_partition is a result
   elastic = true                 # false: rigid in spite of the preset
   contact_conductance = inf      # W/(m2 K)
 

@@ -47,9 +47,11 @@ A surface file, surface.toml:
     slip_rate = { from = 0.1, to = 10, points = 9, spacing = \"log\" }    # m/s
     hold = \"load\"               # or \"separation\"
     contact_life = 1            # slip over which a contact lasts, in its diameters; or \"steady\"
-    interaction = \"none\"        # or \"mean-pressure\", the nominal pressure displaces the mean plane, with
-                                # nominal_size = 0.01, side of the square nominal area, m
-    rate_step = { before = 0.1, after = 1 }    # optional, m/s: steady sliding through a step of the slip rate
+    interaction = \"none\"        # or \"mean-pressure\": the nominal pressure displaces the
+                                # mean plane, with nominal_size = 0.01, side of the square
+                                # nominal area, m
+    rate_step = { before = 0.1, after = 1 }    # optional, m/s: steady sliding through
+                                # a step of the slip rate
 
 Heights, with their keys:
 {distributions}

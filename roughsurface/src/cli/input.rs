@@ -9,6 +9,7 @@ use roughsurface::surface::query::{ContactLife, LoadingControl};
 use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
 use std::path::{Path, PathBuf};
+use tables::quantity::hint;
 use tables::shipped;
 
 #[derive(Args)]
@@ -72,9 +73,10 @@ fn shipped_material(text: &str) -> Result<String, String> {
     let known: Vec<&str> = shipped::metals().collect();
     match known.contains(&text) {
         true => Ok(text.to_owned()),
-        false => {
-            Err(format!("tables are shipped of {}; for another material --table FILE", known.join(", ")))
-        }
+        false => Err(format!(
+            "no table of it is shipped: {}; for another material --table FILE",
+            hint(text, &known)
+        )),
     }
 }
 

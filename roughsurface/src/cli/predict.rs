@@ -47,8 +47,8 @@ a bearing steel contact, a granite fault with flash heating:
 Of a topography, friction is also predicted at half and at twice the cut-off, as far as its
 points and its extent allow.
 
-Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion, wear, third bodies (debris, gouge, oxide,
-lubricant); the counter-face is smooth and rigid.
+Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion,
+wear, third bodies (debris, gouge, oxide, lubricant); the counter-face is smooth and rigid.
 
 Above its last interference a table is extrapolated towards the fully plastic limit, with an error
 that grows; the share of the load there is in the result. A pressure at which more than 0.1 % of

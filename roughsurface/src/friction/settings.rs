@@ -3,6 +3,7 @@
 use crate::friction::warning::Place;
 use crate::integral::separation::SeparationError;
 use tables::law::{LARGEST_CONTACT, LookupError};
+use tables::numbers::{digits, plain};
 
 /// How a prediction is computed.
 #[derive(Clone, Copy, Debug)]
@@ -32,8 +33,8 @@ pub enum PredictionError {
     #[error(transparent)]
     Separation(#[from] SeparationError),
     #[error(
-        "at {loading} and {slip_rate} m/s {:.2} % of the load is on asperities whose contact radius is above {LARGEST_CONTACT} of their radius (from {limit:.4} omega_c on), where the model of a hemisphere ends: the summits are too sharp for this load; lower it, or use larger radii, those of a longer cut-off of the roughness",
-        100.0 * .share
+        "at {loading} and {} m/s {:.2} % of the load is on asperities whose contact radius is above {LARGEST_CONTACT} of their radius (from {} omega_c on), where the model of a hemisphere ends: the summits are too sharp for this load; lower it, or use larger radii, those of a longer cut-off of the roughness",
+        plain(*.slip_rate), 100.0 * .share, digits(*.limit, 4)
     )]
     ContactsTooLarge { loading: String, slip_rate: f64, limit: f64, share: f64 },
     #[error(

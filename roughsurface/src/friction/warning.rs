@@ -5,6 +5,7 @@ use crate::surface::query::Query;
 use crate::topography::warning;
 use std::fmt;
 use tables::law::{AboveRange, AsperityLaw};
+use tables::numbers::{digits, plain};
 
 /// Pressure or separation and slip rate that a warning is about.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +24,7 @@ impl Place {
 
 impl fmt::Display for Place {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        write!(formatter, "{}, {} m/s", self.loading, self.slip_rate)
+        write!(formatter, "{}, {} m/s", self.loading, plain(self.slip_rate))
     }
 }
 
@@ -41,8 +42,8 @@ pub enum Warning {
     )]
     SamplesExtrapolated { at: Place, share: f64 },
     #[error(
-        "{law}: its formulae end at {limit:.4} omega_c; asperities above carry up to {:.1} % of the load ({count} of {of} results){}",
-        100.0 * .share,
+        "{law}: its formulae end at {} omega_c; asperities above carry up to {:.1} % of the load ({count} of {of} results){}",
+        digits(*.limit, 3), 100.0 * .share,
         if *.without_friction { "; where it is above 5 %, there is no friction coefficient (n/a)" } else { "" }
     )]
     BeyondFormulae { law: String, limit: f64, share: f64, count: usize, of: usize, without_friction: bool },

@@ -1,9 +1,9 @@
 //! Figures of a prediction.
 
-use crate::friction::Prediction;
 use crate::friction::quantities::Quantity;
 use crate::friction::rate_law::RateLaw;
 use crate::friction::rate_step::RateStepResponse;
+use crate::friction::{Friction, Prediction};
 use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
@@ -114,19 +114,26 @@ fn since_step(prediction: &Prediction, response: &RateStepResponse) -> Panel {
     Panel::new("step", &title, x, y, curves)
 }
 
-/// Sliding friction at the lowest rate in comparison with that of the models.
+/// Sliding friction at the lowest rate in comparison with that of the models; over the slip rate, on which the models
+/// do not depend, for the only loading.
 fn compared(results: &Results) -> Panel {
     let prediction = &results.prediction;
-    let values = prediction.query.loading.values();
-    let (y, error) = values_and_errors(prediction.friction.iter().map(|cells| cells[0].sliding.mu));
-    let label = format!("this, {} m/s", prediction.query.slip_rates[0]);
+    let rates = &prediction.query.slip_rates;
+    let (values, label, cells): (_, _, Vec<&Friction>) = if one_loading(prediction) {
+        (&rates[..], "this".to_owned(), prediction.friction[0].iter().collect())
+    } else {
+        let first = prediction.friction.iter().map(|cells| &cells[0]).collect();
+        (prediction.query.loading.values(), format!("this, {}", rate_label(rates[0])), first)
+    };
+    let (y, error) = values_and_errors(cells.iter().map(|cell| cell.sliding.mu));
     let mut curves = vec![Curve::new(label, values.to_vec(), y).with_error(error)];
     for comparison in &results.comparisons {
-        let y = comparison.friction.iter().map(|cell| cell.sliding.mu.value).collect();
+        let mu = |row: usize| comparison.friction[row].sliding.mu.value;
+        let y = (0..values.len()).map(|place| mu(place.min(comparison.friction.len() - 1))).collect();
         curves.push(Curve::new(comparison.model.as_str(), values.to_vec(), y));
     }
-    let (x, y) = (loading_axis(prediction), Axis::linear(FRICTION_LABEL));
-    Panel::new("models", "Models of the literature", x, y, curves)
+    let x = if one_loading(prediction) { slip_rate_axis() } else { loading_axis(prediction) };
+    Panel::new("models", "Models of the literature", x, Axis::linear(FRICTION_LABEL), curves)
 }
 
 /// Names the law where it is short: that of a table is a sentence, and too long for the sheet.
@@ -156,6 +163,10 @@ fn row_label(prediction: &Prediction, row: usize) -> String {
     }
 }
 
+fn rate_label(slip_rate: f64) -> String {
+    format!("{} m/s", digits(slip_rate, 4))
+}
+
 /// Points with the rate law through them; where none is determined, with a line.
 fn over_slip_rate(prediction: &Prediction) -> Panel {
     let rates = &prediction.query.slip_rates;
@@ -175,7 +186,7 @@ fn over_slip_rate(prediction: &Prediction) -> Panel {
     }
     let with_fit = rows.iter().any(|row| prediction.rate_laws[*row].chosen.is_ok());
     let title = if with_fit { "Sliding friction, and rate law (lines)" } else { "Sliding friction" };
-    let (x, y) = (Axis::logarithmic("Slip rate V (m/s)"), Axis::linear(FRICTION_LABEL));
+    let (x, y) = (slip_rate_axis(), Axis::linear(FRICTION_LABEL));
     Panel::new("rate", title, x, y, curves)
 }
 
@@ -198,8 +209,17 @@ fn loading_axis(prediction: &Prediction) -> Axis {
     }
 }
 
-/// Quantities over pressure or separation, a curve for each slip rate: prefix of the label and name of each,
-/// times `factor`.
+fn slip_rate_axis() -> Axis {
+    Axis::logarithmic("Slip rate V (m/s)")
+}
+
+/// Whether there is one pressure or separation only, and results are drawn over the slip rate.
+fn one_loading(prediction: &Prediction) -> bool {
+    prediction.friction.len() == 1 && prediction.query.slip_rates.len() > 1
+}
+
+/// Quantities over pressure or separation, a curve for each slip rate, or over the slip rate for the only loading:
+/// prefix of the label and name of each, times `factor`.
 fn over_loading(
     prediction: &Prediction,
     (panel, title): (&str, &str),
@@ -207,19 +227,27 @@ fn over_loading(
     shown: &[(&str, &'static str)],
     factor: f64,
 ) -> Panel {
-    let values = prediction.query.loading.values();
+    let rates = &prediction.query.slip_rates;
     let mut curves = Vec::new();
-    for (prefix, name) in shown {
+    let mut add = |label: String, x: &[f64], cells: &mut dyn Iterator<Item = &Friction>, name| {
         let quantity = Quantity::named(name);
-        for rate in chosen(prediction.query.slip_rates.len(), MOST_CURVES / shown.len()) {
-            let column =
-                prediction.friction.iter().map(|cells| quantity.estimate(&cells[rate]).scaled(factor));
-            let (values_of, error) = values_and_errors(column);
-            let label = format!("{prefix}{} m/s", prediction.query.slip_rates[rate]);
-            curves.push(Curve::new(label, values.to_vec(), values_of).with_error(error));
+        let (y, error) = values_and_errors(cells.map(|cell| quantity.estimate(cell).scaled(factor)));
+        curves.push(Curve::new(label, x.to_vec(), y).with_error(error));
+    };
+    for (prefix, name) in shown {
+        if one_loading(prediction) {
+            let label = format!("{prefix}{}", row_label(prediction, 0));
+            add(label, rates, &mut prediction.friction[0].iter(), name);
+            continue;
+        }
+        for rate in chosen(rates.len(), MOST_CURVES / shown.len()) {
+            let label = format!("{prefix}{}", rate_label(rates[rate]));
+            let cells = &mut prediction.friction.iter().map(|cells| &cells[rate]);
+            add(label, prediction.query.loading.values(), cells, name);
         }
     }
-    Panel::new(panel, title, loading_axis(prediction), y, curves)
+    let x = if one_loading(prediction) { slip_rate_axis() } else { loading_axis(prediction) };
+    Panel::new(panel, title, x, y, curves)
 }
 
 fn along_the_slide(prediction: &Prediction) -> Panel {
@@ -230,8 +258,8 @@ fn along_the_slide(prediction: &Prediction) -> Panel {
         for &rate in &rates {
             let history = prediction.friction[row][rate].mu_history.iter().copied();
             let (y, error) = values_and_errors(history);
-            let slip_rate = prediction.query.slip_rates[rate];
-            let label = format!("{}, {slip_rate} m/s", row_label(prediction, row));
+            let slip_rate = rate_label(prediction.query.slip_rates[rate]);
+            let label = format!("{}, {slip_rate}", row_label(prediction, row));
             curves.push(Curve::new(label, prediction.slip.clone(), y).with_error(error));
         }
     }

@@ -5,7 +5,7 @@ use crate::friction::comparison::Comparison;
 use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
-use crate::output::origin::{Origin, coordinate, described, grid_coordinates, with_error};
+use crate::output::origin::{Origin, described, grid_coordinates, with_error};
 use crate::output::rate_laws;
 use crate::output::rate_step;
 use crate::sampling::case::Results;
@@ -33,7 +33,7 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
     file.attribute("regime", regime(prediction.plasticity_index))?;
 
     let row = grid_coordinates(&mut file, &prediction.query)?;
-    coordinate(&mut file, "slip", &prediction.slip, ("m", "slip of the flat along the surface"), "X")?;
+    file.coordinate("slip", &prediction.slip, &described("m", "slip of the flat along the surface"))?;
     let grid = [row, "slip_rate"];
     let cells: Vec<&Friction> = prediction.friction.iter().flatten().collect();
     // The coordinate takes the place of the variable of that name.

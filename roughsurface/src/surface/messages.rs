@@ -16,7 +16,7 @@ pub(crate) fn explain(path: &str, message: &str) -> String {
     };
     if message.starts_with("unknown field") && !quoted.is_empty() {
         let (unknown, known) = (quoted[0], &quoted[1..]);
-        let suggestion = match nearest(unknown, known).or_else(|| meant(unknown)) {
+        let suggestion = match meant(unknown).or_else(|| nearest(unknown, known)) {
             Some(near) => format!("did you mean {near}? "),
             None => String::new(),
         };
@@ -78,10 +78,12 @@ mod tests {
 
     #[test]
     fn keys_are_suggested_by_spelling_and_by_meaning() {
-        let unknown = |name: &str| format!("unknown field `{name}`, expected one of `pressure`, `slip_rate`");
+        let unknown =
+            |name: &str| format!("unknown field `{name}`, expected one of `pressure`, `slip_rate`, `hold`");
         for (name, suggestion) in [
             ("presure", "did you mean pressure?"),
             ("velocity", "did you mean query.slip_rate?"),
+            ("load", "did you mean query.pressure?"),
             ("roughness", "did you mean surface.heights.std?"),
             ("colour", "is not a key; known here"),
         ] {

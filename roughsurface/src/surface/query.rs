@@ -7,6 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 use std::str::FromStr;
 use tables::law::{AsperityLaw, LookupError};
+use tables::numbers::rounded;
 
 /// A rough surface.
 #[derive(Debug)]
@@ -47,8 +48,8 @@ impl NormalLoading {
     /// The value of one row in words.
     pub fn describe(&self, row: usize) -> String {
         match self {
-            Self::Pressure(values) => format!("{:e} Pa", values[row]),
-            Self::Separation(values) => format!("a separation of {:e} m", values[row]),
+            Self::Pressure(values) => format!("{:e} Pa", rounded(values[row], 6)),
+            Self::Separation(values) => format!("a separation of {:e} m", rounded(values[row], 6)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Parameters of a rough surface from a topography.
 
 use super::nayak::{Nayak, SMALLEST_ALPHA};
-use super::spectrum::{Limit, Moments, Spectrum, Window};
+use super::spectrum::{Limit, Moments, NOISY, Spectrum, Window};
 use super::summits::{self, Summits};
 use super::warning::Warning;
 use super::{Topography, detrend, plausibility};
@@ -79,9 +79,6 @@ const FEW_SUMMITS: usize = 100;
 /// Skewness and excess kurtosis of summit heights that a Gaussian distribution does not describe.
 const SKEWED: f64 = 0.5;
 const HEAVY_TAILED: f64 = 1.0;
-
-/// Largest share of noise in m4 that is not warned about: R is then 2.5 % too small.
-const NOISY: f64 = 0.05;
 
 /// Slope above which lengths may be in different units.
 const STEEP: f64 = 2.0;

@@ -139,9 +139,13 @@ impl Spectrum {
         filled.map(|(count, ln_q, power)| ((ln_q / count).exp(), power / count)).collect()
     }
 
-    /// Shortest wavelength (m) resolved by the measurement, and its reason.
+    /// Shortest wavelength (m) resolved by the measurement, and its reason. Noise that contributes little to m4 at the
+    /// limit of sampling, as that of rounding, limits nothing.
     pub fn reliability_limit(&self) -> (f64, Limit) {
         let sampling = PIXELS_PER_WAVE * self.pixel;
+        if self.noise_share(sampling, self.moments(sampling).m4).is_none_or(|share| share <= NOISY) {
+            return (sampling, Limit::Sampling);
+        }
         let radial = self.radial();
         let Some(floor) = self.noise_floor(&radial) else {
             return (sampling, Limit::Sampling);
@@ -180,6 +184,9 @@ const BINS_PER_OCTAVE: f64 = 4.0;
 /// maps fall with q^{−2−2H}, profiles with q^{−1−2H}, H the Hurst exponent between 0 and 1.
 const FLAT_MAP: f64 = -1.0;
 const FLAT_PROFILE: f64 = -0.5;
+
+/// Largest share of noise in m4 that is accepted: R is then 2.5 % too small.
+pub const NOISY: f64 = 0.05;
 
 /// Ratio to the noise above which a spectrum is used.
 const ABOVE_NOISE: f64 = 4.0;
@@ -246,6 +253,13 @@ mod tests {
         let map = surface.map(5);
         let (limit, why) = Spectrum::of(&map, Window::Hann).reliability_limit();
         assert_eq!((limit, why), (4.0 * map.pixel(), Limit::Sampling));
+        // Noise far below a spectrum that ends before the shortest waves contributes nothing to m4.
+        let band_limited = SelfAffine::default();
+        let faint = 1e-9 * band_limited.power(2.0 * PI / band_limited.shortest());
+        let map = band_limited.with_noise(5, faint);
+        let spectrum = Spectrum::of(&map, Window::Hann);
+        assert!(spectrum.noise_floor(&spectrum.radial()).is_some());
+        assert_eq!(spectrum.reliability_limit(), (4.0 * map.pixel(), Limit::Sampling));
         // White noise that meets the spectrum at a wavelength of 16 pixels.
         let power = surface.power(2.0 * PI / (16.0 * map.pixel()));
         let noisy = surface.with_noise(5, power);

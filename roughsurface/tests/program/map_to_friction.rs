@@ -60,7 +60,8 @@ fn a_material_names_a_shipped_table() {
     assert_eq!(file.attribute_text("table").unwrap(), "titanium-6al4v");
     assert!(folder.path("f.svg").is_file());
     for (arguments, expected) in [
-        ("--material brass-c26000", "tables are shipped of steel-4340"),
+        ("--material brass-c26000", "known: steel-4340"),
+        ("--material steel4340", "did you mean steel-4340?"),
         ("--material copper --table copper", "cannot be used with"),
         ("", "--table"),
     ] {

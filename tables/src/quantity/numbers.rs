@@ -55,7 +55,12 @@ pub fn plain(value: f64) -> String {
 /// assert_eq!(digits(1.5e-7, 3), "1.5e-7");
 /// ```
 pub fn digits(value: f64, digits: usize) -> String {
-    exact(format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value))
+    exact(rounded(value, digits))
+}
+
+/// To that number of significant digits.
+pub fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
 /// The shortest text that reads back as the same number.
