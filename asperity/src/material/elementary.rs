@@ -149,3 +149,37 @@ pub fn logarithm(x: f64) -> f64 {
     let log = if x < f64::MIN_POSITIVE { below } else { log };
     if x < f64::INFINITY { log } else { x }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_close(value: f64, exact: f64, at: (f64, f64)) {
+        let error = (value - exact).abs();
+        assert!(error <= 1e-15 * exact.abs() || value == exact, "{value:e} {exact:e} at {at:?}");
+    }
+
+    #[test]
+    fn agree_with_the_c_library() {
+        for step in -3000_i32..3000 {
+            let x = (0.1 * f64::from(step)).exp();
+            for n in [0.014, 0.26, 0.5, 1.0, 1.03] {
+                assert_close(power(x, n), x.powf(n), (x, n));
+            }
+            let near_one = 1.0 + 1e-4 * f64::from(step);
+            assert_close(logarithm(x), x.ln(), (x, 0.0));
+            assert_close(logarithm(near_one), near_one.ln(), (near_one, 0.0));
+            let y = -0.1 * f64::from(step.abs());
+            assert_close(exponential(y), y.exp(), (y, 0.0));
+        }
+    }
+
+    #[test]
+    fn limits() {
+        assert_eq!([power(0.0, 0.26), power(0.0, 0.0), power(f64::INFINITY, 0.5)], [0.0, 1.0, f64::INFINITY]);
+        assert_eq!([exponential(0.0), exponential(-1e3), exponential(f64::NEG_INFINITY)], [1.0, 0.0, 0.0]);
+        assert_eq!([logarithm(0.0), logarithm(f64::INFINITY)], [f64::NEG_INFINITY, f64::INFINITY]);
+        assert!(power(f64::NAN, 0.5).is_nan() && exponential(f64::NAN).is_nan());
+        assert!(logarithm(f64::NAN).is_nan() && logarithm(-1.0).is_nan());
+    }
+}
