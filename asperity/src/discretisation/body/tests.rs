@@ -264,7 +264,7 @@ fn instruction_sets_agree_bit_for_bit() {
         if finite {
             body = body.at_finite_strain();
         }
-        let u = wave(body.mesh.field_length(3), if finite { 1e-3 } else { 1e-4 }, 0.0);
+        let u = wave(body.mesh.field_length(3), if finite { 3e-4 } else { 1e-4 }, 0.0);
         let rise: Vec<f64> =
             wave(body.mesh.field_length(1), 100.0, 0.5).iter().map(|rise| 150.0 + rise).collect();
         let compute = || {
