@@ -5,7 +5,7 @@
 
 /// `dispatch! { <E> fn(argument: type = value, ...) -> type { body } }`: the body with the widest instructions of the
 /// processor; E is the [`Pack`](crate::material::lanes::Pack) of eight lanes. What the body calls is compiled with these
-/// instructions if it is `#[inline(always)]`; closures cannot be, and take no packs.
+/// instructions if it is `#[inline(always)]`. Closures cannot be: only short ones compute with packs.
 macro_rules! dispatch {
     (<$eight:ident $(, const $size:ident)?> fn($($name:ident: $type:ty = $value:expr),* $(,)?) $(-> $result:ty)? $body:block) => {{
         #[inline(always)]
