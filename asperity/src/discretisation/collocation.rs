@@ -90,6 +90,7 @@ impl Collocation {
     }
 
     /// ∂/∂θ of a field whose components have the given parities.
+    #[inline(always)]
     pub fn differentiate(&self, parities: &[Parity], field: &[f64], derivative: &mut [f64]) {
         let n = self.count;
         if n == 1 {
@@ -105,6 +106,7 @@ impl Collocation {
 
     /// Adds to `force` the transpose of [`Self::differentiate`] applied to the force `on_derivative` conjugate to
     /// ∂u/∂θ.
+    #[inline(always)]
     pub fn add_transposed(&self, parities: &[Parity], on_derivative: &[f64], force: &mut [f64]) {
         let n = self.count;
         if n == 1 {

@@ -9,7 +9,8 @@
 //! of 0.3 of the slip up to 0.4 per cent of the static friction and five of the energy release, here a tenth of that.
 
 use super::{Solid, Trial};
-use crate::material::lanes::{Lanes, exponentials, logarithms};
+use crate::material::instruction_set::dispatch;
+use crate::material::lanes::{Lanes, exponentials, lanes, logarithms};
 use crate::scene::Hardening;
 
 /// Components of a symmetric tensor: rr, θθ, zz, rθ, θz, zr.
@@ -88,10 +89,17 @@ impl Solid {
     /// A strength that depends on the strain rate is the same during all of the flow of a step. The stress turns on the
     /// yield surface of the strain rate of the radial return; the increment ends on that of its own strain rate.
     pub fn flow<const W: usize>(&self, path: &StrainPath<W>) -> Flow<W> {
+        dispatch! { <E, const W> fn(solid: &Solid = self, path: &StrainPath<W> = path) -> Flow<W> {
+            solid.flow_at_rate(path)
+        }}
+    }
+
+    #[inline(always)]
+    fn flow_at_rate<const W: usize>(&self, path: &StrainPath<W>) -> Flow<W> {
         let Some(rate) = self.rate_over(path.time_step) else { return self.flow_on(path, path) };
         let returned = self.return_map(&path.trial(path.elastic_stress()));
         let (factor, _) = rate.factors(&returned.increment);
-        let softening = std::array::from_fn(|l| factor[l] * path.softening[l]);
+        let softening = lanes(|l| factor[l] * path.softening[l]);
         let mut flow = self.flow_on(path, &StrainPath { softening, ..*path });
         let (factor, _) = rate.factors(&flow.increment);
         (0..W).for_each(|l| flow.strength[l] /= factor[l]);
@@ -104,18 +112,17 @@ impl Solid {
     fn flow_on<const W: usize>(&self, path: &StrainPath<W>, turning: &StrainPath<W>) -> Flow<W> {
         let onset = turning.onset();
         let mean = self.mean_radius(turning, &onset);
-        let rotation =
-            DeviatorRotation::new(&std::array::from_fn(|l| onset.left[l] / mean[l]), &onset.cosine);
-        let stress = std::array::from_fn(|l| (onset.radius[l] + mean[l] * rotation.advance[l]) / TO_RADIUS);
+        let rotation = DeviatorRotation::new(&lanes(|l| onset.left[l] / mean[l]), &onset.cosine);
+        let stress = lanes(|l| (onset.radius[l] + mean[l] * rotation.advance[l]) / TO_RADIUS);
         let end = self.return_map(&path.trial(stress));
-        let radius = std::array::from_fn(|l| TO_RADIUS * path.softening[l] * end.strength[l]);
+        let radius = lanes(|l| TO_RADIUS * path.softening[l] * end.strength[l]);
         Flow {
             increment: end.increment,
             strength: end.strength,
             slope: end.slope,
             radius,
             direction: path.direction(&onset, &rotation),
-            across: std::array::from_fn(|l| {
+            across: lanes(|l| {
                 let of_onset = rotation.of_start[l] * onset.elastic[l] / onset.radius[l];
                 let of_path = rotation.of_path_over_x[l] * (1.0 - onset.elastic[l]) / mean[l];
                 (radius[l] * (of_onset + of_path)).min(1.0)
@@ -127,12 +134,12 @@ impl Solid {
     /// radial return after one Newton iteration.
     #[inline(always)]
     fn mean_radius<const W: usize>(&self, path: &StrainPath<W>, onset: &Onset<W>) -> Lanes<W> {
-        let mut end: Lanes<W> = std::array::from_fn(|l| TO_RADIUS * path.softening[l] * path.strength[l]);
+        let mut end: Lanes<W> = lanes(|l| TO_RADIUS * path.softening[l] * path.strength[l]);
         if !matches!(self.hardening, Hardening::None) {
             let stiffness = 2.0 * self.moduli.shear / TO_RADIUS;
             // Upper bound: hardening takes up none of the stress.
-            let most: Lanes<W> = std::array::from_fn(|l| (onset.trial[l] - end[l]).max(0.0) / stiffness);
-            let strain: Lanes<W> = std::array::from_fn(|l| path.strain[l] + most[l]);
+            let most: Lanes<W> = lanes(|l| (onset.trial[l] - end[l]).max(0.0) / stiffness);
+            let strain: Lanes<W> = lanes(|l| path.strain[l] + most[l]);
             let (strength, slope) = self.hardened_lanes(&strain);
             for l in 0..W {
                 let factor = TO_RADIUS * path.softening[l];
@@ -143,7 +150,7 @@ impl Solid {
             }
         }
         // A molten point has no strength.
-        std::array::from_fn(|l| (0.5 * (onset.radius[l] + end[l])).max(1e-12 * onset.length[l]))
+        lanes(|l| (0.5 * (onset.radius[l] + end[l])).max(1e-12 * onset.length[l]))
     }
 }
 
@@ -156,13 +163,14 @@ impl<const W: usize> StrainPath<'_, W> {
     }
 
     /// Von Mises stress at the end, if all of the strain were elastic.
+    #[inline(always)]
     fn elastic_stress(&self) -> Lanes<W> {
         let mut squared = [0.0; W];
         for (i, component) in self.elastic.iter().enumerate() {
             let factor = if i < 3 { 1.5 } else { 3.0 };
             (0..W).for_each(|l| squared[l] += factor * component[l] * component[l]);
         }
-        squared.map(f64::sqrt)
+        lanes(|l| squared[l].sqrt())
     }
 
     /// The yield surface has the radius of the strength at the temperature of the end, or shrinks to it linearly along
@@ -185,7 +193,7 @@ impl<const W: usize> StrainPath<'_, W> {
             cosine: [0.0; W],
             length,
             left: [0.0; W],
-            trial: std::array::from_fn(|l| (start[l] + 2.0 * along[l] + length[l]).max(0.0).sqrt()),
+            trial: lanes(|l| (start[l] + 2.0 * along[l] + length[l]).max(0.0).sqrt()),
         };
         for l in 0..W {
             let last = TO_RADIUS * self.softening[l] * self.strength[l];
@@ -234,10 +242,9 @@ impl<const W: usize> DeviatorRotation<W> {
     /// After x, from an angle of cosine c: by (cosh x + c sinh x)e^−x and so on, which cannot overflow.
     #[inline(always)]
     fn new(x: &Lanes<W>, cosine: &Lanes<W>) -> Self {
-        let decay = exponentials(&x.map(|x| -x));
+        let decay: Lanes<W> = exponentials(&lanes(|l| -x[l]));
         // (cosh x + c sinh x)e^−x.
-        let sum: Lanes<W> =
-            std::array::from_fn(|l| 0.5 * (1.0 + cosine[l] + (1.0 - cosine[l]) * decay[l] * decay[l]));
+        let sum: Lanes<W> = lanes(|l| 0.5 * (1.0 + cosine[l] + (1.0 - cosine[l]) * decay[l] * decay[l]));
         let log = logarithms(&sum);
         let mut rotation =
             Self { of_start: [0.0; W], of_path: [0.0; W], of_path_over_x: [0.0; W], advance: [0.0; W] };

@@ -4,6 +4,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use wide::{f64x4, f64x8};
 
+use crate::material::elementary::{exponential, logarithm, power};
+
 pub type Lanes<const W: usize> = [f64; W];
 
 /// a·b + c, fused if the target has that instruction.
@@ -138,45 +140,32 @@ pub fn lanes_of<const W: usize, V: Pack>(pack: V) -> Lanes<W> {
     lanes
 }
 
-/// Applies a method of packs to all lanes that fill one, and that of single values to the rest.
-macro_rules! lane_by_lane {
-    ($x:ident, $pack:ident => $packed:expr, $single:expr) => {{
-        let mut y = [0.0; W];
-        let (x8, x) = $x.as_chunks::<8>();
-        let (y8, rest) = y.as_chunks_mut::<8>();
-        for (x, y) in x8.iter().zip(y8) {
-            type $pack = f64x8;
-            *y = $packed($pack::new(*x)).to_array();
-        }
-        let (x4, x) = x.as_chunks::<4>();
-        let (y4, rest) = rest.as_chunks_mut::<4>();
-        for (x, y) in x4.iter().zip(y4) {
-            type $pack = f64x4;
-            *y = $packed($pack::new(*x)).to_array();
-        }
-        for (&x, y) in x.iter().zip(rest) {
-            *y = $single(x);
-        }
-        y
-    }};
+/// The value of each lane.
+#[inline(always)]
+pub fn lanes<const W: usize>(value: impl Fn(usize) -> f64) -> Lanes<W> {
+    let mut lanes = [0.0; W];
+    for l in 0..W {
+        lanes[l] = value(l);
+    }
+    lanes
 }
 
-/// x^n of each lane, x ≥ 0.
+/// x^n of each lane, x ≥ 0; of a single one as the C library computes it.
 #[inline(always)]
 pub fn powers<const W: usize>(x: &Lanes<W>, n: f64) -> Lanes<W> {
-    lane_by_lane!(x, P => |x: P| x.powf_simd(P::splat(n)), |x: f64| x.powf(n))
+    lanes(|l| if W == 1 { x[l].powf(n) } else { power(x[l], n) })
 }
 
-/// e^x of each lane.
+/// e^x of each lane, x ≤ 0.
 #[inline(always)]
 pub fn exponentials<const W: usize>(x: &Lanes<W>) -> Lanes<W> {
-    lane_by_lane!(x, P => |x: P| x.exp(), f64::exp)
+    lanes(|l| if W == 1 { x[l].exp() } else { exponential(x[l]) })
 }
 
 /// The natural logarithm of each lane.
 #[inline(always)]
 pub fn logarithms<const W: usize>(x: &Lanes<W>) -> Lanes<W> {
-    lane_by_lane!(x, P => |x: P| x.ln(), f64::ln)
+    lanes(|l| if W == 1 { x[l].ln() } else { logarithm(x[l]) })
 }
 
 /// Scalar product.

@@ -79,11 +79,7 @@ fn material_moduli<V: Pack>(
             first[v][w] = first[w][v];
         }
     }
-    // Row v is the tensor K:e_v, e_v the symmetric unit; a contraction of two tensors counts shears twice.
-    let contracted = |x: &Symmetric<V>, y: &Symmetric<V>| {
-        let shears = x[3].mul_add(y[3], x[4].mul_add(y[4], x[5] * y[5]));
-        x[0].mul_add(y[0], x[1].mul_add(y[1], x[2].mul_add(y[2], shears + shears)))
-    };
+    // Row v is the tensor K:e_v, e_v the symmetric unit.
     let (mut trace, mut flow) = ([V::splat(0.0); 6], [V::splat(0.0); 6]);
     for v in 0..6 {
         trace[v] = first[v][0] + first[v][1] + first[v][2];
@@ -102,6 +98,13 @@ fn material_moduli<V: Pack>(
         }
     }
     material
+}
+
+/// x:y, which counts shears twice.
+#[inline(always)]
+fn contracted<V: Pack>(x: &Symmetric<V>, y: &Symmetric<V>) -> V {
+    let shears = x[3].mul_add(y[3], x[4].mul_add(y[4], x[5] * y[5]));
+    x[0].mul_add(y[0], x[1].mul_add(y[1], x[2].mul_add(y[2], shears + shears)))
 }
 
 /// Places of ∂²J/∂F∂F, each with row and column of F and the sign of the two permutations.

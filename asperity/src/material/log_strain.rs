@@ -122,40 +122,55 @@ impl<V: Pack> LogStrain<'_, V> {
 /// F·S.
 #[inline(always)]
 pub fn first_piola<V: Pack>(f: &TwoPoint<V>, second: &Symmetric<V>) -> TwoPoint<V> {
-    f.map(|row| std::array::from_fn(|j| times(&row, second, j)))
+    let mut first = *f;
+    for i in 0..3 {
+        for j in 0..3 {
+            first[i][j] = times(&f[i], second, j);
+        }
+    }
+    first
 }
 
 /// |X| of the lane where it is largest.
 #[inline(always)]
 fn largest_norm<V: Pack>(x: &Symmetric<V>) -> f64 {
-    let squared = |v: usize, sum: V| x[v].mul_add(x[v], sum);
-    let twice = squared(3, squared(4, x[5] * x[5]));
-    squared(0, squared(1, x[2].mul_add(x[2], twice + twice))).largest().sqrt()
+    let twice = x[3].mul_add(x[3], x[4].mul_add(x[4], x[5] * x[5]));
+    x[0].mul_add(x[0], x[1].mul_add(x[1], x[2].mul_add(x[2], twice + twice))).largest().sqrt()
 }
 
 /// (1 + tX)⁻¹ by cofactors.
 #[inline(always)]
 fn resolvent<V: Pack>(t: f64, x: &Symmetric<V>) -> Symmetric<V> {
-    let t = V::splat(t);
-    let [a, b, c] = [x[0], x[1], x[2]].map(|x| t.mul_add(x, V::splat(1.0)));
-    let [ab, bc, ca] = [x[3], x[4], x[5]].map(|x| t * x);
-    let minor = |a: V, b: V, c: V, d: V| a.mul_add(b, -(c * d));
+    let (t, one) = (V::splat(t), V::splat(1.0));
+    let (a, b, c) = (t.mul_add(x[0], one), t.mul_add(x[1], one), t.mul_add(x[2], one));
+    let (ab, bc, ca) = (t * x[3], t * x[4], t * x[5]);
     let (first, second, third) = (minor(b, c, bc, bc), minor(bc, ca, ab, c), minor(ab, bc, b, ca));
     let over = V::splat(1.0) / a.mul_add(first, ab.mul_add(second, ca * third));
-    [first, minor(a, c, ca, ca), minor(a, b, ab, ab), second, minor(ab, ca, a, bc), third].map(|m| over * m)
+    let mut inverse = [first, minor(a, c, ca, ca), minor(a, b, ab, ab), second, minor(ab, ca, a, bc), third];
+    for m in &mut inverse {
+        *m = over * *m;
+    }
+    inverse
+}
+
+/// ab − cd.
+#[inline(always)]
+fn minor<V: Pack>(a: V, b: V, c: V, d: V) -> V {
+    a.mul_add(b, -(c * d))
 }
 
 /// Row i of the symmetric A times column j of the symmetric B.
 #[inline(always)]
 fn row_times<V: Pack>(a: &Symmetric<V>, i: usize, b: &Symmetric<V>, j: usize) -> V {
-    times(&PLACE[i].map(|place| a[place]), b, j)
+    let [first, middle, last] = PLACE[i];
+    times(&[a[first], a[middle], a[last]], b, j)
 }
 
 /// A row times column j of the symmetric B.
 #[inline(always)]
 fn times<V: Pack>(row: &[V; 3], b: &Symmetric<V>, j: usize) -> V {
-    let column = PLACE[j].map(|place| b[place]);
-    row[0].mul_add(column[0], row[1].mul_add(column[1], row[2] * column[2]))
+    let [first, middle, last] = PLACE[j];
+    row[0].mul_add(b[first], row[1].mul_add(b[middle], row[2] * b[last]))
 }
 
 /// ABA of symmetric A and B.
@@ -184,20 +199,24 @@ fn add_square<V: Pack>(factor: V, a: &Symmetric<V>, b: &Symmetric<V>, sum: &mut 
     for x in &mut scaled {
         *x = half * *x;
     }
-    // A_ac B_bd + A_bd B_ac.
-    let both = |a_c: usize, b_d: usize| scaled[a_c].mul_add(b[b_d], scaled[b_d] * b[a_c]);
     for v in 0..6 {
         for w in v..6 {
             let ((p, q), (r, s)) = (PAIR[v], PAIR[w]);
-            let straight = both(PLACE[p][r], PLACE[q][s]);
+            let straight = both(&scaled, b, PLACE[p][r], PLACE[q][s]);
             let place = &mut sum[v][w];
             *place = if v < 3 {
                 *place + straight
             } else {
-                V::splat(0.5).mul_add(straight + both(PLACE[p][s], PLACE[q][r]), *place)
+                V::splat(0.5).mul_add(straight + both(&scaled, b, PLACE[p][s], PLACE[q][r]), *place)
             };
         }
     }
+}
+
+/// A_ac B_bd + A_bd B_ac.
+#[inline(always)]
+fn both<V: Pack>(a: &Symmetric<V>, b: &Symmetric<V>, a_c: usize, b_d: usize) -> V {
+    a[a_c].mul_add(b[b_d], a[b_d] * b[a_c])
 }
 
 #[cfg(test)]

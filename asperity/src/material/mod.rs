@@ -5,14 +5,17 @@
 //! - `elasticity`: bulk and shear modulus; Poisson's ratio is constant;
 //! - `flow`, `return_map`: stress and plastic strain at the end of a step, `strain_rate`: Λ over it;
 //! - `tensor`, `log_strain`, `log_moduli`: finite strain, E = ½ ln C and its derivatives;
-//! - `lanes`: arithmetic on several angles at once.
+//! - `lanes`: arithmetic on several angles at once, `elementary`: powers, exponentials and logarithms for it,
+//!   `instruction_set`: kernels with the widest vector instructions of the processor.
 //!
 //! Depends on `crate::scene` alone. Stresses in units of σ_Y(T₀, ε_p = 0), temperatures as the rise θ = T − T₀ in
 //! kelvin,
 //! times in seconds. Chapters "One asperity" and "Integration of plastic flow" of the book.
 
 pub(crate) mod elasticity;
+mod elementary;
 mod flow;
+pub(crate) mod instruction_set;
 pub(crate) mod lanes;
 pub(crate) mod log_moduli;
 pub(crate) mod log_strain;
@@ -21,7 +24,7 @@ mod strain_rate;
 pub(crate) mod tensor;
 
 use crate::material::elasticity::Moduli;
-use crate::material::lanes::{Lanes, powers};
+use crate::material::lanes::{Lanes, lanes, powers};
 use crate::scene::curve::{Curve, interpolate};
 use crate::scene::{Hardening, Material, Rate, Softening};
 pub use flow::StrainPath;
@@ -50,12 +53,15 @@ pub struct Solid {
 }
 
 /// f(T) of each temperature, K; the same as [`Softening::factor`].
+#[inline(always)]
 fn softening_of<const W: usize>(law: &Softening, temperature: &Lanes<W>) -> Lanes<W> {
     match law {
         Softening::None => [1.0; W],
         Softening::JohnsonCook { reference, melting, exponent } => {
-            let homologous = temperature.map(|t| ((t - reference) / (melting - reference)).clamp(0.0, 1.0));
-            powers(&homologous, *exponent).map(|power| 1.0 - power)
+            let homologous =
+                lanes(|l| ((temperature[l] - reference) / (melting - reference)).clamp(0.0, 1.0));
+            let power: Lanes<W> = powers(&homologous, *exponent);
+            lanes(|l| 1.0 - power[l])
         }
         Softening::Table { temperature: knots, factor } => {
             temperature.map(|t| interpolate(knots, factor, t).0)
@@ -97,9 +103,10 @@ impl Solid {
     }
 
     /// The same of each rise.
+    #[inline(always)]
     pub fn softening_factors<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
-        let temperature = rise.map(|rise| self.initial_temperature + rise);
-        softening_of(&self.softening, &temperature).map(|factor| factor / self.initial_factor)
+        let factor: Lanes<W> = softening_of(&self.softening, &lanes(|l| self.initial_temperature + rise[l]));
+        lanes(|l| factor[l] / self.initial_factor)
     }
 
     /// Lower bound of the softening factor for rises between `coldest`, evaluated only near yield, and `hottest`.
@@ -128,9 +135,10 @@ impl Solid {
     }
 
     /// Volumetric thermal strain 3∫α dT of each rise.
+    #[inline(always)]
     pub fn thermal_dilatation<const W: usize>(&self, rise: &Lanes<W>) -> Lanes<W> {
         match &self.expansion {
-            Expansion::Constant(alpha) => rise.map(|rise| 3.0 * alpha * rise),
+            Expansion::Constant(alpha) => lanes(|l| 3.0 * alpha * rise[l]),
             Expansion::Varying(alpha) => rise.map(|rise| 3.0 * alpha.integral(rise)),
         }
     }
@@ -151,22 +159,24 @@ impl Solid {
     }
 
     /// The same of each strain.
+    #[inline(always)]
     fn hardened_lanes<const W: usize>(&self, strain: &Lanes<W>) -> (Lanes<W>, Lanes<W>) {
         match &self.hardening {
             Hardening::None => ([1.0; W], [0.0; W]),
             Hardening::Linear { modulus } => {
                 let slope = modulus / self.yield_strength;
-                (strain.map(|strain| 1.0 + slope * strain), [slope; W])
+                (lanes(|l| 1.0 + slope * strain[l]), [slope; W])
             }
             Hardening::JohnsonCook { modulus, exponent } => {
                 let b = modulus / self.yield_strength;
                 let at_zero = if *exponent < 1.0 { f64::INFINITY } else { b };
-                let power = powers(strain, *exponent).map(|power| b * power);
-                let slope = std::array::from_fn(|l| match strain[l] <= 0.0 {
-                    true => at_zero,
-                    false => exponent * power[l] / strain[l],
+                let power: Lanes<W> = powers(strain, *exponent);
+                let power: Lanes<W> = lanes(|l| b * power[l]);
+                let slope = lanes(|l| {
+                    let slope = exponent * power[l] / strain[l];
+                    if strain[l] <= 0.0 { at_zero } else { slope }
                 });
-                (std::array::from_fn(|l| if strain[l] <= 0.0 { 1.0 } else { 1.0 + power[l] }), slope)
+                (lanes(|l| if strain[l] <= 0.0 { 1.0 } else { 1.0 + power[l] }), slope)
             }
             Hardening::Table { plastic_strain, factor } => {
                 let values = strain.map(|strain| interpolate(plastic_strain, factor, strain));

@@ -2,7 +2,7 @@
 
 use super::Solid;
 use super::strain_rate::StepRate;
-use crate::material::lanes::{Lanes, powers};
+use crate::material::lanes::{Lanes, lanes, powers};
 use crate::scene::Hardening;
 
 /// Points whose elastic stress is above the yield strength. G is that of T₀: where the moduli have changed, stress
@@ -43,6 +43,7 @@ impl Solid {
     /// passes it. For a power law, with its infinite initial slope, it starts where the elastic and the hardening part
     /// each take up half of the excess. A bracket secures laws that are not concave, and the reference strain rate, where
     /// the slope jumps.
+    #[inline(always)]
     pub fn return_map<const W: usize>(&self, trial: &Trial<W>) -> Return<W> {
         let rate = self.rate_over(trial.time_step);
         let stiffness = 3.0 * self.moduli.shear;
@@ -112,13 +113,14 @@ impl Solid {
         increment: &Lanes<W>,
         rate: Option<StepRate>,
     ) -> (Lanes<W>, Lanes<W>) {
-        let (strength, slope) = self.hardened_lanes(&std::array::from_fn(|l| strain[l] + increment[l]));
+        let (strength, slope) = self.hardened_lanes(&lanes(|l| strain[l] + increment[l]));
         let Some(rate) = rate else { return (strength, slope) };
         let (factor, growth) = rate.factors(increment);
-        let rated = std::array::from_fn(|l| factor[l] * strength[l]);
-        (rated, std::array::from_fn(|l| factor[l] * slope[l] + growth[l] * strength[l]))
+        let rated = lanes(|l| factor[l] * strength[l]);
+        (rated, lanes(|l| factor[l] * slope[l] + growth[l] * strength[l]))
     }
 
+    #[inline(always)]
     fn first_guess<const W: usize>(
         &self,
         trial: &Trial<W>,
@@ -126,13 +128,13 @@ impl Solid {
         high: &Lanes<W>,
     ) -> Lanes<W> {
         let guessed = |l: usize| trial.guess[l] > 0.0 && trial.guess[l] < high[l];
-        let mut x = std::array::from_fn(|l| if pending[l] && guessed(l) { trial.guess[l] } else { 0.0 });
+        let mut x = lanes(|l| if pending[l] && guessed(l) { trial.guess[l] } else { 0.0 });
         let Hardening::JohnsonCook { modulus, exponent } = &self.hardening else { return x };
         let fresh: [bool; W] = std::array::from_fn(|l| {
             pending[l] && !guessed(l) && trial.strain[l] <= 0.0 && trial.softening[l] > 0.0
         });
         if fresh.contains(&true) {
-            let share: Lanes<W> = std::array::from_fn(|l| {
+            let share: Lanes<W> = lanes(|l| {
                 let b = trial.softening[l] * modulus / self.yield_strength;
                 let excess = trial.stress[l] - trial.softening[l] * trial.strength[l];
                 if fresh[l] { 0.5 * excess / b } else { 1.0 }

@@ -1,7 +1,7 @@
 //! Growth of the strength with the strain rate over a step of time.
 
 use super::Solid;
-use crate::material::lanes::{Lanes, logarithms};
+use crate::material::lanes::{Lanes, lanes, logarithms};
 use crate::scene::Rate;
 
 /// Johnson & Cook's factor 1 + C ln(max(ε̇_p/ε̇₀, 1)) over a step of length Δt: ε̇_p = Δε_p/Δt.
@@ -27,9 +27,13 @@ impl Solid {
 
 impl StepRate {
     /// The factor at increments of ε_p, and its derivative.
+    #[inline(always)]
     pub(super) fn factors<const W: usize>(self, increment: &Lanes<W>) -> (Lanes<W>, Lanes<W>) {
-        let logs = logarithms(&increment.map(|x| (x / self.reference).max(1.0)));
-        let slope = |x: f64| if x > self.reference { self.coefficient / x } else { 0.0 };
-        (logs.map(|log| 1.0 + self.coefficient * log), increment.map(slope))
+        let logs: Lanes<W> = logarithms(&lanes(|l| (increment[l] / self.reference).max(1.0)));
+        let slope = lanes(|l| {
+            let slope = self.coefficient / increment[l];
+            if increment[l] > self.reference { slope } else { 0.0 }
+        });
+        (lanes(|l| 1.0 + self.coefficient * logs[l]), slope)
     }
 }

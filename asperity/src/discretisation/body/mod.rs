@@ -13,10 +13,11 @@
 //! flow" of the book.
 
 use crate::discretisation::collocation::VECTOR_PARITY;
-use crate::discretisation::element::{CORNERS, POINTS, RevolvedMesh, VALUES, shape_at_points};
+use crate::discretisation::element::{CORNERS, POINTS, RevolvedMesh, shape_at_points};
 use crate::material::Solid;
+use crate::material::instruction_set::dispatch;
 use crate::material::lanes::Pack;
-use wide::{f64x4, f64x8};
+use wide::f64x4;
 
 mod energies;
 mod finite_strain;
@@ -128,59 +129,74 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent. The force of an inverted element is NaN.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        // Several points share a vector register where the angles alone do not fill it.
-        match self.mesh.sectors.columns() {
-            1 => self.force_by_lanes::<1, 4, 4, f64, f64x4>(u, rise, force),
-            4 => self.force_by_lanes::<4, 2, 8, f64x4, f64x8>(u, rise, force),
-            n if n.is_multiple_of(8) => self.force_by_lanes::<8, 1, 8, f64x8, f64x8>(u, rise, force),
-            _ => self.force_by_lanes::<4, 1, 4, f64x4, f64x4>(u, rise, force),
-        }
+        dispatch! { <E> fn(
+            body: &mut Body = self,
+            u: &[f64] = u,
+            rise: Option<&[f64]> = rise,
+            force: &mut [f64] = force,
+        ) {
+            force.fill(0.0);
+            body.on_slope.fill(0.0);
+            body.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut body.slope);
+            // Several points share a vector register where the angles alone do not fill it.
+            match body.mesh.sectors.columns() {
+                1 => body.force_by_lanes::<1, 4, 4, f64, f64x4>(u, rise, force),
+                4 => body.force_by_lanes::<4, 2, 8, f64x4, E>(u, rise, force),
+                n if n.is_multiple_of(8) => body.force_by_lanes::<8, 1, 8, E, E>(u, rise, force),
+                _ => body.force_by_lanes::<4, 1, 4, f64x4, f64x4>(u, rise, force),
+            }
+            body.mesh.sectors.add_transposed(&VECTOR_PARITY, &body.on_slope, force);
+        }}
     }
 
     /// W angles at a time, which fill A, and P points of them, which fill the N lanes of V.
+    #[inline(always)]
     fn force_by_lanes<const W: usize, const P: usize, const N: usize, A: Pack, V: Pack>(
         &mut self,
         u: &[f64],
         rise: Option<&[f64]>,
         force: &mut [f64],
     ) {
-        if let Some(mut tangent) = self.finite_strain.take() {
-            self.assemble::<W, A>(u, force, |body, e, first, displacement| {
-                body.finite_strain_force::<W, P, N, A, V>(e, first, displacement, rise, &mut tangent)
-            });
-            self.finite_strain = Some(tangent);
-        } else if self.solid.stiffness_varies() {
-            self.assemble::<W, A>(u, force, |body, e, first, displacement| {
-                body.small_strain_force::<W, P, N, A, V, true>(e, first, displacement, rise)
-            });
-        } else {
-            self.assemble::<W, A>(u, force, |body, e, first, displacement| {
-                body.small_strain_force::<W, P, N, A, V, false>(e, first, displacement, rise)
-            });
+        match (self.finite_strain.is_some(), self.solid.stiffness_varies()) {
+            (true, _) => self.assemble::<W, P, N, A, V, true, false>(u, rise, force),
+            (false, true) => self.assemble::<W, P, N, A, V, false, true>(u, rise, force),
+            (false, false) => self.assemble::<W, P, N, A, V, false, false>(u, rise, force),
         }
     }
 
-    /// Sum over the elements of the forces that `kernel` gives for the displacement of an element's corners.
+    /// Sum over the elements of the forces on their corners. FINITE: strain measure; VARYING: whether the moduli depend
+    /// on temperature, at small strain.
     #[inline(always)]
-    fn assemble<const W: usize, A: Pack>(
+    fn assemble<
+        const W: usize,
+        const P: usize,
+        const N: usize,
+        A: Pack,
+        V: Pack,
+        const FINITE: bool,
+        const VARYING: bool,
+    >(
         &mut self,
         u: &[f64],
+        rise: Option<&[f64]>,
         force: &mut [f64],
-        mut kernel: impl FnMut(&mut Self, usize, usize, &[[A; VALUES]; CORNERS]) -> [[A; VALUES]; CORNERS],
     ) {
-        force.fill(0.0);
-        self.on_slope.fill(0.0);
-        self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
+        let mut finite_strain = self.finite_strain.take();
         for e in 0..self.mesh.elements.len() {
             for first in (0..self.mesh.sectors.columns()).step_by(W) {
                 let displacement =
                     self.mesh.gather_vector::<A>(u, &self.slope, &self.mesh.elements[e], first);
-                let of_element = kernel(self, e, first, &displacement);
+                let of_element = match &mut finite_strain {
+                    Some(tangent) if FINITE => {
+                        self.finite_strain_force::<W, P, N, A, V>(e, first, &displacement, rise, tangent)
+                    }
+                    _ => self.small_strain_force::<W, P, N, A, V, VARYING>(e, first, &displacement, rise),
+                };
                 let element = &self.mesh.elements[e];
                 self.mesh.scatter_vector(&of_element, element, first, force, &mut self.on_slope);
             }
         }
-        self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
+        self.finite_strain = finite_strain;
     }
 
     /// Angles that are computed together.
@@ -206,11 +222,27 @@ impl Body {
     /// Product of the stiffness loss, elastic stiffness at T₀ minus consistent tangent at the last internal force, with
     /// a displacement. Reads and writes the entries of the zone alone: elsewhere the product is zero.
     pub fn stiffness_loss(&mut self, zone: &InelasticZone, u: &[f64], force: &mut [f64]) {
-        match self.mesh.sectors.columns() {
-            1 => self.stiffness_loss_lanes::<1, 4, f64, f64x4>(zone, u, force),
-            n if n.is_multiple_of(8) => self.stiffness_loss_lanes::<8, 1, f64x8, f64x8>(zone, u, force),
-            _ => self.stiffness_loss_lanes::<4, 1, f64x4, f64x4>(zone, u, force),
-        }
+        dispatch! { <E> fn(
+            body: &mut Body = self,
+            zone: &InelasticZone = zone,
+            u: &[f64] = u,
+            force: &mut [f64] = force,
+        ) {
+            for run in zone.entries.iter() {
+                force[run.clone()].fill(0.0);
+                body.on_slope[run.clone()].fill(0.0);
+                body.mesh.sectors.differentiate(&VECTOR_PARITY, &u[run.clone()], &mut body.slope[run]);
+            }
+            match body.mesh.sectors.columns() {
+                1 => body.stiffness_loss_lanes::<1, 4, f64, f64x4>(zone, u, force),
+                n if n.is_multiple_of(8) => body.stiffness_loss_lanes::<8, 1, E, E>(zone, u, force),
+                _ => body.stiffness_loss_lanes::<4, 1, f64x4, f64x4>(zone, u, force),
+            }
+            for run in zone.entries.iter() {
+                let (on_slope, force) = (&body.on_slope[run.clone()], &mut force[run]);
+                body.mesh.sectors.add_transposed(&VECTOR_PARITY, on_slope, force);
+            }
+        }}
     }
 
     /// Product with the consistent tangent itself.

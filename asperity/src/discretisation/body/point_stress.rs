@@ -61,12 +61,12 @@ impl Body {
         let stale = self.tangent.flows[at.e * at.lanes + at.first];
         let two_shear = 2.0 * self.solid.moduli.shear;
         let mut squared = V::splat(0.0);
-        let mut stress: [V; TENSOR] = std::array::from_fn(|i| {
+        let mut stress = [V::splat(0.0); TENSOR];
+        for i in 0..TENSOR {
             let plastic = V::load(&self.committed.plastic_strain[at.tensor(i)..]);
-            let component = V::splat(two_shear) * (deviator[i] - plastic);
-            squared = (V::splat(if i < 3 { 1.5 } else { 3.0 }) * component).mul_add(component, squared);
-            component
-        });
+            stress[i] = V::splat(two_shear) * (deviator[i] - plastic);
+            squared = (V::splat(if i < 3 { 1.5 } else { 3.0 }) * stress[i]).mul_add(stress[i], squared);
+        }
         let yielding = self.yielding(at, &lanes_of(squared), &heat);
         let any = yielding.any;
         // First guess: the increment of the previous iteration.
@@ -153,7 +153,10 @@ impl Body {
                 (0..N).for_each(|l| start[l] /= before[l]);
             }
         }
-        let elastic: [Lanes<N>; TENSOR] = stress.map(lanes_of);
+        let mut elastic = [[0.0; N]; TENSOR];
+        for (elastic, stress) in elastic.iter_mut().zip(&*stress) {
+            stress.store(elastic);
+        }
         let path = StrainPath {
             flowing,
             start: &start,

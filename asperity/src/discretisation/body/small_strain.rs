@@ -48,7 +48,8 @@ impl Body {
         for chunk in (0..POINTS).step_by(P) {
             let mut deviator = [V::splat(0.0); TENSOR];
             for (i, component) in deviator.iter_mut().enumerate() {
-                let of_points: [A; P] = std::array::from_fn(|p| deviators[chunk + p][i]);
+                let mut of_points = [A::splat(0.0); P];
+                (0..P).for_each(|p| of_points[p] = deviators[chunk + p][i]);
                 *component = joined::<W, A, V>(&of_points);
             }
             let (stress, flowing) =

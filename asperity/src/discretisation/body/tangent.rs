@@ -6,6 +6,7 @@
 
 use super::point_stress::Points;
 use super::{Body, TENSOR};
+#[cfg(test)]
 use crate::discretisation::collocation::VECTOR_PARITY;
 #[cfg(test)]
 use crate::discretisation::elastic;
@@ -52,18 +53,14 @@ impl Body {
         self.finite_strain.as_ref().is_some_and(|tangent| !tangent.is_small(at))
     }
 
-    /// W angles at a time, which fill A, and P points of them, which fill V.
+    /// Sum over the elements of the zone; W angles at a time, which fill A, and P points of them, which fill V.
+    #[inline(always)]
     pub(super) fn stiffness_loss_lanes<const W: usize, const P: usize, A: Pack, V: Pack>(
         &mut self,
         zone: &InelasticZone,
         u: &[f64],
         force: &mut [f64],
     ) {
-        for run in zone.entries.iter() {
-            force[run.clone()].fill(0.0);
-            self.on_slope[run.clone()].fill(0.0);
-            self.mesh.sectors.differentiate(&VECTOR_PARITY, &u[run.clone()], &mut self.slope[run]);
-        }
         let lanes = self.mesh.sectors.columns();
         for e in zone.elements.iter().map(|&e| e as usize) {
             let element = &self.mesh.elements[e];
@@ -80,9 +77,6 @@ impl Body {
                 };
                 self.mesh.scatter_vector(&loss, element, first, force, &mut self.on_slope);
             }
-        }
-        for run in zone.entries.iter() {
-            self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope[run.clone()], &mut force[run]);
         }
     }
 

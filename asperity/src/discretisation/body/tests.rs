@@ -4,6 +4,7 @@ use super::energies::MechanicalEnergies;
 use super::*;
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
+use crate::material::instruction_set;
 use crate::material::tests::steel;
 use crate::scene::{Hardening, Material, Rate, TemperatureDependence, TemperatureTable};
 
@@ -251,4 +252,32 @@ fn axisymmetric_and_revolved_bodies_agree() {
     }
     let (strain, alike) = (round.trial.largest_plastic_strain(), flat.committed.largest_plastic_strain());
     assert!((strain - alike).abs() < 1e-12 * alike);
+}
+
+/// Kernels for AVX-512 and those of the program give the same bits; also on a processor without AVX-512 the groups of
+/// lanes are covered.
+#[test]
+fn instruction_sets_agree_bit_for_bit() {
+    let hardening = Hardening::JohnsonCook { modulus: 510e6, exponent: 0.26 };
+    for (count, finite) in [1, 4, 8, 12, 16].into_iter().flat_map(|count| [(count, false), (count, true)]) {
+        let mut body = body_with(hardening.clone(), Collocation::full(count), varying());
+        if finite {
+            body = body.at_finite_strain();
+        }
+        let u = wave(body.mesh.field_length(3), if finite { 3e-4 } else { 1e-4 }, 0.0);
+        let rise: Vec<f64> =
+            wave(body.mesh.field_length(1), 100.0, 0.5).iter().map(|rise| 150.0 + rise).collect();
+        let compute = || {
+            let (mut body, mut force, mut loss) = (body.clone(), vec![0.0; u.len()], vec![0.0; u.len()]);
+            body.internal_force(&u, Some(&rise), &mut force);
+            assert!(body.tangent.flows.contains(&true));
+            let zone = body.inelastic_zone();
+            body.stiffness_loss(&zone, &wave(u.len(), 1.0, 0.3), &mut loss);
+            let state = [body.trial.plastic_strain, body.trial.deviator, body.trial.accumulated];
+            [force, loss, state.concat()].concat()
+        };
+        let (widest, narrow) = (compute(), instruction_set::narrow(compute));
+        assert!(widest.iter().zip(&narrow).all(|(a, b)| a.to_bits() == b.to_bits()), "{count} {finite}");
+        assert!(widest.iter().all(|x| x.is_finite()), "{count} {finite}");
+    }
 }

@@ -249,6 +249,12 @@ impl RevolvedMesh {
     }
 }
 
+/// Adds factor·value.
+#[inline(always)]
+fn add<V: Pack>(sum: &mut V, factor: f64, value: V) {
+    *sum = V::splat(factor).mul_add(value, *sum);
+}
+
 /// Deviatoric strains of all Gauss points and the mean dilatation of the element (B̄).
 #[inline(always)]
 pub fn deviators_and_dilatation<V: Pack>(
@@ -268,16 +274,15 @@ pub fn deviators_and_dilatation<V: Pack>(
         let e = &mut strains[q];
         for ((n, v), hoop) in element.shape[q].iter().zip(values).zip(&hoop) {
             let (half_dr, half_dz, half_over_r) = (0.5 * n.dr, 0.5 * n.dz, 0.5 * n.over_r);
-            let mut add = |i: usize, factor: f64, value: V| e[i] = V::splat(factor).mul_add(value, e[i]);
-            add(0, n.dr, v[0]);
-            add(1, n.over_r, *hoop);
-            add(2, n.dz, v[2]);
-            add(3, half_dr - half_over_r, v[1]);
-            add(3, half_over_r, v[3]);
-            add(4, half_dz, v[1]);
-            add(4, half_over_r, v[5]);
-            add(5, half_dr, v[2]);
-            add(5, half_dz, v[0]);
+            add(&mut e[0], n.dr, v[0]);
+            add(&mut e[1], n.over_r, *hoop);
+            add(&mut e[2], n.dz, v[2]);
+            add(&mut e[3], half_dr - half_over_r, v[1]);
+            add(&mut e[3], half_over_r, v[3]);
+            add(&mut e[4], half_dz, v[1]);
+            add(&mut e[4], half_over_r, v[5]);
+            add(&mut e[5], half_dr, v[2]);
+            add(&mut e[5], half_dz, v[0]);
         }
         let trace = e[0] + e[1] + e[2];
         dilatation = V::splat(element.weight[q] * inverse_volume).mul_add(trace, dilatation);
@@ -294,16 +299,15 @@ pub fn stress_force<V: Pack>(element: &Element, stress: &[[V; 6]; POINTS]) -> [[
     let mut force = [[V::splat(0.0); VALUES]; CORNERS];
     for (shape, s) in element.shape.iter().zip(stress) {
         for (n, f) in shape.iter().zip(&mut force) {
-            let mut add = |i: usize, factor: f64, value: V| f[i] = V::splat(factor).mul_add(value, f[i]);
-            add(0, n.dr, s[0]);
-            add(0, n.dz, s[5]);
-            add(1, n.dr - n.over_r, s[3]);
-            add(1, n.dz, s[4]);
-            add(2, n.dz, s[2]);
-            add(2, n.dr, s[5]);
-            add(3, n.over_r, s[3]);
-            add(4, n.over_r, s[1]);
-            add(5, n.over_r, s[4]);
+            add(&mut f[0], n.dr, s[0]);
+            add(&mut f[0], n.dz, s[5]);
+            add(&mut f[1], n.dr - n.over_r, s[3]);
+            add(&mut f[1], n.dz, s[4]);
+            add(&mut f[2], n.dz, s[2]);
+            add(&mut f[2], n.dr, s[5]);
+            add(&mut f[3], n.over_r, s[3]);
+            add(&mut f[4], n.over_r, s[1]);
+            add(&mut f[5], n.over_r, s[4]);
         }
     }
     // The hoop stress works on u_r + ∂u_θ/∂θ.

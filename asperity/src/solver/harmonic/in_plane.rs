@@ -14,6 +14,7 @@ pub const ENTRIES: [(usize, usize); 4] = [(0, 0), (0, 2), (2, 0), (2, 2)];
 
 impl BlockTriangle<f32> {
     /// Eliminates block columns, which rise.
+    #[inline(always)]
     pub fn forward_in_plane(&self, x: &mut [f32], columns: impl Iterator<Item = usize>) {
         let (x, _) = x.as_chunks_mut::<NODE>();
         let (diagonal, _) = self.diagonal.as_chunks::<6>();
@@ -33,6 +34,7 @@ impl BlockTriangle<f32> {
     }
 
     /// Substitutes block columns back, which fall.
+    #[inline(always)]
     pub fn backward_in_plane(&self, x: &mut [f32], columns: impl Iterator<Item = usize>) {
         let (x, _) = x.as_chunks_mut::<NODE>();
         let (diagonal, _) = self.diagonal.as_chunks::<6>();

@@ -21,6 +21,7 @@ pub use single::SingleFactors;
 use sweeps::BlockTriangle;
 
 use crate::discretisation::collocation::{Collocation, Parity, VECTOR_PARITY};
+use crate::material::instruction_set::dispatch;
 use crate::material::lanes::{dot, small_product};
 
 /// Nodal values that an operator acts on.
@@ -152,12 +153,16 @@ impl HarmonicFactors {
 
     /// Eliminates the interior: on return the contact part of `modal` is the reduced force.
     pub fn forward(&self, modal: &mut [f64]) {
-        self.triangle.forward::<1>(modal, 0..self.interior);
+        dispatch! { <E> fn(factors: &HarmonicFactors = self, modal: &mut [f64] = modal) {
+            factors.triangle.forward::<1>(modal, 0..factors.interior);
+        }}
     }
 
     /// Substitutes back, given the contact part of `modal` as displacement.
     pub fn backward(&self, modal: &mut [f64]) {
-        self.triangle.backward::<1, 4>(modal, (0..self.interior).rev());
+        dispatch! { <E> fn(factors: &HarmonicFactors = self, modal: &mut [f64] = modal) {
+            factors.triangle.backward::<1, 4>(modal, (0..factors.interior).rev());
+        }}
     }
 
     /// Harmonics of a nodal force.

@@ -10,6 +10,7 @@ use std::ops::Range;
 
 use super::sweeps::BlockTriangle;
 use super::{FieldKind, HarmonicFactors, in_plane};
+use crate::material::instruction_set::dispatch;
 
 /// Components of a node.
 const SIZE: usize = 3;
@@ -228,20 +229,24 @@ impl SingleFactors {
 
     /// Eliminates `places`, which rise.
     pub fn forward(&self, x: &mut [f32], places: &[u32]) {
-        let columns = places.iter().map(|&j| j as usize);
-        match self.harmonics() {
-            1 => self.triangle.forward_in_plane(x, columns),
-            _ => self.triangle.forward::<SIZE>(x, columns),
-        }
+        dispatch! { <E> fn(single: &SingleFactors = self, x: &mut [f32] = x, places: &[u32] = places) {
+            let columns = places.iter().map(|&j| j as usize);
+            match single.harmonics() {
+                1 => single.triangle.forward_in_plane(x, columns),
+                _ => single.triangle.forward::<SIZE>(x, columns),
+            }
+        }}
     }
 
     /// Substitutes `places` back, which rise, given the displacement of what they are eliminated into.
     pub fn backward(&self, x: &mut [f32], places: &[u32]) {
-        let columns = places.iter().rev().map(|&j| j as usize);
-        match self.harmonics() {
-            1 => self.triangle.backward_in_plane(x, columns),
-            _ => self.triangle.backward::<SIZE, 1>(x, columns),
-        }
+        dispatch! { <E> fn(single: &SingleFactors = self, x: &mut [f32] = x, places: &[u32] = places) {
+            let columns = places.iter().rev().map(|&j| j as usize);
+            match single.harmonics() {
+                1 => single.triangle.backward_in_plane(x, columns),
+                _ => single.triangle.backward::<SIZE, 1>(x, columns),
+            }
+        }}
     }
 }
 

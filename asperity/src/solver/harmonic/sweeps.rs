@@ -71,6 +71,7 @@ impl<T: Real> BlockTriangle<T> {
     }
 
     /// Eliminates block columns, which rise.
+    #[inline(always)]
     pub fn forward<const C: usize>(&self, x: &mut [T], columns: impl Iterator<Item = usize> + Clone) {
         // N_θ is one or a multiple of four.
         match self.lanes {
@@ -86,6 +87,7 @@ impl<T: Real> BlockTriangle<T> {
     }
 
     /// Substitutes block columns back, which fall, given the values that they are eliminated into; G blocks at a time.
+    #[inline(always)]
     pub fn backward<const C: usize, const G: usize>(
         &self,
         x: &mut [T],

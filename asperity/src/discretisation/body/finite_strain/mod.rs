@@ -133,7 +133,9 @@ impl Body {
         for (chunk, gradient) in gradients[..POINTS / P].iter_mut().enumerate() {
             let chunk = chunk * P;
             *gradient = displacement_gradient(&self.shapes_at::<W, P, V>(e, chunk), values);
-            largest = gradient.as_flattened().iter().fold(largest, |largest, &h| h.larger(largest));
+            for &h in gradient.as_flattened() {
+                largest = h.larger(largest);
+            }
             let of_points = volume_excess(gradient);
             for p in 0..P {
                 let (point, share) = (unpack::<W, V>(of_points, p), weight[chunk + p] / volume);
@@ -221,8 +223,10 @@ impl Body {
         heat: &ElementHeat<W>,
     ) -> (Symmetric<V>, bool) {
         let third = V::splat(1.0 / 3.0) * (log_strain[0] + log_strain[1] + log_strain[2]);
-        let deviator: Symmetric<V> =
-            std::array::from_fn(|v| if v < 3 { log_strain[v] - third } else { log_strain[v] });
+        let mut deviator = *log_strain;
+        for normal in &mut deviator[..3] {
+            *normal = *normal - third;
+        }
         self.point_stress::<W, N, V>(points, &deviator, heat)
     }
 
@@ -236,11 +240,15 @@ impl Body {
     ) -> LogModuli<V> {
         let coefficient = |i: usize| V::load(&self.tangent.coefficients[points.coefficient(i)..]);
         let stiffness = stiffness.map_or(V::splat(1.0), |factor| pack::<W, P, V>(|_| factor));
+        let mut direction = [V::splat(0.0); 6];
+        for (i, component) in direction.iter_mut().enumerate() {
+            *component = coefficient(2 + i);
+        }
         LogModuli {
             shear: stiffness * coefficient(0),
             radial: stiffness * coefficient(1),
             // Not updated at elastic points, where its factor is zero.
-            direction: flows.then(|| std::array::from_fn(|i| coefficient(2 + i))),
+            direction: if flows { Some(direction) } else { None },
         }
     }
 

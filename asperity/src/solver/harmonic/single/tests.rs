@@ -6,6 +6,7 @@ use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::material::elasticity::Moduli;
+use crate::material::instruction_set;
 use crate::solver::harmonic::HarmonicPattern;
 
 fn factors(sectors: usize) -> HarmonicFactors {
@@ -104,5 +105,29 @@ fn single_precision_solves_what_double_does() {
                 assert!((a - b).abs() < 1e-4 * largest, "{sectors} {rings} {i}: {a} {b}");
             }
         }
+    }
+}
+
+/// Sweeps for AVX-512 and those of the program give the same bits, in both precisions.
+#[test]
+fn instruction_sets_agree_bit_for_bit() {
+    for sectors in [1, 4, 8, 12, 16] {
+        let factors = factors(sectors);
+        let single = SingleFactors::new(&factors);
+        let places: Vec<u32> = single.places_before(0).collect();
+        let force = force(&factors);
+        let sweep = || {
+            let mut x: Vec<f32> = order(&single).iter().map(|&i| force[i] as f32).collect();
+            single.forward(&mut x, &places);
+            single.backward(&mut x, &places);
+            let mut modal = force.clone();
+            factors.forward(&mut modal);
+            factors.backward(&mut modal);
+            (
+                x.iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
+                modal.iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
+            )
+        };
+        assert_eq!(sweep(), instruction_set::narrow(sweep), "{sectors}");
     }
 }
