@@ -88,23 +88,21 @@ impl HarmonicPattern {
         }
         // Unknowns that do not exist on the axis in a harmonic have a unit diagonal and no coupling.
         for m in 0..columns {
+            let mut absent = vec![false; self.unknowns];
             for node in (0..mesh.node_count()).filter(|&n| mesh.meridian.on_axis(n)) {
                 for c in (0..components).filter(|&c| !self.exists_on_axis(c, m)) {
                     let place = self.position[node * components + c];
-                    if place == ABSENT {
-                        continue;
+                    if place != ABSENT {
+                        absent[place as usize] = true;
                     }
-                    let place = place as usize;
-                    for at in self.column_start[place]..self.column_start[place + 1] {
-                        values[at * columns + m] = 0.0;
+                }
+            }
+            for j in 0..self.unknowns {
+                for at in self.column_start[j]..self.column_start[j + 1] {
+                    let i = self.row[at];
+                    if absent[i] || absent[j] {
+                        values[at * columns + m] = f64::from(u8::from(i == j));
                     }
-                    for j in place..self.unknowns {
-                        let column = self.column_start[j]..self.column_start[j + 1];
-                        if let Ok(at) = self.row[column.clone()].binary_search(&place) {
-                            values[(column.start + at) * columns + m] = 0.0;
-                        }
-                    }
-                    values[entry(place, place) * columns + m] = 1.0;
                 }
             }
         }
