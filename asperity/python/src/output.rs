@@ -20,10 +20,10 @@ pub fn distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> PyResult
     check_outputs(inputs, outputs).map_err(|error| errors::input(&error, file.as_deref(), None, &error))
 }
 
-/// Writes a text that appears whole or not at all.
+/// Writes a file that appears whole or not at all.
 #[pyfunction]
-pub fn write_text(path: PathBuf, text: &str) -> PyResult<()> {
+pub fn write_bytes(path: PathBuf, content: &[u8]) -> PyResult<()> {
     let failed =
         |error: std::io::Error| errors::failed(format!("cannot write {}: {error}", path.display()), None);
-    write_atomically(&path, text.as_bytes()).map_err(failed)
+    write_atomically(&path, content).map_err(failed)
 }

@@ -42,15 +42,12 @@ def export(
         InputError: the extension is not known, or the results do not fit together.
     """
     given = [friction] if isinstance(friction, (Friction, str, os.PathLike)) else list(friction)
-    path = output(path)
+    path = output(path, [one for one in given if not isinstance(one, Friction)])
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="asperity-")))
         files = [_file(one, folder / f"friction-{number}.nc") for number, one in enumerate(given)]
         table = _core.friction_table(files, law)
-    if path.suffix.lower() == ".mat":
-        path.write_bytes(_mat(table))
-    else:
-        path.write_text(table.text(path), encoding="utf-8")
+    _core.write_bytes(path, _mat(table) if path.suffix.lower() == ".mat" else table.text(path).encode())
 
 
 def _file(friction: Friction | str | os.PathLike[str], path: Path) -> Path:

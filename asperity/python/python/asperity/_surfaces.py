@@ -57,8 +57,8 @@ class Characterization(Drawn):
                 reason = "peaks of a profile are no summits"
                 raise InputError(f'summits="found": {reason}', None, "summits", reason)
             heights = output(path.with_suffix(".heights.txt"), self._inputs)
-            _core.write_text(heights, self._core.heights_file())
-        _core.write_text(path, self._core.surface_file(heights and heights.name))
+            _core.write_bytes(heights, self._core.heights_file().encode())
+        _core.write_bytes(path, self._core.surface_file(heights and heights.name).encode())
 
     def __str__(self) -> str:
         return self._core.text()
@@ -187,7 +187,7 @@ class Friction(_Predicted, Drawn):
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the report as one HTML file."""
-        _core.write_text(output(path, self._inputs), self._core.report(self._command))
+        _core.write_bytes(output(path, self._inputs), self._core.report(self._command).encode())
 
 
 class Samples(_Predicted):
