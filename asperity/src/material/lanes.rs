@@ -4,15 +4,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use wide::{f64x4, f64x8};
 
-use crate::material::elementary::{exponential, logarithm, power};
+use crate::material::elementary::{exponential, fma, logarithm, power};
 
 pub type Lanes<const W: usize> = [f64; W];
-
-/// a·b + c, fused if the target has that instruction.
-#[inline(always)]
-pub fn fma(a: f64, b: f64, c: f64) -> f64 {
-    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
-}
 
 /// c += a·b for a scalar a.
 #[inline(always)]

@@ -13,7 +13,7 @@
 //! times in seconds. Chapters "One asperity" and "Integration of plastic flow" of the book.
 
 pub(crate) mod elasticity;
-mod elementary;
+pub mod elementary;
 mod flow;
 pub(crate) mod instruction_set;
 pub(crate) mod lanes;

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use crate::material::lanes::{Lanes, fma};
+use crate::material::{elementary::fma, lanes::Lanes};
 use crate::solver::StopRequest;
 
 /// Largest number of columns of a panel: the operands of an update fit into the registers.
