@@ -31,7 +31,7 @@ pub struct Inception {
     pub slip: f64,
     pub friction: f64,
     pub load: f64,
-    /// (work of the flat − change of elastic energy)/A.
+    /// (work of the flat − change of elastic energy)/A; the work of friction is integrated to fourth order.
     pub energy_release: f64,
     /// Uncertainty of the slip between two states, and what friction and G change over it.
     pub slip_bracket: f64,
@@ -102,7 +102,9 @@ impl Inception {
     /// At `slip`, somewhere between the states n − 1 and n.
     fn at(history: &[SlideState], slip: f64, n: usize, criterion: InceptionCriterion) -> Self {
         let state = between(history, slip);
-        let release = |i: &SlideState| if i.area > 0.0 { 2.0 * (i.work - i.elastic) / i.area } else { 0.0 };
+        let curved = work_of_curvature(&history[..=n]);
+        let release =
+            |i: &SlideState| if i.area > 0.0 { (2.0 * (i.work - i.elastic) + curved) / i.area } else { 0.0 };
         let (low, high) = (history[n.saturating_sub(1)], history[n]);
         let width = high.slip - low.slip;
         let share = match criterion {
@@ -120,6 +122,25 @@ impl Inception {
             energy_bracket: share * (release(&high) - release(&low)).abs(),
         }
     }
+}
+
+/// Work of friction between these states beyond that of the trapezoidal rule, by which the increments sum it: h²(Q'₀ − Q'₁)/12
+/// in an increment h, with slopes of parabolas through three states. Over the six to thirteen increments before inception
+/// the rule loses 0.4 to 2 % of G, as Q(s) is concave.
+fn work_of_curvature(history: &[SlideState]) -> f64 {
+    let secants: Vec<(f64, f64)> = history
+        .windows(2)
+        .map(|pair| (pair[1].slip - pair[0].slip, pair[1].friction - pair[0].friction))
+        .filter(|(h, _)| *h > 0.0)
+        .map(|(h, rise)| (h, rise / h))
+        .collect();
+    // Slopes at the inner states, and from the same parabolas at the two ends.
+    let inner = secants.windows(2).map(|w| (w[1].0 * w[0].1 + w[0].0 * w[1].1) / (w[0].0 + w[1].0));
+    let inner: Vec<f64> = inner.collect();
+    let ([first, .., last], [next, .., before]) = (&secants[..], &inner[..]) else { return 0.0 };
+    let slopes: Vec<f64> =
+        [2.0 * first.1 - next].into_iter().chain(inner.iter().copied()).chain([2.0 * last.1 - before]).collect();
+    secants.iter().zip(slopes.windows(2)).map(|((h, _), slope)| h * h * (slope[0] - slope[1]) / 12.0).sum()
 }
 
 /// Of the slip at which the stick area vanishes between the last two states: the difference from that which the two states
@@ -179,6 +200,27 @@ mod tests {
     }
 
     /// Of a stick area that falls linearly a tenth of the interval remains, of one that falls all at once half of it.
+    /// ∫(1 − e^−s) ds in 8 increments of unequal lengths: the correction leaves a fiftieth of the error of the trapezoidal
+    /// rule, and a sixteenth of that in half as long ones.
+    #[test]
+    fn work_is_integrated_to_fourth_order() {
+        let error = |steps: usize| {
+            let slip = |n: usize| 2.0 * (n as f64 / steps as f64).powf(1.2);
+            let state = |n| SlideState { slip: slip(n), friction: 1.0 - (-slip(n)).exp(), ..SlideState::default() };
+            let history: Vec<SlideState> = (0..=steps).map(state).collect();
+            let rule: f64 = history
+                .windows(2)
+                .map(|pair| 0.5 * (pair[1].slip - pair[0].slip) * (pair[0].friction + pair[1].friction))
+                .sum();
+            let exact = 2.0 - (1.0 - (-2.0f64).exp());
+            [rule, rule + work_of_curvature(&history)].map(|work| work - exact)
+        };
+        let ([rule, corrected], [_, finer]) = (error(8), error(16));
+        assert!(corrected.abs() < 0.02 * rule.abs(), "{rule} {corrected}");
+        assert!(finer.abs() < corrected.abs() / 8.0, "{corrected} {finer}");
+        assert_eq!(work_of_curvature(&[SlideState::default(); 3]), 0.0);
+    }
+
     #[test]
     fn inception_is_as_sure_as_the_stick_area_is_smooth() {
         let slides = |fraction: fn(f64) -> f64| {
