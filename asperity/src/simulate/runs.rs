@@ -338,6 +338,7 @@ impl<'a> Runner<'a> {
         };
         let mut slide = Slide::new(problem, mechanics, heat, resolution.increments);
         slide.inception_width = inception_width(self.conditions.softening_at_inception(self.pressed));
+        slide.shears_without_limit = self.pressed.shears_without_limit;
         Ok(slide)
     }
 }

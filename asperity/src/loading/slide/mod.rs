@@ -117,6 +117,9 @@ pub struct Slide<'a> {
     increments: Increments,
     /// Width of the increment in which sliding begins, relative to the slip.
     pub inception_width: f64,
+    /// Whether the body may shear without limit below the interface: then an increment that fails when the elements are
+    /// distorted is not halved, as the result depends on the mesh by then.
+    pub shears_without_limit: bool,
     /// Number of further attempts of which every other one is rejected.
     #[cfg(test)]
     rejecting: usize,
@@ -146,6 +149,7 @@ impl<'a> Slide<'a> {
             cutbacks: 0,
             increments,
             inception_width: increments::INCEPTION_WIDTH,
+            shears_without_limit: false,
             #[cfg(test)]
             rejecting: 0,
         };
@@ -241,8 +245,9 @@ impl<'a> Slide<'a> {
                         return Err(failure);
                     }
                     self.cutbacks += 1;
-                    if !control.cut_back() {
-                        return Err(self.distorted().unwrap_or(failure));
+                    let distorted = self.distorted();
+                    if distorted.is_some() && self.shears_without_limit || !control.cut_back() {
+                        return Err(distorted.unwrap_or(failure));
                     }
                 }
             }

@@ -78,6 +78,22 @@ fn a_cut_back_restores_the_history_completely() {
     assert_eq!(forced.mechanics.displacement, direct.mechanics.displacement);
 }
 
+/// Where the body shears without limit and its elements are distorted, the first step that fails ends the slide.
+#[test]
+fn distorted_elements_end_a_slide_of_a_body_that_shears() {
+    let problem = Problem { finite_strain: true, ..problem_of(&[]) };
+    for (shears, strain, cutbacks) in [(true, 1.0, 1), (true, 0.1, 2), (false, 1.0, 2)] {
+        let mut slide = ready(&problem);
+        slide.shears_without_limit = shears;
+        slide.rejecting = 4;
+        slide.history[0].plastic_strain_max = strain;
+        let distance = 1e-3 * problem.expected_contact_radius();
+        let ended = slide.run(&[slip(FAST, distance)], &|| false, |_, _| {});
+        assert_eq!(slide.cutbacks, cutbacks, "{ended:?}");
+        assert_eq!(matches!(ended, Err(SlideFailure::Distorted { .. })), cutbacks == 1, "{ended:?}");
+    }
+}
+
 /// The states before and after sliding inception are within the width of the bracket, and attempts beyond
 /// inception leave the totals unchanged: work and energies balance.
 #[test]
