@@ -64,7 +64,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     match failure {
         None => reported,
         Some(reason) if reported.is_ok() => Err(Failure::Run(format!(
-            "{reason}; the steps before are in {}; a run cannot be continued, only repeated",
+            "{reason}; the results so far are in {}; a run cannot be continued, only repeated",
             arguments.output.display()
         ))),
         Some(reason) => outputs::all([Err(Failure::Run(reason)), reported]),
