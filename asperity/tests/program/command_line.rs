@@ -51,6 +51,14 @@ fn bad_input_is_refused_before_any_work() {
         ("run scene.toml -o x.svg --plot x.svg".into(), &["--plot and --output are the same file"]),
         ("run scene.toml -o a --vtu a".into(), &["--vtu and --output are the same file"]),
         ("run scene.toml -o a/body.pvd --vtu a".into(), &["a file of --vtu and --output are the same file"]),
+        (
+            "run scene.toml -o a/body-000.vtu --vtu a".into(),
+            &["a file of --vtu and --output are the same file"],
+        ),
+        (
+            "run scene.toml -o body-1234.vtu --vtu ./".into(),
+            &["a file of --vtu and --output are the same file"],
+        ),
         ("tabulate request.toml -o request.toml".into(), &["--output and the request are the same file"]),
         ("convergence scene.toml -o scene.toml".into(), &["--output and the scene are the same file"]),
         ("merge request.toml scene.toml -o scene.toml".into(), &["--output and a shard are the same file"]),
@@ -71,6 +79,15 @@ fn bad_input_is_refused_before_any_work() {
     ] {
         refused(&line, parts);
     }
+}
+
+#[test]
+fn a_scene_with_the_name_of_a_file_of_vtu_is_kept() {
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("body-001.vtu"), SCENE).unwrap();
+    let line = "run body-001.vtu -o run.nc --vtu .";
+    crate::refused(directory.path(), line, &["a file of --vtu and the scene are the same file"]);
 }
 
 #[test]
