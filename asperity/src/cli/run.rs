@@ -61,7 +61,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
             }
         }
     };
-    outcome.account.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
+    outcome.account.add_remarks(remarks);
     outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
     let reported = report(&scene, &outcome, failure.as_deref(), arguments, display);
     match failure {

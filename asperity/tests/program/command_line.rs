@@ -161,6 +161,15 @@ fn a_run_says_what_its_numbers_are_not() {
     assert!(!run(&[]).1.contains(begun));
     assert!(run(&["loading.interference=100", "loading.slip_distance=0.005"]).1.contains(begun));
     assert!(run(&["loading.temperature=700"]).1.contains("yield_strength is taken to hold at"));
+    // Once, with the remedy.
+    let (json, said) = run(&["material.hardening={law=\"none\"}", "loading.interference=5"]);
+    let warnings = said.lines().filter(|line| line.starts_with("warning: ") && line.contains("harden"));
+    assert_eq!(warnings.count(), 1, "{said}");
+    let warnings = json["warnings"].as_array().unwrap().iter();
+    let warnings: Vec<&str> = warnings.filter_map(|text| text.as_str()).collect();
+    let of_hardening = warnings.iter().filter(|text| text.contains("harden"));
+    assert_eq!(of_hardening.count(), 1, "{warnings:?}");
+    assert!(warnings[0].contains("give [material] hardening = "), "{warnings:?}");
 }
 
 /// `-v` prints the notes of cells whether or not the table is a resumed one; tables without a common cell differ.
