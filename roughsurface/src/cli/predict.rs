@@ -115,11 +115,12 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     warn(display, &Warning::condensed(&of_input));
     if display.verbose {
         describe(case.source.law.as_ref(), &case.file.surface);
-    }
-    let started = std::time::Instant::now();
-    let progress = Progress::new(display, "slips");
     let mut settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
+    }
+    let started = std::time::Instant::now();
+        say(format!("note: at their defaults: {}", case.defaults_in_effect(&settings).join(", ")));
+    let progress = Progress::new(display, "slips");
     let show = |done, total| progress.show(done, total);
     let computed = thread_pool(&options.run)?.install(|| case.predict(&models, &settings, &show));
     progress.clear();

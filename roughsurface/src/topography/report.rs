@@ -5,6 +5,10 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use tables::figures::{Axis, Curve, Figure, Panel};
 
+/// Nominal pressures (Pa) and slip rates (m/s) of the query of a surface file.
+pub const PRESSURES: [f64; 3] = [1e5, 1e6, 1e7];
+pub const SLIP_RATES: [f64; 3] = [0.1, 1.0, 10.0];
+
 /// Which summits a surface file is written with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum WhichSummits {
@@ -116,12 +120,13 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
          heights = {distribution}\n\
          \n\
          [query]\n\
-         pressure = [1e5, 1e6, 1e7]         # nominal, Pa\n\
-         slip_rate = [0.1, 1.0, 10.0]       # m/s\n\
+         pressure = [{low:e}, {middle:e}, {high:e}]         # nominal, Pa\n\
+         slip_rate = {SLIP_RATES:?}       # m/s\n\
          hold = \"load\"\n\
          \n\
          # For --table model:NAME give the material of the summits:\n\
          # [material]\n\
+    let [low, middle, high] = PRESSURES;
          # youngs_modulus = 205e9           # Pa\n\
          # poisson_ratio = 0.29\n\
          # yield_strength = 792e6           # Pa\n",
