@@ -83,9 +83,30 @@ pub fn text(found: &Characterization) -> String {
     text
 }
 
-/// As JSON.
+/// As JSON; `units` has the unit of every number at its place.
 pub fn json(found: &Characterization) -> Value {
-    json!(found)
+    let per = if found.points.0 == 1 { "m-1" } else { "m-2" };
+    let summits = json!({ "alpha": "1", "density": "m-2", "radius": "m", "std": "m", "mean_summit": "m" });
+    let mut value = json!(found);
+    value["units"] = json!({
+        "points": "1",
+        "pixel": "m",
+        "size": "m",
+        "cutoff": "m",
+        "reliability_limit": "m",
+        "rms_height": "m",
+        "Sdq": "1",
+        "Rdq": "1",
+        "rms_curvature": "m-1",
+        "moments": { "m0": "m2", "m2": "1", "m4": "m-2", "principal_slopes": "1", "lay_angle": "degree" },
+        "summits": summits,
+        "found": {
+            "count": "1", "density": per, "radius": "m", "mean": "m", "std": "m", "skewness": "1", "kurtosis": "1"
+        },
+        "radius_at_twice_the_cutoff": "1",
+        "other_cutoffs": { "cutoff": "m", "summits": summits },
+    });
+    value
 }
 
 /// A surface file with the summits, ready for `roughsurface predict`; `heights` is the name of the
@@ -105,6 +126,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
             found.summits.mean_summit,
         ),
     };
+    let [low, middle, high] = PRESSURES;
     let plane = if heights.is_some() { "mean plane of the surface" } else { "mean plane of the summits" };
     // A control character could end the comment.
     let source: String = source.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
@@ -126,7 +148,6 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
          \n\
          # For --table model:NAME give the material of the summits:\n\
          # [material]\n\
-    let [low, middle, high] = PRESSURES;
          # youngs_modulus = 205e9           # Pa\n\
          # poisson_ratio = 0.29\n\
          # yield_strength = 792e6           # Pa\n",

@@ -39,7 +39,12 @@ fn one_command_does_what_two_do() {
             found.iter().zip(&expected).all(|(found, mu)| (found / mu - 1.0).abs() < 1e-6),
             "{found:?} {expected:?}"
         );
-        assert_eq!(summary["cutoffs"][index]["mu"][0].as_f64().unwrap(), found[0]);
+        let at = &summary["cutoffs"][index];
+        assert_eq!(at["mu"][0]["value"].as_f64().unwrap(), found[0]);
+        assert!(at["mu"][0]["error"].as_f64().unwrap() > 0.0);
+        for (name, unit) in [("cutoff", "m"), ("asperity_density", "m-2"), ("asperity_radius", "m")] {
+            assert_eq!(at[name]["unit"], unit, "{name}");
+        }
     }
     let warnings = one.attribute_text("warnings").unwrap();
     assert!(warnings.contains("topography: "), "{warnings}");
