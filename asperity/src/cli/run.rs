@@ -1,6 +1,9 @@
 //! `asperity run`: one scene, one file, a summary.
 
+use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::loading::recording::Recording;
@@ -14,8 +17,8 @@ use asperity::simulate::expected_time::expected_time;
 use asperity::simulate::outcome::{Account, ErrorSource, Kernel, Note, Outcome, Warning};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
-use tables::netcdf::check_distinct;
 use tables::netcdf::streams::say;
+use tables::netcdf::{check_distinct, destination};
 use tables::quantity::Quantity;
 
 use super::progress::{self, Progress, watch_for_interrupt};
@@ -58,13 +61,13 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
             }
         }
     };
-    outcome.account.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
+    outcome.account.add_remarks(remarks);
     outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
     let reported = report(&scene, &outcome, failure.as_deref(), arguments, display);
     match failure {
         None => reported,
         Some(reason) if reported.is_ok() => Err(Failure::Run(format!(
-            "{reason}; the steps before are in {}; a run cannot be continued, only repeated",
+            "{reason}; the results so far are in {}; a run cannot be continued, only repeated",
             arguments.output.display()
         ))),
         Some(reason) => outputs::all([Err(Failure::Run(reason)), reported]),
@@ -75,11 +78,21 @@ fn check_outputs(arguments: &RunArguments) -> Result<(), Failure> {
     let inputs = [("the scene", arguments.scene.as_path())];
     let written = outputs::with_plots(&arguments.output, &arguments.plot);
     let Some(directory) = &arguments.vtu else { return outputs::check(&inputs, &written) };
-    let collection = directory.join(vtu::COLLECTION);
-    let all = [&written[..], &[("--vtu", directory), ("a file of --vtu", &collection)]].concat();
+    let files = files_of_vtu(directory, inputs.iter().chain(&written).map(|(_, path)| *path));
+    let mut all = [&written[..], &[("--vtu", directory.as_path())]].concat();
+    all.extend(files.iter().map(|file| ("a file of --vtu", file.as_path())));
     check_distinct(&inputs, &all).map_err(Failure::input)?;
     outputs::check(&inputs, &written)?;
     outputs::check_directory(directory)
+}
+
+/// The files of `--vtu` that are known before the run: the collection, numbered files of the directory, and those that
+/// would have the name of one of the `others`.
+fn files_of_vtu<'a>(directory: &Path, others: impl Iterator<Item = &'a Path>) -> Vec<PathBuf> {
+    let names = others.filter_map(|path| destination(path).file_name().map(OsStr::to_owned));
+    let entries = std::fs::read_dir(directory).into_iter().flatten().flatten().map(|entry| entry.file_name());
+    let numbered: BTreeSet<OsString> = names.chain(entries).filter(|name| vtu::is_numbered(name)).collect();
+    std::iter::once(vtu::COLLECTION.into()).chain(numbered).map(|name| directory.join(name)).collect()
 }
 
 fn report(

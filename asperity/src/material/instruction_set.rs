@@ -14,12 +14,11 @@ macro_rules! dispatch {
             all(target_arch = "x86_64", target_feature = "fma"),
             target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl")
         )]
-        fn wide$(<const $size: usize>)?($($name: $type),*) $(-> $result)? {
+        unsafe fn wide$(<const $size: usize>)?($($name: $type),*) $(-> $result)? {
             kernel::<$crate::material::instruction_set::Wide $(, $size)?>($($name),*)
         }
         if $crate::material::instruction_set::is_wide() {
             // SAFETY: the processor has these instructions.
-            #[allow(unused_unsafe)]
             unsafe { wide($($value),*) }
         } else {
             kernel::<wide::f64x8 $(, $size)?>($($value),*)

@@ -1,6 +1,7 @@
 //! The body for ParaView: one file of an unstructured grid (`.vtu`) per state, and `body.pvd`, the
 //! collection of them over slip in units of a₀.
 
+use std::ffi::OsStr;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -28,6 +29,17 @@ pub enum VtuError {
 /// Name of the collection.
 pub const COLLECTION: &str = "body.pvd";
 
+/// Name of the file of a state.
+fn numbered(number: usize) -> String {
+    format!("body-{number:03}.vtu")
+}
+
+/// Whether a file has the name of one of a state.
+pub fn is_numbered(name: &OsStr) -> bool {
+    let number = name.to_str().and_then(|name| name.strip_prefix("body-")?.strip_suffix(".vtu"));
+    number.is_some_and(|number| number.len() >= 3 && number.bytes().all(|digit| digit.is_ascii_digit()))
+}
+
 /// Of zlib: half of what there is to gain, in a tenth of the time.
 const COMPRESSION: u32 = 3;
 
@@ -50,7 +62,7 @@ pub fn write(directory: &Path, outcome: &Outcome, extent: Extent) -> Result<Path
     let radius = outcome.scalars[Quantity::ContactRadius].value;
     let rises = fields.snapshots.windows(2).all(|pair| pair[1].slip > pair[0].slip);
     for (number, snapshot) in fields.snapshots.iter().enumerate() {
-        let name = format!("body-{number:03}.vtu");
+        let name = numbered(number);
         let path = directory.join(&name);
         write_grid(&path, &body, &body.fields(snapshot)).map_err(|reason| failed(&path, reason))?;
         let moment = if rises { snapshot.slip / radius } else { snapshot.time };

@@ -182,6 +182,18 @@ mod tests {
             ),
             ("numerics.accuracy=1e-150", "numerics.accuracy = 1e-150: must be a number from 1e-6 to 0.5"),
             ("asperity.radius=-1e-80", "asperity.radius = -1e-80: must be"),
+            (
+                "asperity.radius=1e-200",
+                "asperity.radius = 1e-200: must be a positive number from 1e-15 to 1e15 (m)",
+            ),
+            (
+                "loading.slip_rate=1e200",
+                "loading.slip_rate = 1e200: must be zero or a positive number up to 1e6 (m/s",
+            ),
+            (
+                "loading.steps=[{ slip_rate = -1e200, slip_distance = 1 }]",
+                "must be a number from -1e6 to 1e6 other than 0 (m/s)",
+            ),
         ] {
             let error = parse_scene(BRASS, "brass", &[setting.to_owned()]).unwrap_err().to_string();
             assert!(error.contains(message), "{error}");

@@ -44,11 +44,12 @@ impl Conditions {
             )));
         }
         let speed = if heat.is_coupled() { slip_rate / problem.units.speed() } else { 0.0 };
-        // The coarsest mesh of the run decides for all of them.
-        let coarse = pressed.resolution.coarse();
+        // The coarsest mesh of the run decides for all of them: that of the auxiliary runs, or the main one where it has no
+        // coarser ones.
+        let meshes = [pressed.resolution, pressed.resolution.coarse()];
         let fits = |refinements: &u32| {
-            let resolution = Resolution { thermal_layer_refinements: *refinements, ..coarse };
-            resolution.mesh_size(contact_radius).fits()
+            let at = |mesh| Resolution { thermal_layer_refinements: *refinements, ..mesh };
+            meshes.iter().all(|mesh| at(*mesh).mesh_size(contact_radius).fits())
         };
         let wanted = thermal_layer_refinements(speed * contact_radius);
         let thermal_layer_refinements = (1..=wanted).rev().find(fits).unwrap_or(0);

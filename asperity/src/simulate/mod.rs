@@ -95,13 +95,25 @@ pub enum SimulationError {
         stage: &'static str,
         at: String,
         reason: String,
-        /// Converged steps before the failure; the summary is of those.
+        /// Converged steps before the failure, or the best run before one that could not begin; the summary is of those.
         partial: Option<Box<Outcome>>,
     },
     #[error("stopped on request")]
     Cancelled { partial: Option<Box<Outcome>> },
     #[error("not supported: {0}")]
     Unsupported(String),
+}
+
+impl SimulationError {
+    /// The same with the results before it.
+    fn with_partial(self, outcome: Outcome) -> Self {
+        let partial = Some(Box::new(outcome));
+        match self {
+            Self::NotConverged { stage, at, reason, .. } => Self::NotConverged { stage, at, reason, partial },
+            Self::Cancelled { .. } => Self::Cancelled { partial },
+            Self::Unsupported(_) => self,
+        }
+    }
 }
 
 /// Press and slide of a scene.
@@ -206,24 +218,19 @@ fn run_alone(
     let mut run = Runner::new(&pressed, slip_rate, watch)?.run(resolution, progress)?;
     match run.failure.take() {
         None => Ok(run),
-        Some(failure) => Err(slide_error(failure, run.history.last(), &pressed, None)),
+        Some(failure) => Err(slide_error(failure, run.history.last(), &pressed)),
     }
 }
 
 /// The slide failed after the state `last`.
-fn slide_error(
-    failure: SlideFailure,
-    last: Option<&SlideState>,
-    pressed: &Pressed,
-    partial: Option<Box<Outcome>>,
-) -> SimulationError {
+fn slide_error(failure: SlideFailure, last: Option<&SlideState>, pressed: &Pressed) -> SimulationError {
     match failure {
-        SlideFailure::Cancelled => SimulationError::Cancelled { partial },
+        SlideFailure::Cancelled => SimulationError::Cancelled { partial: None },
         failure => SimulationError::NotConverged {
             stage: "slide",
             at: format!("slip {:.4e} m", last.map_or(0.0, |state| state.slip) * pressed.problem.units.length),
             reason: failure.to_string(),
-            partial,
+            partial: None,
         },
     }
 }

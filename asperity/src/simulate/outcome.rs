@@ -73,6 +73,17 @@ pub struct Account {
     pub warnings: Vec<Warning>,
 }
 
+impl Account {
+    /// Remarks about the scene before the warnings of the run; what a remark says with its remedy, no warning repeats.
+    pub fn add_remarks(&mut self, remarks: Vec<String>) {
+        if !remarks.is_empty() {
+            // Its condition is among those of a remark.
+            self.warnings.retain(|warning| *warning != Warning::EqualStrength);
+        }
+        self.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
+    }
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// ω_c, m.

@@ -13,6 +13,7 @@ use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{Hardening, InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::error_budget::ErrorBudget;
+use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
@@ -36,7 +37,10 @@ pub(super) fn report(
     stopped: bool,
     wall_time: f64,
 ) -> Result<Outcome, SimulationError> {
-    let warnings = warnings(runner, ladder.result(), budget.as_ref(), stopped);
+    let obstacle = ladder.obstacle.take();
+    let mut warnings = warnings(runner, ladder.result(), budget.as_ref(), stopped);
+    let Resolution { elements_per_radius, sectors, .. } = ladder.result().resolution;
+    warnings.extend(obstacle.as_ref().map(|_| Warning::NextNotBegun { elements_per_radius, sectors }));
     let account = account(runner, &ladder, warnings, wall_time);
     let mut run = ladder.main.pop().expect("there is a main run");
     let budget = budget.unwrap_or_else(|| {
@@ -45,13 +49,34 @@ pub(super) fn report(
     });
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let outcome = outcome(problem, programme, &mut run, budget, account);
-    let failure = run.failure.or(stopped.then_some(SlideFailure::Cancelled));
-    match failure {
-        None => Ok(outcome),
-        Some(failure) => {
-            Err(slide_error(failure, run.history.last(), runner.pressed, Some(Box::new(outcome))))
+    let error = match obstacle {
+        Some(error) => Some(next_not_begun(error, &run)),
+        None => {
+            let failure = run.failure.or(stopped.then_some(SlideFailure::Cancelled));
+            failure.map(|failure| slide_error(failure, run.history.last(), runner.pressed))
         }
+    };
+    match error {
+        None => Ok(outcome),
+        Some(error) => Err(error.with_partial(outcome)),
     }
+}
+
+/// The reason why no run could follow `run`, with what is reported instead and how to ask for less.
+fn next_not_begun(error: SimulationError, run: &Run) -> SimulationError {
+    let (stage, at, reason) = match error {
+        SimulationError::NotConverged { stage, at, reason, .. } => (stage, at, reason),
+        SimulationError::Unsupported(reason) => ("press", "the mesh of the main run".to_owned(), reason),
+        stopped @ SimulationError::Cancelled { .. } => return stopped,
+    };
+    let Resolution { elements_per_radius, sectors, .. } = run.resolution;
+    let end = if run.failure.is_none() { "complete" } else { "incomplete" };
+    let reason = format!(
+        "{reason}; the results are those of the run before, {end}, with {elements_per_radius} elements per contact \
+         radius and {sectors} sectors; numerics.elements_per_radius = {elements_per_radius} takes its mesh for the main \
+         run, a larger numerics.accuracy its increments"
+    );
+    SimulationError::NotConverged { stage, at, reason, partial: None }
 }
 
 fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_time: f64) -> Account {

@@ -92,14 +92,31 @@ pub(super) struct Ladder {
     pub coarse: Option<Run>,
     /// A finer run that did not finish.
     pub abandoned: Option<Run>,
+    /// Why the runs that had to follow could not begin; the result is then the best of those before.
+    pub obstacle: Option<SimulationError>,
     /// Largest relative error of the quantities controlled by the accuracy, of each main run.
     errors: Vec<f64>,
     pub notes: Vec<Note>,
 }
 
 impl Ladder {
-    fn new(start: Resolution, main: Run, auxiliary: Vec<Run>, notes: Vec<Note>) -> Self {
-        Self { start, auxiliary, main: vec![main], coarse: None, abandoned: None, errors: Vec::new(), notes }
+    fn new(start: Resolution, main: Run, auxiliary: Vec<Run>) -> Self {
+        Self {
+            start,
+            auxiliary,
+            main: vec![main],
+            coarse: None,
+            abandoned: None,
+            obstacle: None,
+            errors: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// The first auxiliary run replaces the main run.
+    fn of_auxiliary(start: Resolution, mut auxiliary: Vec<Run>, obstacle: Option<SimulationError>) -> Self {
+        let coarse = auxiliary.swap_remove(0);
+        Self { obstacle, ..Self::new(start, coarse, auxiliary) }
     }
 
     /// The finest main run.
@@ -161,39 +178,52 @@ impl<'a> Runner<'a> {
         Ok(Self { pressed, conditions, watch, presses: pressed.meshes.clone() })
     }
 
-    /// The auxiliary runs, then the main run with the sectors and increments that they require. Where a
-    /// contact outgrows its mesh, all is repeated on wider ones as long as there is room.
+    /// The runs of the first resolution. Where a contact outgrows its mesh, all is repeated on wider ones as long as
+    /// there is room; where that cannot begin, the runs before are the result.
     pub fn ladder(&mut self) -> Result<Ladder, SimulationError> {
-        let mut start = self.pressed.resolution;
+        let mut ladder = self.runs_from(self.pressed.resolution)?;
         let mut notes = Vec::new();
-        loop {
-            let [coarse, others @ ..] = start.auxiliary();
-            let middle = 0.5 * AUXILIARY;
-            let auxiliary_progress = |span| RunProgress { kind: RunKind::Auxiliary, span };
-            let mut auxiliary = self.run_all(&[coarse], auxiliary_progress((0.0, middle)))?;
-            // Without the first of them errors are unknown, and the others are not needed.
-            if auxiliary[0].failure.is_none() {
-                auxiliary.extend(self.run_all(&others, auxiliary_progress((middle, AUXILIARY)))?);
+        while let Some((growth, wider)) =
+            self.wider(&ladder.start, ladder.auxiliary.iter().chain(&ladder.main))
+        {
+            match self.runs_from(wider) {
+                Ok(wider) => ladder = wider,
+                Err(error) => {
+                    ladder.obstacle = Some(error);
+                    break;
+                }
             }
-            if let Some(wider) = self.wider(&start, &auxiliary, &mut notes) {
-                start = wider;
-                continue;
-            }
-            if auxiliary.iter().any(Run::is_cancelled) {
-                return Ok(Ladder::new(start, coarse_alone(&mut auxiliary), auxiliary, notes));
-            }
-            let resolution = self.main_resolution(&start, &auxiliary);
-            let progress = RunProgress { kind: RunKind::Main, span: (AUXILIARY, MAIN) };
-            let main = match self.run(&resolution, progress) {
-                Err(SimulationError::Cancelled { .. }) => coarse_alone(&mut auxiliary),
-                main => main?,
-            };
-            if let Some(wider) = self.wider(&start, std::slice::from_ref(&main), &mut notes) {
-                start = wider;
-                continue;
-            }
-            return Ok(Ladder::new(start, main, auxiliary, notes));
+            notes.push(Note::Remeshed { growth, room: wider.growth_zone });
         }
+        ladder.notes = notes;
+        Ok(ladder)
+    }
+
+    /// The auxiliary runs of a resolution, then the main run with the sectors and increments that they require. Without
+    /// the main run where an auxiliary one was stopped or has outgrown its mesh, or where the main run cannot begin.
+    fn runs_from(&mut self, start: Resolution) -> Result<Ladder, SimulationError> {
+        let [coarse, others @ ..] = start.auxiliary();
+        let middle = 0.5 * AUXILIARY;
+        let auxiliary_progress = |span| RunProgress { kind: RunKind::Auxiliary, span };
+        let mut auxiliary = self.run_all(&[coarse], auxiliary_progress((0.0, middle)))?;
+        // Without the first of them errors are unknown, and the others are not needed.
+        if auxiliary[0].failure.is_none() {
+            match self.run_all(&others, auxiliary_progress((middle, AUXILIARY))) {
+                Ok(others) => auxiliary.extend(others),
+                Err(error) => return Ok(Ladder::of_auxiliary(start, auxiliary, Some(error))),
+            }
+        }
+        let stopped = auxiliary.iter().any(Run::is_cancelled);
+        if stopped || self.wider(&start, auxiliary.iter()).is_some() {
+            let obstacle = stopped.then_some(SimulationError::Cancelled { partial: None });
+            return Ok(Ladder::of_auxiliary(start, auxiliary, obstacle));
+        }
+        let resolution = self.main_resolution(&start, &auxiliary);
+        let progress = RunProgress { kind: RunKind::Main, span: (AUXILIARY, MAIN) };
+        Ok(match self.run(&resolution, progress) {
+            Ok(main) => Ladder::new(start, main, auxiliary),
+            Err(error) => Ladder::of_auxiliary(start, auxiliary, Some(error)),
+        })
     }
 
     /// Errors of the finest main run; none where a run did not finish.
@@ -218,16 +248,16 @@ impl<'a> Runner<'a> {
         start.refine_other_than_mesh(&self.pressed.numerics, &parts)
     }
 
-    /// A resolution with more room, where one of the runs has outgrown its mesh and the hemisphere has
-    /// that room.
-    fn wider(&self, resolution: &Resolution, runs: &[Run], notes: &mut Vec<Note>) -> Option<Resolution> {
-        let growth = runs.iter().filter_map(Run::outgrown).fold(0.0, f64::max);
+    /// The growth by which one of the runs has outgrown its mesh, and a resolution with more room, if the hemisphere has
+    /// it.
+    fn wider<'r>(
+        &self,
+        resolution: &Resolution,
+        runs: impl Iterator<Item = &'r Run>,
+    ) -> Option<(f64, Resolution)> {
+        let growth = runs.filter_map(Run::outgrown).fold(0.0, f64::max);
         let wider = resolution.wider();
-        if growth == 0.0 || !self.conditions.fits(&wider) {
-            return None;
-        }
-        notes.push(Note::Remeshed { growth, room: wider.growth_zone });
-        Some(wider)
+        (growth > 0.0 && self.conditions.fits(&wider)).then_some((growth, wider))
     }
 
     /// Time spent on presses other than that of the run, s.
@@ -341,10 +371,4 @@ impl<'a> Runner<'a> {
         slide.shears_without_limit = self.pressed.shears_without_limit;
         Ok(slide)
     }
-}
-
-/// Stopped before the main run: the coarse one replaces it.
-fn coarse_alone(auxiliary: &mut Vec<Run>) -> Run {
-    let coarse = auxiliary.swap_remove(0);
-    Run { failure: Some(SlideFailure::Cancelled), ..coarse }
 }

@@ -4,8 +4,8 @@ use tables::quantity::Quantity;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::messages::Note;
-use super::{SimulationError, Unwatched, Watch, simulate};
+use super::messages::{Note, Warning};
+use super::{SimulationError, Unwatched, Watch, press, simulate, slide};
 use crate::heat::expected::HeatEffect;
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
@@ -72,6 +72,42 @@ fn a_stop_is_honoured_in_the_innermost_loops() {
         assert!(after < 100, "{after} questions after the request at {allowed} of {questions}");
     }
     assert!(kept[0] == 0 && kept[kept.len() - 1] > 5, "{kept:?}");
+}
+
+/// Where the main run cannot begin, the finished auxiliary run is the result, and the error says so.
+#[test]
+fn a_main_run_that_cannot_begin_leaves_the_auxiliary_run() {
+    let scene = hot_scene("copper", 2.0, 0.0, "off");
+    let mut pressed = press(&scene, &Unwatched).unwrap();
+    // The fine mesh is to be pressed again, and no mesh can be laid out for a contact as large as the asperity.
+    pressed.meshes.remove(1);
+    pressed.contact_radius = 1.0;
+    let error = slide(&pressed, 0.0, &Unwatched).unwrap_err();
+    let text = error.to_string();
+    assert!(text.starts_with("the press did not converge at the mesh of the main run: "), "{text}");
+    let saved = "the run before, complete, with 4 elements per contact radius and 4 sectors; numerics.";
+    assert!(text.contains(saved), "{text}");
+    let SimulationError::NotConverged { partial: Some(outcome), .. } = error else { panic!("{text}") };
+    assert_eq!((outcome.account.elements_per_radius, outcome.account.sectors), (4, 4));
+    assert!(outcome.steady || outcome.slide.len() > 10, "{}", outcome.slide.len());
+    let expected = [Warning::ErrorsUnknown, Warning::NextNotBegun { elements_per_radius: 4, sectors: 4 }];
+    assert!(
+        expected.iter().all(|warning| outcome.account.warnings.contains(warning)),
+        "{:?}",
+        outcome.account
+    );
+}
+
+/// On the coarsest meshes the auxiliary ones are finer: the layers of elements that heat requires fit into both.
+#[test]
+fn the_layers_of_a_fast_slide_fit_into_the_coarsest_mesh() {
+    let mut scene = hot_scene("steel-4340", 2.0, 1e6, "on");
+    scene.numerics.elements_per_radius = Some(4);
+    scene.loading.slip_distance = 0.02;
+    let error = simulate(&scene, &Unwatched).err();
+    assert!(!matches!(error, Some(SimulationError::Unsupported(_))), "{error:?}");
+    let text = error.map(|error| error.to_string()).unwrap_or_default();
+    assert!(!text.contains("the mesh of the main run"), "{text}");
 }
 
 /// A body without hardening under an interface of its own strength is planned for an accuracy of 10 % at best and not

@@ -51,6 +51,14 @@ fn bad_input_is_refused_before_any_work() {
         ("run scene.toml -o x.svg --plot x.svg".into(), &["--plot and --output are the same file"]),
         ("run scene.toml -o a --vtu a".into(), &["--vtu and --output are the same file"]),
         ("run scene.toml -o a/body.pvd --vtu a".into(), &["a file of --vtu and --output are the same file"]),
+        (
+            "run scene.toml -o a/body-000.vtu --vtu a".into(),
+            &["a file of --vtu and --output are the same file"],
+        ),
+        (
+            "run scene.toml -o body-1234.vtu --vtu ./".into(),
+            &["a file of --vtu and --output are the same file"],
+        ),
         ("tabulate request.toml -o request.toml".into(), &["--output and the request are the same file"]),
         ("convergence scene.toml -o scene.toml".into(), &["--output and the scene are the same file"]),
         ("merge request.toml scene.toml -o scene.toml".into(), &["--output and a shard are the same file"]),
@@ -71,6 +79,15 @@ fn bad_input_is_refused_before_any_work() {
     ] {
         refused(&line, parts);
     }
+}
+
+#[test]
+fn a_scene_with_the_name_of_a_file_of_vtu_is_kept() {
+    let _alone = alone();
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("body-001.vtu"), SCENE).unwrap();
+    let line = "run body-001.vtu -o run.nc --vtu .";
+    crate::refused(directory.path(), line, &["a file of --vtu and the scene are the same file"]);
 }
 
 #[test]
@@ -144,6 +161,15 @@ fn a_run_says_what_its_numbers_are_not() {
     assert!(!run(&[]).1.contains(begun));
     assert!(run(&["loading.interference=100", "loading.slip_distance=0.005"]).1.contains(begun));
     assert!(run(&["loading.temperature=700"]).1.contains("yield_strength is taken to hold at"));
+    // Once, with the remedy.
+    let (json, said) = run(&["material.hardening={law=\"none\"}", "loading.interference=5"]);
+    let warnings = said.lines().filter(|line| line.starts_with("warning: ") && line.contains("harden"));
+    assert_eq!(warnings.count(), 1, "{said}");
+    let warnings = json["warnings"].as_array().unwrap().iter();
+    let warnings: Vec<&str> = warnings.filter_map(|text| text.as_str()).collect();
+    let of_hardening = warnings.iter().filter(|text| text.contains("harden"));
+    assert_eq!(of_hardening.count(), 1, "{warnings:?}");
+    assert!(warnings[0].contains("give [material] hardening = "), "{warnings:?}");
 }
 
 /// `-v` prints the notes of cells whether or not the table is a resumed one; tables without a common cell differ.

@@ -48,7 +48,9 @@ Of a topography, friction is also predicted at half and at twice the cut-off, as
 points and its extent allow.
 
 Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion,
-wear, third bodies (debris, gouge, oxide, lubricant); the counter-face is smooth and rigid.
+wear, third bodies (debris, gouge, oxide, lubricant). The counter-face is smooth; a table states what
+else it is (`asperity table info`). Shipped tables are for one of the same metal that conducts heat,
+those called NAME-rigid for a rigid one that stays at the initial temperature.
 
 Above its last interference a table is extrapolated towards the fully plastic limit, with an error
 that grows; the share of the load there is in the result. A pressure at which more than 0.1 % of
@@ -113,13 +115,14 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     // At once: the prediction may be refused for what they are about.
     let of_input = case.warnings();
     warn(display, &Warning::condensed(&of_input));
+    let mut settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
+    settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
     if display.verbose {
         describe(case.source.law.as_ref(), &case.file.surface);
+        say(format!("note: at their defaults: {}", case.defaults_in_effect(&settings).join(", ")));
     }
     let started = std::time::Instant::now();
     let progress = Progress::new(display, "slips");
-    let mut settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
-    settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
     let show = |done, total| progress.show(done, total);
     let computed = thread_pool(&options.run)?.install(|| case.predict(&models, &settings, &show));
     progress.clear();

@@ -6,6 +6,7 @@ use crate::output::origin::described;
 use crate::output::result_tables::Rows;
 use crate::sampling::case::Results;
 use serde_json::{Value, json};
+use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetWriter};
 
 /// Results at each cut-off.
@@ -49,18 +50,20 @@ pub(super) fn write(
     Ok(())
 }
 
-/// As JSON: the summits, and the results of every cell in the order of `friction`, or why there are none.
+/// As JSON, each number with its unit: the summits, whose errors are unknown, and the results of every cell in the order
+/// of `friction`, or why there are none.
 pub(super) fn json(cutoffs: &[AtCutoff]) -> Value {
     let of = |at: &AtCutoff| {
-        let mut entry = json!({ "cutoff": at.cutoff });
-        for (name, _, _, value) in SUMMITS {
-            entry[name] = value(at).into();
+        let exact = |value| Estimate { value, error: 0.0 };
+        let mut entry = json!({ "cutoff": exact(at.cutoff).in_unit("m") });
+        for (name, unit, _, value) in SUMMITS {
+            entry[name] = json!(Estimate { value: value(at), error: f64::NAN }.in_unit(unit));
         }
         match &at.friction {
             Ok(rows) => {
                 for quantity in SHOWN.map(Quantity::named) {
-                    entry[quantity.name] =
-                        rows.iter().flatten().map(|cell| quantity.estimate(cell).value).collect();
+                    let of = |cell| json!(quantity.estimate(cell).in_unit(quantity.unit));
+                    entry[quantity.name] = rows.iter().flatten().map(of).collect();
                 }
             }
             Err(reason) => entry["refused"] = reason.to_string().into(),

@@ -10,6 +10,7 @@ use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{Override, SurfaceFile, SurfaceFileError};
+use crate::surface::query::{NormalLoading, Query};
 use crate::topography::characterize::Characterization;
 use crate::topography::report;
 use tables::quantity::plausible::remarks;
@@ -76,6 +77,33 @@ impl Case {
             warnings.push(Warning::CellsInterpolated { cells: cells.clone() });
         }
         warnings
+    }
+
+    /// Optional inputs that have their default value: of the query, of the characterisation and of `settings`, as in
+    /// `query.contact_life = 1.0`.
+    pub fn defaults_in_effect(&self, settings: &Settings) -> Vec<String> {
+        let mut defaults = self.file.defaults_in_effect();
+        if self.file.temperature.is_none() && !self.table.starts_with("model:") {
+            defaults.push("query.temperature = that of the table".into());
+        }
+        if let Some(measured) = &self.measured {
+            let Query { loading, slip_rates, .. } = &self.file.query;
+            let list =
+                |values: &[f64]| values.iter().map(|x| format!("{x:e}")).collect::<Vec<_>>().join(", ");
+            if *loading == NormalLoading::Pressure(report::PRESSURES.to_vec()) {
+                defaults.push(format!("query.pressure = [{}]", list(&report::PRESSURES)));
+            }
+            if slip_rates[..] == report::SLIP_RATES {
+                defaults.push(format!("query.slip_rate = [{}]", list(&report::SLIP_RATES)));
+            }
+            if !measured.cutoff_asked {
+                defaults.push(format!("cutoff = {:.4e} m", measured.cutoff));
+            }
+        }
+        if settings.tolerance == Settings::default().tolerance {
+            defaults.push(format!("tolerance = {:e}", settings.tolerance));
+        }
+        defaults
     }
 
     /// Of the radius at which the law is most uncertain, where that counts.

@@ -55,9 +55,10 @@ impl NormalLoading {
 }
 
 /// Loading control of the slide: constant nominal load or constant separation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LoadingControl {
+    #[default]
     Load,
     Separation,
 }

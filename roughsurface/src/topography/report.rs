@@ -5,6 +5,10 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use tables::figures::{Axis, Curve, Figure, Panel};
 
+/// Nominal pressures (Pa) and slip rates (m/s) of the query of a surface file.
+pub const PRESSURES: [f64; 3] = [1e5, 1e6, 1e7];
+pub const SLIP_RATES: [f64; 3] = [0.1, 1.0, 10.0];
+
 /// Which summits a surface file is written with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum WhichSummits {
@@ -79,9 +83,30 @@ pub fn text(found: &Characterization) -> String {
     text
 }
 
-/// As JSON.
+/// As JSON; `units` has the unit of every number at its place.
 pub fn json(found: &Characterization) -> Value {
-    json!(found)
+    let per = if found.points.0 == 1 { "m-1" } else { "m-2" };
+    let summits = json!({ "alpha": "1", "density": "m-2", "radius": "m", "std": "m", "mean_summit": "m" });
+    let mut value = json!(found);
+    value["units"] = json!({
+        "points": "1",
+        "pixel": "m",
+        "size": "m",
+        "cutoff": "m",
+        "reliability_limit": "m",
+        "rms_height": "m",
+        "Sdq": "1",
+        "Rdq": "1",
+        "rms_curvature": "m-1",
+        "moments": { "m0": "m2", "m2": "1", "m4": "m-2", "principal_slopes": "1", "lay_angle": "degree" },
+        "summits": summits,
+        "found": {
+            "count": "1", "density": per, "radius": "m", "mean": "m", "std": "m", "skewness": "1", "kurtosis": "1"
+        },
+        "radius_at_twice_the_cutoff": "1",
+        "other_cutoffs": { "cutoff": "m", "summits": summits },
+    });
+    value
 }
 
 /// A surface file with the summits, ready for `roughsurface predict`; `heights` is the name of the
@@ -101,6 +126,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
             found.summits.mean_summit,
         ),
     };
+    let [low, middle, high] = PRESSURES;
     let plane = if heights.is_some() { "mean plane of the surface" } else { "mean plane of the summits" };
     // A control character could end the comment.
     let source: String = source.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
@@ -116,8 +142,8 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
          heights = {distribution}\n\
          \n\
          [query]\n\
-         pressure = [1e5, 1e6, 1e7]         # nominal, Pa\n\
-         slip_rate = [0.1, 1.0, 10.0]       # m/s\n\
+         pressure = [{low:e}, {middle:e}, {high:e}]         # nominal, Pa\n\
+         slip_rate = {SLIP_RATES:?}       # m/s\n\
          hold = \"load\"\n\
          \n\
          # For --table model:NAME give the material of the summits:\n\

@@ -97,6 +97,20 @@ fn curves(svg: &str, panel: &str) -> usize {
     paths.filter(|path| !path.ends_with('Z') && heights(path) > 10).count()
 }
 
+/// Whether `units` has a unit at the place of every number of `value`.
+fn numbers_have_units(value: &serde_json::Value, units: &serde_json::Value, place: &str) {
+    match value {
+        serde_json::Value::Number(_) => assert!(units.is_string(), "{place}: {units}"),
+        serde_json::Value::Array(list) => {
+            list.iter().for_each(|value| numbers_have_units(value, units, place));
+        }
+        serde_json::Value::Object(keys) => {
+            keys.iter().for_each(|(key, value)| numbers_have_units(value, &units[key], key));
+        }
+        _ => {}
+    }
+}
+
 #[test]
 fn a_topography_becomes_a_surface_file_that_predicts() {
     let folder = Folder::new("characterize");
@@ -105,6 +119,7 @@ fn a_topography_becomes_a_surface_file_that_predicts() {
         let options = format!("--cutoff 1.6um --summits {summits} -o s.toml --json --plot s.svg");
         let output = folder.run_well(&format!("characterize {map} {options}"));
         let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        numbers_have_units(&result, &result["units"], "");
         let key = if summits == "moments" { "summits" } else { "found" };
         let expected = |name: &str| result[key][name].as_f64().unwrap();
         let surface = SurfaceFile::read(&folder.path("s.toml")).unwrap().surface;

@@ -39,7 +39,12 @@ fn one_command_does_what_two_do() {
             found.iter().zip(&expected).all(|(found, mu)| (found / mu - 1.0).abs() < 1e-6),
             "{found:?} {expected:?}"
         );
-        assert_eq!(summary["cutoffs"][index]["mu"][0].as_f64().unwrap(), found[0]);
+        let at = &summary["cutoffs"][index];
+        assert_eq!(at["mu"][0]["value"].as_f64().unwrap(), found[0]);
+        assert!(at["mu"][0]["error"].as_f64().unwrap() > 0.0);
+        for (name, unit) in [("cutoff", "m"), ("asperity_density", "m-2"), ("asperity_radius", "m")] {
+            assert_eq!(at[name]["unit"], unit, "{name}");
+        }
     }
     let warnings = one.attribute_text("warnings").unwrap();
     assert!(warnings.contains("topography: "), "{warnings}");
@@ -78,7 +83,17 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
                    heights = { distribution = \"gaussian\", std = 0.4e-6 }\n\
                    [query]\npressure = [1e6, 1e7]\nslip_rate = { from = 0.1, to = 10, points = 3 }\n";
     folder.write("s.toml", surface);
-    let law = format!("--table model:hertz {STEEL} --extrapolate -q");
+    let law = format!("--table model:hertz {STEEL} --extrapolate");
+    let said =
+        stderr(&folder.run_well(&format!("predict {} {law} --cutoff 1.6um -v -o f.nc", map("map.x3p"))));
+    let expected = "note: at their defaults: query.hold = \"load\", query.contact_life = 1.0, query.interaction = \"none\", \
+                    query.pressure = [1e5, 1e6, 1e7], query.slip_rate = [1e-1, 1e0, 1e1], tolerance = 1e-6\n";
+    assert!(said.contains(expected), "{said}");
+    let given = "--contact-life steady --slip-rate 1 --tolerance 1e-5";
+    let said = stderr(&folder.run_well(&format!("predict s.toml {law} --pressure 1e5 {given} -v -o f.nc")));
+    let expected = "at their defaults: query.hold = \"load\", query.interaction = \"none\"\n";
+    assert!(said.contains(expected), "{said}");
+    let law = format!("{law} -q");
     folder.run_well(&format!(
         "predict s.toml {law} --separation -1e-7,1e-7 --set surface.heights.std=1e-7 -o f.nc"
     ));

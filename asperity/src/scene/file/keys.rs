@@ -29,13 +29,23 @@ const POISSON: Range =
     Range { text: "a number from 0 to less than 0.5", accepts: |x| (0.0..0.5).contains(&x) };
 const ACCURACY: Range = Range { text: "a number from 1e-6 to 0.5", accepts: |x| (1e-6..=0.5).contains(&x) };
 
+/// From far below an atom to far above a planet: lengths, areas and energies are numbers of normal precision.
+const RADIUS: Range =
+    Range { text: "a positive number from 1e-15 to 1e15", accepts: |x| (1e-15..=1e15).contains(&x) };
+/// Up to far above the speed of sound in any solid.
+const FASTEST: f64 = 1e6;
+pub const SLIP_RATE: Range =
+    Range { text: "zero or a positive number up to 1e6", accepts: |x| (0.0..=FASTEST).contains(&x) };
 /// Far beyond the slip at which friction is steady.
 const SLIP_DISTANCE: Range =
     Range { text: "a number from 0 to 10000", accepts: |x| (0.0..=1e4).contains(&x) };
 const STEP_DISTANCE: Range =
     Range { text: "a positive number up to 10000", accepts: |x| x > 0.0 && x <= 1e4 };
 /// Negative in a reversed slide.
-const NOT_ZERO: Range = Range { text: "a number other than 0", accepts: |x| x != 0.0 && x.is_finite() };
+const STEP_SLIP_RATE: Range = Range {
+    text: "a number from -1e6 to 1e6 other than 0",
+    accepts: |x| x != 0.0 && (-FASTEST..=FASTEST).contains(&x),
+};
 
 impl Range {
     pub fn accepts(&self, value: f64) -> bool {
@@ -103,7 +113,7 @@ use Kind::{Count, Flag, List, Name, Number, Property, Section, Sections};
 /// All sections of a scene.
 pub const SCENE: &[Key] = &[
     key("material", Section(MATERIAL)),
-    key("asperity", Section(&[key("radius", Number("m", POSITIVE))])),
+    key("asperity", Section(&[key("radius", Number("m", RADIUS))])),
     key("interface", Section(INTERFACE)),
     key("counterface", Section(COUNTERFACE)),
     key("loading", Section(LOADING)),
@@ -180,7 +190,7 @@ const COUNTERFACE: &[Key] = &[
 
 pub const LOADING: &[Key] = &[
     key("interference", Number("omega_0/omega_c", POSITIVE)),
-    key("slip_rate", Number("m/s, 0 is the isothermal limit", NOT_NEGATIVE)),
+    key("slip_rate", Number("m/s, 0 is the isothermal limit", SLIP_RATE)),
     key("slip_distance", Number("contact radii", SLIP_DISTANCE)),
     key("control", Name),
     key("temperature", Number("K", POSITIVE)),
@@ -189,7 +199,7 @@ pub const LOADING: &[Key] = &[
 
 /// A step of a programme.
 pub const STEP: &[Key] = &[
-    key("slip_rate", Number("m/s", NOT_ZERO)),
+    key("slip_rate", Number("m/s", STEP_SLIP_RATE)),
     key("slip_distance", Number("contact radii", STEP_DISTANCE)),
     key("hold", Number("s", POSITIVE)),
 ];
@@ -206,7 +216,7 @@ const MOST_POINTS: usize = 1000;
 /// Section `[table]` of a request, its ranges written out as lists.
 pub const TABLE: &[Key] = &[
     key("interference", List("omega_0/omega_c", POSITIVE, Order::Rising)),
-    key("slip_rate", List("m/s", NOT_NEGATIVE, Order::Rising)),
+    key("slip_rate", List("m/s", SLIP_RATE, Order::Rising)),
     key("temperature", List("K", POSITIVE, Order::Rising)),
     key("tolerance", Number("1", ACCURACY)),
     key("max_cells", Count(1, MOST_POINTS * MOST_POINTS, 1)),

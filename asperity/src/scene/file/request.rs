@@ -10,7 +10,7 @@ use super::default_grid::{self, SLIP_RATES, SMALLEST_INTERFERENCE};
 use super::deserialise::read;
 use super::document::{Document, name_of, text_of};
 use super::error::SceneFileError;
-use super::keys::{NOT_NEGATIVE, POSITIVE, POSITIVE_FOR_LOG, Range, TABLE, range_keys};
+use super::keys::{POSITIVE, POSITIVE_FOR_LOG, Range, SLIP_RATE, TABLE, range_keys};
 use super::programme::STEPS;
 use super::relations;
 use super::source::Source;
@@ -155,7 +155,7 @@ const MOST_CELLS: usize = 400;
 fn table_section(mut table: Table, source: &Source) -> Result<TableSection, SceneFileError> {
     for (key, unit, range, spacing) in [
         ("interference", "omega_0/omega_c", POSITIVE, Spacing::Log),
-        ("slip_rate", "m/s", NOT_NEGATIVE, Spacing::Log),
+        ("slip_rate", "m/s", SLIP_RATE, Spacing::Log),
         ("temperature", "K", POSITIVE, Spacing::Linear),
     ] {
         match table.get_mut(key) {

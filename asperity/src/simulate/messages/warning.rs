@@ -20,6 +20,11 @@ pub enum Warning {
     /// A run did not finish.
     ErrorsUnknown,
     StoppedBeforeRefinement,
+    /// The results are those of a run that another had to follow, which did not begin.
+    NextNotBegun {
+        elements_per_radius: usize,
+        sectors: usize,
+    },
     /// Sliding inception lies beyond the end of the slide.
     NotSliding,
     /// Relative difference of static friction by the threshold of the stiffness, where it decides on sliding inception.
@@ -112,6 +117,11 @@ impl Display for Warning {
                  body softens or shears below the interface the deformation localises and no mesh converges, and a \
                  smaller strength_factor or slip_distance avoids it",
                 quantity.descriptor().name
+            ),
+            Self::NextNotBegun { elements_per_radius, sectors } => write!(
+                f,
+                "the main run did not begin, or not on the mesh that it requires: the results are those of the run \
+                 before, with {elements_per_radius} elements per contact radius and {sectors} sectors"
             ),
             Self::InceptionByStiffness { spread } => write!(
                 f,

@@ -65,7 +65,7 @@ pub(super) struct QueryKeys {
     pub(super) pressure: Option<Values>,
     pub(super) separation: Option<Values>,
     pub(super) slip_rate: Values,
-    #[serde(default = "held_load")]
+    #[serde(default)]
     pub(super) hold: LoadingControl,
     #[serde(default)]
     pub(super) contact_life: ContactLife,
@@ -120,10 +120,6 @@ pub(super) fn interaction_of(
         (None, Some(_)) => Err(format!("{KEY}: has no meaning without interaction = \"mean-pressure\"")),
         (_, _) => Ok(Interaction::None),
     }
-}
-
-fn held_load() -> LoadingControl {
-    LoadingControl::Load
 }
 
 impl FileKeys {

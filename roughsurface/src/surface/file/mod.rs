@@ -28,6 +28,7 @@
 //!
 //! Depends on `heights`, `radii` and `query`. Chapter "Surface" of the book.
 
+mod defaults;
 mod keys;
 mod overrides;
 mod parameter;
