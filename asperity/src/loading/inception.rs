@@ -138,8 +138,11 @@ fn work_of_curvature(history: &[SlideState]) -> f64 {
     let inner = secants.windows(2).map(|w| (w[1].0 * w[0].1 + w[0].0 * w[1].1) / (w[0].0 + w[1].0));
     let inner: Vec<f64> = inner.collect();
     let ([first, .., last], [next, .., before]) = (&secants[..], &inner[..]) else { return 0.0 };
-    let slopes: Vec<f64> =
-        [2.0 * first.1 - next].into_iter().chain(inner.iter().copied()).chain([2.0 * last.1 - before]).collect();
+    let slopes: Vec<f64> = [2.0 * first.1 - next]
+        .into_iter()
+        .chain(inner.iter().copied())
+        .chain([2.0 * last.1 - before])
+        .collect();
     secants.iter().zip(slopes.windows(2)).map(|((h, _), slope)| h * h * (slope[0] - slope[1]) / 12.0).sum()
 }
 
@@ -206,7 +209,8 @@ mod tests {
     fn work_is_integrated_to_fourth_order() {
         let error = |steps: usize| {
             let slip = |n: usize| 2.0 * (n as f64 / steps as f64).powf(1.2);
-            let state = |n| SlideState { slip: slip(n), friction: 1.0 - (-slip(n)).exp(), ..SlideState::default() };
+            let state =
+                |n| SlideState { slip: slip(n), friction: 1.0 - (-slip(n)).exp(), ..SlideState::default() };
             let history: Vec<SlideState> = (0..=steps).map(state).collect();
             let rule: f64 = history
                 .windows(2)

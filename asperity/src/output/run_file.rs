@@ -117,27 +117,34 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
         let error_name = format!("{}_error", descriptor.name);
         let by_source = format!("{error_name}_by_source");
         let ancillary = format!("{error_name} {by_source}");
-        scalar(file, (&name, &error_name, &ancillary), descriptor.units, &long_name, estimate)?;
+        let origin = match quantity {
+            Quantity::MuSteady => "2 mu(s) - mu(s/4) at the end of the slide",
+            _ => "of the finest mesh, not extrapolated",
+        };
+        scalar(file, (&name, &error_name, &ancillary), descriptor.units, &long_name, estimate, origin)?;
         let attributes = described(descriptor.units, &format!("parts of {error_name}, by source"));
         let parts = ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity));
         file.reals(&by_source, &[ERROR_SOURCE], &parts, &attributes)?;
     }
     for (name, unit, long_name, estimate) in derived::of_run(scene, outcome) {
         let error_name = format!("{name}_error");
-        scalar(file, (name, &error_name, &error_name), unit, long_name, estimate)?;
+        let origin = "from the other scalars of the run";
+        scalar(file, (name, &error_name, &error_name), unit, long_name, estimate, origin)?;
     }
     Ok(())
 }
 
-/// A value and its error, and the names of the variables with its errors.
+/// A value and its error, the names of the variables with its errors, and how the value was obtained.
 fn scalar(
     file: &mut DatasetWriter,
     (name, error_name, ancillary): (&str, &str, &str),
     unit: &str,
     long_name: &str,
     Estimate { value, error }: Estimate,
+    origin: &str,
 ) -> Result<(), DatasetError> {
     let mut attributes = described(unit, long_name);
+    attributes.push(("comment", origin.into()));
     attributes.push(("ancillary_variables", ancillary.into()));
     file.reals(name, &[], &[value], &attributes)?;
     let attributes = described(unit, &format!("half-width of the 95 % interval of {name}"));

@@ -43,7 +43,7 @@ pub(crate) mod sliding_inception {
 /// - Data: static μ at 0.1 ω_c with 4, 8, 16 and 32 elements (1.726, 1.734, 1.752, 1.760) for elastic friction; presses
 ///   and slides for the edge; 147 true errors of the first 21 scenes of `studies::effectivity` for EDGE_OF_LOAD and the
 ///   coverage factor.
-/// - Residual: 95 and 96 % of these true errors are below 1.66 and 1.72 times the estimate.
+/// - Residual: 96 and 97 % of these true errors are below 1.62 and 1.84 times the estimate.
 /// - Repeated by: `asperity calibrate` and `asperity effectivity`, which tests the coverage on 64 other scenes.
 pub(crate) mod error_estimates {
     /// Of the square-root edge of the pressure.

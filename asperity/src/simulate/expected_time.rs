@@ -119,8 +119,8 @@ mod tests {
         for (interference, slip_rate, seconds) in UNHARDENED {
             let text = format!(
                 "[material]\nyoungs_modulus = 110e9\npoisson_ratio = 0.34\nyield_strength = 350e6\n\
-                 [asperity]\nradius = 1e-3\n[loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n\
-                 [model]\nheat = \"off\"\n"
+                 thermal_conductivity = 60.0\nspecific_heat = 380.0\ndensity = 8800.0\nthermal_expansion = 1.8e-5\n\
+                 [asperity]\nradius = 1e-3\n[loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n"
             );
             let ratio = expected_time(&parse_scene(&text, "this test", &[]).unwrap()) / seconds;
             let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
