@@ -54,7 +54,8 @@ fn signals_end_a_computation_unless_they_are_ignored() {
     let sample = format!("sample {input} --asperities 1000000 --realizations 100000");
     for (line, signal, number) in [(&predict, "-INT", 2), (&sample, "-INT", 2), (&sample, "-TERM", 15)] {
         let mut shell = Command::new("sh");
-        shell.args(["-c", &format!("trap '' HUP; echo; exec \"$ROUGHSURFACE\" {line}")]);
+        let script = format!("trap '' HUP; echo; exec env --default-signal=INT \"$ROUGHSURFACE\" {line}");
+        shell.args(["-c", &script]);
         shell.env("ROUGHSURFACE", env!("CARGO_BIN_EXE_roughsurface")).current_dir(folder.path("."));
         let mut child = shell.stdout(Stdio::piped()).spawn().unwrap();
         child.stdout.as_mut().unwrap().read_exact(&mut [0]).unwrap();
