@@ -5,8 +5,8 @@
 //! deeper ones. Each step of a programme takes as long as a slide.
 
 use crate::scene::fitted_constants::processor_time::{
-    AT_FIRST_YIELD, COARSE_SHARE, DEEP, LEAST, LIGHT_POWER, MESH_POWER, MOST, NEWTON_ITERATION,
-    REFERENCE_ACCURACY, REFERENCE_ELEMENTS, REFERENCE_SECTORS, SHEAR_POWER, UNLIMITED_SHEAR,
+    AT_FIRST_YIELD, COARSE_SHARE, DEEP, LEAST, LIGHT_POWER, MESH_POWER, MOST, MOST_SHEAR, NEWTON_ITERATION,
+    REFERENCE_ACCURACY, REFERENCE_ELEMENTS, REFERENCE_SECTORS, SHEAR_DEPTH, SHEAR_POWER, UNLIMITED_SHEAR,
 };
 use crate::scene::{Hardening, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
@@ -22,7 +22,8 @@ pub fn expected_time(scene: &Scene) -> f64 {
     let seconds = match numerics.elements_per_radius {
         Some(elements) => DEEP * (elements as f64 / REFERENCE_ELEMENTS).powf(MESH_POWER),
         None if may_shear_without_limit(scene) => {
-            return UNLIMITED_SHEAR * (interference / 10.0).powf(SHEAR_POWER).clamp(1.0, 3.0);
+            let deeper = (interference / SHEAR_DEPTH).powf(SHEAR_POWER);
+            return (UNLIMITED_SHEAR * deeper).clamp(UNLIMITED_SHEAR, MOST_SHEAR);
         }
         None => {
             let base =
