@@ -20,7 +20,7 @@ use tables::shipped;
 use tables::table::Slice;
 
 /// Slip rates that are drawn: the isothermal limit, one in the middle, and the fastest.
-const RATES: [f64; 3] = [0.0, 0.5, 10.0];
+const RATES: [f64; 3] = [0.0, 0.7, 10.0];
 
 fn main() -> anyhow::Result<()> {
     let steel = shipped::table("steel-4340")?;

@@ -100,10 +100,10 @@ def metals():
     rows = []
     for name in METALS:
         cells = [row[0] for row in shipped(name)]
-        static = [f"{cells[i]['mu_static']:.3f} ± {cells[i]['mu_static_error']:.3f}" for i in (0, 2, 4, 7)]
+        static = [f"{cells[i]['mu_static']:.3f} ± {cells[i]['mu_static_error']:.3f}" for i in (0, 4, 6, 9)]
         ratio = lambda cell, quantity: f"{cell[quantity] / cell[quantity + '_press']:.3f}"
-        rows.append([name, *static, ratio(cells[4], "P"), ratio(cells[7], "P"), ratio(cells[4], "area")])
-    at = [plain(cells[i]["interference"]) for i in (0, 2, 4, 7)]
+        rows.append([name, *static, ratio(cells[6], "P"), ratio(cells[9], "P"), ratio(cells[6], "area")])
+    at = [plain(cells[i]["interference"]) for i in (0, 4, 6, 9)]
     head = [
         "table",
         *[rf"$\mu_s$ at ${omega}\omega_c$" for omega in at],
@@ -120,14 +120,14 @@ def rate():
     rows = []
     for name in TABLES:
         line = [name]
-        for i in (0, 4, 7):
+        for i in (0, 6, 9):
             cells = shipped(name)[i]
             for quantity in ("mu_static", "mu", "P"):
                 line.append(f"{signed(100 * (cells[-1][quantity] / cells[0][quantity] - 1))} %")
         rows.append(line)
         omegas = [plain(row[0]["interference"]) for row in shipped(name)]
     names = (r"\mu_s", r"\mu", "P")
-    head = ["table"] + [rf"${quantity}$ at ${omegas[i]}\omega_c$" for i in (0, 4, 7) for quantity in names]
+    head = ["table"] + [rf"${quantity}$ at ${omegas[i]}\omega_c$" for i in (0, 6, 9) for quantity in names]
     return table(head, rows)
 
 

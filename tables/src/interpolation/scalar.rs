@@ -12,7 +12,7 @@ impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
     /// sliding at `slip_rate` (m/s); interpolated as the response is, with the error of the
     /// points (interpolated linearly) and, unless that includes it, half the difference to linear
-    /// interpolation.
+    /// interpolation, of the logarithm where the corners are positive.
     pub fn estimate(
         &self,
         quantity: Quantity,
@@ -81,19 +81,22 @@ impl InterpolatedTable {
             Interpolant::blend(rate_coordinate, rate, |j| at(i, j).map(|(value, _)| [value; FIELDS]))
         };
         let value = Interpolant::blend(log_interference, place, row)?[0];
-        let (mut linear, mut error) = (0.0, 0.0);
+        let (mut linear, mut logarithm, mut error) = (0.0, 0.0, 0.0);
         for (i, share_i) in [(0, 1.0 - place.t), (1, place.t)] {
             for (j, share_j) in [(0, 1.0 - rate.t), (1, rate.t)] {
                 let share = share_i * share_j;
                 if share > 0.0 {
                     let corner = at(place.index + i, rate.index + j)?;
                     linear += share * corner.0;
+                    // Not a number, or −∞, where the value is not positive.
+                    logarithm += share * corner.0.ln();
                     error += share * corner.1;
                 }
             }
         }
         let included = self.metadata().interpolation_tolerance.is_some();
-        let interpolation = if included { 0.0 } else { 0.5 * (value - linear).abs() };
+        let straight = if logarithm.is_finite() { logarithm.exp() } else { linear };
+        let interpolation = if included { 0.0 } else { 0.5 * (value - straight).abs() };
         Ok((value, error + interpolation))
     }
 }

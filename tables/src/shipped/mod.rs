@@ -222,4 +222,67 @@ mod tests {
         }
         compared
     }
+
+    /// The table without every second interference and slip rate.
+    fn thinned(table: &InterpolatedTable) -> InterpolatedTable {
+        let all = table.axes();
+        let thin = |axis: &[f64]| -> Vec<f64> {
+            let last = axis.len() - 1;
+            (0..=last).filter(|i| i % 2 == 0 || *i == last).map(|i| axis[i]).collect()
+        };
+        let axes =
+            Axes { interference: thin(&all.interference), slip_rate: thin(&all.slip_rate), ..all.clone() };
+        (**table).clone().regridded(axes).unwrap().interpolated()
+    }
+
+    /// Values at the omitted points of thinned tables lie within the errors of the difference, of scalars and of the
+    /// response at the last slip.
+    #[test]
+    fn omitted_points_lie_within_the_stated_errors() {
+        use Quantity::*;
+        for quantity in [Mu, MuStatic, EnergyRelease, Friction, Load, Area, TemperatureMax] {
+            let (mut inside, mut all) = ([0, 0], 0);
+            let (mut sizes, mut stated) = (Vec::new(), [Vec::new(), Vec::new()]);
+            for name in names() {
+                let whole = table(name).unwrap();
+                let (coarse, radius) = (thinned(&whole), whole.metadata().asperity_radius);
+                for (i, j) in whole.grid() {
+                    let (omega, rate) = whole.coordinates(i, j);
+                    let cell = whole.cell(i, j).unwrap();
+                    let truth = cell[quantity];
+                    let scale = truth.value - quantity.origin(whole.metadata().temperature);
+                    let axes = coarse.axes();
+                    let is_known = axes.interference.contains(&omega) && axes.slip_rate.contains(&rate);
+                    if is_known || scale == 0.0 {
+                        continue;
+                    }
+                    let end = whole.axes().slip.last().unwrap() * cell[ContactRadius].value;
+                    let response = coarse.response(radius, omega, rate, end).unwrap();
+                    let scalar = coarse.estimate(quantity, radius, omega, rate).unwrap();
+                    let found = match quantity {
+                        Friction => [scalar, response.friction],
+                        Load => [scalar, response.load],
+                        Area => [scalar, response.area],
+                        TemperatureMax => [scalar, response.temperature_max],
+                        _ => [scalar; 2],
+                    };
+                    all += 1;
+                    for (k, found) in found.into_iter().enumerate() {
+                        let allowed = found.error.hypot(truth.error);
+                        inside[k] += usize::from((found.value - truth.value).abs() <= allowed);
+                        stated[k].push(100.0 * found.error / scale);
+                    }
+                    sizes.push(100.0 * (scalar.value - truth.value).abs() / scale);
+                }
+            }
+            let shown = |values: &mut Vec<f64>| {
+                values.sort_by(f64::total_cmp);
+                [0.5, 0.9]
+                    .map(|share| (values[(share * values.len() as f64) as usize] * 100.0).round() / 100.0)
+            };
+            let (sizes, stated) = (shown(&mut sizes), stated.each_mut().map(shown));
+            println!("{quantity:?}: {inside:?} of {all}; true {sizes:?} %, stated {stated:?} %");
+            assert!(inside.iter().all(|inside| *inside as f64 >= 0.95 * f64::from(all)), "{quantity:?}");
+        }
+    }
 }

@@ -9,14 +9,14 @@ use crate::scene::Scene;
 const LARGEST_CONTACT: f64 = 0.33;
 
 /// ω₀/ω_c below the largest. Closest where friction departs from that of an elastic contact.
-const INTERFERENCES: [f64; 13] =
-    [0.1, 0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 40.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0];
+const INTERFERENCES: [f64; 15] =
+    [0.1, 0.2, 0.4, 0.7, 1.2, 2.0, 4.0, 8.0, 16.0, 40.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0];
 
 /// The largest interference is at least this factor above the one before.
-const LEAST_RATIO: f64 = 1.5;
+const LEAST_RATIO: f64 = 1.3;
 
-/// V, m/s: the isothermal limit, and closest where friction falls fastest.
-pub const SLIP_RATES: [f64; 7] = [0.0, 0.03, 0.12, 0.5, 1.6, 4.0, 10.0];
+/// V, m/s: the isothermal limit, and at ratios that fall from 4 to 1.8, as friction falls faster.
+pub const SLIP_RATES: [f64; 9] = [0.0, 0.03, 0.12, 0.3, 0.7, 1.6, 3.0, 5.5, 10.0];
 
 /// Smallest ω₀/ω_c of the grid.
 pub const SMALLEST_INTERFERENCE: f64 = INTERFERENCES[0];
@@ -55,7 +55,7 @@ mod tests {
     fn an_empty_section_asks_for_the_default_grid() {
         let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[table]\n";
         let request = parse_request(text, "this test", &[]).unwrap();
-        let expected = [0.1, 0.4, 1.0, 2.0, 4.0, 8.0, 16.0, 40.0, 100.0, 300.0, 580.0];
+        let expected = [0.1, 0.2, 0.4, 0.7, 1.2, 2.0, 4.0, 8.0, 16.0, 40.0, 100.0, 300.0, 580.0];
         assert_eq!(request.interferences, expected);
         assert_eq!(request.slip_rates, SLIP_RATES);
         assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
@@ -65,6 +65,6 @@ mod tests {
         // An interference of its own leaves the slip rates.
         let own = ["table.interference=3".to_owned()];
         let request = parse_request(text, "this test", &own).unwrap();
-        assert_eq!((request.interferences, request.slip_rates.len()), (vec![3.0], 7));
+        assert_eq!((request.interferences, request.slip_rates.len()), (vec![3.0], SLIP_RATES.len()));
     }
 }
