@@ -63,6 +63,8 @@ pub struct Contact {
     pub trial: ContactState,
     /// Part of each node's area inside the contact edge.
     pub contact_fraction: Vec<f64>,
+    /// Points that are in contact since the start of the present motion.
+    since_start: Vec<bool>,
     pub stiffness: Vec<NodeStiffness>,
 }
 
@@ -96,6 +98,7 @@ impl Contact {
             committed: ContactState::new(points),
             trial: ContactState::new(points),
             contact_fraction: vec![1.0; points],
+            since_start: vec![true; points],
             stiffness: vec![[[0.0; 3]; 3]; points],
             radii,
         }
@@ -201,6 +204,14 @@ impl Contact {
     pub fn commit(&mut self) {
         self.committed.clone_from(&self.trial);
         self.committed_areas.copy_from_slice(&self.areas);
+        for (since_start, status) in self.since_start.iter_mut().zip(&self.committed.status) {
+            *since_start &= *status != Status::Open;
+        }
+    }
+
+    /// A motion starts from the committed state.
+    pub fn start_motion(&mut self) {
+        self.since_start = self.committed.status.iter().map(|status| *status != Status::Open).collect();
     }
 }
 

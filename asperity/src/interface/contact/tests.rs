@@ -48,6 +48,30 @@ fn tangent_agrees_with_finite_differences() {
     }
 }
 
+/// Points that touch after the start of a motion stick here, while the others slip: only from the next motion on do they
+/// count.
+#[test]
+fn points_that_touch_during_a_motion_do_not_count_as_stick() {
+    let (_, mut contact) = contact();
+    let take = |contact: &mut Contact, interference: f64, displacement: f64, limit: f64| {
+        let limit = vec![limit; contact.len()];
+        contact.evaluate(|_| 0.0, FlatPosition { interference, displacement }, &limit);
+        contact.commit();
+        contact.stick_fraction(&contact.committed)
+    };
+    assert_eq!(take(&mut contact, 5e-4, 0.0, 0.3), 1.0);
+    contact.start_motion();
+    assert_eq!(take(&mut contact, 5e-4, 1e-2, 0.3), 0.0);
+    let before = contact.area(&contact.committed);
+    // The flat goes deeper and hardly further: the old points slip on, the new ones stick.
+    assert_eq!(take(&mut contact, 1e-3, 1e-2 + 1e-8, 0.3), 0.0);
+    assert!(contact.committed.status.contains(&Status::Stick));
+    assert!(contact.area(&contact.committed) > 1.5 * before);
+    contact.start_motion();
+    let new = contact.stick_fraction(&contact.committed);
+    assert!((new - (1.0 - before / contact.area(&contact.committed))).abs() < 1e-12, "{new}");
+}
+
 #[test]
 fn slip_keeps_the_traction_at_the_limit_and_along_the_motion() {
     let (mesh, mut contact) = contact();

@@ -30,8 +30,7 @@ use increments::{InceptionBracket, Predictor, StepControl};
 use invariants::Violation;
 pub use motion::Motion;
 
-/// Stick area fraction below which the contact slips fully: points that have just touched stick until
-/// they have slipped once.
+/// Stick area fraction below which the contact slips fully.
 pub const NO_STICK: f64 = 0.01;
 /// Plastic strain above which the body shears in place of the interface, if the stick area fraction is above
 /// [`STILL_STICKING`]. Under interfaces no stronger than the body that fraction is reached at strains up to 0.03
@@ -179,6 +178,7 @@ impl<'a> Slide<'a> {
                 self.record_fields();
             }
             self.motion = *motion;
+            self.mechanics.contact.start_motion();
             // Those of another rate are no first iterate.
             self.sources = HeatSources::default();
             self.make(step, path, stop, |share, history| {
@@ -229,7 +229,7 @@ impl<'a> Slide<'a> {
             match self.step(step, advance, guess, stop) {
                 Ok(Attempt::Taken) => {
                     (before, done_before, done) = (committed, done, next);
-                    control.taken(done, self.has_begun || !slides);
+                    control.taken(done, self.last().stick_fraction, self.has_begun || !slides);
                     let now = self.history.last().expect("stepped");
                     if self.recorder.is_due(path + if slides { done } else { 0.0 }, now) {
                         self.record_fields();

@@ -170,10 +170,12 @@ fn a_slide_that_stops_cools_and_restarts() {
     };
     let hot = run(&mut slide);
     slide.motion = slip(1e-9 * FAST, 0.0);
+    slide.mechanics.contact.start_motion();
     let at = from(&slide);
     go(&mut slide, (1..=20).map(|k| at + 1.5e-6 * step * f64::from(k)));
     let cold = *slide.history.last().unwrap();
     slide.motion = slip(FAST, 0.0);
+    slide.mechanics.contact.start_motion();
     let again = run(&mut slide);
     assert!(hot.rise_max > 10.0 && cold.rise_max < 1e-3 * hot.rise_max, "{hot:?} {cold:?}");
     assert_eq!((hot.stick_fraction, cold.stick_fraction), (0.0, 1.0));
