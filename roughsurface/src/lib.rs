@@ -16,6 +16,7 @@
 //! | [`integral`] | integrals over heights and radii, separation |
 //! | [`topography`] | readers, spectrum, summits of a measured map or profile |
 //! | [`surface`] | heights, radii, surface file |
+//! | `root_finding` | bracketing root finder |
 //!
 //! ```
 //! use roughsurface::friction::{Settings, predict};

@@ -94,9 +94,10 @@ pub fn of_prediction(error: PredictionError) -> PyErr {
         PredictionError::Lookup(lookup) | PredictionError::Separation(SeparationError::Lookup(lookup)) => {
             of_lookup(lookup)
         }
-        PredictionError::Separation(SeparationError::NotFound { .. }) | PredictionError::NotFinite { .. } => {
-            failed(&error, None)
-        }
+        PredictionError::Separation(
+            SeparationError::NotFound { .. } | SeparationError::NoMeanPlane { .. },
+        )
+        | PredictionError::NotFinite { .. } => failed(&error, None),
         PredictionError::ContactsTooLarge { .. } => input(&error, None, Some("query.pressure"), &error),
         _ => input(&error, None, None, &error),
     }

@@ -1,6 +1,5 @@
 //! `asperity calibrate`: fits of constants, repeated.
 
-use asperity::simulate::SimulationError;
 use asperity::studies::calibration::{fits, markdown};
 
 use super::progress::{Progress, watch_for_interrupt};
@@ -10,10 +9,7 @@ use super::{Display, Failure, print};
 pub fn calibrate(display: &Display) -> Result<(), Failure> {
     watch_for_interrupt();
     let progress = Progress::new(display);
-    let fits = fits(&progress).map_err(|error| match error {
-        SimulationError::Cancelled { .. } => Failure::run("stopped on request"),
-        error => Failure::run(error),
-    })?;
+    let fits = fits(&progress).map_err(Failure::run)?;
     progress.clear();
     print(&markdown(&fits))
 }

@@ -65,11 +65,7 @@ fn save(arguments: &VerifyArguments, case: &RobustnessCase, result: &CaseResult)
     let (Some(directory), Some(outcome)) = (&arguments.save, &result.outcome) else {
         return Ok(());
     };
-    let incomplete = match &result.verdict {
-        Verdict::Solved => None,
-        Verdict::Refused(reason) | Verdict::Failed(reason) => Some(reason.as_str()),
-    };
-    let about = About { history: provenance::history(&command_line()), incomplete };
+    let about = About { history: provenance::history(&command_line()), incomplete: result.verdict.reason() };
     let path = directory.join(format!("{}.nc", case.name));
     run_file::write(&path, &result.scene, outcome, &about).map_err(Failure::run)
 }
@@ -106,17 +102,13 @@ fn line(case: &RobustnessCase, result: &CaseResult) -> String {
         );
     }
     text.push('\n');
-    if let Verdict::Refused(reason) | Verdict::Failed(reason) = &result.verdict {
+    if let Some(reason) = result.verdict.reason() {
         text += &format!("  {reason}\n");
     }
     text
 }
 
 fn as_json(case: &RobustnessCase, result: &CaseResult) -> Value {
-    let reason = match &result.verdict {
-        Verdict::Solved => None,
-        Verdict::Refused(reason) | Verdict::Failed(reason) => Some(reason),
-    };
     let account = result.outcome.as_ref().map(|outcome| {
         let account = &outcome.account;
         json!({
@@ -135,7 +127,7 @@ fn as_json(case: &RobustnessCase, result: &CaseResult) -> Value {
         "case": case.name,
         "set": case.set,
         "verdict": word(&result.verdict),
-        "reason": reason,
+        "reason": result.verdict.reason(),
         "account": account,
         "wall_time": result.wall_time,
     })

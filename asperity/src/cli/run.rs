@@ -9,7 +9,7 @@ use std::time::Instant;
 use asperity::loading::recording::Recording;
 use asperity::output::revolved::Extent;
 use asperity::output::run_file::{self, About};
-use asperity::output::{figures, numbers, provenance, vtu};
+use asperity::output::{figures, provenance, vtu};
 use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
 use asperity::simulate::derived;
@@ -19,6 +19,7 @@ use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
 use tables::netcdf::streams::say;
 use tables::netcdf::{check_distinct, destination};
+use tables::numbers;
 use tables::quantity::Quantity;
 
 use super::progress::{self, Progress, watch_for_interrupt};
@@ -224,12 +225,12 @@ fn as_json(
     let entry = |quantity: Quantity| {
         let descriptor = quantity.descriptor();
         let estimate = outcome.scalars[quantity];
-        let value = numbers::as_json(estimate, descriptor.units);
+        let value = json!(estimate.in_unit(descriptor.units));
         (descriptor.name.to_owned(), value)
     };
     let mut summary: serde_json::Map<_, _> = Quantity::SCALARS.into_iter().map(entry).collect();
     for (name, unit, _, estimate) in derived::of_run(scene, outcome) {
-        summary.insert(name.to_owned(), numbers::as_json(estimate, unit));
+        summary.insert(name.to_owned(), json!(estimate.in_unit(unit)));
     }
     let account = &outcome.account;
     json!({
@@ -245,19 +246,6 @@ fn as_json(
         "levelled": outcome.steady,
         "notes": account.notes,
         "warnings": account.warnings,
-        "account": {
-            "elements_per_radius": account.elements_per_radius,
-            "sectors": account.sectors,
-            "unknowns": account.unknowns,
-            "heat": account.heat,
-            "finite_strain": account.finite_strain,
-            "steps": account.steps,
-            "cutbacks": account.cutbacks,
-            "newton_iterations": account.newton_iterations,
-            "press_newton_iterations": account.press_newton_iterations,
-            "krylov_iterations": account.krylov_iterations,
-            "line_searches": account.line_searches,
-            "wall_time": account.wall_time,
-        },
+        "account": account,
     })
 }

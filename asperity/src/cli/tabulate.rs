@@ -4,13 +4,14 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::output::{numbers, provenance};
+use asperity::output::provenance;
 use asperity::scene::file::read_request;
 use asperity::simulate::outcome::Note;
 use asperity::solver::timings::{Kernel, Timings};
 use asperity::tabulate::{self, Journal, Options, TabulateError, Tabulation};
 use serde_json::{Value, json};
 use tables::netcdf::streams::say;
+use tables::numbers;
 use tables::quantity::Quantity;
 use tables::table::Table;
 
@@ -202,7 +203,7 @@ fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
                     let entry = |quantity: Quantity| {
                         let descriptor = quantity.descriptor();
                         let estimate = finished.cell[quantity];
-                        let value = numbers::as_json(estimate, descriptor.units);
+                        let value = json!(estimate.in_unit(descriptor.units));
                         (descriptor.name.to_owned(), value)
                     };
                     ("done", None, Quantity::SCALARS.into_iter().map(entry).collect())

@@ -4,8 +4,6 @@
 //! Heat in Solids, 1959, §10.5), and its effects: softening changes the strength; thermal expansion and
 //! softer moduli change the load at constant interference.
 
-use tables::closed_forms::hertz;
-
 use crate::material::{SHEAR_RATIO, Solid};
 use crate::scene::fitted_constants::heat_effect::LOAD_OF_EXPANSION;
 use crate::scene::{Scene, Switch};
@@ -68,9 +66,7 @@ impl HeatEffect {
             partition => partition,
         };
         let rise = share * strength * slip_rate * contact_radius / material.thermal_conductivity;
-        let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
-        let critical =
-            hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);
+        let critical = material.elastic_plastic().critical_interference(1.0);
         let interference = scene.loading.interference * critical * scene.radius;
         let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
         let initial = scene.loading.temperature;

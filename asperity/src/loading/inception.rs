@@ -14,18 +14,19 @@ const STIFFNESS_SHARE: f64 = 0.01;
 const OTHER_STIFFNESS_SHARES: [f64; 3] = [0.1, 0.05, 0.02];
 
 /// Which of the two criteria of sliding inception was met first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InceptionCriterion {
     /// No contact point sticks.
     FullSlip,
     /// dQ/ds fell below 1 % of its initial value.
     Stiffness,
     /// Neither, up to the end of the slide.
+    #[default]
     None,
 }
 
 /// Sliding inception, dimensionless.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Inception {
     pub criterion: InceptionCriterion,
     pub slip: f64,
@@ -77,16 +78,7 @@ impl Inception {
     /// Of a run without a slide or without friction.
     pub fn none(history: &[SlideState]) -> Self {
         let load = history.last().map_or(0.0, |state| state.load);
-        Self {
-            criterion: InceptionCriterion::None,
-            slip: 0.0,
-            friction: 0.0,
-            load,
-            energy_release: 0.0,
-            slip_bracket: 0.0,
-            friction_bracket: 0.0,
-            energy_bracket: 0.0,
-        }
+        Self { load, ..Self::default() }
     }
 
     /// Those by other thresholds of the stiffness, if it is the stiffness that decides.

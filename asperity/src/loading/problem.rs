@@ -5,7 +5,6 @@
 
 use std::sync::Arc;
 
-use tables::closed_forms::hertz;
 use tables::closed_forms::jackson_green;
 
 use crate::discretisation::body::Body;
@@ -93,9 +92,8 @@ impl Problem {
     pub fn new(scene: &Scene) -> Self {
         let scene = &scene.with_combined_modulus();
         let material = &scene.material;
-        let e_star = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
-        let critical =
-            hertz::critical_interference(e_star, material.poisson_ratio, material.yield_strength, 1.0);
+        let body = material.elastic_plastic();
+        let critical = body.critical_interference(1.0);
         let capacity = material.density * material.specific_heat;
         let diffusivity = material.thermal_conductivity / capacity;
         let heat_capacity = capacity / material.yield_strength;
@@ -103,7 +101,7 @@ impl Problem {
         Self {
             solid: Solid::new(material, scene.loading.temperature),
             finite_strain: scene.model.kinematics == Kinematics::Finite,
-            contact_modulus: e_star / material.yield_strength,
+            contact_modulus: body.contact_modulus() / material.yield_strength,
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),

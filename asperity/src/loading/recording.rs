@@ -10,13 +10,6 @@ use crate::solver::newton::Mechanics;
 
 /// States of a run recorded as fields. Always recorded: the start of the slide, slip of half of the
 /// contact, full slip and the end; in a programme the end of each step.
-///
-/// ```
-/// use asperity::loading::recording::Recording;
-///
-/// let recording = Recording { slips: vec![0.1, 1.0], body: true };
-/// assert_ne!(recording, Recording::default());
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recording {
     /// Slips in units of a₀, summed over the steps of a programme, at each of which an increment ends.

@@ -1,4 +1,4 @@
-//! Files and figures of a run: `run.nc`, the figure, the body for ParaView, numbers as text and JSON.
+//! Files and figures of a run: `run.nc`, the figure, the body for ParaView.
 //!
 //! Writes the results of [`simulate`](mod@crate::simulate) without computing any; loops over the list of [`tables::quantity`]. Depends
 //! on `crate::simulate` and the rooms below it. Chapters "Run: run.nc" and "Other files" of the book.
@@ -6,7 +6,6 @@
 mod contact_maps;
 pub mod figures;
 pub mod journal_file;
-pub mod numbers;
 pub mod provenance;
 pub mod revolved;
 pub mod run_file;

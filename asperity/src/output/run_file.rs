@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 use tables::quantity::{Estimate, History, Quantity, Stored};
 
 use crate::output::provenance::SOURCE;
@@ -247,10 +247,6 @@ fn fields(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetErro
     Ok(())
 }
 
-fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
-    vec![("units", unit.into()), ("long_name", long_name.into())]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -305,7 +301,7 @@ mod tests {
             assert_eq!(dimensions(name), ["snapshot", "theta", "r"]);
         }
         let text = |name: &str| match file.attribute(name).unwrap().value().unwrap() {
-            AttributeValue::Str(text) => text,
+            tables::netcdf::AttributeValue::Str(text) => text,
             other => panic!("{name}: {other:?}"),
         };
         assert_eq!(text("Conventions"), "CF-1.11");

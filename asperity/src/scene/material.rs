@@ -1,6 +1,7 @@
 //! Section `[material]`: constants, and laws of hardening, softening and fracture.
 
 use serde::{Deserialize, Serialize};
+use tables::closed_forms::ElasticPlastic;
 
 use crate::scene::curve::{Curve, interpolate};
 
@@ -156,6 +157,15 @@ pub struct Material {
 }
 
 impl Material {
+    /// As the material of a closed form.
+    pub fn elastic_plastic(&self) -> ElasticPlastic {
+        ElasticPlastic {
+            youngs_modulus: self.youngs_modulus,
+            poisson_ratio: self.poisson_ratio,
+            yield_strength: self.yield_strength,
+        }
+    }
+
     /// Sets the values at the initial temperature, K, of the properties that have a table.
     pub fn evaluate_at_temperature(&mut self, temperature: f64) {
         let tables = &self.dependence;

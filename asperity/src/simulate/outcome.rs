@@ -46,7 +46,7 @@ pub struct ContactGrid {
 }
 
 /// Choices of the run and its cost.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Account {
     pub elements_per_radius: usize,
     pub sectors: usize,
@@ -66,10 +66,13 @@ pub struct Account {
     /// s.
     pub wall_time: f64,
     /// Where the time went; without that of the output, which is not done then.
+    #[serde(skip)]
     pub timings: Timings,
     /// What was chosen or left out and why.
+    #[serde(skip)]
     pub notes: Vec<Note>,
     /// Limitations of the results.
+    #[serde(skip)]
     pub warnings: Vec<Warning>,
 }
 

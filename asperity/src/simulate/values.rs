@@ -42,9 +42,7 @@ impl Values {
         let (first, latest) = (first_step(history), last_slip(history));
         let inception = if has_friction { inception(first) } else { Inception::none(history) };
         let friction = if has_friction { last.friction } else { 0.0 };
-        let mu = |i: &SlideState| {
-            if has_friction && i.load > 0.0 { i.friction / i.load } else { 0.0 }
-        };
+        let mu = |i: &SlideState| if has_friction { i.mu() } else { 0.0 };
         let steady = if has_friction { steady_friction(&latest) } else { Estimate::default() };
         let energy = units.stress * units.length;
         let start = units.temperature;

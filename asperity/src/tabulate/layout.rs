@@ -71,14 +71,7 @@ impl<'a> Layout<'a> {
     pub fn cases(&self) -> Vec<Case> {
         let case = |row: usize, column: usize| {
             let scene = &self.template(row).with_combined_modulus();
-            let material = &scene.material;
-            let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
-            let critical = hertz::critical_interference(
-                modulus,
-                material.poisson_ratio,
-                material.yield_strength,
-                scene.radius,
-            );
+            let critical = scene.material.elastic_plastic().critical_interference(scene.radius);
             let interference = self.interference(row);
             let radius = hertz::contact_radius(scene.radius, interference * critical);
             let slip_rate = self.slip_rates[column];

@@ -1,6 +1,5 @@
 //! Results of a tabulation, and the [`Table`] of them with its metadata.
 
-use tables::closed_forms::hertz;
 use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::refinement::{Goal, JUDGED};
@@ -79,10 +78,7 @@ impl Tabulation {
             .enumerate()
             .flat_map(|(i, row)| row.iter().enumerate().map(move |(j, cell)| ((i, j), cell)))
     }
-}
 
-/// The table of the results.
-impl Tabulation {
     /// The table of all cells; `history` as in [`crate::output::provenance::history`]. Where points were
     /// added for a tolerance, errors include that of interpolation.
     pub fn table(&self, history: String) -> Result<Table, TableError> {
@@ -142,7 +138,7 @@ impl Tabulation {
             Rate::None => (None, None),
             Rate::JohnsonCook { coefficient, reference } => (Some(coefficient), Some(reference)),
         };
-        let contact_modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
+        let body = material.elastic_plastic();
         let (interferences, slip_rates) = (&self.interferences, &self.slip_rates);
         let temperatures = match &self.request.temperatures[..] {
             [from, .., to] => {
@@ -168,13 +164,8 @@ impl Tabulation {
             comment: String::new(),
             scene: write_request(&self.request),
             asperity_radius: scene.radius,
-            critical_interference: hertz::critical_interference(
-                contact_modulus,
-                material.poisson_ratio,
-                material.yield_strength,
-                scene.radius,
-            ),
-            contact_modulus,
+            critical_interference: body.critical_interference(scene.radius),
+            contact_modulus: body.contact_modulus(),
             poisson_ratio: material.poisson_ratio,
             yield_strength: material.yield_strength,
             strength_factor: interface.law.is_material_strength().then_some(interface.strength_factor),

@@ -82,9 +82,9 @@ pub fn compare(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integral::test_laws::STEEL;
+    use crate::integral::test_laws::{STEEL, query, surface};
     use crate::surface::heights::Exponential;
-    use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading};
+    use crate::surface::query::{ContactLife, NormalLoading};
     use tables::closed_forms::NAMES;
 
     #[test]
@@ -94,18 +94,11 @@ mod tests {
         let critical = unit.powi(2) * closed_form("hertz", &STEEL).unwrap().critical_interference(1e-4);
         // ψ = 1 with exponential heights: friction does not depend on the pressure, and with
         // Kogut & Etsion's load and area it is 0.42963 in units of the exact first yield.
-        let surface = Surface {
-            asperity_density: 1e10,
-            asperity_radius: 1e-4.into(),
-            heights: Box::new(Exponential::new(critical)),
-        };
+        let surface = surface(Box::new(Exponential::new(critical)));
         let query = Query {
-            loading: NormalLoading::Pressure(vec![1e4, 1e5]),
             slip_rates: vec![0.1, 5.0],
-            control: LoadingControl::Load,
             contact_life: ContactLife::Steady,
-            interaction: Interaction::None,
-            rate_step: None,
+            ..query(NormalLoading::Pressure(vec![1e4, 1e5]))
         };
         let models: Vec<String> = NAMES.iter().map(|name| name.to_string()).collect();
         let compared = compare(&models, &STEEL, &surface, &query, &Settings::default()).unwrap();

@@ -3,7 +3,7 @@
 use crate::friction::regime::RegimeShares;
 use crate::integral::asperity_at_slip::Additional;
 use crate::integral::contact_state::ContactState;
-use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
+use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::root_finding::{Accuracy, root_between};
 use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
@@ -150,17 +150,13 @@ fn height_of(excess: impl Fn(f64) -> f64, from: f64, standard_deviation: f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integral::test_laws::PowerLaw;
+    use crate::integral::test_laws::{PowerLaw, surface};
     use crate::surface::heights::{Exponential, Sample};
 
     /// T = 300 K + 100 K √(ω/ω_c), the mean rise 0.6 of that; ω_c = 1 µm.
     fn law(relative_error: f64) -> PowerLaw {
         let temperature = |interference: f64| 300.0 + 100.0 * interference.sqrt();
         PowerLaw { critical: 1e-6, temperature, mean_rise: Some(0.6), relative_error, ..PowerLaw::hertz() }
-    }
-
-    fn surface(heights: Box<dyn Heights>) -> Surface {
-        Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
     }
 
     fn contacts(surface: &Surface, law: &PowerLaw, separation: Estimate) -> Contacts {

@@ -4,6 +4,8 @@ use crate::friction::result::Friction;
 use crate::friction::slip_curve::SlipState;
 use tables::law::Estimate;
 
+use Source::{Share, Slide, Sliding, WhereKnown};
+
 /// A result over (pressure or separation, slip rate).
 pub struct Quantity {
     /// Name in files.
@@ -32,101 +34,86 @@ pub enum Source {
 
 /// Every result. To add one: a line here.
 pub static QUANTITIES: [Quantity; 29] = [
-    Quantity::sliding("mu", "1", "sliding friction coefficient, mean over the life of the contacts", |s| s.mu).propagated(),
-    Quantity::slide("mu_steady", "1", "sliding friction coefficient of contacts that last", |f| f.mu_steady),
-    Quantity::slide("mu_static", "1", "friction coefficient where the friction-slip curve of the surface starts to slide",
-        |f| f.mu_static).propagated(),
-    Quantity::slide("inception_slip", "m", "slip at which static friction is reached", |f| f.inception_slip),
-    Quantity::sliding("Q", "Pa", "friction stress on the nominal area while sliding", |s| s.shear).propagated(),
-    Quantity::where_known("G", "J m-2", "energy that the asperities release from full stick to full slip per nominal area",
-        |f| f.energy_release).propagated(),
-    Quantity::slide("G_weakening", "J m-2",
+    Quantity::new("mu", "1", "sliding friction coefficient, mean over the life of the contacts",
+        Sliding(|s| s.mu)).propagated(),
+    Quantity::new("mu_steady", "1", "sliding friction coefficient of contacts that last",
+        Slide(|f| f.mu_steady)),
+    Quantity::new("mu_static", "1",
+        "friction coefficient where the friction-slip curve of the surface starts to slide",
+        Slide(|f| f.mu_static)).propagated(),
+    Quantity::new("inception_slip", "m", "slip at which static friction is reached",
+        Slide(|f| f.inception_slip)),
+    Quantity::new("Q", "Pa", "friction stress on the nominal area while sliding",
+        Sliding(|s| s.shear)).propagated(),
+    Quantity::new("G", "J m-2",
+        "energy that the asperities release from full stick to full slip per nominal area",
+        WhereKnown(|f| f.energy_release)).propagated(),
+    Quantity::new("G_weakening", "J m-2",
         "energy of slip weakening per nominal area, from the peak of the friction stress to the end of the slide",
-        |f| f.weakening_energy).propagated(),
-    Quantity::slide("G_weakening_real_area", "J m-2",
-        "energy of slip weakening per real contact area while sliding", Friction::weakening_of_real_area),
-    Quantity::where_known("G_real_area", "J m-2",
+        Slide(|f| f.weakening_energy)).propagated(),
+    Quantity::new("G_weakening_real_area", "J m-2",
+        "energy of slip weakening per real contact area while sliding",
+        Slide(Friction::weakening_of_real_area)),
+    Quantity::new("G_real_area", "J m-2",
         "energy that the asperities release from full stick to full slip per real contact area before the slide",
-        Friction::release_of_real_area),
-    Quantity::slide("weakening_distance", "m",
+        WhereKnown(Friction::release_of_real_area)),
+    Quantity::new("weakening_distance", "m",
         "slip-weakening distance, that of linear weakening with the same peak, end and energy of the friction stress",
-        |f| f.weakening_distance),
-    Quantity::slide("dmu_dlnV", "1",
+        Slide(|f| f.weakening_distance)),
+    Quantity::new("dmu_dlnV", "1",
         "derivative of the sliding friction coefficient with respect to the logarithm of the slip rate",
-        |f| f.rate_sensitivity),
-    Quantity::sliding("real_area_fraction", "1", "real over nominal contact area while sliding",
-        |s| s.area_fraction).propagated(),
-    Quantity::slide("real_area_fraction_press", "1", "real over nominal contact area before the slide",
-        |f| f.pressed.area_fraction),
-    Quantity::slide("separation", "m", "distance of the flat from the undisplaced reference plane of the heights before the slide",
-        |f| f.pressed.separation).propagated(),
-    Quantity::sliding("separation_sliding", "m",
-        "distance of the flat from the undisplaced reference plane of the heights while sliding", |s| s.separation),
-    Quantity::slide("mean_plane_displacement", "m",
+        Slide(|f| f.rate_sensitivity)),
+    Quantity::new("real_area_fraction", "1", "real over nominal contact area while sliding",
+        Sliding(|s| s.area_fraction)).propagated(),
+    Quantity::new("real_area_fraction_press", "1", "real over nominal contact area before the slide",
+        Slide(|f| f.pressed.area_fraction)),
+    Quantity::new("separation", "m",
+        "distance of the flat from the undisplaced reference plane of the heights before the slide",
+        Slide(|f| f.pressed.separation)).propagated(),
+    Quantity::new("separation_sliding", "m",
+        "distance of the flat from the undisplaced reference plane of the heights while sliding",
+        Sliding(|s| s.separation)),
+    Quantity::new("mean_plane_displacement", "m",
         "displacement of the reference plane of the heights by the nominal pressure before the slide",
-        |f| f.pressed.displacement),
-    Quantity::slide("pressure", "Pa", "nominal pressure before the slide", |f| f.pressed.pressure),
-    Quantity::sliding("pressure_sliding", "Pa", "nominal pressure while sliding", |s| s.pressure),
-    Quantity::sliding("contact_density", "m-2", "asperities in contact per nominal area while sliding",
-        |s| s.contact_density),
-    Quantity::slide("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
-        |f| f.pressed.contact_density),
-    Quantity::where_known("temperature_mean", "K",
-        "temperature of the contacts at the end of the slide, mean over the real contact area", |f| f.contacts.temperature_mean),
-    Quantity::where_known("temperature_max", "K",
+        Slide(|f| f.pressed.displacement)),
+    Quantity::new("pressure", "Pa", "nominal pressure before the slide", Slide(|f| f.pressed.pressure)),
+    Quantity::new("pressure_sliding", "Pa", "nominal pressure while sliding", Sliding(|s| s.pressure)),
+    Quantity::new("contact_density", "m-2", "asperities in contact per nominal area while sliding",
+        Sliding(|s| s.contact_density)),
+    Quantity::new("contact_density_press", "m-2", "asperities in contact per nominal area before the slide",
+        Slide(|f| f.pressed.contact_density)),
+    Quantity::new("temperature_mean", "K",
+        "temperature of the contacts at the end of the slide, mean over the real contact area",
+        WhereKnown(|f| f.contacts.temperature_mean)),
+    Quantity::new("temperature_max", "K",
         "temperature that the hottest point of one contact in a thousand exceeds at the end of the slide",
-        |f| f.contacts.temperature_max),
-    Quantity::share("elastic_load_fraction", "share of the load on contacts below first yield at the end of the slide",
-        |f| f.contacts.elastic_load),
-    Quantity::share("elastic_plastic_load_fraction",
+        WhereKnown(|f| f.contacts.temperature_max)),
+    Quantity::new("elastic_load_fraction", "1",
+        "share of the load on contacts below first yield at the end of the slide",
+        Share(|f| f.contacts.elastic_load)),
+    Quantity::new("elastic_plastic_load_fraction", "1",
         "share of the load on contacts between first yield and 110 times its interference at the end of the slide",
-        |f| f.contacts.elastic_plastic_load),
-    Quantity::share("fully_plastic_load_fraction",
+        Share(|f| f.contacts.elastic_plastic_load)),
+    Quantity::new("fully_plastic_load_fraction", "1",
         "share of the load on contacts above 110 times the interference of first yield at the end of the slide",
-        |f| f.contacts.fully_plastic_load),
-    Quantity::share("outside_table_fraction",
-        "largest share of the load carried above the last interference of the table during the slide", |f| f.outside_table),
-    Quantity::share("elastic_fraction",
+        Share(|f| f.contacts.fully_plastic_load)),
+    Quantity::new("outside_table_fraction", "1",
+        "largest share of the load carried above the last interference of the table during the slide",
+        Share(|f| f.outside_table)),
+    Quantity::new("elastic_fraction", "1",
         "share of the asperities in contact pressed less than first yield needs, at the end of the slide",
-        |f| f.contacts.shares.elastic),
-    Quantity::share("plastic_fraction",
+        Share(|f| f.contacts.shares.elastic)),
+    Quantity::new("plastic_fraction", "1",
         "share of the asperities in contact pressed beyond first yield and not melting, at the end of the slide",
-        |f| f.contacts.shares.plastic),
-    Quantity::share("melting_fraction",
+        Share(|f| f.contacts.shares.plastic)),
+    Quantity::new("melting_fraction", "1",
         "share of the asperities in contact whose hottest point has the melting temperature, at the end of the slide",
-        |f| f.contacts.shares.melting),
+        Share(|f| f.contacts.shares.melting)),
 ];
 
 impl Quantity {
     const fn new(name: &'static str, unit: &'static str, long_name: &'static str, source: Source) -> Self {
         Self { name, unit, long_name, source, propagated: false }
-    }
-    const fn sliding(
-        name: &'static str,
-        unit: &'static str,
-        long_name: &'static str,
-        of: fn(&SlipState) -> Estimate,
-    ) -> Self {
-        Self::new(name, unit, long_name, Source::Sliding(of))
-    }
-    const fn slide(
-        name: &'static str,
-        unit: &'static str,
-        long_name: &'static str,
-        of: fn(&Friction) -> Estimate,
-    ) -> Self {
-        Self::new(name, unit, long_name, Source::Slide(of))
-    }
-    const fn where_known(
-        name: &'static str,
-        unit: &'static str,
-        long_name: &'static str,
-        of: fn(&Friction) -> Option<Estimate>,
-    ) -> Self {
-        Self::new(name, unit, long_name, Source::WhereKnown(of))
-    }
-    const fn share(name: &'static str, long_name: &'static str, of: fn(&Friction) -> f64) -> Self {
-        Self::new(name, "1", long_name, Source::Share(of))
     }
     const fn propagated(self) -> Self {
         Self { propagated: true, ..self }
@@ -152,6 +139,6 @@ impl Quantity {
 
     /// As [`of`](Self::of), NaN where it is unknown.
     pub fn estimate(&self, friction: &Friction) -> Estimate {
-        self.of(friction).unwrap_or(Estimate { value: f64::NAN, error: f64::NAN })
+        self.of(friction).unwrap_or(Estimate::UNKNOWN)
     }
 }

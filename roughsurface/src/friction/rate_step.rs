@@ -5,9 +5,9 @@ use tables::law::Estimate;
 /// Slips at which the response is computed.
 const POINTS: usize = 48;
 
-/// Slips since the step over the smallest and the largest contact radius, m: the first and the last but zero. The contacts of
-/// the last are all born after the step.
+/// First slip since the step after zero, over the smallest contact radius.
 const FIRST: f64 = 1e-3;
+/// Last slip since the step, over the largest contact radius and the life: all contacts are born after the step by then.
 const LAST: f64 = 4.0;
 
 /// A surface in steady sliding whose slip rate steps from one to another.
@@ -75,21 +75,18 @@ pub(crate) fn slip_grid([smallest, largest]: [f64; 2], diameters: f64) -> Vec<f6
 mod tests {
     use super::*;
     use crate::friction::{Settings, predict};
-    use crate::integral::test_laws::PowerLaw;
+    use crate::integral::test_laws::{PowerLaw, query, surface};
     use crate::surface::heights::Exponential;
-    use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
+    use crate::surface::query::{ContactLife, NormalLoading, Query};
     use tables::law::AsperityLaw;
 
     fn stepped(law: &dyn AsperityLaw, rates: [f64; 2], life: f64) -> Result<RateStepResponse, String> {
         let heights = Box::new(Exponential::new(2e-7));
-        let surface = Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights };
+        let surface = surface(heights);
         let query = Query {
-            loading: NormalLoading::Pressure(vec![1e5, 1e6]),
-            slip_rates: vec![1.0],
-            control: LoadingControl::Load,
             contact_life: ContactLife::Diameters(life),
-            interaction: Interaction::None,
             rate_step: Some(rates),
+            ..query(NormalLoading::Pressure(vec![1e5, 1e6]))
         };
         let found = predict(law, &surface, &query, &Settings::default(), &|_, _| ());
         Ok(found.map_err(|error| error.to_string())?.rate_step.unwrap())

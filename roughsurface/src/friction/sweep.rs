@@ -11,7 +11,7 @@ use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::{Predictor, PredictorHistory};
 use crate::integral::separation::{EquilibriumState, separation_for};
-use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
+use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use rayon::prelude::*;
 use tables::law::{AboveRange, AsperityLaw, Estimate, LookupError};

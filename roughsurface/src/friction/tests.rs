@@ -3,15 +3,11 @@
 use super::rate_law::NoFit;
 use super::warning::Warning;
 use super::*;
-use crate::integral::test_laws::{PowerLaw, STEEL};
-use crate::surface::heights::{Exponential, Gaussian, Heights, Uniform};
+use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
+use crate::surface::heights::{Exponential, Gaussian, Uniform};
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::{closed_form, hertz};
 use tables::law::{AsperityLaw, Estimate};
-
-fn surface(heights: Box<dyn Heights>) -> Surface {
-    Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
-}
 
 fn predicted(
     law: &dyn AsperityLaw,
@@ -21,13 +17,11 @@ fn predicted(
     control: LoadingControl,
 ) -> Result<Prediction, PredictionError> {
     let query = Query {
-        loading: NormalLoading::Pressure(pressures.to_vec()),
         slip_rates: slip_rates.to_vec(),
         control,
         // Friction without the sticking of young contacts.
         contact_life: ContactLife::Steady,
-        interaction: Interaction::None,
-        rate_step: None,
+        ..query(NormalLoading::Pressure(pressures.to_vec()))
     };
     predict(law, surface, &query, &Settings::default(), &|_, _| ())
 }
@@ -88,14 +82,7 @@ fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
 fn of_life(contact_life: ContactLife, steady: Option<Estimate>) -> (Friction, Vec<Warning>) {
     let history = |_: f64, slip: f64, radius: f64| (-0.5 * slip / radius).exp();
     let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
-    let query = Query {
-        loading: NormalLoading::Pressure(vec![1e6]),
-        slip_rates: vec![1.0],
-        control: LoadingControl::Load,
-        contact_life,
-        interaction: Interaction::None,
-        rate_step: None,
-    };
+    let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let mut found = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
     (found.friction.remove(0).remove(0), found.warnings)
@@ -172,14 +159,7 @@ fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_a
         message.starts_with("at 1e8 Pa and 1 m/s ") && message.contains("(from 20 omega_c on)"),
         "{message}"
     );
-    let query = Query {
-        loading: NormalLoading::Separation(vec![0.0]),
-        slip_rates: vec![1.0],
-        control: LoadingControl::Separation,
-        contact_life: ContactLife::default(),
-        interaction: Interaction::None,
-        rate_step: None,
-    };
+    let query = query(NormalLoading::Separation(vec![0.0]));
     let settings = Settings { extrapolate: true, ..Settings::default() };
     let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
     let cell = &found.friction[0][0];
@@ -225,14 +205,7 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
     let surface = surface(Box::new(Uniform::new(1e-6)));
     let error = predicted(&law, &surface, &[1e6], &[1e3], LoadingControl::Load).unwrap_err();
     assert!(error.to_string().contains("outside the table"));
-    let query = Query {
-        loading: NormalLoading::Separation(vec![2e-6]),
-        slip_rates: vec![1.0],
-        control: LoadingControl::Separation,
-        contact_life: ContactLife::default(),
-        interaction: Interaction::None,
-        rate_step: None,
-    };
+    let query = query(NormalLoading::Separation(vec![2e-6]));
     let error = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap_err();
     assert_eq!(error.to_string(), "a separation of 2e-6 m leaves no asperity in contact");
 }
@@ -243,14 +216,7 @@ fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
     let surface = surface(Box::new(Gaussian::new(3e-8)));
     let predicted = |loading: &NormalLoading, control, interaction| {
         let (slip_rates, contact_life) = (vec![1.0], ContactLife::default());
-        let query = Query {
-            loading: loading.clone(),
-            slip_rates,
-            control,
-            contact_life,
-            interaction,
-            rate_step: None,
-        };
+        let query = Query { slip_rates, control, contact_life, interaction, ..query(loading.clone()) };
         predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap()
     };
     let of_size = |nominal_size| Interaction::MeanPressure { nominal_size };
@@ -287,14 +253,7 @@ fn large_real_areas_are_warned_of_with_the_key_that_helps() {
     let law = closed_form("jackson-green", &STEEL).unwrap();
     let surface = surface(Box::new(Gaussian::new(3e-8)));
     let warned = |pressure, interaction| {
-        let query = Query {
-            loading: NormalLoading::Pressure(vec![pressure]),
-            slip_rates: vec![1.0],
-            control: LoadingControl::Load,
-            contact_life: ContactLife::default(),
-            interaction,
-            rate_step: None,
-        };
+        let query = Query { interaction, ..query(NormalLoading::Pressure(vec![pressure])) };
         let found = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
         let area = found.friction[0][0].sliding.area_fraction.value;
         let named = |warning: &Warning| match warning {

@@ -5,7 +5,7 @@
 //! w = c p L/E* in the mean, and all summits with it: they are pressed as by a flat at the effective separation d + w.
 
 use crate::integral::separation::SeparationError;
-use crate::integral::surface_integral::ContactIntegral;
+use crate::integral::surface_integral::SurfaceIntegral;
 use crate::root_finding::{Accuracy, root_between};
 use crate::surface::heights::Heights;
 use crate::surface::query::Interaction;
@@ -49,7 +49,7 @@ impl MeanPlane {
     /// standard deviations of the heights. It is unique, as the pressure falls with it.
     pub fn effective_separation(
         self,
-        integral: &mut impl ContactIntegral,
+        integral: &mut SurfaceIntegral,
         heights: &dyn Heights,
         separation: f64,
         tolerance: f64,
@@ -128,7 +128,8 @@ mod tests {
         let (density, radius, sigma) = (1e9, 1e-4, 1e-9);
         let heights = Exponential::new(sigma);
         let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 0.0).unwrap();
-        let mut integral = HeightIntegral::new(asperity, &heights, density, 1e-12);
+        let mut integral =
+            SurfaceIntegral::of_parts(vec![(1.0, HeightIntegral::new(asperity, &heights, density, 1e-12))]);
         let zero =
             density * std::f64::consts::PI.sqrt() * STEEL.contact_modulus() * (radius * sigma).sqrt() * sigma;
         for nominal_size in [1e-7, 1e-5, 1e-3, 1e-2] {

@@ -2,7 +2,7 @@
 
 use crate::integral::contact_state::ContactState;
 use crate::integral::predictor::{Predictor, SHARED_UNCERTAINTY, Sensitivity};
-use crate::integral::surface_integral::ContactIntegral;
+use crate::integral::surface_integral::SurfaceIntegral;
 use crate::root_finding::{Accuracy, root_between};
 use crate::surface::heights::Heights;
 use tables::law::LookupError;
@@ -38,7 +38,7 @@ pub struct EquilibriumState {
 impl EquilibriumState {
     /// The state at `separation` (m), with its sensitivity to separation.
     pub fn at(
-        integral: &mut impl ContactIntegral,
+        integral: &mut SurfaceIntegral,
         heights: &dyn Heights,
         separation: f64,
     ) -> Result<Self, LookupError> {
@@ -47,7 +47,7 @@ impl EquilibriumState {
     }
 
     fn with_own_sensitivity(
-        integral: &mut impl ContactIntegral,
+        integral: &mut SurfaceIntegral,
         heights: &dyn Heights,
         separation: f64,
         mut state: ContactState,
@@ -90,7 +90,7 @@ const SECANT_STEPS: usize = 8;
 /// step or two. Where it does not converge, at the ends of the heights, a
 /// bracketing method is used.
 pub fn separation_for(
-    integral: &mut impl ContactIntegral,
+    integral: &mut SurfaceIntegral,
     heights: &dyn Heights,
     pressure: f64,
     predictor: Predictor,
@@ -137,7 +137,7 @@ pub fn separation_for(
 
 /// A state so near to equilibrium that one step with a shared sensitivity is as accurate as a new integral.
 fn corrected(
-    integral: &mut impl ContactIntegral,
+    integral: &mut SurfaceIntegral,
     here: f64,
     state: &ContactState,
     sensitivity: Sensitivity,
@@ -158,7 +158,7 @@ const NO_PRESSURE: f64 = 1e3;
 
 /// As [`separation_for`], by a bracket around `start` (m).
 fn bracketed(
-    integral: &mut impl ContactIntegral,
+    integral: &mut SurfaceIntegral,
     heights: &dyn Heights,
     pressure: f64,
     start: f64,
@@ -208,7 +208,10 @@ mod tests {
         let std = 1e-6;
         let heights: [&dyn Heights; 3] = [&Gaussian::new(std), &Exponential::new(std), &Uniform::new(std)];
         for heights in heights {
-            let mut integral = HeightIntegral::new(asperity.clone(), heights, 1e10, 1e-12);
+            let mut integral = SurfaceIntegral::of_parts(vec![(
+                1.0,
+                HeightIntegral::new(asperity.clone(), heights, 1e10, 1e-12),
+            )]);
             let origin = Predictor::at(0.0, heights);
             for place in [-3.0, -0.5, 0.1, 1.0, 1.6] {
                 let wanted = place * std;
@@ -231,7 +234,8 @@ mod tests {
         let law = PowerLaw::hertz();
         let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
         let heights = Sample::new(vec![0.0, 1e-6, 2.5e-6]).unwrap();
-        let mut integral = HeightIntegral::new(asperity, &heights, 1e10, 1e-10);
+        let mut integral =
+            SurfaceIntegral::of_parts(vec![(1.0, HeightIntegral::new(asperity, &heights, 1e10, 1e-10))]);
         let origin = Predictor::at(0.0, &heights);
         let found = separation_for(&mut integral, &heights, 1e-3, origin, 1e-10).unwrap();
         assert!(found.separation < 2.5e-6 && found.separation > 2.4e-6);

@@ -9,22 +9,6 @@ use crate::surface::radii::RadiusClass;
 use std::sync::Arc;
 use tables::law::{AsperityLaw, LookupError};
 
-/// An integral over the asperities, for any separation.
-pub trait ContactIntegral {
-    /// The state at `separation` (m).
-    fn at(&mut self, separation: f64) -> Result<ContactState, LookupError>;
-    /// Adds to a state at `separation` (m) the errors that a search for the separation does not need.
-    fn complete_errors(&mut self, _separation: f64, _state: &mut ContactState) -> Result<(), LookupError> {
-        Ok(())
-    }
-}
-
-impl ContactIntegral for HeightIntegral<'_> {
-    fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
-        HeightIntegral::at(self, separation)
-    }
-}
-
 /// The asperities of each radius at one slip rate and slip, with their share of the summits.
 #[derive(Clone)]
 pub struct Asperities<'a> {
@@ -118,14 +102,14 @@ impl<'a> SurfaceIntegral<'a> {
     pub fn of_parts(classes: Vec<(f64, HeightIntegral<'a>)>) -> Self {
         Self { classes, coarse: None }
     }
-}
 
-impl ContactIntegral for SurfaceIntegral<'_> {
-    fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
+    /// The state at `separation` (m).
+    pub fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
         sum(&mut self.classes, separation)
     }
 
-    fn complete_errors(&mut self, separation: f64, state: &mut ContactState) -> Result<(), LookupError> {
+    /// Adds to a state at `separation` (m) the errors that a search for the separation does not need.
+    pub fn complete_errors(&mut self, separation: f64, state: &mut ContactState) -> Result<(), LookupError> {
         if let Some(coarse) = &mut self.coarse {
             let other = sum(coarse, separation)?;
             let widen = |integral: &mut Integral, other: Integral| {

@@ -1,10 +1,33 @@
 //! Laws of one asperity with exact integrals, for tests.
 
+use crate::surface::heights::Heights;
+use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::ElasticPlastic;
 use tables::law::{AsperityLaw, Estimate, LookupError, Response};
 
 pub const STEEL: ElasticPlastic =
     ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
+
+/// Summits of 0.1 mm, 1e10 a square metre.
+pub fn surface(heights: Box<dyn Heights>) -> Surface {
+    Surface { asperity_density: 1e10, asperity_radius: 1e-4.into(), heights }
+}
+
+/// At 1 m/s, with what is given held.
+pub fn query(loading: NormalLoading) -> Query {
+    let control = match loading {
+        NormalLoading::Pressure(_) => LoadingControl::Load,
+        NormalLoading::Separation(_) => LoadingControl::Separation,
+    };
+    Query {
+        loading,
+        slip_rates: vec![1.0],
+        control,
+        contact_life: ContactLife::default(),
+        interaction: Interaction::None,
+        rate_step: None,
+    }
+}
 
 /// P, Q and A as powers of ω/ω_c, rate dependence and slip hardening by choice.
 #[derive(Clone, Debug)]

@@ -2,12 +2,11 @@
 
 use crate::friction::cutoff::AtCutoff;
 use crate::friction::quantities::Quantity;
-use crate::output::origin::described;
 use crate::output::result_tables::Rows;
 use crate::sampling::case::Results;
 use serde_json::{Value, json};
 use tables::law::Estimate;
-use tables::netcdf::{DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 
 /// Results at each cut-off.
 const SHOWN: [&str; 2] = ["mu_static", "mu"];

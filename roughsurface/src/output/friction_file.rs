@@ -5,14 +5,14 @@ use crate::friction::comparison::Comparison;
 use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
-use crate::output::origin::{Origin, described, grid_coordinates, with_error};
+use crate::output::origin::{Origin, grid_coordinates, with_error};
 use crate::output::rate_laws;
 use crate::output::rate_step;
 use crate::sampling::case::Results;
 use crate::sampling::uncertainty::{Propagated, outputs};
 use std::path::Path;
 use tables::law::Estimate;
-use tables::netcdf::{DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 
 const COMMENT: &str = "Greenwood-Williamson integration of one-asperity friction over summit heights. \
 NAME_error is an estimate of the absolute error of NAME: error of the table with one sign in all \

@@ -2,7 +2,7 @@
 
 use crate::surface::query::{LoadingControl, NormalLoading, Query};
 use tables::law::Estimate;
-use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 
 /// Where a result comes from, as written to the global attributes.
 #[derive(Clone, Debug)]
@@ -78,10 +78,6 @@ pub(super) fn coordinate(
     let mut attributes = described(unit, long_name);
     attributes.push(("axis", axis.into()));
     file.coordinate(name, values, &attributes)
-}
-
-pub(super) fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
-    vec![("units", unit.into()), ("long_name", long_name.into())]
 }
 
 /// A variable and, named in its `ancillary_variables`, the one of its errors.

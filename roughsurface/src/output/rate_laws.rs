@@ -1,12 +1,12 @@
 //! Laws of rate dependence, in `friction.nc`, in JSON and as rows of a table.
 
 use crate::friction::rate_law::{FORMS, NoFit, RateLaw, RateLaws};
-use crate::output::origin::{described, with_error};
+use crate::output::origin::with_error;
 use crate::output::result_tables::{Rows, estimate, head};
 use crate::sampling::case::Results;
 use serde_json::{Value, json};
 use tables::law::Estimate;
-use tables::netcdf::{DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 
 type Fit = Result<RateLaw, NoFit>;
 

@@ -1,12 +1,12 @@
 //! The response to a step of the slip rate, in `friction.nc`, in JSON, as rows of a table and as a panel.
 
 use crate::friction::rate_step::{RateStepResponse, Stepped};
-use crate::output::origin::{described, with_error};
+use crate::output::origin::with_error;
 use crate::output::result_tables::{Rows, estimate, head};
 use crate::sampling::case::Results;
 use serde_json::{Value, json};
 use tables::law::Estimate;
-use tables::netcdf::{DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 
 /// A number of each pressure or separation: name, unit, meaning, formula.
 type Number = (&'static str, &'static str, &'static str, fn(&Stepped, &[f64]) -> Estimate);

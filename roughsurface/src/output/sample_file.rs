@@ -1,7 +1,7 @@
 //! Finite surfaces as CF netCDF files, as text and as JSON.
 
 use crate::friction::quantities::{QUANTITIES, Source};
-use crate::output::origin::{Origin, coordinate, described, grid_coordinates};
+use crate::output::origin::{Origin, coordinate, grid_coordinates};
 use crate::output::summary_json::row_key;
 use crate::sampling::finite_surface::{SampledState, Samples};
 use crate::sampling::scatter::Scatter;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tables::law::Estimate;
-use tables::netcdf::{DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 use tables::numbers::digits;
 
 /// Name, long name and value of a measure of scatter.

@@ -56,20 +56,6 @@ pub mod constant_shear {
         (1.0 - x * x).sqrt()
     }
 
-    /// τ(r)/τ₀ for a sticking core of radius c inside a contact of radius a:
-    /// (2/π) acos √((c²−r²)/(a²−r²)) for r < c, 1 for c ≤ r ≤ a, 0 outside.
-    pub fn stress_fraction(r: f64, stick_radius: f64, contact_radius: f64) -> f64 {
-        if r > contact_radius {
-            return 0.0;
-        }
-        if r >= stick_radius {
-            return 1.0;
-        }
-        let inside = stick_radius * stick_radius - r * r;
-        let outside = contact_radius * contact_radius - r * r;
-        FRAC_2_PI * (inside / outside).sqrt().acos()
-    }
-
     /// Energies from u = 0 to gross slip in units of πa²τ₀δ_s: (work of the flat, stored
     /// elastic energy, frictional dissipation) = (1 − 4/3π, 4/3π, 1 − 8/3π).
     pub fn energies_at_gross_slip() -> (f64, f64, f64) {
@@ -117,18 +103,6 @@ mod tests {
             assert!((constant_shear::force_fraction(x) - force).abs() < 1e-6);
             assert!((constant_shear::stick_radius_fraction(x) - stick).abs() < 1e-6);
         }
-    }
-
-    #[test]
-    fn constant_shear_stress_integrates_to_the_force() {
-        let (stick, rings) = (0.6_f64, 200_000);
-        let width = 1.0 / rings as f64;
-        let sum: f64 = (0..rings)
-            .map(|ring| (ring as f64 + 0.5) * width)
-            .map(|r| 2.0 * r * constant_shear::stress_fraction(r, stick, 1.0) * width)
-            .sum();
-        let force = constant_shear::force_fraction((1.0 - stick * stick).sqrt());
-        assert!((sum - force).abs() < 1e-6, "{sum} against {force}");
     }
 
     #[test]

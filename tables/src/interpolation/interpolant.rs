@@ -36,7 +36,7 @@ pub(super) enum Place {
     Above(AboveLastRow),
 }
 
-/// Reason of a missing result at a point (row, column).
+/// Point (row, column) without a result.
 pub(super) type Absent = (usize, usize);
 
 impl Interpolant {

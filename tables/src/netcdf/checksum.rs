@@ -43,18 +43,19 @@ pub(super) enum Checksum {
 
 pub(super) fn inspect(file: &mut File) -> io::Result<Checksum> {
     let length = file.metadata()?.len();
-    let mut head = [0; HEAD];
-    let read = read_up_to(file, 0, &mut head)?;
+    let (mut head, mut end) = (Vec::new(), Vec::new());
+    file.rewind()?;
+    file.take(HEAD as u64).read_to_end(&mut head)?;
     let before = length.saturating_sub(LENGTH as u64);
-    let mut end = [0; LENGTH];
-    let found = read_up_to(file, before, &mut end)?;
-    if found == LENGTH && end.starts_with(MARK) {
+    file.seek(SeekFrom::Start(before))?;
+    file.take(LENGTH as u64).read_to_end(&mut end)?;
+    if end.len() == LENGTH && end.starts_with(MARK) {
         file.seek(SeekFrom::Start(0))?;
         let whole = line(file.take(before))? == end;
         let broken = || Checksum::Damaged("damaged: its bytes do not agree with their checksum".to_string());
         return Ok(if whole { Checksum::Agrees } else { broken() });
     }
-    let other_length = stated_length(&head[..read]).filter(|stated| *stated != length);
+    let other_length = stated_length(&head).filter(|stated| *stated != length);
     Ok(other_length.map_or(Checksum::Absent, |stated| {
         let text = "bytes and no checksum, and states that its data end at";
         Checksum::Damaged(format!("damaged: it has {length} {text} {stated}"))
@@ -66,10 +67,7 @@ fn line(mut bytes: impl Read) -> io::Result<Vec<u8>> {
     let mut digest = Sha256::new();
     io::copy(&mut bytes, &mut digest)?;
     let mut line = MARK.to_vec();
-    for byte in digest.finalize() {
-        write!(line, "{byte:02x}")?;
-    }
-    line.push(b'\n');
+    writeln!(line, "{:x}", digest.finalize())?;
     Ok(line)
 }
 
@@ -80,18 +78,6 @@ fn stated_length(head: &[u8]) -> Option<u64> {
         && *head.get(SUPERBLOCK.len() + 1)? == BYTES_OF_PLACES;
     let stated = head.get(END_OF_DATA..HEAD)?;
     known.then(|| u64::from_le_bytes(stated.try_into().expect("eight bytes")))
-}
-
-fn read_up_to(file: &mut File, from: u64, buffer: &mut [u8]) -> io::Result<usize> {
-    file.seek(SeekFrom::Start(from))?;
-    let mut filled = 0;
-    while filled < buffer.len() {
-        match file.read(&mut buffer[filled..])? {
-            0 => break,
-            some => filled += some,
-        }
-    }
-    Ok(filled)
 }
 
 #[cfg(test)]
@@ -122,9 +108,8 @@ mod tests {
     /// which the file is one without a checksum.
     #[test]
     fn any_single_damage_is_found_before_the_library_sees_it() {
-        let directory = std::env::temp_dir().join(format!("checksum-{}", std::process::id()));
-        std::fs::create_dir_all(&directory).unwrap();
-        let (path, bytes, end) = with_checksum(&directory);
+        let directory = tempfile::tempdir().unwrap();
+        let (path, bytes, end) = with_checksum(directory.path());
         assert_eq!(stated_length(&bytes), Some(end as u64));
         assert_eq!(refused(&path, &bytes), None);
         for at in 0..bytes.len() {
@@ -136,17 +121,14 @@ mod tests {
             assert_eq!(message.is_none(), at == end, "cut off at {at}: {message:?}");
         }
         assert!(refused(&path, &[&bytes[..], b"more"].concat()).unwrap().contains("no checksum"));
-        std::fs::remove_dir_all(&directory).unwrap();
     }
 
     #[test]
     fn a_file_that_another_program_changed_is_read() {
-        let directory = std::env::temp_dir().join(format!("checksum-changed-{}", std::process::id()));
-        std::fs::create_dir_all(&directory).unwrap();
-        let (path, bytes, _) = with_checksum(&directory);
+        let directory = tempfile::tempdir().unwrap();
+        let (path, bytes, _) = with_checksum(directory.path());
         ::netcdf::append(&path).unwrap().add_attribute("note", "added").unwrap();
         assert!(!std::fs::read(&path).unwrap().ends_with(&bytes[bytes.len() - LENGTH..]));
         assert_eq!(DatasetReader::open(&path).unwrap().attribute_text("note").unwrap(), "added");
-        std::fs::remove_dir_all(&directory).unwrap();
     }
 }

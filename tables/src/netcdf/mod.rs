@@ -40,7 +40,7 @@ pub use outputs::{NotSaved, OutputError, check_outputs, probe, save};
 pub use processor::{REMEDY, UNSUITABLE, check_processor, missing_instruction_set};
 pub use reader::{DatasetReader, check_regular};
 pub use sandbox::enable as enable_sandbox;
-pub use writer::{DatasetWriter, history};
+pub use writer::{DatasetWriter, described, history};
 
 /// CF version written to the attribute `Conventions`.
 pub const CONVENTIONS: &str = "CF-1.11";

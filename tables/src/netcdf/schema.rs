@@ -134,8 +134,7 @@ struct Content(Sha256);
 
 impl Content {
     fn finish(self) -> String {
-        let digits: String = self.0.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-        format!("{ALGORITHM}{digits}")
+        format!("{ALGORITHM}{:x}", self.0.finalize())
     }
 
     fn real(&mut self, value: f64) {

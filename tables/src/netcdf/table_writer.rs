@@ -148,9 +148,6 @@ impl Content<'_> {
         let mut attributes = describe(descriptor, long_name.clone(), "temperature: on_scale");
         let ancillary = format!("{error_name} status");
         attributes.push(("ancillary_variables", ancillary.into()));
-        if let Some(standard_name) = descriptor.standard_name {
-            attributes.push(("standard_name", standard_name.into()));
-        }
         file.reals(name, self.grid(), &values, &attributes)?;
 
         let error_long_name = format!("half-width of the 95 % interval of the {long_name}");

@@ -43,22 +43,19 @@ fn table() -> Slice {
     table
 }
 
-fn place(name: &str) -> std::path::PathBuf {
-    std::env::temp_dir().join(format!("tables-{}-{name}.nc", std::process::id()))
-}
-
 #[test]
 fn what_is_written_is_read_back() {
-    let path = place("round-trip");
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc");
     table().write(&path).unwrap();
     let read = Table::read(&path).unwrap().only().unwrap().clone();
-    std::fs::remove_file(&path).unwrap();
     assert_eq!(read, table());
 }
 
 #[test]
 fn equal_content_gives_equal_bytes() {
-    let (first, second) = (place("bytes-1"), place("bytes-2"));
+    let directory = tempfile::tempdir().unwrap();
+    let [first, second] = ["first.nc", "second.nc"].map(|name| directory.path().join(name));
     table().write(&first).unwrap();
     table().write(&second).unwrap();
     let bytes = std::fs::read(&first).unwrap();
@@ -66,13 +63,7 @@ fn equal_content_gives_equal_bytes() {
     // Overwriting leaves neither an old nor a temporary file.
     table().write(&first).unwrap();
     assert_eq!(bytes, std::fs::read(&first).unwrap());
-    let leftover = format!(".{}", first.file_name().unwrap().to_string_lossy());
-    for entry in std::fs::read_dir(std::env::temp_dir()).unwrap() {
-        let name = entry.unwrap().file_name().to_string_lossy().to_string();
-        assert!(!name.starts_with(&leftover), "{name}");
-    }
-    std::fs::remove_file(&first).unwrap();
-    std::fs::remove_file(&second).unwrap();
+    assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 2);
 }
 
 #[test]
@@ -81,7 +72,8 @@ fn foreign_files_are_named() {
     let missing = message(Path::new("nowhere/table.nc"));
     assert!(missing.starts_with("cannot read nowhere/table.nc: No such file"));
 
-    let path = place("foreign");
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc");
     std::fs::write(&path, "not netCDF").unwrap();
     assert!(message(&path).starts_with(&format!("cannot read {}", path.display())));
 
@@ -91,19 +83,18 @@ fn foreign_files_are_named() {
     let foreign = message(&path);
     assert!(foreign.contains("is not a table: global attribute \"schema\" is missing"));
     assert!(!foreign.contains('\n'));
-    std::fs::remove_file(&path).unwrap();
 }
 
 /// The table as written, then changed through the library as any other program could.
-fn tampered(name: &str, change: impl FnOnce(&mut netcdf::FileMut) -> netcdf::Result<()>) -> String {
-    let path = place(name);
+fn tampered(change: impl FnOnce(&mut netcdf::FileMut) -> netcdf::Result<()>) -> String {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc");
     table().write(&path).unwrap();
     change(&mut netcdf::append(&path).unwrap()).unwrap();
     let message = match Table::read(&path) {
         Ok(_) => String::new(),
         Err(error) => error.to_string(),
     };
-    std::fs::remove_file(&path).unwrap();
     assert!(!message.contains('\n'));
     message
 }
@@ -111,36 +102,34 @@ fn tampered(name: &str, change: impl FnOnce(&mut netcdf::FileMut) -> netcdf::Res
 #[test]
 fn other_schemas_and_versions_are_refused_by_name() {
     let attribute = |name: &'static str, value: &'static str| {
-        tampered(name, |file| file.add_attribute(name, value).map(|_| ()))
+        tampered(|file| file.add_attribute(name, value).map(|_| ()))
     };
     assert!(attribute("schema", "friction").contains("of the kind \"friction\", not a table"));
-    let version = tampered("version", |file| file.add_attribute("schema_version", 7).map(|_| ()));
+    let version = tampered(|file| file.add_attribute("schema_version", 7).map(|_| ()));
     assert!(version.contains("schema version 7, this program reads versions 1 and 2"), "{version}");
     assert_eq!(attribute("history", "more of it"), "");
 }
 
 #[test]
 fn changed_content_is_noticed() {
-    let changed = |name: &str, value: f64| {
-        tampered(name, |file| file.variable_mut(name).unwrap().put_value(value, [0, 1]))
-    };
+    let changed =
+        |name: &str, value: f64| tampered(|file| file.variable_mut(name).unwrap().put_value(value, [0, 1]));
     for name in ["mu", "G_error", "wall_time"] {
         let message = changed(name, 0.123);
         assert!(message.contains("does not agree with its checksum"), "{name}: {message}");
     }
-    let history =
-        tampered("history-of-Q", |file| file.variable_mut("Q_history").unwrap().put_value(9.0, [0, 0, 2]));
+    let history = tampered(|file| file.variable_mut("Q_history").unwrap().put_value(9.0, [0, 0, 2]));
     assert!(history.contains("checksum"));
-    let reason =
-        tampered("reason", |file| file.variable_mut("failure_reason").unwrap().put_string("none", [1, 0]));
+    let reason = tampered(|file| file.variable_mut("failure_reason").unwrap().put_string("none", [1, 0]));
     assert!(reason.contains("checksum"));
-    let scene = tampered("scene", |file| file.add_attribute("scene", "radius = 2").map(|_| ()));
+    let scene = tampered(|file| file.add_attribute("scene", "radius = 2").map(|_| ()));
     assert!(scene.contains("checksum"));
 }
 
 #[test]
 fn short_records_are_refused() {
-    let path = place("short");
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc");
     let mut file = DatasetWriter::create(&path, "short").unwrap();
     file.dimension("step", 3).unwrap();
     let error = file.reals("slip", &["step"], &[0.0, 1.0], &[]).unwrap_err();
@@ -151,7 +140,8 @@ fn short_records_are_refused() {
 
 #[test]
 fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
-    let path = place("fracture");
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.nc");
     for radius_exponent in [0, 1] {
         let mut with = table();
         let law = FractureEnergy { coefficient: 0.25, radius_exponent };
@@ -165,7 +155,6 @@ fn energy_is_related_to_the_fracture_energy_where_that_is_known() {
         let exact = energy / (0.25 * radius.powi(radius_exponent));
         assert!((values[5] / exact - 1.0).abs() < 1e-14 && values[3].is_nan());
         assert!(file.reals("G_ratio_error", &[2, 3]).unwrap()[5] > 0.0);
-        std::fs::remove_file(&path).unwrap();
     }
 }
 

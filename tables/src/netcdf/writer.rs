@@ -15,6 +15,11 @@ pub fn history(command: &str) -> String {
     format!("{now}: {command}")
 }
 
+/// Attributes of a variable: its unit and what it is.
+pub fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
+    vec![("units", unit.into()), ("long_name", long_name.into())]
+}
+
 /// A netCDF-4 file being built in memory; [`finish`](Self::finish) writes it.
 ///
 /// ```

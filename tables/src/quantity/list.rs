@@ -71,8 +71,6 @@ const fn scalar(
         name,
         units,
         long_name,
-        // The CF table (version 86) has no name for contact forces, areas or friction.
-        standard_name: None,
         radius_exponent,
         material_exponents,
         elastic_limit,

@@ -173,8 +173,6 @@ pub struct Descriptor {
     pub units: &'static str,
     /// Meaning, in words.
     pub long_name: &'static str,
-    /// CF standard name, where one exists.
-    pub standard_name: Option<&'static str>,
     /// n in x(R) = x(R_t)·(R/R_t)ⁿ at fixed ω/ω_c, VR and s/a₀.
     pub radius_exponent: i32,
     /// Exponents (m, n) of the unit σ_Yᵐ·E*ⁿ in which the quantity hardly changes with the initial

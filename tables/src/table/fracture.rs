@@ -22,10 +22,7 @@ impl FractureEnergy {
 
     /// G/G_IIc; errors are added with their magnitudes.
     pub fn ratio(&self, energy: Estimate, contact_radius: Estimate) -> Estimate {
-        let critical = self.at(contact_radius);
-        let value = energy.value / critical.value;
-        let error = energy.error / critical.value + value.abs() * critical.error / critical.value;
-        Estimate { value, error }
+        energy.over(self.at(contact_radius))
     }
 }
 
@@ -53,7 +50,7 @@ mod tests {
 
     #[test]
     fn unknown_energies_stay_unknown() {
-        let unknown = Estimate { value: f64::NAN, error: f64::NAN };
+        let unknown = Estimate::UNKNOWN;
         let law = FractureEnergy { coefficient: 300.0, radius_exponent: 0 };
         assert!(law.ratio(unknown, unknown).value.is_nan());
     }

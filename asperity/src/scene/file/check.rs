@@ -40,7 +40,9 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
         }
         check_value(&full, value, key.kind, source)?;
     }
-    Ok(())
+    // Laws given by points.
+    same_length(path, table, "plastic_strain", "factor", source)?;
+    same_length(path, table, "temperature", "factor", source)
 }
 
 fn check_value(path: &str, value: &Value, kind: Kind, source: &Source) -> Result<(), SceneFileError> {

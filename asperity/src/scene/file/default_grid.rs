@@ -1,6 +1,6 @@
 //! Interferences and slip rates of a request that leaves them out.
 
-use tables::closed_forms::{hertz, jackson_green};
+use tables::closed_forms::jackson_green;
 
 use crate::scene::Scene;
 
@@ -32,13 +32,10 @@ pub fn interferences(scenes: &[Scene]) -> Vec<f64> {
 
 /// ω₀/ω_c of [`LARGEST_CONTACT`], to two digits; at least 1.
 fn largest_interference(scene: &Scene) -> f64 {
-    let material = &scene.with_combined_modulus().material;
-    let modulus = hertz::contact_modulus(material.youngs_modulus, material.poisson_ratio);
-    let critical =
-        hertz::critical_interference(modulus, material.poisson_ratio, material.yield_strength, 1.0);
+    let material = scene.with_combined_modulus().material.elastic_plastic();
     // a² = (A/A_c)·Rω_c; A/A_c is a power of ω/ω_c, of which the exponent is known from two values.
-    let wanted = LARGEST_CONTACT * LARGEST_CONTACT / critical;
-    let area = |interference: f64| jackson_green::area(interference, material.yield_strength / modulus);
+    let wanted = LARGEST_CONTACT * LARGEST_CONTACT / material.critical_interference(1.0);
+    let area = |interference: f64| jackson_green::area(interference, material.yield_strain());
     let decade = 10.0 * jackson_green::ELASTIC_LIMIT;
     let exponent = (area(decade) / jackson_green::ELASTIC_LIMIT).log10();
     let found = jackson_green::ELASTIC_LIMIT * (wanted / jackson_green::ELASTIC_LIMIT).powf(1.0 / exponent);

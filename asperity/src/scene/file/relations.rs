@@ -29,12 +29,6 @@ pub fn check_fracture(material: &Table, source: &Source) -> Result<(), SceneFile
 /// The material of a scene, at its initial temperature, and the softening of a film.
 pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileError> {
     let material = &scene.material;
-    let curve = match &material.hardening {
-        Hardening::Table { plastic_strain, factor } => {
-            Some(("material.hardening", "plastic_strain", plastic_strain, factor))
-        }
-        _ => None,
-    };
     let film = match &scene.interface.law {
         FrictionLaw::BriscoeTabor { film_softening, .. } => {
             Some(("interface.film_softening", film_softening))
@@ -42,17 +36,6 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
         _ => None,
     };
     let softenings = || [("material.softening", &material.softening)].into_iter().chain(film);
-    let tables = softenings().filter_map(|(section, softening)| match softening {
-        Softening::Table { temperature, factor } => Some((section, "temperature", temperature, factor)),
-        _ => None,
-    });
-    for (section, abscissa, abscissae, factors) in curve.into_iter().chain(tables) {
-        if factors.len() != abscissae.len() {
-            let allowed = format!("as long as {abscissa} ({})", abscissae.len());
-            let found = format!("{} numbers", factors.len());
-            return Err(source.invalid(&format!("{section}.factor"), found, allowed));
-        }
-    }
     if let Hardening::Table { plastic_strain, factor } = &material.hardening
         && (plastic_strain[0], factor[0]) != (0.0, 1.0)
     {

@@ -77,9 +77,7 @@ impl Note {
         let Resolution { elements_per_radius, sectors, increments, .. } = *resolution;
         Self::Resolution { elements_per_radius, sectors, growth: increments.growth }
     }
-}
 
-impl Note {
     /// The partition that a slide against a conducting counterface found.
     pub(super) fn heat_partition(problem: &Problem, history: &[SlideState]) -> Option<Self> {
         let (first, last) = (history.first()?.heat_partition, history.last()?.heat_partition);

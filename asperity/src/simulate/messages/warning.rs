@@ -74,9 +74,7 @@ impl Warning {
             _ => None,
         }
     }
-}
 
-impl Warning {
     /// The whole text, where it has no numbers.
     fn fixed_text(&self) -> Option<&'static str> {
         Some(match self {

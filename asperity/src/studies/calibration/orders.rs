@@ -7,7 +7,7 @@ use crate::loading::problem::Problem;
 use crate::scene::FrictionLaw;
 use crate::scene::fitted_constants::error_estimates::{ORDER, ORDER_OF_ELASTIC_FRICTION};
 use crate::simulate::{SimulationError, Watch, simulate};
-use crate::studies::verification::setup::{Hertz, mesh, plain_material, scalar, scene, steel_4340};
+use crate::studies::verification::setup::{Hertz, mesh, plain_material, scene, steel_4340};
 
 /// Slope of the regression line of y over x, with the rms of the misfits, and that of the best line of slope `stored`.
 fn slope(points: &[(f64, f64)], stored: f64) -> (f64, [f64; 2]) {
@@ -50,7 +50,7 @@ pub(super) fn elastic_friction(watch: &dyn Watch) -> Result<Fit, SimulationError
     for elements in [8, 16, 32] {
         let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, 0.1, mesh(elements, 4));
         scene.loading.slip_distance = 0.05;
-        values.push(scalar(&simulate(&scene, watch)?, Quantity::MuStatic).value);
+        values.push(simulate(&scene, watch)?.scalars[Quantity::MuStatic].value);
     }
     let [coarse, middle, fine] = values[..] else { unreachable!("three meshes") };
     let fitted = ((middle - coarse) / (fine - middle)).log2();

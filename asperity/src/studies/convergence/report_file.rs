@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tables::netcdf::{AttributeValue, DatasetError, DatasetWriter};
+use tables::netcdf::{DatasetError, DatasetWriter, described};
 
 use super::{Convergence, Run, SHOWN};
 use crate::output::provenance::SOURCE;
@@ -63,8 +63,4 @@ pub fn write(
         }
     }
     file.finish()
-}
-
-fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeValue)> {
-    vec![("units", unit.into()), ("long_name", long_name.into())]
 }

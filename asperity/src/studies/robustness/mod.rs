@@ -58,6 +58,16 @@ pub enum Verdict {
     Failed(String),
 }
 
+impl Verdict {
+    /// Why it is not solved.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Solved => None,
+            Self::Refused(reason) | Self::Failed(reason) => Some(reason),
+        }
+    }
+}
+
 /// A case that was run.
 #[derive(Clone, Debug)]
 pub struct CaseResult {

@@ -12,7 +12,7 @@ use tables::closed_forms::hertz;
 use tables::quantity::Quantity;
 
 use super::heat_source::{START, slide_beside};
-use super::setup::{Hertz, last, mesh, plain_material, run_press, scalar, scene};
+use super::setup::{Hertz, last, mesh, plain_material, run_press, scene};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::heat::counterface::HalfSpace;
 use crate::scene::{Counterface, FrictionLaw, Scene, Switch};
@@ -87,7 +87,7 @@ fn at_rest(watch: &dyn Watch) -> Rows {
         let name = |what: &str| format!("{what} beside a body at rest, k2 = {ratio} k, Fo = 10");
         let reference = Reference::exact(share, DIVIDED);
         let tolerance = Tolerance::relative(0.022 * (1.0 - share), WHY);
-        let found = scalar(&heated.outcome, Quantity::HeatPartition);
+        let found = heated.outcome.scalars[Quantity::HeatPartition];
         rows.push(Row::new(name("heat partition"), found, reference, tolerance));
         let rise = (end[Quantity::TemperatureMean] - START) / heated.rise;
         // The late start of the heat, as in the rows of the disc source.
@@ -114,7 +114,7 @@ fn moving(watch: &dyn Watch) -> Rows {
         scene.loading.slip_rate = 2.0 * peclet * diffusivity / radius;
         let outcome = simulate(&scene, watch)?;
         let reference = Reference::exact(moving / (moving + asperity), MOVING).known_to(0.005);
-        let found = scalar(&outcome, Quantity::HeatPartition);
+        let found = outcome.scalars[Quantity::HeatPartition];
         let name = format!("heat partition beside a like counterface, Pe = {peclet}");
         rows.push(Row::new(name, found, reference, Tolerance::relative(0.027, WHY)));
     }
@@ -149,7 +149,7 @@ fn elastic(watch: &dyn Watch) -> Rows {
     const SOURCE: &str = "Johnson 1985, Contact Mechanics, sec. 4.2";
     let tolerance = Tolerance::relative(0.004, "mesh; half space, 0.03 %");
     let reference = Reference::exact(load, SOURCE).known_to(0.0003);
-    let found = scalar(&outcome, Quantity::LoadPress);
+    let found = outcome.scalars[Quantity::LoadPress];
     let yields = Reference::exact(critical, SOURCE);
     let exact = Tolerance::relative(1e-9, "closed form");
     Ok(vec![

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use tables::quantity::{Quantity, State};
 
-use super::setup::{Hertz, last, mesh, plain_material, scalar, scene};
+use super::setup::{Hertz, last, mesh, plain_material, scene};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{Counterface, FrictionLaw, Scene, Softening, Switch};
 use crate::simulate::outcome::Outcome;
@@ -158,7 +158,7 @@ fn cooled(biot: f64, watch: &dyn Watch) -> Rows {
     let before = outcome.slide.state(outcome.slide.len() - 2);
     let share = (end[Quantity::HeatOut] - before[Quantity::HeatOut])
         / (end[Quantity::HeatIn] - before[Quantity::HeatIn]);
-    let stated = scalar(&outcome, Quantity::TemperatureMean).error;
+    let stated = outcome.scalars[Quantity::TemperatureMean].error;
     let power = end[Quantity::Friction] * scene.loading.slip_rate;
     Ok(vec![
         Row { stated_error: Some(stated), ..row("steady mean rise", rise, power).unit("K") },

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use tables::quantity::Quantity;
 
-use super::setup::{Hertz, largest, mesh, plain_material, pressed, run_press, scalar, scene, steel_4340};
+use super::setup::{Hertz, largest, mesh, plain_material, pressed, run_press, scene, steel_4340};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{FrictionLaw, Kinematics, Scene, Softening};
 use crate::simulate::outcome::Outcome;
@@ -37,12 +37,12 @@ fn rate(watch: &dyn Watch) -> Rows {
     let pressed = press(&scene, watch)?;
     let [slow, fast] = [0.1, 10.0].map(|rate| slide(&pressed, rate, watch));
     let (slow, fast) = (slow?, fast?);
-    let [at_slow, at_fast] = [&slow, &fast].map(|outcome| scalar(outcome, Quantity::MuStatic).value);
+    let [at_slow, at_fast] = [&slow, &fast].map(|outcome| outcome.scalars[Quantity::MuStatic].value);
     let material = &scene.material;
     let strength = material.yield_strength / 3f64.sqrt();
     let k = material.thermal_conductivity;
     let diffusivity = k / (material.density * material.specific_heat);
-    let radius = scalar(&slow, Quantity::ContactRadius).value;
+    let radius = slow.scalars[Quantity::ContactRadius].value;
     let slip = strength * radius / (2.0 * Hertz::of(&scene).tangential_modulus);
     let flux = scene.interface.heat_partition * strength * 10.0;
     let rise = 2.0 * flux / k * (diffusivity * slip / (PI * 10.0)).sqrt();
@@ -96,7 +96,7 @@ fn scale(watch: &dyn Watch) -> Rows {
     for radius in [10e-9, 10e-3] {
         let outcome = at(radius)?;
         for (quantity, power) in quantities {
-            let of = |outcome| scalar(outcome, quantity).value;
+            let of = |outcome: &Outcome| outcome.scalars[quantity].value;
             let scaled = of(&outcome) / (radius / 1e-3f64).powi(power);
             let name = format!("{} at R = {radius:e} m over that at 1 mm", quantity.descriptor().name);
             let exact = Reference::exact(1.0, SOURCE);
@@ -146,7 +146,7 @@ fn small_strains(watch: &dyn Watch) -> Rows {
     let quantities = [Quantity::LoadPress, Quantity::Mu, Quantity::Area];
     Ok(quantities
         .map(|quantity| {
-            let ratio = scalar(&finite, quantity).value / scalar(&small, quantity).value;
+            let ratio = finite.scalars[quantity].value / small.scalars[quantity].value;
             let name = format!("{} at finite over small strain, 3 omega_c", quantity.descriptor().name);
             let reference = Reference::exact(1.0, "limit of small strain");
             Row::new(name, ratio, reference, Tolerance::relative(0.005, "half of the largest strain"))
@@ -159,7 +159,7 @@ fn at(interference: f64, elements: usize, watch: &dyn Watch) -> Result<[f64; 4],
     let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, interference, mesh(elements, 8));
     scene.loading.slip_distance = 0.1;
     let outcome = simulate(&scene, watch)?;
-    Ok(SMOOTH.map(|quantity| scalar(&outcome, quantity).value))
+    Ok(SMOOTH.map(|quantity| outcome.scalars[quantity].value))
 }
 
 const SMOOTH: [Quantity; 4] =

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use tables::closed_forms::partial_slip::{constant_shear, mindlin, stick_stiffness};
 use tables::quantity::{Quantity, State};
 
-use super::setup::{Hertz, at_slip, last, mesh, plain_material, pressed, scalar, scene};
+use super::setup::{Hertz, at_slip, last, mesh, plain_material, pressed, scene};
 use super::{Case, Computed, Cost, Reference, Row, Rows, Tolerance};
 use crate::discretisation::mesh::EDGE_SIZE;
 use crate::loading::slide::NO_STICK;
@@ -182,7 +182,7 @@ fn shear(on: &On, watch: &dyn Watch) -> Rows {
     }
     // Inception counts from where NO_STICK of the area still sticks: c²/a² = 1 − u²/u_s².
     let inception = gross.displacement * (1.0 - NO_STICK).sqrt();
-    let slip = scalar(&outcome, Quantity::InceptionSlip);
+    let slip = outcome.scalars[Quantity::InceptionSlip];
     add("displacement where a hundredth sticks", slip.into(), inception, "m", on.inception());
     let stress = end[Quantity::Friction] / end[Quantity::Area] / strength;
     let tolerance = Tolerance::relative(0.001, "mean square of the angles of slip");
@@ -209,7 +209,7 @@ fn coulomb(on: &On, watch: &dyn Watch) -> Rows {
     };
     let mut rows = on.curves(&outcome, &gross);
     let exact = |value: f64| Reference::exact(value, MINDLIN).known_to(DIRECTION);
-    let slip = scalar(&outcome, Quantity::InceptionSlip);
+    let slip = outcome.scalars[Quantity::InceptionSlip];
     let over = tables::law::Estimate {
         value: slip.value / gross.displacement,
         error: slip.error / gross.displacement,

@@ -8,7 +8,7 @@
 use tables::law::Estimate;
 use tables::quantity::Quantity;
 
-use super::setup::{scalar, slide_at_small_strain};
+use super::setup::slide_at_small_strain;
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::simulate::{Watch, simulate};
 
@@ -95,7 +95,7 @@ fn rows(limits: &Limits, on: &On, watch: &dyn Watch) -> Rows {
         let name = format!("{quantity}, {name}, {} elements", on.elements);
         Row::new(name, computed, Reference::exact(limit, SOURCE).known_to(uncertainty), tolerance)
     };
-    let of = |quantity| scalar(&outcome, quantity);
+    let of = |quantity| outcome.scalars[quantity];
     let mut rows = vec![
         row("mu", of(Quantity::Mu), limits.mu, on.friction),
         row("mu_static", of(Quantity::MuStatic), limits.mu_static, on.friction),

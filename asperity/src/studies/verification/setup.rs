@@ -1,7 +1,6 @@
 //! Scenes of the cases, and the quantities read from their outcomes.
 
-use tables::closed_forms::{hertz, partial_slip};
-use tables::law::Estimate;
+use tables::closed_forms::hertz;
 use tables::quantity::{Quantity, State};
 
 use crate::scene::file::parse_scene;
@@ -106,11 +105,6 @@ pub fn run_press(scene: &Scene, watch: &dyn Watch) -> Result<Outcome, Simulation
     simulate(&scene, watch)
 }
 
-/// A scalar of a run with its error.
-pub fn scalar(outcome: &Outcome, quantity: Quantity) -> Estimate {
-    outcome.scalars[quantity]
-}
-
 /// State before any slip.
 pub fn pressed(outcome: &Outcome) -> State<'_> {
     outcome.slide.state(0)
@@ -135,18 +129,14 @@ pub fn at_slip(outcome: &Outcome, slip: f64, value: impl Fn(State<'_>) -> f64) -
     value(a) + share * (value(b) - value(a))
 }
 
-/// Hertz's load, area and peak pressure for a scene.
+/// Hertz's load, contact radius and peak pressure for a scene.
 pub struct Hertz {
     /// E*, Pa.
     pub modulus: f64,
     /// G*, Pa.
     pub tangential_modulus: f64,
-    /// ω₀, m.
-    pub interference: f64,
     /// N.
     pub load: f64,
-    /// m².
-    pub area: f64,
     /// m.
     pub contact_radius: f64,
     /// Pa.
@@ -156,17 +146,13 @@ pub struct Hertz {
 impl Hertz {
     /// Frictionless elastic contact of the scene's sphere at its interference.
     pub fn of(scene: &Scene) -> Self {
-        let material = &scene.with_combined_modulus().material;
-        let (youngs, poisson) = (material.youngs_modulus, material.poisson_ratio);
-        let modulus = hertz::contact_modulus(youngs, poisson);
-        let critical = hertz::critical_interference(modulus, poisson, material.yield_strength, scene.radius);
-        let interference = scene.loading.interference * critical;
+        let material = scene.with_combined_modulus().material.elastic_plastic();
+        let modulus = material.contact_modulus();
+        let interference = scene.loading.interference * material.critical_interference(scene.radius);
         Self {
             modulus,
-            tangential_modulus: partial_slip::tangential_modulus(youngs, poisson),
-            interference,
+            tangential_modulus: material.tangential_modulus(),
             load: hertz::hertz_load(modulus, scene.radius, interference),
-            area: hertz::contact_area(scene.radius, interference),
             contact_radius: hertz::contact_radius(scene.radius, interference),
             peak_pressure: hertz::peak_pressure(modulus, scene.radius, interference),
         }

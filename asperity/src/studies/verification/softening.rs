@@ -11,7 +11,7 @@ use tables::law::Estimate;
 use tables::quantity::Quantity;
 
 use super::heat_source::{Heated, RANGE, START, slide};
-use super::setup::{last, scalar};
+use super::setup::last;
 use super::{Case, Computed, Cost, Reference, Row, Rows, Tolerance};
 use crate::simulate::Watch;
 
@@ -62,7 +62,7 @@ fn friction_ratio(heated: &Heated) -> Estimate {
     let unit = end[Quantity::Area] * heated.strength;
     Estimate {
         value: end[Quantity::Friction] / unit,
-        error: scalar(&heated.outcome, Quantity::Friction).error / unit,
+        error: heated.outcome.scalars[Quantity::Friction].error / unit,
     }
 }
 
@@ -101,7 +101,7 @@ fn first_moments(s: f64, stress: f64, energy: f64, watch: &dyn Watch) -> Rows {
     let centre = heated.outcome.snapshots.last().map_or(f64::NAN, |fields| fields.shear[0]) / heated.strength;
     // L* = u/s; τ̄ peaks where sliding begins, after 1/2000 of the slip.
     let unit = heated.strength * heated.distance / s;
-    let energy_weakening = scalar(&heated.outcome, Quantity::EnergyWeakening);
+    let energy_weakening = heated.outcome.scalars[Quantity::EnergyWeakening];
     let release = Estimate { value: energy_weakening.value / unit, error: energy_weakening.error / unit };
     Ok(vec![
         Row::new(

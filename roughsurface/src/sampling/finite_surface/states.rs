@@ -7,7 +7,7 @@ use crate::integral::contact_state::ContactState;
 use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
-use crate::integral::surface_integral::{Asperities, ContactIntegral, SurfaceIntegral};
+use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::surface::heights::Heights;
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
 use tables::law::{AsperityLaw, Estimate};

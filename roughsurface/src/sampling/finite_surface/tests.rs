@@ -1,28 +1,15 @@
 //! Finite surfaces against the integral over the distribution of their heights.
 
 use super::*;
-use crate::integral::surface_integral::ContactIntegral;
-use crate::integral::test_laws::{PowerLaw, STEEL};
+use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
 use crate::surface::heights::{Exponential, Gaussian};
-use crate::surface::query::{ContactLife, Interaction};
 use crate::surface::radii::Radii;
 use tables::closed_forms::closed_form;
 
 fn samples(asperities: usize) -> Samples {
     let law = PowerLaw::hertz();
-    let surface = Surface {
-        asperity_density: 1e10,
-        asperity_radius: 1e-4.into(),
-        heights: Box::new(Exponential::new(1e-6)),
-    };
-    let query = Query {
-        loading: NormalLoading::Pressure(vec![1e6, 1e8]),
-        slip_rates: vec![1.0],
-        control: LoadingControl::Load,
-        contact_life: ContactLife::default(),
-        interaction: Interaction::None,
-        rate_step: None,
-    };
+    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let query = query(NormalLoading::Pressure(vec![1e6, 1e8]));
     let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: Some(1.0) };
     sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap()
 }
@@ -60,14 +47,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
             asperity_radius: radii,
             heights: Box::new(Gaussian::new(0.3e-6)),
         };
-        let query = Query {
-            loading: NormalLoading::Separation(vec![0.0, 0.5e-6]),
-            slip_rates: vec![1.0],
-            control: LoadingControl::Separation,
-            contact_life: ContactLife::default(),
-            interaction: Interaction::None,
-            rate_step: None,
-        };
+        let query = query(NormalLoading::Separation(vec![0.0, 0.5e-6]));
         let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: Some(1e-8) };
         let settings = Settings::default();
         let samples = sample(law.as_ref(), &surface, &query, &sampling, &settings, &|_, _| ()).unwrap();

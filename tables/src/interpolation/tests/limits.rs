@@ -30,18 +30,6 @@ fn continuous_and_elastic_below_the_first_row() {
 }
 
 #[test]
-fn isothermal_limit_is_approached_monotonically() {
-    let table = table();
-    let mut last = f64::INFINITY;
-    for step in 0..=100 {
-        let rate = 0.2 * step as f64 / 100.0;
-        let friction = table.response(RADIUS, 20.0, rate, 1e-3).unwrap().friction;
-        assert!(friction.value < last, "{rate}");
-        last = friction.value;
-    }
-}
-
-#[test]
 fn last_slip_is_held() {
     let table = table();
     let end = table.response(RADIUS, 7.0, 1.0, 1e-2).unwrap();

@@ -270,7 +270,7 @@ fn monotone_points_give_a_monotone_friction() {
     let table = table();
     for omega in [0.2, 0.7, 7.0, 60.0] {
         let mut last = f64::INFINITY;
-        for rate in log_spaced(1e-3, 10.0, 300) {
+        for rate in std::iter::once(0.0).chain(log_spaced(1e-3, 10.0, 300)) {
             let state = table.response(RADIUS, omega, rate, 1e-4).unwrap();
             let mu = state.friction.value / state.load.value;
             assert!(mu < last, "{omega} {rate}");
