@@ -24,7 +24,7 @@ use crate::solver::newton::Effort;
 
 /// The pressed asperity on one mesh.
 pub(super) struct PressedMesh {
-    press_increments: usize,
+    resolution: Resolution,
     pub(super) size: MeshSize,
     /// Axisymmetric state at the end of the press.
     pub(super) body: Body,
@@ -152,10 +152,7 @@ pub(super) fn add_presses(
 impl PressedMesh {
     /// Whether this is the press of slides at the resolution.
     pub(super) fn serves(&self, resolution: &Resolution) -> bool {
-        self.size.elements_per_radius == resolution.elements_per_radius
-            && self.size.growth_zone == resolution.growth_zone
-            && self.size.thermal_layer_refinements == resolution.thermal_layer_refinements
-            && self.press_increments == resolution.press_increments
+        self.resolution.shares_press(resolution)
     }
 }
 
@@ -253,7 +250,7 @@ fn press_mesh(
     let effort = mechanics.effort;
     let (body, contact, displacement) = mechanics.into_parts();
     Ok(PressedMesh {
-        press_increments,
+        resolution: *resolution,
         size,
         body,
         contact,

@@ -19,10 +19,7 @@ use crate::simulate::{SimulationError, Watch};
 /// The cells to be run, and what runs them.
 pub struct Grid<'a, S> {
     simulator: &'a S,
-    layout: Layout<'a>,
-    slips: &'a [f64],
-    /// Row-major, like all data of the cells.
-    wanted: &'a [bool],
+    work: &'a Work<'a>,
     watch: &'a dyn TableWatch,
     clock: Instant,
     ledger: Mutex<Ledger<'a>>,
@@ -50,6 +47,7 @@ impl<S: Simulator> Watch for Grid<'_, S> {
 pub struct Work<'a> {
     pub layout: Layout<'a>,
     pub slips: &'a [f64],
+    /// Row-major, like all data of the cells.
     pub wanted: &'a [bool],
     pub jobs: usize,
 }
@@ -69,9 +67,7 @@ pub fn run<S: Simulator>(
     let mut model = CostModel::new(largest, columns);
     let mut grid = Grid {
         simulator,
-        layout,
-        slips: work.slips,
-        wanted: work.wanted,
+        work,
         watch,
         clock: Instant::now(),
         ledger: Mutex::new(Ledger {
@@ -153,15 +149,15 @@ impl<'a, S: Simulator> Grid<'a, S> {
     fn pending(&self, i: usize) -> Vec<usize> {
         let ledger = self.lock();
         let pending = |j: &usize| {
-            self.wanted[self.position((i, *j))]
+            self.work.wanted[self.position((i, *j))]
                 && !ledger.taken.contains(&(i, *j))
-                && ledger.known.get(self.layout.point((i, *j))).is_none()
+                && ledger.known.get(self.work.layout.point((i, *j))).is_none()
         };
-        (0..self.layout.slip_rates.len()).filter(pending).collect()
+        (0..self.work.layout.slip_rates.len()).filter(pending).collect()
     }
 
     fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {
-        let scene = self.layout.scene((i, 0));
+        let scene = self.work.layout.scene((i, 0));
         guard(|| self.simulator.press(&scene, self))
     }
 
@@ -169,12 +165,12 @@ impl<'a, S: Simulator> Grid<'a, S> {
         if self.cancelled() {
             return;
         }
-        let temperature = self.layout.template(i).loading.temperature;
+        let temperature = self.work.layout.template(i).loading.temperature;
         let position = self.position((i, j));
         self.lock().forecast.started(position, self.now());
-        match guard(|| self.simulator.slide(pressed, self.layout.slip_rates[j], self)) {
+        match guard(|| self.simulator.slide(pressed, self.work.layout.slip_rates[j], self)) {
             Ok(outcome) => {
-                let finished = Finished::new(&outcome, self.slips, temperature);
+                let finished = Finished::new(&outcome, self.work.slips, temperature);
                 self.finish((i, j), Ok(finished));
             }
             Err(Some(reason)) => self.finish((i, j), Err(reason)),
@@ -185,7 +181,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
     fn finish(&self, index: Index, result: CellResult) {
         let position = self.position(index);
         let mut ledger = self.lock();
-        if let Err(error) = ledger.journal.record(self.layout.point(index), &result) {
+        if let Err(error) = ledger.journal.record(self.work.layout.point(index), &result) {
             self.stopped.store(true, Ordering::Relaxed);
             ledger.error.get_or_insert(error);
             return;
@@ -195,15 +191,15 @@ impl<'a, S: Simulator> Grid<'a, S> {
         ledger.forecast.finished(position, now);
         let progress = CellProgress {
             done: ledger.done,
-            total: self.wanted.iter().filter(|wanted| **wanted).count(),
+            total: self.work.wanted.iter().filter(|wanted| **wanted).count(),
             remaining: ledger.forecast.remaining(now),
         };
         self.watch.finished(index, &result, &progress);
-        ledger.known.insert(self.layout.point(index), result);
+        ledger.known.insert(self.work.layout.point(index), result);
     }
 
     fn position(&self, (i, j): Index) -> usize {
-        i * self.layout.slip_rates.len() + j
+        i * self.work.layout.slip_rates.len() + j
     }
 
     fn now(&self) -> f64 {

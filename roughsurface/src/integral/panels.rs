@@ -81,7 +81,7 @@ pub struct Panel {
     /// Its points among those of the tree, and their quantities.
     first_point: usize,
     first_sums: usize,
-    finer: Option<[usize; 2]>,
+    finer: Option<(usize, Option<usize>)>,
     /// Whether its error was too large at an earlier separation: it is then skipped.
     pub too_coarse: bool,
 }
@@ -141,22 +141,26 @@ impl PanelTree {
 
     /// Replaces a panel that is too coarse: the same with more points and, of one
     /// that has them, its halves. Sampled at the first call.
-    pub fn finer(&mut self, asperity: &AsperityAtSlip, index: usize) -> Result<Finer, LookupError> {
+    pub fn finer(
+        &mut self,
+        asperity: &AsperityAtSlip,
+        index: usize,
+    ) -> Result<impl DoubleEndedIterator<Item = usize> + use<>, LookupError> {
         let Panel { from, to, rule, finer, .. } = self.panels[index];
-        let [first, second] = match finer {
+        let (first, second) = match finer {
             Some(known) => known,
             None => {
                 let made = if std::ptr::eq(rule, &FEW) {
-                    [self.add_with(asperity, from, to, &MANY)?; 2]
+                    (self.add_with(asperity, from, to, &MANY)?, None)
                 } else {
                     let middle = 0.5 * (from + to);
-                    [self.add(asperity, from, middle)?, self.add(asperity, middle, to)?]
+                    (self.add(asperity, from, middle)?, Some(self.add(asperity, middle, to)?))
                 };
                 self.panels[index].finer = Some(made);
                 made
             }
         };
-        Ok(if first == second { Finer::One(first) } else { Finer::Halves(first, second) })
+        Ok(std::iter::once(first).chain(second))
     }
 
     /// Marks a panel as too coarse.
@@ -201,23 +205,5 @@ impl PanelTree {
             }
         }
         (sums, difference.map(f64::abs))
-    }
-}
-
-/// Panels that take the place of a coarser one.
-#[derive(Clone, Copy, Debug)]
-pub enum Finer {
-    One(usize),
-    Halves(usize, usize),
-}
-
-impl Finer {
-    /// By ascending interference.
-    pub fn panels(self) -> impl DoubleEndedIterator<Item = usize> {
-        let (first, second) = match self {
-            Self::One(first) => (first, None),
-            Self::Halves(first, second) => (first, Some(second)),
-        };
-        std::iter::once(first).chain(second)
     }
 }

@@ -4,7 +4,7 @@ use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
-use super::nodes::{self, Errors, FIELDS, Nodes, Values};
+use super::nodes::{self, Absent, Errors, Nodes, Values, blend};
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
 use crate::law::LARGEST_CONTACT;
@@ -36,9 +36,6 @@ pub(super) enum Place {
     Above(AboveLastRow),
 }
 
-/// Point (row, column) without a result.
-pub(super) type Absent = (usize, usize);
-
 impl Interpolant {
     pub(super) fn new(table: &Slice) -> Self {
         let slip_rate = table.axes().slip_rate.clone();
@@ -67,38 +64,9 @@ impl Interpolant {
         interpolant
     }
 
-    /// Blends what `value` gives at the points around `place`, of which the outer two may be
-    /// absent.
-    pub(super) fn blend(
-        axis: &[f64],
-        place: Location,
-        value: impl Fn(usize) -> Result<Values, Absent>,
-    ) -> Result<Values, Absent> {
-        let Location { index, t } = place;
-        if t <= ROUNDING {
-            return value(index);
-        }
-        if t >= 1.0 - ROUNDING {
-            return value(index + 1);
-        }
-        let inner = [value(index)?, value(index + 1)?];
-        let before = index.checked_sub(1).and_then(|i| value(i).ok());
-        let after = (index + 2 < axis.len()).then(|| value(index + 2).ok());
-        let after = after.flatten();
-        let h = axis[index + 1] - axis[index];
-        let h_before = before.map(|_| axis[index] - axis[index - 1]);
-        let h_after = after.map(|_| axis[index + 2] - axis[index + 1]);
-        let mut result = [0.0; FIELDS];
-        for (field, result) in result.iter_mut().enumerate() {
-            let outer = [before.map(|v| v[field]), after.map(|v| v[field])];
-            *result = nodes::blend_one([h_before, h_after], h, t, outer, [inner[0][field], inner[1][field]]);
-        }
-        Ok(result)
-    }
-
     /// State of a row at a slip rate and slip.
     fn row(&self, i: usize, rate: Location, slip: Location) -> Result<Values, Absent> {
-        Self::blend(&self.rate_coordinate, rate, |j| self.nodes.state(i, j, slip).ok_or((i, j)))
+        blend(&self.rate_coordinate, rate, |j| self.nodes.state(i, j, slip).ok_or((i, j)))
     }
 
     /// a₀ between the rows, m.
@@ -145,7 +113,7 @@ impl Interpolant {
                 (on(first), 1.0, self.sphere.state_below(below, ratio, &self.row(first, rate, slip)?))
             }
             Place::Inside(place) => {
-                let values = Self::blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
+                let values = blend(&self.log_interference, place, |i| self.row(i, rate, slip))?;
                 (place, 1.0, (values, Errors::default()))
             }
             Place::Above(above) => {

@@ -33,14 +33,14 @@ mod temperature;
 use std::ops::Deref;
 
 pub use hertz_limit::{UNCERTAINTY_OF_KEPT_RATIO, UPLIFT};
+use interpolant::Interpolant;
 pub(crate) use interpolant::coordinates;
-use interpolant::{Absent, Interpolant};
 pub(crate) use nodes::{blend_one, cubic};
 
 use crate::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 use crate::quantity::Quantity;
 use crate::table::{Metadata, Slice};
-use nodes::{COEFFICIENT, Errors, Field, Values};
+use nodes::{Absent, COEFFICIENT, Errors, Field, Values};
 use steffen::Location;
 
 /// A slip rate or interference closer than this to the end of an axis, relatively, is on it.

@@ -6,6 +6,7 @@
 //! and an upper bound for smooth data, where the cubic is of third order. Between two points the estimate varies as
 //! 4t(1−t), being zero on them.
 
+use super::ROUNDING;
 use super::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
 use crate::quantity::Quantity;
 use crate::table::{Slice, Status};
@@ -21,6 +22,9 @@ pub(super) enum Field {
 }
 
 pub(super) const FIELDS: usize = 4;
+
+/// Point (row, column) without a result.
+pub(super) type Absent = (usize, usize);
 
 /// One number for each [`Field`].
 pub(super) type Values = [f64; FIELDS];
@@ -76,17 +80,13 @@ impl Nodes {
             slip,
         };
         let slips = nodes.slip.clone();
-        let along_slip = nodes.misfits(&slips, |(i, j, k), n| (i, j, k + n), |(_, _, k)| k);
+        let along_slip = nodes.misfits(&slips, 2);
         if table.metadata().interpolation_tolerance.is_some() {
             // The errors of the points include that of interpolating between them.
             nodes.misfit = [Vec::new(), Vec::new(), along_slip];
             return nodes;
         }
-        nodes.misfit = [
-            nodes.misfits(log_interference, |(i, j, k), n| (i + n, j, k), |(i, _, _)| i),
-            nodes.misfits(rate_coordinate, |(i, j, k), n| (i, j + n, k), |(_, j, _)| j),
-            along_slip,
-        ];
+        nodes.misfit = [nodes.misfits(log_interference, 0), nodes.misfits(rate_coordinate, 1), along_slip];
         nodes
     }
 
@@ -181,36 +181,50 @@ impl Nodes {
         }
     }
 
-    /// Misfits along one axis; `step` moves by n points along it, `index` is the place on it.
-    fn misfits(
-        &self,
-        axis: &[f64],
-        step: impl Fn((usize, usize, usize), usize) -> (usize, usize, usize),
-        index: impl Fn((usize, usize, usize)) -> usize,
-    ) -> Vec<Errors> {
-        let value = |(i, j, k): (usize, usize, usize)| {
-            let history = self.histories[i * self.rates + j].as_ref()?;
-            Some(history[k][0])
-        };
+    /// Misfits along the axis `along` of (interference, slip rate, slip).
+    fn misfits(&self, axis: &[f64], along: usize) -> Vec<Errors> {
+        let value = |[i, j, k]: [usize; 3]| Some(self.histories[i * self.rates + j].as_ref()?[k][0]);
         let slips = self.slip.len();
         let points = (0..self.histories.len())
             .flat_map(|cell| (0..slips).map(move |k| (cell, k)))
-            .map(|(cell, k)| (cell / self.rates, cell % self.rates, k));
-        let misfit = |point: (usize, usize, usize)| -> Errors {
-            // The origin of the line through this point along the axis.
-            let own = index(point);
-            let origin = match step((0, 0, 0), 1) {
-                (1, _, _) => (0, point.1, point.2),
-                (_, 1, _) => (point.0, 0, point.2),
-                _ => (point.0, point.1, 0),
+            .map(|(cell, k)| [cell / self.rates, cell % self.rates, k]);
+        let misfit = |point: [usize; 3]| -> Errors {
+            let line = |n: usize| {
+                let mut at = point;
+                at[along] = n;
+                value(at)
             };
-            let line = |n: usize| value(step(origin, n));
             // End points cannot be left out: they take the misfit of their neighbour.
-            let inner = own.clamp(1, axis.len().saturating_sub(2).max(1));
+            let inner = point[along].clamp(1, axis.len().saturating_sub(2).max(1));
             left_out(axis, line, inner).unwrap_or_default()
         };
         points.map(misfit).collect()
     }
+}
+
+/// Blends what `value` gives at the points around `place`, of which the outer two may be
+/// absent.
+pub(super) fn blend(
+    axis: &[f64],
+    place: Location,
+    value: impl Fn(usize) -> Result<Values, Absent>,
+) -> Result<Values, Absent> {
+    let Location { index, t } = place;
+    if t <= ROUNDING {
+        return value(index);
+    }
+    if t >= 1.0 - ROUNDING {
+        return value(index + 1);
+    }
+    let inner = [value(index)?, value(index + 1)?];
+    let before = index.checked_sub(1).and_then(|i| value(i).ok());
+    let after = (index + 2 < axis.len()).then(|| value(index + 2).ok()).flatten();
+    let h = axis[index + 1] - axis[index];
+    let gaps =
+        [before.map(|_| axis[index] - axis[index - 1]), after.map(|_| axis[index + 2] - axis[index + 1])];
+    Ok(std::array::from_fn(|f| {
+        blend_one(gaps, h, t, [before.map(|v| v[f]), after.map(|v| v[f])], inner.map(|v| v[f]))
+    }))
 }
 
 /// Relative misfit of the point `own` of a line when predicted from the others.
@@ -228,18 +242,10 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
     if axis.len() < 2 || own + 1 >= axis.len() {
         return None;
     }
-    let (left, right, actual) = (line(own - 1)?, line(own + 1)?, line(own)?);
-    let outer_left = own.checked_sub(2).and_then(|i| Some((i, line(i)?)));
-    let outer_right = (own + 2 < axis.len()).then(|| line(own + 2)).flatten();
-    let outer_right = outer_right.map(|v| (own + 2, v));
-    let h = axis[own + 1] - axis[own - 1];
-    let t = (axis[own] - axis[own - 1]) / h;
-    let gaps =
-        [outer_left.map(|(i, _)| axis[own - 1] - axis[i]), outer_right.map(|(i, _)| axis[i] - axis[own + 1])];
-    let predicted: Values = std::array::from_fn(|f| {
-        let outer = [outer_left.map(|(_, v)| v[f]), outer_right.map(|(_, v)| v[f])];
-        blend_one(gaps, h, t, outer, [left[f], right[f]])
-    });
+    let rest: Vec<f64> = [&axis[..own], &axis[own + 1..]].concat();
+    let place = Location { index: own - 1, t: (axis[own] - axis[own - 1]) / (axis[own + 1] - axis[own - 1]) };
+    let of_rest = |n: usize| line(n + usize::from(n >= own)).ok_or((n, 0));
+    let (predicted, actual) = (blend(&rest, place, of_rest).ok()?, line(own)?);
     let (predicted, actual) = (with_coefficient(predicted), with_coefficient(actual));
     Some(std::array::from_fn(|f| {
         if actual[f] == 0.0 { 0.0 } else { ((predicted[f] - actual[f]) / actual[f]).abs() }

@@ -2,9 +2,9 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::interpolant::Place;
-use super::nodes::FIELDS;
+use super::nodes::{Absent, FIELDS, blend};
 use super::steffen::Location;
-use super::{Absent, Interpolant, InterpolatedTable};
+use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{ElasticLimit, Quantity};
 
@@ -77,10 +77,8 @@ impl InterpolatedTable {
             let Estimate { value, error } = cell[quantity];
             if value.is_nan() { Err((i, j)) } else { Ok((value - origin, error)) }
         };
-        let row = |i: usize| {
-            Interpolant::blend(rate_coordinate, rate, |j| at(i, j).map(|(value, _)| [value; FIELDS]))
-        };
-        let value = Interpolant::blend(log_interference, place, row)?[0];
+        let row = |i: usize| blend(rate_coordinate, rate, |j| at(i, j).map(|(value, _)| [value; FIELDS]));
+        let value = blend(log_interference, place, row)?[0];
         let (mut linear, mut logarithm, mut error) = (0.0, 0.0, 0.0);
         for (i, share_i) in [(0, 1.0 - place.t), (1, place.t)] {
             for (j, share_j) in [(0, 1.0 - rate.t), (1, rate.t)] {

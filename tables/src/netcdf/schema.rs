@@ -23,14 +23,25 @@ const CHECKSUM: &str = "checksum";
 const ALGORITHM: &str = "sha256:";
 
 /// Names kind, version and checksum in a file that is being written.
-pub(super) fn stamp(file: &mut DatasetWriter, slices: &[Slice], several: bool) -> Result<(), DatasetError> {
+pub(super) fn stamp(file: &mut DatasetWriter, slices: &[Slice]) -> Result<(), DatasetError> {
     file.attribute("schema", SCHEMA)?;
-    file.attribute("schema_version", if several { TEMPERATURES_VERSION } else { SCHEMA_VERSION })?;
-    file.attribute(CHECKSUM, checksum(slices, several))
+    file.attribute("schema_version", version(slices))?;
+    file.attribute(CHECKSUM, checksum(slices))
 }
 
-fn checksum(slices: &[Slice], several: bool) -> String {
-    if several { checksum_of_several(slices) } else { slices[0].checksum() }
+/// Version of the schema of a file of these initial temperatures.
+fn version(slices: &[Slice]) -> i32 {
+    if slices.len() > 1 { TEMPERATURES_VERSION } else { SCHEMA_VERSION }
+}
+
+/// Of one slice its own; of several that of their checksums, which cover their temperatures.
+fn checksum(slices: &[Slice]) -> String {
+    if let [only] = slices {
+        return only.checksum();
+    }
+    let mut content = Content(Sha256::new());
+    slices.iter().for_each(|slice| content.text(&slice.checksum()));
+    content.finish()
 }
 
 /// Refuses files that are no tables, or tables of another version; whether it has a dimension `temperature`.
@@ -63,12 +74,8 @@ pub(super) fn has_temperatures(file: &DatasetReader) -> Result<bool, DatasetErro
 }
 
 /// Compares what was read with the checksum in its file.
-pub(super) fn check_content(
-    file: &DatasetReader,
-    slices: &[Slice],
-    several: bool,
-) -> Result<(), DatasetError> {
-    let (stored, found) = (file.attribute_text(CHECKSUM)?, checksum(slices, several));
+pub(super) fn check_content(file: &DatasetReader, slices: &[Slice]) -> Result<(), DatasetError> {
+    let (stored, found) = (file.attribute_text(CHECKSUM)?, checksum(slices));
     if stored == found {
         return Ok(());
     }
@@ -113,20 +120,13 @@ impl Slice {
 impl Table {
     /// Of all that a reader relies on, as in the attribute `checksum`.
     pub fn checksum(&self) -> String {
-        checksum(self.slices(), self.slices().len() > 1)
+        checksum(self.slices())
     }
 
     /// Version of the schema of its file.
     pub fn schema_version(&self) -> i32 {
-        if self.slices().len() > 1 { TEMPERATURES_VERSION } else { SCHEMA_VERSION }
+        version(self.slices())
     }
-}
-
-/// Of the checksums of the slices, which cover their temperatures.
-pub(super) fn checksum_of_several(slices: &[Slice]) -> String {
-    let mut content = Content(Sha256::new());
-    slices.iter().for_each(|slice| content.text(&slice.checksum()));
-    content.finish()
 }
 
 /// Lengths go before texts and lists, so that the division into items is covered as well.

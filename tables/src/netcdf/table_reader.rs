@@ -52,7 +52,7 @@ impl Table {
             return Err(wrong(TableError::AxisEmpty("temperature")));
         }
         read_cells(&file, &mut slices, &shape, &status)?;
-        schema::check_content(&file, &slices, several)?;
+        schema::check_content(&file, &slices)?;
         Table::new(slices).map_err(wrong)
     }
 }

@@ -45,7 +45,7 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
             file.attribute(name, value)?;
         }
     }
-    schema::stamp(&mut file, slices, several)?;
+    schema::stamp(&mut file, slices)?;
     let content = Content { slices, several };
     if several {
         content.write_temperatures(&mut file)?;

@@ -231,11 +231,6 @@ impl Conduction {
         Ok((rise, balance))
     }
 
-    /// Whether a contact ring is the apex, which has the mean harmonic alone.
-    fn is_apex(&self, ring: usize) -> bool {
-        self.mesh.meridian.on_axis(self.mesh.meridian.contact[ring] as usize)
-    }
-
     fn on_base(&self, place: usize) -> bool {
         self.mesh.meridian.is_base[place / self.mesh.sectors.columns()]
     }

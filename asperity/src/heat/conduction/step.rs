@@ -174,7 +174,9 @@ impl Step<'_> {
 
     /// Harmonics of a contact ring: the apex has the mean alone.
     pub(super) fn harmonics_of(&self, ring: usize) -> usize {
-        if self.conduction.is_apex(ring) { 1 } else { self.matrix.factors.harmonics() }
+        let meridian = &self.conduction.mesh.meridian;
+        let is_apex = meridian.on_axis(meridian.contact[ring] as usize);
+        if is_apex { 1 } else { self.matrix.factors.harmonics() }
     }
 }
 

@@ -139,7 +139,7 @@ impl<'a> HeightIntegral<'a> {
                     finer.push(*leaf);
                     continue;
                 }
-                for panel in self.finer(leaf.kept, leaf.panel)?.panels() {
+                for panel in self.finer(leaf.kept, leaf.panel)? {
                     finer.push(self.leaf(leaf.kept, panel, separation));
                 }
                 // A panel that is too coarse here mostly is at the next separation as well.
@@ -171,7 +171,7 @@ impl<'a> HeightIntegral<'a> {
                 Fit::Fine => leaves.push(self.leaf(kept, index, separation)),
                 Fit::Coarse => {
                     let finer = self.finer(kept, index)?;
-                    pending.extend(finer.panels().rev().map(|panel| (kept, panel)));
+                    pending.extend(finer.rev().map(|panel| (kept, panel)));
                 }
                 Fit::CutAt(edge) => {
                     let Panel { from, to, .. } = *self.tree(kept).panel(index);
@@ -260,7 +260,11 @@ impl<'a> HeightIntegral<'a> {
         if kept { &self.kept } else { &self.passing }
     }
 
-    fn finer(&mut self, kept: bool, panel: usize) -> Result<Finer, LookupError> {
+    fn finer(
+        &mut self,
+        kept: bool,
+        panel: usize,
+    ) -> Result<impl DoubleEndedIterator<Item = usize> + use<>, LookupError> {
         let tree = if kept { &mut self.kept } else { &mut self.passing };
         tree.finer(&self.asperity, panel)
     }
