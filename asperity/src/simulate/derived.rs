@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
+use tables::closed_forms::partial_slip;
 use tables::quantity::{Estimate, Quantity};
 
-use crate::scene::Scene;
+use crate::scene::{Material, Scene};
 use crate::simulate::fracture::fracture_energy;
 use crate::simulate::outcome::Outcome;
 
@@ -25,38 +26,35 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
     let ratio = law.ratio(energy, radius);
     derived.push(("G_IIc", "J m-2", name, law.at(radius)));
     derived.push(("G_ratio", "1", "energy released over the shear fracture energy, G/G_IIc", ratio));
-    let time = inception_time(scene, of(Quantity::FrictionStatic), of(Quantity::ContactRadius));
+    let time = inception_time(
+        scene,
+        scene.loading.first_slip_rate(),
+        of(Quantity::FrictionStatic),
+        of(Quantity::ContactRadius),
+    );
     let name = "time of sliding inception over that of a shear wave across the contact radius";
     derived.extend(time.map(|time| ("inception_time", "1", name, time)));
     derived
 }
 
-/// Time of sliding inception over that of a shear wave across the contact radius a, from Q at sliding inception (N) and a
-/// (m). Without friction or at V = 0 there is none.
-///
-/// The centre of a disc under the uniform shear traction τ̄ = Q/(πa²) is displaced by (2 − ν)τ̄a/(2G) (Johnson 1985,
-/// Contact Mechanics, section 3.9): after that slip the last point slips. With c_s² = G/ρ the ratio is
-/// (2 − ν)τ̄/(2ρc_sV).
+/// Time of sliding inception at `slip_rate` (m/s) over that of a shear wave across the contact radius, from Q at sliding
+/// inception (N) and that radius (m). Without friction or at V = 0 there is none.
 pub(super) fn inception_time(
     scene: &Scene,
+    slip_rate: f64,
     friction: Estimate,
     contact_radius: Estimate,
 ) -> Option<Estimate> {
-    let (material, slip_rate) = (&scene.material, scene.loading.first_slip_rate());
     if !(slip_rate > 0.0 && friction.value > 0.0) {
         return None;
     }
     let (radius, error) = (contact_radius.value, contact_radius.error);
     let area = Estimate { value: PI * radius * radius, error: 2.0 * PI * radius * error };
-    let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
-    let impedance = (material.density * shear_modulus).sqrt();
+    let Material { youngs_modulus, poisson_ratio, density, .. } = scene.material;
     // An elastic counterface is displaced as well.
-    let compliance = material.youngs_modulus / scene.with_combined_modulus().material.youngs_modulus;
-    Some(
-        friction
-            .over(area)
-            .scaled(0.5 * compliance * (2.0 - material.poisson_ratio) / (impedance * slip_rate)),
-    )
+    let compliance = youngs_modulus / scene.with_combined_modulus().material.youngs_modulus;
+    let time = partial_slip::inception_time(youngs_modulus, poisson_ratio, density);
+    Some(friction.over(area).scaled(compliance * time / slip_rate))
 }
 
 #[cfg(test)]
@@ -101,11 +99,10 @@ mod tests {
         scene.material.density = 9000.0;
         let friction = Estimate { value: PI * 1e-10 * 5e7, error: 0.0 };
         let radius = Estimate { value: 1e-5, error: 1e-7 };
-        let found = inception_time(&scene, friction, radius).unwrap();
+        let found = inception_time(&scene, 10.0, friction, radius).unwrap();
         assert!((found.value - 0.208528).abs() < 1e-6, "{found:?}");
         assert!((found.error / found.value - 0.02).abs() < 1e-12, "{found:?}");
-        assert_eq!(inception_time(&scene, Estimate::default(), radius), None);
-        scene.loading.slip_rate = 0.0;
-        assert_eq!(inception_time(&scene, friction, radius), None);
+        assert_eq!(inception_time(&scene, 10.0, Estimate::default(), radius), None);
+        assert_eq!(inception_time(&scene, 0.0, friction, radius), None);
     }
 }

@@ -1,5 +1,6 @@
 //! Report of a run: its histories, scalars and fields in SI units, account and warnings.
 
+use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::quantity::{Estimate, History, Quantity, Scalars};
 
 use super::messages::{Note, Warning};
@@ -17,9 +18,6 @@ use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
-
-/// Time of sliding inception, over that of a shear wave across the contact radius, below which inertia counts.
-const SHORTEST_INCEPTION: f64 = 5.0;
 
 /// Plastic strain beyond which small-strain kinematics is inaccurate.
 const LARGE_STRAIN: f64 = 0.2;
@@ -126,7 +124,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     if inception == InceptionCriterion::None && run.history.len() > 1 && scene.interface.law.has_friction() {
         warnings.push(Warning::NotSliding);
     }
-    warnings.extend(fast_inception(scene, run));
+    warnings.extend(fast_inception(runner, run));
     let spread = run.values.bracket(Quantity::MuStatic) / run.values.value(Quantity::MuStatic);
     let is_unsure = inception == InceptionCriterion::Stiffness && spread > scene.numerics.accuracy;
     warnings.extend(is_unsure.then_some(Warning::InceptionByStiffness { spread }));
@@ -150,10 +148,11 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
 }
 
 /// Sliding inception so fast that inertia counts.
-fn fast_inception(scene: &Scene, run: &Run) -> Option<Warning> {
+fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     let exact = |quantity| Estimate { value: run.values.value(quantity), error: 0.0 };
     let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
-    let time = inception_time(scene, friction, radius)?.value;
+    let slip_rate = runner.conditions.programme.first()?.slip_rate();
+    let time = inception_time(&runner.pressed.scene, slip_rate, friction, radius)?.value;
     (time < SHORTEST_INCEPTION).then_some(Warning::FastInception { time, limit: SHORTEST_INCEPTION })
 }
 

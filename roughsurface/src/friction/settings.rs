@@ -16,12 +16,20 @@ pub struct Settings {
     pub extrapolate: bool,
     /// Temperature from which on a contact counts as melting, K, where it is known.
     pub melting_temperature: Option<f64>,
+    /// Time of sliding inception as in [`inception_time`](tables::closed_forms::partial_slip::inception_time), where it is known.
+    pub inception_time: Option<f64>,
 }
 
 impl Default for Settings {
     /// Integrals to 1e-6 and neighbouring slips 6 % apart: both far below the errors of tables.
     fn default() -> Self {
-        Self { tolerance: 1e-6, slip_points: 200, extrapolate: false, melting_temperature: None }
+        Self {
+            tolerance: 1e-6,
+            slip_points: 200,
+            extrapolate: false,
+            melting_temperature: None,
+            inception_time: None,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::friction::result::Friction;
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::{SlipState, inception, slip_grid, weakening_distance, weakening_energy};
 use crate::friction::warning::{Place, Warning};
-use crate::integral::asperity_at_slip::Additional;
+use crate::integral::asperity_at_slip::{Additional, UNKNOWN_STEADY_FRICTION};
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::{Predictor, PredictorHistory};
@@ -14,6 +14,7 @@ use crate::integral::separation::{EquilibriumState, separation_for};
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use rayon::prelude::*;
+use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw, Estimate, LookupError};
 
 /// Real area fraction above which summits no longer deform independently: a few per cent.
@@ -282,6 +283,13 @@ impl<'a> Sweep<'a> {
                 known: !sliding.mu.value.is_nan(),
             });
         }
+        let uncertain = lasting.mu.error / lasting.mu.value;
+        if self.query.contact_life != ContactLife::Steady && uncertain > UNKNOWN_STEADY_FRICTION {
+            warnings.push(Warning::SteadyUncertain { at: at(), error: uncertain });
+        }
+        if let Some(time) = self.inception_time(rate, &curve).filter(|time| *time < SHORTEST_INCEPTION) {
+            warnings.push(Warning::FastInception { at: at(), time });
+        }
         let share = sliding.area_fraction.value;
         match self.query.interaction {
             Interaction::None if share > INTERACTION => {
@@ -311,6 +319,14 @@ impl<'a> Sweep<'a> {
             mu_history,
             outside_table,
         }
+    }
+
+    /// Time of sliding inception over that of a shear wave across a contact, at the largest mean shear stress of the slide.
+    fn inception_time(&self, rate: usize, curve: &[SlipState]) -> Option<f64> {
+        let stress = |state: &SlipState| state.shear.value / state.area_fraction.value;
+        let largest = curve.iter().map(stress).fold(0.0, f64::max);
+        let slip_rate = self.query.slip_rates[rate];
+        (largest > 0.0 && slip_rate > 0.0).then_some(self.settings.inception_time? * largest / slip_rate)
     }
 
     fn energy_release(&self, row: usize, pressed: &EquilibriumState) -> Option<Estimate> {

@@ -271,3 +271,29 @@ fn large_real_areas_are_warned_of_with_the_key_that_helps() {
     }
     assert!(warned(1e7, moved).0 < 0.05 && warned(3e8, moved).0 > 0.1);
 }
+
+#[test]
+fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
+    let steady = Some(Estimate { value: 0.4, error: 0.1 });
+    let law = PowerLaw { last_slip: 20.0, steady, ..PowerLaw::hertz() };
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let query = Query { slip_rates: vec![0.5, 1.0], ..query(NormalLoading::Pressure(vec![1e6])) };
+    let settings = Settings { inception_time: Some(4e-8), ..Settings::default() };
+    let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
+    // A mean shear stress of 1e8 Pa: 8 at 0.5 m/s, 4 at 1 m/s.
+    let fast = found.warnings.iter().filter_map(|warning| match warning {
+        Warning::FastInception { at, time } => Some((at.slip_rate, *time)),
+        _ => None,
+    });
+    let fast: Vec<(f64, f64)> = fast.collect();
+    assert!(fast.len() == 1 && fast[0].0 == 1.0 && (fast[0].1 - 4.0).abs() < 1e-6, "{fast:?}");
+    let uncertain = found.warnings.iter().filter_map(|warning| match warning {
+        Warning::SteadyUncertain { error, .. } => Some(*error),
+        _ => None,
+    });
+    let uncertain: Vec<f64> = uncertain.collect();
+    assert!(
+        uncertain.len() == 2 && uncertain.iter().all(|error| (error - 0.25).abs() < 0.01),
+        "{uncertain:?}"
+    );
+}

@@ -4,6 +4,7 @@ use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::surface::query::Query;
 use crate::topography::warning;
 use std::fmt;
+use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw};
 use tables::numbers::{digits, plain};
 
@@ -64,6 +65,12 @@ pub enum Warning {
         if *.known { "their steady friction is uncertain by more than 20 %" } else { "the table does not state their steady friction: mu is n/a" }
     )]
     Unsteady { at: Place, share: f64, known: bool },
+    #[error("{at}: mu_steady is uncertain by {:.0} %, as slides of the table end before they are steady", 100.0 * .error)]
+    SteadyUncertain { at: Place, error: f64 },
+    #[error(
+        "{at}: sliding begins within {time:.1} times the time of a shear wave across a contact: below {SHORTEST_INCEPTION}, inertia changes mu_static and G, which are those of a slow onset"
+    )]
+    FastInception { at: Place, time: f64 },
     #[error(
         "the table does not state steady friction; mu_steady is n/a. Tables made with this version state it"
     )]
@@ -136,6 +143,8 @@ impl Warning {
             | Self::SamplesExtrapolated { at, .. }
             | Self::StillRising { at }
             | Self::Unsteady { at, .. }
+            | Self::SteadyUncertain { at, .. }
+            | Self::FastInception { at, .. }
             | Self::AsperitiesInteract { at, .. }
             | Self::ContactsMerge { at, .. }
             | Self::SamplesWithoutContact { at, .. } => Some(at),

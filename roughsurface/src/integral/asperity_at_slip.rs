@@ -21,7 +21,7 @@ pub enum Additional {
 }
 
 /// Relative error from which on steady friction counts as unknown.
-const UNKNOWN_STEADY_FRICTION: f64 = 0.2;
+pub(crate) const UNKNOWN_STEADY_FRICTION: f64 = 0.2;
 
 /// How far the contacts have slid.
 #[derive(Clone)]

@@ -1,6 +1,6 @@
 //! The response of one asperity, by the name given with `--table`.
 
-use tables::closed_forms::{ElasticPlastic, UnknownClosedForm, closed_form};
+use tables::closed_forms::{ElasticPlastic, UnknownClosedForm, closed_form, partial_slip};
 use tables::law::AsperityLaw;
 use tables::shipped::{self, TableSourceError};
 
@@ -28,6 +28,8 @@ pub struct LawSource {
     pub material: ElasticPlastic,
     /// Melting temperature, K: key `melting` of the softening law in the scene of a table.
     pub melting_temperature: Option<f64>,
+    /// Time of sliding inception as in [`partial_slip::inception_time`], from the scene of a table.
+    pub inception_time: Option<f64>,
     /// Cells of the table without results, interpolated around.
     pub interpolated_cells: Vec<String>,
 }
@@ -54,14 +56,15 @@ impl LawSource {
             poisson_ratio: nu,
             yield_strength: metadata.yield_strength,
         };
-        let melting_temperature = melting_of(&metadata.scene);
+        let melting_temperature = of_material(&metadata.scene, &["softening", "melting"]);
+        let inception_time = inception_time(&metadata.scene, &material);
         let mut interpolated_cells = Vec::new();
         if interpolate_missing {
             let (whole, cells) = table.with_failed_cells_interpolated();
             interpolated_cells = cells.iter().map(|(i, j)| table.label(*i, *j)).collect();
             table = whole.interpolated();
         }
-        Ok(Self { law: Box::new(table), material, melting_temperature, interpolated_cells })
+        Ok(Self { law: Box::new(table), material, melting_temperature, inception_time, interpolated_cells })
     }
 
     fn closed_form(
@@ -83,15 +86,24 @@ impl LawSource {
                 law,
                 material: *material,
                 melting_temperature: None,
+                inception_time: None,
                 interpolated_cells: Vec::new(),
             }),
         }
     }
 }
 
-fn melting_of(scene: &str) -> Option<f64> {
+/// A constant of the material of a scene.
+fn of_material(scene: &str, path: &[&str]) -> Option<f64> {
     let scene: toml::Table = scene.parse().ok()?;
-    scene.get("material")?.get("softening")?.get("melting")?.as_float()
+    path.iter().try_fold(scene.get("material")?, |value, key| value.get(key))?.as_float()
+}
+
+/// Of the asperity of a scene; `combined` has the modulus of the elastic counterface as well, which is displaced too.
+fn inception_time(scene: &str, combined: &ElasticPlastic) -> Option<f64> {
+    let [youngs, density] = ["youngs_modulus", "density"].map(|key| of_material(scene, &[key]));
+    let compliance = youngs? / combined.youngs_modulus;
+    Some(compliance * partial_slip::inception_time(youngs?, combined.poisson_ratio, density?))
 }
 
 #[cfg(test)]
@@ -146,9 +158,19 @@ mod tests {
     #[test]
     fn the_scene_of_a_table_states_the_melting_temperature() {
         let scene = "[material]\nsoftening = { law = \"johnson-cook\", melting = 1793.0 }\n";
-        assert_eq!(melting_of(scene), Some(1793.0));
-        assert_eq!(melting_of("[material]\nsoftening = { law = \"none\" }\n"), None);
-        assert_eq!(melting_of(""), None);
+        let melting = |scene| of_material(scene, &["softening", "melting"]);
+        assert_eq!(melting(scene), Some(1793.0));
+        assert_eq!(melting("[material]\nsoftening = { law = \"none\" }\n"), None);
+        assert_eq!(melting(""), None);
+    }
+
+    /// E = 124 GPa, ν = 0.34 and 8960 kg/m³ give √(ρG) = 20.361 MPa s/m: 0.5·1.66/20.361e6 = 4.0764e-8, and 2.118 m/s over
+    /// the slip rate at a shear strength of 90/√3 MPa.
+    #[test]
+    fn the_scene_of_a_table_gives_the_time_of_inception() {
+        let copper = LawSource::open("copper", None, None, false).unwrap();
+        let time = copper.inception_time.unwrap();
+        assert!((time / 4.0764e-8 - 1.0).abs() < 1e-4, "{time:e}");
     }
 
     #[test]

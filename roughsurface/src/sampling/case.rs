@@ -117,7 +117,7 @@ impl Case {
     }
 
     /// Friction with the uncertain parameters, beside the closed forms `compared`, and of a topography at other cut-offs;
-    /// `show` is told slips done and in all. The melting temperature is that of the table.
+    /// `show` is told slips done and in all. Melting temperature and time of inception are those of the table.
     pub fn predict(
         &self,
         compared: &[String],
@@ -125,7 +125,8 @@ impl Case {
         show: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Results, CaseError> {
         let Self { file, source, .. } = self;
-        let settings = Settings { melting_temperature: source.melting_temperature, ..*settings };
+        let (melting_temperature, inception_time) = (source.melting_temperature, source.inception_time);
+        let settings = Settings { melting_temperature, inception_time, ..*settings };
         let (law, surface, query) = (source.law.as_ref(), &file.surface, &file.query);
         let mut results = Results::from(predict(law, surface, query, &settings, show)?);
         if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {

@@ -24,6 +24,20 @@ pub fn tangential_modulus(youngs_modulus: f64, poisson_ratio: f64) -> f64 {
     youngs_modulus / (2.0 * (1.0 + poisson_ratio) * (2.0 - poisson_ratio))
 }
 
+/// Time of sliding inception, over that of a shear wave across the contact radius, below which inertia counts.
+pub const SHORTEST_INCEPTION: f64 = 5.0;
+
+/// Time of sliding inception over that of a shear wave across the contact radius, of a mean shear stress of 1 Pa and a slip
+/// rate of 1 m/s; in proportion to the stress and to the inverse of the slip rate.
+///
+/// The centre of a disc under the uniform shear traction τ̄ is displaced by (2 − ν)τ̄a/(2G) (Johnson 1985,
+/// Contact Mechanics, section 3.9): after that slip the last point slips. With c_s² = G/ρ the ratio is
+/// (2 − ν)τ̄/(2ρc_sV).
+pub fn inception_time(youngs_modulus: f64, poisson_ratio: f64, density: f64) -> f64 {
+    let shear_modulus = 0.5 * youngs_modulus / (1.0 + poisson_ratio);
+    0.5 * (2.0 - poisson_ratio) / (density * shear_modulus).sqrt()
+}
+
 /// 8G*a, N/m: tangential stiffness in full stick (Mindlin 1949, doi 10.1115/1.4009973).
 pub fn stick_stiffness(g_star: f64, contact_radius: f64) -> f64 {
     8.0 * g_star * contact_radius

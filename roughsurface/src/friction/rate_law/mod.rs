@@ -102,9 +102,10 @@ impl RateLaw {
         -(self.mu_0.value - self.plateau.value) * n * m * power * (1.0 + power).powf(-m - 1.0)
     }
 
-    /// Whether law and data agree: R² of at least 0.99, and a velocity known to half of itself.
+    /// Whether law and data agree: R² of at least 0.99 over more slip rates than a curve with as many parameters can pass
+    /// through (the information criterion is a number), and a velocity known to half of itself.
     pub fn is_reliable(&self) -> bool {
-        self.r_squared >= 0.99 && self.velocity.error <= 0.5 * self.velocity.value
+        !self.criterion.is_nan() && self.r_squared >= 0.99 && self.velocity.error <= 0.5 * self.velocity.value
     }
 }
 

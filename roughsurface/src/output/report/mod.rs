@@ -24,7 +24,7 @@ svg{max-width:100%;height:auto}fieldset{margin:.5em 0}fieldset label{margin-righ
 
 /// Limits of the model.
 const CAVEATS: [&str; 6] = [
-    "Asperities do not interact: the model does not hold above a real contact area of some 30 % of the nominal one.",
+    "Asperities do not interact: above a real contact area of some 5 % of the nominal one they do, which changes the separation at a given pressure.",
     "No adhesion: the model does not hold for loads below the pull-off force of the summits.",
     "No wear: heights and radii stay what they are; running-in and polishing change them.",
     "No third body: no oxide, transfer layer, lubricant, gouge or debris between the surfaces.",

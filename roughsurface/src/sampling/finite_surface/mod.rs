@@ -13,6 +13,7 @@ mod tests;
 
 use crate::friction::warning::{Place, Warning};
 use crate::friction::{PredictionError, Settings};
+use crate::integral::asperity_at_slip::Additional;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
@@ -102,7 +103,7 @@ pub fn sample(
         let before = Asperities::new(law, surface, rate)?;
         let after = match sampling.slip {
             Some(slip) => before.after(slip),
-            None => before.of_all_ages(query.contact_life),
+            None => before.of_all_ages(query.contact_life).with(Additional::UnsteadyLoad),
         };
         Ok(LawAtRate { after, before })
     };
@@ -129,10 +130,11 @@ pub fn sample(
     let rates = query.slip_rates.len();
     let cell = |cell: usize| surfaces.iter().map(|surface| surface[cell]).collect();
     let rows = query.loading.values().len();
-    let infinite = (0..rows).map(|_| infinite.by_ref().take(rates).collect()).collect();
+    let infinite: Vec<Vec<Option<SampledState>>> =
+        (0..rows).map(|_| infinite.by_ref().take(rates).collect()).collect();
     let states: Vec<Vec<Vec<SampledState>>> =
         (0..rows).map(|row| (0..rates).map(|rate| cell(row * rates + rate)).collect()).collect();
-    let warnings = warnings(law, query, &states);
+    let warnings = warnings(law, query, &states, &infinite);
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, infinite, warnings })
 }
 
@@ -161,7 +163,12 @@ fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &S
     predictors
 }
 
-fn warnings(law: &dyn AsperityLaw, query: &Query, states: &[Vec<Vec<SampledState>>]) -> Vec<Warning> {
+fn warnings(
+    law: &dyn AsperityLaw,
+    query: &Query,
+    states: &[Vec<Vec<SampledState>>],
+    infinite: &[Vec<Option<SampledState>>],
+) -> Vec<Warning> {
     let mut warnings = Vec::new();
     for (row, columns) in states.iter().enumerate() {
         for (rate, surfaces) in columns.iter().enumerate() {
@@ -169,6 +176,12 @@ fn warnings(law: &dyn AsperityLaw, query: &Query, states: &[Vec<Vec<SampledState
             let outside = surfaces.iter().map(|one| one.state.outside).fold(0.0, f64::max);
             if outside > NEGLIGIBLE_SHARE && law.above_range() == AboveRange::Extrapolated {
                 warnings.push(Warning::SamplesExtrapolated { at: at(), share: outside });
+            }
+            if let Some(SampledState { state, .. }) = infinite[row][rate]
+                && state.unsteady > NEGLIGIBLE_SHARE
+            {
+                let known = !state.mu.value.is_nan();
+                warnings.push(Warning::Unsteady { at: at(), share: state.unsteady, known });
             }
             let idle = surfaces.iter().filter(|one| one.contacts == 0.0).count();
             if idle > 0 {

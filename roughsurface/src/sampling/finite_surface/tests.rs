@@ -3,8 +3,10 @@
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
 use crate::surface::heights::{Exponential, Gaussian};
+use crate::surface::query::ContactLife;
 use crate::surface::radii::Radii;
 use tables::closed_forms::closed_form;
+use tables::law::Estimate;
 
 fn samples(asperities: usize) -> Samples {
     let law = PowerLaw::hertz();
@@ -70,5 +72,18 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
                 assert!(scatter.mean_error < 0.1 * exact, "{name}");
             }
         }
+    }
+}
+
+#[test]
+fn samples_that_rest_on_unsteady_friction_say_so() {
+    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let query = Query { contact_life: ContactLife::Steady, ..query(NormalLoading::Pressure(vec![1e6])) };
+    let sampling = Sampling { asperities: 100, realizations: 5, seed: 1, slip: None };
+    for (error, said) in [(0.01, false), (0.1, true)] {
+        let law =
+            PowerLaw { last_slip: 20.0, steady: Some(Estimate { value: 0.4, error }), ..PowerLaw::hertz() };
+        let found = sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap();
+        assert_eq!(found.warnings.iter().any(|one| matches!(one, Warning::Unsteady { .. })), said);
     }
 }
