@@ -12,7 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 SINGLE = "examples/scenes/single-asperity.toml"
 METALS = ["steel-4340", "steel-1045", "steel-304", "aluminium-6061", "copper", "titanium-6al4v"]
-TABLES = METALS + [f"{name}-rigid" for name in METALS]
+TABLES = [name + kind for kind in ("", "-rigid", "-rate") for name in METALS]
 blocks = {}
 
 

@@ -116,9 +116,9 @@ def metals():
 
 @block("rate", 2)
 def rate():
-    """The shipped tables: what the slip rate changes."""
+    """The shipped tables without rate law: what the slip rate changes from 0 on."""
     rows = []
-    for name in TABLES:
+    for name in [name for name in TABLES if not name.endswith("-rate")]:
         line = [name]
         for i in (0, 6, 9):
             cells = shipped(name)[i]
@@ -200,7 +200,7 @@ def rate_steps():
             name = name.replace("a0", "$a_0$").replace("-", "−")
             rows.append([case, name, before, "" if held else direct, end, "" if held else slip, temperature])
         elif not line.startswith("step"):
-            case = line
+            case = line.replace("C =", "$C_r$ =")
     head = ["case", "step", "before", "all slips", "end", "half slip", "temperature"]
     return table(head, rows)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes shipped tables anew from their requests:
 #
-#   tables/data/make.sh [NAME]...          default: all twelve
+#   tables/data/make.sh [NAME]...          default: all
 #
 # An interrupted one continues when started again. Two tables are made at a time, each on one processor.
 set -euo pipefail
@@ -15,7 +15,7 @@ esac
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 cargo build --locked --release --workspace --bin asperity
 programs=$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')/release
-(($#)) || set -- {titanium-6al4v,steel-304,steel-4340,aluminium-6061,steel-1045,copper}{,-rigid}
+(($#)) || set -- {titanium-6al4v,steel-304,steel-4340,aluminium-6061,steel-1045,copper}{,-rigid,-rate}
 export PATH="$programs:$PATH"
 printf '%s\n' "$@" | xargs -P 2 -I NAME \
     asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc --jobs 1 --resume --quiet

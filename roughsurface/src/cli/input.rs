@@ -17,7 +17,8 @@ pub struct InputOptions {
     /// Surface file (TOML; - for standard input): summits, heights, pressures, slip rates; or a topography, which is characterised first
     surface: PathBuf,
     /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
-    /// aluminium-6061, copper, titanium-6al4v on a like body; NAME-rigid on a rigid isothermal flat), or model:NAME for a closed form
+    /// aluminium-6061, copper, titanium-6al4v on a like body; NAME-rate likewise with a rate law; NAME-rigid on a rigid
+    /// isothermal flat), or model:NAME for a closed form
     #[arg(long, value_name = "TABLE", required_unless_present = "material", conflicts_with = "material")]
     table: Option<String>,
     /// Material of a shipped table, in place of --table: sliding on a like body

@@ -17,7 +17,7 @@
 use tables::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
 
 /// Error of the superposition, relative to the smaller of what the step changes and of what heat had changed before it. It is
-/// at most 0.07 of the change where the rate rises and 0.28 where it falls, in seven runs through a step (example
+/// at most 0.06 of the change where the rate rises and 0.25 where it falls, in seven runs through a step (example
 /// `rate_step_superposition`).
 const SUPERPOSITION: f64 = 0.3;
 

@@ -1,9 +1,10 @@
 //! Tables that come with the crate, used by name.
 //!
-//! There are two of each metal: `METAL` slides on a body of the same metal that conducts heat, `METAL-rigid` on a rigid
-//! flat that stays at the initial temperature. Each was made by
-//! `asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc`; the file itself records request, version, cost and errors (`asperity table info NAME -v`), and `asperity table check
-//! NAME` computes some of its cells again. Depends on `netcdf` and `interpolation`. Chapter "Shipped tables" of the book.
+//! There are three of each metal: `METAL` slides on a body of the same metal that conducts heat, `METAL-rate` likewise
+//! with a rate law, at a radius of 0.1 mm, and `METAL-rigid` on a rigid flat that stays at the initial temperature. Each
+//! was made by `asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc`; the file itself records request,
+//! version, cost and errors (`asperity table info NAME -v`), and `asperity table check NAME` computes some of its cells
+//! again. Depends on `netcdf` and `interpolation`. Chapter "Shipped tables" of the book.
 
 use std::io::Write;
 use std::path::Path;
@@ -18,24 +19,28 @@ macro_rules! shipped {
         [$(
             ($metal, include_bytes!(concat!("../../data/", $metal, ".nc")) as &[u8]),
             (concat!($metal, "-rigid"), include_bytes!(concat!("../../data/", $metal, "-rigid.nc")) as &[u8]),
+            (concat!($metal, "-rate"), include_bytes!(concat!("../../data/", $metal, "-rate.nc")) as &[u8]),
         )*]
     };
 }
 
-const SHIPPED: [(&str, &[u8]); 12] =
+const SHIPPED: [(&str, &[u8]); 18] =
     shipped!["steel-4340", "steel-1045", "steel-304", "aluminium-6061", "copper", "titanium-6al4v"];
 
 /// What the name of a table adds to that of its metal if the counterface is rigid and isothermal.
 const RIGID: &str = "-rigid";
+
+/// The same if the strength grows with the strain rate.
+const RATE: &str = "-rate";
 
 /// Names of the shipped tables.
 pub fn names() -> impl Iterator<Item = &'static str> {
     SHIPPED.iter().map(|(name, _)| *name)
 }
 
-/// Metals of the shipped tables, which are the names of those with a like counterface.
+/// Metals of the shipped tables, which are the names of those with a like counterface and no rate law.
 pub fn metals() -> impl Iterator<Item = &'static str> {
-    names().filter(|name| !name.ends_with(RIGID))
+    names().filter(|name| !name.ends_with(RIGID) && !name.ends_with(RATE))
 }
 
 /// Name of the table of a metal on a rigid flat at the initial temperature.
@@ -135,14 +140,20 @@ mod tests {
     fn shipped_tables_are_whole() {
         for name in names() {
             let table = table(name).unwrap();
-            let axes = table.axes();
-            assert_eq!((axes.interference[0], axes.slip_rate[0]), (0.1, 0.0), "{name}");
+            let (axes, metadata) = (table.axes(), table.metadata());
+            let has_rate_law = name.ends_with(RATE);
+            assert_eq!(metadata.rate_coefficient.is_some(), has_rate_law, "{name}");
+            let (slowest, radius) = if has_rate_law { (0.01, 1e-4) } else { (0.0, 1e-3) };
+            // In lighter contacts its interface is stronger than the body.
+            let lightest = if name == "steel-304-rate" { 0.7 } else { 0.1 };
+            assert_eq!((axes.interference[0], axes.slip_rate[0]), (lightest, slowest), "{name}");
+            assert_eq!(metadata.asperity_radius, radius, "{name}");
             // To a contact radius of 0.23 of that of the asperity; copper does not stick that far.
             let last = axes.interference[axes.interference.len() - 1];
             let reach = last / table.contact_limit();
-            let metal = name.trim_end_matches(RIGID);
+            let metal = name.trim_end_matches(RIGID).trim_end_matches(RATE);
             assert!(reach > 0.33 || (metal == "copper" && last == 3000.0), "{name}: {last}, {reach}");
-            assert_eq!(table.metadata().counterface.is_empty(), name.ends_with(RIGID), "{name}");
+            assert_eq!(metadata.counterface.is_empty(), name.ends_with(RIGID), "{name}");
             for i in 0..axes.interference.len() {
                 for j in 0..axes.slip_rate.len() {
                     assert!(table.cell(i, j).is_some(), "{name}: {}", table.label(i, j));

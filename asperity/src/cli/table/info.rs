@@ -30,22 +30,28 @@ pub fn list(display: &Display) -> Result<(), Failure> {
             statistics.iter().find(|of| of.quantity == quantity).map_or(f64::NAN, |of| of.largest)
         };
         let [mu_static, mu] = [Quantity::MuStatic, Quantity::Mu].map(worst);
-        let counterface = if table.metadata().counterface.is_empty() { "rigid flat" } else { "like body" };
-        rows.push((name, counterface, table.axes().clone(), [mu_static, mu]));
+        rows.push((name, table.metadata().clone(), table.axes().clone(), [mu_static, mu]));
     }
-    let as_json = |(name, counterface, axes, [mu_static, mu]): &(&str, &str, Axes, [f64; 2])| {
+    let counterface =
+        |metadata: &Metadata| if metadata.counterface.is_empty() { "rigid flat" } else { "like body" };
+    let as_json = |(name, metadata, axes, [mu_static, mu]): &(&str, Metadata, Axes, [f64; 2])| {
         json!({
             "name": name,
-            "counterface": counterface,
+            "counterface": counterface(metadata),
+            "asperity_radius": metadata.asperity_radius,
+            "rate_law": metadata.rate_coefficient.is_some(),
             "interference": axes.interference,
             "slip_rate": axes.slip_rate,
             "mu_static_relative_error_largest": mu_static,
             "mu_relative_error_largest": mu,
         })
     };
-    let line = |(name, counterface, axes, [mu_static, mu]): &(&str, &str, Axes, [f64; 2])| {
+    let line = |(name, metadata, axes, [mu_static, mu]): &(&str, Metadata, Axes, [f64; 2])| {
+        let rate_law = if metadata.rate_coefficient.is_some() { ", rate law" } else { "" };
         format!(
-            "{name:21} {counterface}, {}, {}; largest error of mu_static {}, of mu {}\n",
+            "{name:21} {}{rate_law}, R = {} mm, {}, {}; largest error of mu_static {}, of mu {}\n",
+            counterface(metadata),
+            plain(1e3 * metadata.asperity_radius),
             range(&axes.interference, "omega_c"),
             range(&axes.slip_rate, "m/s"),
             percent(*mu_static),
@@ -152,11 +158,7 @@ fn errors(table: &Slice) -> String {
 }
 
 fn percent(share: f64) -> String {
-    match share {
-        share if share.is_nan() => "unknown".into(),
-        share if share.is_infinite() => "unknown".into(),
-        share => format!("{:.2} %", 100.0 * share),
-    }
+    if share.is_finite() { format!("{:.2} %", 100.0 * share) } else { "unknown".into() }
 }
 
 fn as_json(table: &Table, slice: &Slice, table_name: &str) -> Value {
