@@ -21,6 +21,7 @@ use crate::simulate::{Watch, simulate};
 const AT_REST: &str = "Carslaw & Jaeger 1959, sec. 10.5";
 const MOVING: &str = "Carslaw & Jaeger 1959, sec. 10.7, integrated over the disc";
 const FIT: &str = "Tian & Kennedy 1994, doi 10.1115/1.2927035";
+const GAP: &str = "Carslaw & Jaeger 1959, sec. 10.5, and Volterra's equation for the flow through the gap";
 const DIVIDED: &str = "rises of half-spaces of one diffusivity, in proportion to 1/k";
 
 pub const CASES: [Case; 4] = [
@@ -76,7 +77,8 @@ fn half_space() -> Vec<Row> {
     rows
 }
 
-/// Bodies of one diffusivity in contact at rest divide the heat as their conductivities at any time.
+/// Bodies of one diffusivity in contact at rest divide the heat as their conductivities at any time; with a resistance between
+/// them by Volterra's equation for the flow through it, with the mean rise of a disc source as its kernel.
 fn at_rest(watch: &dyn Watch) -> Rows {
     const WHY: &str = "mesh, 0.5 n_c^-1.5, of the rise of one body";
     let mut rows = Vec::new();
@@ -95,6 +97,20 @@ fn at_rest(watch: &dyn Watch) -> Rows {
         let tolerance = Tolerance::relative(0.022 * share + 0.0015, WHY);
         rows.push(Row::new(name("mean rise over qa/k"), rise, reference, tolerance));
     }
+    // All of the heat is released on the asperity's side of a gap of the conductance k/a.
+    let with_gap = |scene: &Scene| Counterface {
+        contact_conductance: scene.material.thermal_conductivity / Hertz::of(scene).contact_radius,
+        ..conducting(scene, 4.0)
+    };
+    let heated = slide_beside(&with_gap, (1.0, 10.0, false), 8, watch)?;
+    let end = last(&heated.outcome);
+    let name = |what: &str| format!("{what} beside a body at rest, k2 = 4 k, conductance k/a, Fo = 10");
+    let reference = |value| Reference::exact(value, GAP).known_to(0.0015);
+    let tolerance = Tolerance::relative(0.0235, WHY);
+    let found = heated.outcome.scalars[Quantity::HeatPartition];
+    rows.push(Row::new(name("heat partition"), found, reference(0.60918), tolerance));
+    let rise = (end[Quantity::TemperatureMean] - START) / heated.rise;
+    rows.push(Row::new(name("mean rise over qa/k"), rise, reference(0.46473), tolerance));
     Ok(rows)
 }
 
