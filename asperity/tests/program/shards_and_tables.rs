@@ -115,6 +115,23 @@ fn damaged_tables_are_refused_everywhere() {
     refused("table info request.toml", &["cannot read request.toml"], "none");
 }
 
+/// τ₀ = 792/√3 MPa over √(ρG) = 24.94 MPa s/m with 0.5 (2 − ν) is 15.7 m/s over the slip rate.
+#[test]
+fn cells_in_which_sliding_begins_fast_say_so() {
+    let _alone = alone();
+    let folder = made();
+    done(
+        &folder,
+        "tabulate request.toml -o fast.nc --set table.interference=[1] --set table.slip_rate=[0,1,10]",
+    );
+    let table = read(&folder, "fast.nc");
+    let is_fast = |j: usize| {
+        let cell = table.cell(0, j).unwrap();
+        cell.warnings.iter().any(|warning| warning.starts_with("sliding begins within 1.6 times"))
+    };
+    assert_eq!([0, 1, 2].map(is_fast), [false, false, true]);
+}
+
 #[test]
 fn a_table_is_described_plotted_and_exported() {
     let _alone = alone();
