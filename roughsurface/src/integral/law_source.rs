@@ -1,5 +1,6 @@
 //! The response of one asperity, by the name given with `--table`.
 
+use std::collections::BTreeMap;
 use tables::closed_forms::{ElasticPlastic, UnknownClosedForm, closed_form, partial_slip};
 use tables::law::AsperityLaw;
 use tables::shipped::{self, TableSourceError};
@@ -19,6 +20,10 @@ pub enum LawSourceError {
         "query.temperature = {temperature} K: a closed form (--table model:{name}) does not depend on temperature; leave it out"
     )]
     NoTemperature { name: String, temperature: f64 },
+    #[error(
+        "--table {table}: its counterface is {found}; the section [counterface] of the surface file {asked}"
+    )]
+    Counterface { table: String, found: String, asked: String },
 }
 
 /// The law of one asperity, and the material data of its source.
@@ -32,6 +37,14 @@ pub struct LawSource {
     pub inception_time: Option<f64>,
     /// Cells of the table without results, interpolated around.
     pub interpolated_cells: Vec<String>,
+    /// Of a table.
+    counterface: Option<Counterface>,
+}
+
+/// The body on the other side of a table: in words, and its constants.
+struct Counterface {
+    words: String,
+    constants: BTreeMap<String, f64>,
 }
 
 impl LawSource {
@@ -58,13 +71,48 @@ impl LawSource {
         };
         let melting_temperature = of_material(&metadata.scene, &["softening", "melting"]);
         let inception_time = inception_time(&metadata.scene, &material);
+        let counterface = Some(Counterface {
+            words: metadata.counterface_in_words(),
+            constants: metadata.counterface_constants(),
+        });
         let mut interpolated_cells = Vec::new();
         if interpolate_missing {
             let (whole, cells) = table.with_failed_cells_interpolated();
             interpolated_cells = cells.iter().map(|(i, j)| table.label(*i, *j)).collect();
             table = whole.interpolated();
         }
-        Ok(Self { law: Box::new(table), material, melting_temperature, inception_time, interpolated_cells })
+        Ok(Self {
+            law: Box::new(table),
+            material,
+            melting_temperature,
+            inception_time,
+            interpolated_cells,
+            counterface,
+        })
+    }
+
+    /// Refuses the table called `table` if its counterface has other constants than those `asked`, by more than their
+    /// rounding in a file.
+    pub fn check_counterface(
+        &self,
+        table: &str,
+        asked: &BTreeMap<String, f64>,
+    ) -> Result<(), LawSourceError> {
+        const ROUNDING: f64 = 1e-3;
+        let Some(Counterface { words, constants }) = &self.counterface else { return Ok(()) };
+        let same = |(key, value): (&String, &f64)| {
+            let found = constants.get(key);
+            found.is_some_and(|found| value == found || (value / found - 1.0).abs() <= ROUNDING)
+        };
+        if asked.len() == constants.len() && asked.iter().all(same) {
+            return Ok(());
+        }
+        let list: Vec<String> = asked.iter().map(|(key, value)| format!("{key} = {value:e}")).collect();
+        let asked = match list.is_empty() {
+            true => "is empty: rigid and isothermal".to_owned(),
+            false => format!("has {}", list.join(", ")),
+        };
+        Err(LawSourceError::Counterface { table: table.to_owned(), found: words.clone(), asked })
     }
 
     fn closed_form(
@@ -88,6 +136,7 @@ impl LawSource {
                 melting_temperature: None,
                 inception_time: None,
                 interpolated_cells: Vec::new(),
+                counterface: None,
             }),
         }
     }
@@ -185,6 +234,37 @@ mod tests {
             let message = refused(asked, material, temperature);
             assert!(message.contains(expected), "{message}");
         }
+    }
+
+    #[test]
+    fn a_table_of_another_counterface_is_refused() {
+        let like = "youngs_modulus = 205000000000.0, poisson_ratio = 0.29, contact_conductance = inf";
+        let path = path("counterface");
+        let refusal = |counterface: &str, asked: &[(&str, f64)]| {
+            let metadata = Metadata { counterface: counterface.into(), ..Metadata::default() };
+            table(&[1.0], &[0], 2.0, metadata).write(&path).unwrap();
+            let source = LawSource::open(path.to_str().unwrap(), None, None, false).unwrap();
+            let asked = asked.iter().map(|&(key, value)| (key.to_owned(), value)).collect();
+            source.check_counterface("it", &asked).err().map(|error| error.to_string())
+        };
+        let steel = [("youngs_modulus", 205.1e9), ("poisson_ratio", 0.29)];
+        assert_eq!(refusal(like, &steel), None);
+        assert_eq!(refusal("", &[]), None);
+        for (counterface, asked, expected) in [
+            (
+                like,
+                &[][..],
+                "poisson_ratio = 0.29, contact_conductance = inf; the section [counterface] of the surface file is empty",
+            ),
+            (like, &steel[..1], "file has youngs_modulus = 2.051e11"),
+            (like, &[("youngs_modulus", 200e9), ("poisson_ratio", 0.29)], "youngs_modulus = 2e11"),
+            (like, &[steel[0], steel[1], ("density", 7850.0)], "density = 7.85e3"),
+            ("", &steel, "--table it: its counterface is rigid and isothermal; "),
+        ] {
+            let message = refusal(counterface, asked).unwrap();
+            assert!(message.contains(expected), "{message}");
+        }
+        std::fs::remove_file(&path).unwrap();
     }
 
     #[test]

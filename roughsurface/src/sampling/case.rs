@@ -61,6 +61,7 @@ impl Case {
         interpolate_missing: bool,
     ) -> Result<Self, LawSourceError> {
         let source = LawSource::open(table, file.material.as_ref(), file.temperature, interpolate_missing)?;
+        file.counterface.as_ref().map_or(Ok(()), |asked| source.check_counterface(table, asked))?;
         Ok(Self { file, source, table: table.to_owned(), measured })
     }
 

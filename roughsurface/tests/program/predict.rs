@@ -141,6 +141,7 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
 fn bad_input_ends_with_status_two_and_one_line() {
     let folder = folder("input");
     folder.write("typo.toml", SURFACE.replace("pressure", "presure"));
+    folder.write("rigid.toml", format!("{SURFACE}[counterface]\n"));
     // NetCDF, but not a table.
     let mut foreign = DatasetWriter::create(&folder.path("foreign.nc"), "foreign").unwrap();
     foreign.dimension("x", 2).unwrap();
@@ -151,6 +152,7 @@ fn bad_input_ends_with_status_two_and_one_line() {
         ("predict surface.toml --table model:herz -o f.nc", "kogut-etsion"),
         ("predict surface.toml --table none.nc -o f.nc", "cannot read none.nc"),
         ("predict surface.toml --table surface.toml -o f.nc", "surface.toml"),
+        ("predict rigid.toml --table steel-4340 -o f.nc", "[counterface] of the surface file is empty"),
         ("predict surface.toml --table foreign.nc -o f.nc", "foreign.nc"),
         ("predict surface.toml --table model:hertz -o no/f.nc", "its folder does not exist"),
         ("predict surface.toml --table model:hertz -o f.nc --plot f.gif", "must be one of svg, png, pdf"),

@@ -3,12 +3,12 @@
 use std::io::Write;
 
 use crate::numbers::exact;
-use crate::quantity::Quantity;
+use crate::quantity::{Estimate, Quantity};
 use crate::table::{Cell, Slice, Status, Table};
 
 impl Table {
-    /// A line for each grid point: coordinates, state, every scalar with its error. Names carry
-    /// units, as in `Q [N]`; unknown values are empty. Of several initial temperatures the first column is
+    /// A line for each grid point: coordinates, state, every scalar with its error, G/G_IIc if G_IIc is known. Names
+    /// carry units, as in `Q [N]`; unknown values are empty. Of several initial temperatures the first column is
     /// `temperature [K]`.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
         self.lines().write(to)
@@ -57,6 +57,10 @@ impl Lines<'_> {
             header.push(format!("{}_error [{}]", descriptor.name, descriptor.units));
         }
         header.extend(["levelled", "wall_time [s]", "failure_reason", "warnings"].map(String::from));
+        let fracture = self.slices.iter().any(|table| table.metadata().fracture_energy.is_some());
+        if fracture {
+            header.extend(["G_ratio [1]", "G_ratio_error [1]"].map(String::from));
+        }
         file.write_record(&header)?;
         for (table, (i, j), mut line) in self.points() {
             let (state, reason) = match table.status(i, j) {
@@ -74,6 +78,10 @@ impl Lines<'_> {
             line.push(cell.map_or(String::new(), |cell| number(cell.wall_time)));
             line.push(reason.to_string());
             line.push(cell.map_or(String::new(), |cell| cell.warnings.join("; ")));
+            if fracture {
+                let ratio = cell.and_then(|cell| table.energy_ratio(cell)).unwrap_or(Estimate::UNKNOWN);
+                line.extend([number(ratio.value), number(ratio.error)]);
+            }
             file.write_record(&line)?;
         }
         file.flush()
@@ -107,13 +115,18 @@ fn number(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Axes, Metadata};
+    use crate::table::{Axes, FractureEnergy, Metadata};
 
     #[test]
     fn lines_have_names_units_and_exact_numbers() {
         let axes = Axes { interference: vec![0.5], slip_rate: vec![0.0, 1.0], slip: vec![0.0, 2.0] };
         let mut slice = Slice::new(axes, Metadata::default()).unwrap();
+        slice.set_metadata(Metadata {
+            fracture_energy: Some(FractureEnergy { coefficient: 2e9, radius_exponent: 1 }),
+            ..Metadata::default()
+        });
         let mut cell = Cell::new()
+            .with(Quantity::EnergyRelease, 500.0, 0.0)
             .with(Quantity::Friction, 0.1 + 0.2, f64::NAN)
             .with(Quantity::ContactRadius, 1.25e-7, 1e-9)
             .with_history(Quantity::Mu, vec![0.0, 0.25]);
@@ -132,6 +145,10 @@ mod tests {
         assert_eq!(of("Q [N]").parse::<f64>().unwrap().to_bits(), (0.1_f64 + 0.2).to_bits());
         assert_eq!(of("Q_error [N]"), "");
         assert_eq!(of("contact_radius [m]"), "1.25e-7");
+        // A comma in the warnings: from the end.
+        assert_eq!(header[header.len() - 2..], ["G_ratio [1]", "G_ratio_error [1]"]);
+        let [ratio, error] = [2, 1].map(|end| first[first.len() - end].parse::<f64>().unwrap());
+        assert!((ratio - 2.0).abs() < 1e-12 && (error - 0.016).abs() < 1e-12, "{ratio} {error}");
         assert!(text.contains("\"coarse, very\""));
         assert!(lines.next().unwrap().contains("failed") && text.contains("\"no \"\"memory\"\"\""));
 

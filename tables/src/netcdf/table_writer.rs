@@ -7,7 +7,7 @@ use super::table_format::{
     STATUS_MEANINGS, TEXT_ATTRIBUTES, history_name,
 };
 use super::{AttributeValue, DatasetError, DatasetWriter, schema};
-use crate::quantity::{Descriptor, Quantity, Stored};
+use crate::quantity::{Descriptor, Estimate, Quantity, Stored};
 use crate::table::fracture::FractureEnergy;
 use crate::table::{Cell, Metadata, Slice, Status, Table};
 
@@ -172,10 +172,7 @@ impl Content<'_> {
     fn write_energy_ratio(&self, file: &mut DatasetWriter, law: FractureEnergy) -> Result<(), DatasetError> {
         file.attribute(FRACTURE_ENERGY, law.coefficient)?;
         file.attribute(FRACTURE_EXPONENT, law.radius_exponent)?;
-        let ratio = |slice: &Slice, cell: &Cell| {
-            let law = slice.metadata().fracture_energy.unwrap_or(law);
-            law.ratio(cell[Quantity::EnergyRelease], cell[Quantity::ContactRadius])
-        };
+        let ratio = |slice: &Slice, cell: &Cell| slice.energy_ratio(cell).unwrap_or(Estimate::UNKNOWN);
         let exponent = Quantity::EnergyRelease.descriptor().radius_exponent - law.radius_exponent;
         let attributes = |long_name: &str| {
             vec![

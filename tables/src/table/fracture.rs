@@ -1,6 +1,7 @@
 //! Energy released by the asperity over the shear fracture energy of its material.
 
-use crate::quantity::Estimate;
+use super::{Cell, Slice};
+use crate::quantity::{Estimate, Quantity};
 
 /// G_IIc = `coefficient`·aⁿ, J/m², at the contact radius a in m: a constant of the material (n = 0),
 /// or an estimate that grows with the contact (n = 1).
@@ -23,6 +24,14 @@ impl FractureEnergy {
     /// G/G_IIc; errors are added with their magnitudes.
     pub fn ratio(&self, energy: Estimate, contact_radius: Estimate) -> Estimate {
         energy.over(self.at(contact_radius))
+    }
+}
+
+impl Slice {
+    /// G/G_IIc of a cell, if G_IIc is known.
+    pub fn energy_ratio(&self, cell: &Cell) -> Option<Estimate> {
+        let law = self.metadata().fracture_energy?;
+        Some(law.ratio(cell[Quantity::EnergyRelease], cell[Quantity::ContactRadius]))
     }
 }
 

@@ -132,7 +132,7 @@ impl Slice {
     }
 
     /// Every (i, j), slip rates of the first interference first.
-    pub(crate) fn grid(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+    pub fn grid(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
         let (interferences, rates) = self.shape();
         (0..interferences).flat_map(move |i| (0..rates).map(move |j| (i, j)))
     }

@@ -1,5 +1,7 @@
 //! Origin and constants of a table.
 
+use std::collections::BTreeMap;
+
 use super::FractureEnergy;
 
 /// Origin and constants of a table.
@@ -58,5 +60,13 @@ impl Metadata {
             "" => "rigid and isothermal".to_string(),
             constants => constants.lines().collect::<Vec<_>>().join(", "),
         }
+    }
+
+    /// Constants of the body on the other side, SI; none if it is rigid and isothermal.
+    pub fn counterface_constants(&self) -> BTreeMap<String, f64> {
+        let constants = self.counterface.split([',', '\n']).filter_map(|constant| constant.split_once('='));
+        let number = |(key, value): (&str, &str)| Some((key.trim().to_owned(), value.trim().parse().ok()?));
+        // Where both temperatures agree the conductance is infinite.
+        constants.filter_map(number).filter(|(_, value): &(_, f64)| value.is_finite()).collect()
     }
 }

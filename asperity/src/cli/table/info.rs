@@ -79,6 +79,10 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     line("slip", range(&axes.slip, "contact radii"));
     line("radius", format!("{} m", plain(metadata.asperity_radius)));
     line("counterface", metadata.counterface_in_words());
+    if let Some((from, to)) = energy_ratios(slices) {
+        let meaning = "G over the shear fracture energy of the material";
+        line("G_ratio", format!("{} to {}, {meaning}", plain(from), plain(to)));
+    }
     let done = sum(|counts| counts.done);
     let (not_run, failed) = (sum(|counts| counts.not_run), sum(|counts| counts.failed));
     line("cells", format!("{done} done, {not_run} not run, {failed} failed"));
@@ -117,6 +121,16 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
         let _ = write!(text, "\nrequest:\n{}", metadata.scene);
     }
     text
+}
+
+/// Least and largest G/G_IIc.
+fn energy_ratios(slices: &[Slice]) -> Option<(f64, f64)> {
+    let of_slice = |slice: &Slice| -> Vec<f64> {
+        let cells = slice.grid().filter_map(|(i, j)| slice.cell(i, j));
+        cells.filter_map(|cell| Some(slice.energy_ratio(cell)?.value)).collect()
+    };
+    let known = slices.iter().flat_map(of_slice).filter(|ratio| ratio.is_finite());
+    known.fold(None, |range, x| Some(range.map_or((x, x), |(from, to): (f64, f64)| (from.min(x), to.max(x)))))
 }
 
 fn or_none(text: &str) -> &str {
@@ -198,6 +212,7 @@ fn as_json(table: &Table, slice: &Slice, table_name: &str) -> Value {
         "cells": { "done": counts.done, "not_run": counts.not_run, "failed": counts.failed },
         "failures": failures,
         "wall_time": slice.cost(),
+        "G_ratio": energy_ratios(std::slice::from_ref(slice)).map(|(from, to)| json!({ "from": from, "to": to })),
         "quantities": quantities,
     })
 }

@@ -17,6 +17,7 @@ pub(super) struct FileKeys {
     pub(super) surface: SurfaceKeys,
     pub(super) query: QueryKeys,
     pub(super) material: Option<ElasticPlastic>,
+    pub(super) counterface: Option<BTreeMap<String, f64>>,
     pub(super) uncertainty: Option<UncertaintyKeys>,
 }
 

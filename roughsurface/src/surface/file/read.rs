@@ -7,6 +7,7 @@ use super::values::Values;
 use crate::surface::heights;
 use crate::surface::messages::{explain, one_line, short};
 use crate::surface::query::{NormalLoading, Query, Surface};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tables::closed_forms::ElasticPlastic;
 
@@ -19,6 +20,8 @@ pub struct SurfaceFile {
     pub temperature: Option<f64>,
     /// Needed by closed forms only.
     pub material: Option<ElasticPlastic>,
+    /// Constants of the counterface that a table must have, SI; empty for a rigid and isothermal one.
+    pub counterface: Option<BTreeMap<String, f64>>,
     /// Parameters given with a standard deviation.
     pub uncertain: Vec<Uncertain>,
     /// Tables of a material of which one constant is raised by its standard deviation.
@@ -182,6 +185,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
         },
         temperature: keys.query.temperature,
         material: keys.material,
+        counterface: keys.counterface,
         uncertain,
         uncertain_tables,
         heights_file,
