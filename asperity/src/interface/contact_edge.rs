@@ -13,15 +13,31 @@
 //! ρ₁ and γ₀ depend on the bluntness of the edge: 0 for the square root of elastic contact (p ∝ √x inside, gap ∝ x^{3/2}
 //! outside), 1 for the almost constant pressure of a plastic one. The bluntness is that at which both ratios give the same
 //! t.
+//!
+//! A shear traction that ends at the edge inclines the surface: at the distance x beyond the edge the slope of the gap is
+//! K√x + s. Where the traction points into the contact, at the front of the sliding asperity, s is negative, and the
+//! contact continues in a foot with vanishing pressure, in which the shear traction falls from its limit to zero. The edge is
+//! further out by c |s|/(K√h), h the ring spacing.
 
 use crate::scene::fitted_constants::contact_edge::{
-    Blunt, FIRST_PLACE, FULL_LOAD, GAP_CURVATURE, LOAD_CURVATURE, OPEN_GAP,
+    Blunt, FIRST_PLACE, FULL_LOAD, GAP_CURVATURE, LOAD_CURVATURE, OPEN_GAP, SHEAR_SHIFT,
 };
 
 /// Tolerance of the difference of the two values of t.
 const ROUNDING: f64 = 1e-9;
 
-/// The constants of ρ and γ over t.
+/// What locates the edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EdgeRatios {
+    /// ρ.
+    pub load: f64,
+    /// γ.
+    pub gap: f64,
+    /// s over the slope of the gap between the next two rings.
+    pub shear: f64,
+}
+
+/// The constants of ρ and γ over t, and of the shift by shear.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeConstants {
     /// Place at t = 0, in ring spacings from the last ring in contact.
@@ -34,6 +50,8 @@ pub struct EdgeConstants {
     pub open_gap: Blunt,
     /// q.
     pub gap_curvature: f64,
+    /// c.
+    pub shear_shift: f64,
 }
 
 /// As fitted, see [`crate::scene::fitted_constants::contact_edge`].
@@ -43,11 +61,18 @@ pub const FITTED: EdgeConstants = EdgeConstants {
     load_curvature: LOAD_CURVATURE,
     open_gap: OPEN_GAP,
     gap_curvature: GAP_CURVATURE,
+    shear_shift: SHEAR_SHIFT,
 };
 
 impl EdgeConstants {
-    /// Place of the edge in ring spacings from the last ring in contact, −0.27 to 0.73, from ρ and γ.
-    pub fn place(&self, load: f64, gap: f64) -> f64 {
+    /// Place of the edge in ring spacings from the last ring in contact; without shear −0.27 to 0.73.
+    pub fn place(&self, ratios: &EdgeRatios) -> f64 {
+        let place = self.place_without_shear(ratios);
+        place + self.shear_shift * shear_number(ratios, place)
+    }
+
+    /// From ρ and γ alone.
+    pub fn place_without_shear(&self, &EdgeRatios { load, gap, .. }: &EdgeRatios) -> f64 {
         // t from ρ falls and t from γ rises with the bluntness. By bisection: hot slides amplify the rounding of
         // faster methods.
         let (mut low, mut high) = (0.0, 1.0);
@@ -62,7 +87,10 @@ impl EdgeConstants {
             }
         }
         let (from_load, from_gap) = self.passed(load, gap, 0.5 * (low + high));
-        self.first_place + 0.5 * (from_load + from_gap)
+        // Where no bluntness gives equal values: 1 where the next ring touches and 0 where the last one does, so that the
+        // edge does not jump.
+        let sum = from_load + (1.0 - from_gap);
+        self.first_place + if sum > ROUNDING { from_load / sum } else { 1.0 }
     }
 
     /// t from ρ and from γ.
@@ -78,6 +106,12 @@ impl EdgeConstants {
     }
 }
 
+/// |s|/(K√h) where s is negative, with K from the slope of the gap midway between the next two rings.
+pub fn shear_number(ratios: &EdgeRatios, place: f64) -> f64 {
+    let shear = ratios.shear.min(0.0);
+    -shear * (1.5 - place).sqrt() / (1.0 - shear)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,8 +122,21 @@ mod tests {
     #[test]
     fn edge_is_continuous_as_a_ring_touches() {
         for (load, gap) in TOUCHING {
-            let (before, after) = (FITTED.place(load, 0.0), 1.0 + FITTED.place(0.0, gap));
-            assert!((before - after).abs() < 0.03, "{before} {after}");
+            let at = |load, gap| FITTED.place(&EdgeRatios { load, gap, shear: 0.0 });
+            let (before, after) = (at(load, 0.0), 1.0 + at(0.0, gap));
+            assert!((before - after).abs() < 1e-6, "{before} {after}");
+        }
+    }
+
+    /// The slope of a gap (2/3) K x^{3/2} + s x and the place of its edge give s/(K√h) back.
+    #[test]
+    fn shear_number_is_that_of_the_gap() {
+        let (stiffness, inclination) = (0.8, -0.3);
+        for place in [-0.2, 0.1, 0.6] {
+            let opening = stiffness * f64::sqrt(1.5 - place) + inclination;
+            let ratios = EdgeRatios { shear: inclination / opening, ..EdgeRatios::default() };
+            assert!((shear_number(&ratios, place) + inclination / stiffness).abs() < 1e-12);
+            assert_eq!(shear_number(&EdgeRatios { shear: 0.3, ..ratios }, place), 0.0);
         }
     }
 
@@ -99,7 +146,7 @@ mod tests {
         for (exact, load, gap) in
             [(0.700, 0.619, 0.031), (0.433, 0.495, 0.263), (0.167, 0.342, 0.453), (-0.10, 0.151, 0.611)]
         {
-            let place = FITTED.place(load, gap);
+            let place = FITTED.place(&EdgeRatios { load, gap, shear: 0.0 });
             assert!((place - exact).abs() < 0.04, "{exact}: {place}");
         }
     }

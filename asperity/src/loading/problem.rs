@@ -31,6 +31,8 @@ pub struct Problem {
     pub finite_strain: bool,
     /// E*/σ_Y.
     pub contact_modulus: f64,
+    /// ν.
+    pub poisson_ratio: f64,
     /// ω_c/R.
     pub critical_interference: f64,
     /// ω₀/R.
@@ -102,6 +104,7 @@ impl Problem {
             solid: Solid::new(material, scene.loading.temperature),
             finite_strain: scene.model.kinematics == Kinematics::Finite,
             contact_modulus: body.contact_modulus() / material.yield_strength,
+            poisson_ratio: material.poisson_ratio,
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),
@@ -189,7 +192,8 @@ impl Discretisation {
         tolerance: f64,
     ) -> Mechanics {
         let body = Body::revolve(body, self.mesh.clone());
-        let contact = Contact::revolve(contact, &self.mesh, problem.contact_modulus);
+        let elastic = (problem.contact_modulus, problem.poisson_ratio);
+        let contact = Contact::revolve(contact, &self.mesh, elastic);
         let displacement = self.mesh.sectors.spread(displacement);
         Mechanics::new(body, contact, self.factors.clone(), displacement, tolerance)
     }

@@ -83,10 +83,7 @@ impl Recorder {
             time: now.time,
             status: state.status.clone(),
             pressure: state.pressure.clone(),
-            // The area of the last ring may be covered beyond its own cell.
-            shear: (state.traction.iter().zip(&contact.contact_fraction))
-                .map(|(t, fraction)| t[0].hypot(t[1]) / fraction.max(1.0))
-                .collect(),
+            shear: state.traction.iter().map(|t| t[0].hypot(t[1])).collect(),
             rise,
             path: state.slip.clone(),
         });

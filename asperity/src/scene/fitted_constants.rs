@@ -62,14 +62,15 @@ pub(crate) mod error_estimates {
 /// Place of the contact edge between two rings of nodes, see `interface::contact_edge`.
 ///
 /// - Fitted: the constants at bluntness 0 by linear least squares of ρ and γ, then the changes of ρ₁ and γ₀ to
-///   bluntness 1 by least squares of the places.
+///   bluntness 1, then the shift by shear, by least squares of the places.
 /// - Data: bluntness 0: 30 edges of Hertz on 6, 8 and 12 elements, anywhere between two rings. Changes: 12 edges of
 ///   presses without hardening and of 4340 steel at 5 and 50 ω_c on 8 elements against 32; 20 edges, at all angles, of
-///   slides of four materials from 2 to 50 ω_c on 8 elements against 24.
+///   slides of four materials from 2 to 50 ω_c on 8 elements against 24. Shift: 320 edges, at all angles, of 16 slides from
+///   0.15 to 20 ω_c on 6 to 16 elements against 30 to 48; the repetition takes 20 edges of five of them.
 /// - Side condition: the edge is continuous as a ring touches, as FIRST_PLACE does not depend on the bluntness.
 /// - Repeated by: `asperity calibrate`.
-/// - Residual: 0.009 ring spacings rms in elastic presses, 0.014 to 0.04 in plastic ones, 0.016 to 0.04 in slides (0.07
-///   at 2 ω_c).
+/// - Residual: 0.009 ring spacings rms in elastic presses, 0.013 to 0.04 in plastic ones, 0.01 to 0.03 in slides from 2 to
+///   20 ω_c (0.07 at 50 ω_c), 0.09 to 0.14 in slides from 0.35 to 1.2 ω_c.
 pub(crate) mod contact_edge {
     /// A constant at bluntness 0 and its change to bluntness 1.
     pub type Blunt = [f64; 2];
@@ -83,9 +84,8 @@ pub(crate) mod contact_edge {
     /// Curvature of ρ and of γ over the place of the edge.
     pub const LOAD_CURVATURE: f64 = 0.465;
     pub const GAP_CURVATURE: f64 = 0.397;
-    /// Largest contact fraction of a node: half a spacing and 0.73 further, where the edge lies when the next ring
-    /// touches.
-    pub const LARGEST_FRACTION: f64 = 1.23;
+    /// Shift of the edge by a shear traction that ends there, in ring spacings over shear/(K√h).
+    pub const SHEAR_SHIFT: f64 = 1.3;
 }
 
 /// Processor time of a run, see `simulate::expected_time`.

@@ -1,8 +1,7 @@
-//! Contact fraction of each node: the part of its area inside the contact edge, 1 but at the edge.
+//! Contact fraction of each node: the part of its area inside the contact edge.
 
 use super::{Contact, ContactState, Status};
-use crate::interface::contact_edge::FITTED;
-use crate::scene::fitted_constants::contact_edge::LARGEST_FRACTION;
+use crate::interface::contact_edge::{EdgeRatios, FITTED};
 
 impl Contact {
     /// Contact fractions of the trial state.
@@ -18,24 +17,39 @@ impl Contact {
     }
 
     fn trial_edge(&self, j: usize) -> f64 {
+        let Some(last) = self.last_ring(j) else { return self.radii.len() as f64 };
+        let place = self.edge_ratios(j).map_or(0.5, |ratios| FITTED.place(&ratios));
+        last as f64 + (0.5 + place).max(0.0)
+    }
+
+    /// What locates the edge of the trial state at an angle; nothing where the contact has no inner ring, or none beyond it.
+    pub fn edge_ratios(&self, j: usize) -> Option<EdgeRatios> {
         let at = |ring: usize| ring * self.columns + j;
-        let rings = self.radii.len();
-        let Some(last) = self.last_ring(j) else { return rings as f64 };
-        if last == 0 || last + 2 >= rings {
-            return (last + 1) as f64;
+        let last = self.last_ring(j)?;
+        if last == 0 || last + 2 >= self.radii.len() {
+            return None;
         }
         let (gap, beyond) = (self.trial.gap[at(last + 1)], self.trial.gap[at(last + 2)]);
-        let widths =
-            (self.radii[last + 2] - self.radii[last + 1]) / (self.radii[last + 1] - self.radii[last]);
-        let closing = if beyond > gap { (gap / (beyond - gap) * widths).clamp(0.0, 1.0) } else { 1.0 };
-        let inner = self.trial.pressure[at(last - 1)];
-        let load = if inner > 0.0 { (self.trial.pressure[at(last)] / inner).min(1.0) } else { 1.0 };
-        last as f64 + (0.5 + FITTED.place(load, closing)).max(0.0)
+        let (rise, spacing) = (beyond - gap, self.radii[last + 2] - self.radii[last + 1]);
+        let inner = at(last - 1);
+        let pressure = self.trial.pressure[inner];
+        let slips = self.trial.status[inner] == Status::Slip;
+        let inclination = if slips { self.shear_slope * self.trial.traction[inner][0] } else { 0.0 };
+        let opens = rise > 0.0;
+        Some(EdgeRatios {
+            load: if pressure > 0.0 { (self.trial.pressure[at(last)] / pressure).min(1.0) } else { 1.0 },
+            gap: if opens {
+                (gap / rise * spacing / (self.radii[last + 1] - self.radii[last])).clamp(0.0, 1.0)
+            } else {
+                1.0
+            },
+            shear: if opens { inclination * spacing / rise } else { 0.0 },
+        })
     }
 
     /// Outermost ring that touches at an angle in the trial state.
-    fn last_ring(&self, j: usize) -> Option<usize> {
-        (0..self.radii.len()).rev().find(|&k| self.trial.status[k * self.columns + j] != Status::Open)
+    pub fn last_ring(&self, j: usize) -> Option<usize> {
+        (0..self.radii.len()).rev().find(|&k| self.trial.pressure[k * self.columns + j] > 0.0)
     }
 
     /// Place of the edge at each angle: the sum of the contact fractions.
@@ -43,25 +57,31 @@ impl Contact {
         (0..self.columns).map(|j| self.contact_fraction.iter().skip(j).step_by(self.columns).sum()).collect()
     }
 
-    /// Contact fractions from the places of the edge: the last ring in contact has the part of its cell inside the
-    /// edge, and slightly more than 1 just before the next ring touches.
+    /// Contact fractions from the places of the edge, which lies in the cell of the last ring that touches or of the next
+    /// one.
     pub fn set_edges(&mut self, edges: &[f64]) {
         for (j, &edge) in edges.iter().enumerate() {
             let last = self.last_ring(j);
             for ring in 0..self.radii.len() {
                 self.contact_fraction[ring * self.columns + j] = match last {
-                    Some(last) if ring == last => (edge - ring as f64).clamp(0.0, LARGEST_FRACTION),
-                    // A ring that touches before the edge is evaluated again has no contact fraction yet.
-                    Some(last) if ring > last => 0.0,
-                    _ => 1.0,
+                    Some(last) if ring < last => 1.0,
+                    Some(last) if ring <= last + 1 => (edge - ring as f64).clamp(0.0, 1.0),
+                    _ => 0.0,
                 };
             }
         }
     }
 
+    /// Area of a point inside the edge, in the given state; none where the surface has lifted off within the contact.
+    pub fn covered_area(&self, state: &ContactState, point: usize) -> f64 {
+        let fraction = self.contact_fraction[point];
+        let in_contact = state.status[point] != Status::Open || fraction < 1.0;
+        if in_contact { self.areas[point] * fraction } else { 0.0 }
+    }
+
     /// Whether the contact has come so near the rim of the mesh that its edge cannot be located.
     pub fn at_rim(&self, state: &ContactState) -> bool {
-        let touching = |i: &usize| state.status[*i] != Status::Open;
+        let touching = |i: &usize| state.pressure[*i] > 0.0;
         let outermost = (0..self.len()).rev().find(touching).map_or(0, |i| i / self.columns);
         outermost + 2 >= self.radii.len()
     }

@@ -66,6 +66,14 @@ pub struct Contact {
     /// Points that are in contact since the start of the present motion.
     since_start: Vec<bool>,
     pub stiffness: Vec<NodeStiffness>,
+    /// Slope of the surface by its shear traction, see [`shear_slope`]; 0 in the press.
+    shear_slope: f64,
+}
+
+/// Slope of the surface of a half-space over the shear traction along it, (1 − 2ν)/((1 − ν)E*) (K. L. Johnson, *Contact
+/// Mechanics*, 1985, eq. 2.25b): it closes the gap where the traction points into the contact.
+fn shear_slope(modulus: f64, poisson_ratio: f64) -> f64 {
+    (1.0 - 2.0 * poisson_ratio) / ((1.0 - poisson_ratio) * modulus)
 }
 
 impl Contact {
@@ -100,14 +108,20 @@ impl Contact {
             contact_fraction: vec![1.0; points],
             since_start: vec![true; points],
             stiffness: vec![[[0.0; 3]; 3]; points],
+            shear_slope: 0.0,
             radii,
         }
     }
 
     /// The contact of an axisymmetric press, at all angles, ready to slide: tractions and
     /// displacements are unchanged; the anchors are moved so that the springs of the slide have the same force.
-    pub fn revolve(axisymmetric: &Contact, mesh: &RevolvedMesh, modulus: f64) -> Self {
+    pub fn revolve(
+        axisymmetric: &Contact,
+        mesh: &RevolvedMesh,
+        (modulus, poisson_ratio): (f64, f64),
+    ) -> Self {
         let mut contact = Self::with_springs(mesh, modulus, SLIDE_SPRING);
+        contact.shear_slope = shear_slope(modulus, poisson_ratio);
         contact.committed = axisymmetric.committed.spread(contact.columns);
         for i in 0..contact.len() {
             let spring = contact.tangential_spring[i / contact.columns];
@@ -121,6 +135,7 @@ impl Contact {
         contact.committed_areas = contact.areas.clone();
         let repeated = |&fraction| std::iter::repeat_n(fraction, contact.columns);
         contact.contact_fraction = axisymmetric.contact_fraction.iter().flat_map(repeated).collect();
+        contact.start_motion();
         contact
     }
 
@@ -140,26 +155,33 @@ impl Contact {
 
     /// Tractions at the displacement `u(place)` of the body, given the limit of the shear traction
     /// at each point; sets the trial state and the contact stiffness.
+    ///
+    /// A point outside the last ring that touches transmits friction while its limit is positive: the edge lies in its cell,
+    /// and friction does not jump as a ring touches or lifts off.
     pub fn evaluate(&mut self, u: impl Fn(usize) -> f64, flat: FlatPosition, limit: &[f64]) {
-        for i in 0..self.len() {
-            let ring = i / self.columns;
-            let (sin, cos) = self.angles[i % self.columns].sin_cos();
+        // Whether a ring further out touches, at each angle.
+        let mut inside = vec![false; self.columns];
+        for i in (0..self.len()).rev() {
+            let (ring, column) = (i / self.columns, i % self.columns);
+            let (sin, cos) = self.angles[column].sin_cos();
             let at = |c: usize| u(self.place(i, c));
             let relative = [flat.displacement * cos - at(0), -flat.displacement * sin - at(1)];
             let penetration = self.height[ring] + at(2) + flat.interference;
             let pressure = self.normal_spring[ring] * penetration;
             self.trial.gap[i] = -penetration;
             self.trial.relative[i] = relative;
+            self.trial.pressure[i] = pressure.max(0.0);
             self.stiffness[i] = [[0.0; 3]; 3];
-            if pressure <= 0.0 {
-                self.trial.status[i] = Status::Open;
-                self.trial.pressure[i] = 0.0;
-                self.trial.traction[i] = [0.0; 2];
-                self.trial.slip[i] = self.committed.slip[i];
-            } else {
-                self.trial.pressure[i] = pressure;
+            if pressure > 0.0 {
+                inside[column] = true;
                 self.stiffness[i][2][2] = self.areas[i] * self.normal_spring[ring];
                 self.evaluate_shear(i, limit[i]);
+            } else if !inside[column] && limit[i] > 0.0 && limit[i].is_finite() {
+                self.evaluate_shear(i, limit[i]);
+            } else {
+                self.trial.status[i] = Status::Open;
+                self.trial.traction[i] = [0.0; 2];
+                self.trial.slip[i] = self.committed.slip[i];
             }
         }
     }

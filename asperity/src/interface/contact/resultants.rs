@@ -21,7 +21,7 @@ impl Contact {
 
     /// Contact area of the whole asperity.
     pub fn area(&self, state: &ContactState) -> f64 {
-        2.0 * self.sum_where(|i| state.status[i] != Status::Open)
+        2.0 * self.sum_where(state, |_| true)
     }
 
     /// Radius of the circle of the same area.
@@ -32,16 +32,13 @@ impl Contact {
     /// Stick area fraction of the contact that exists since the start of the motion. Points that touch later stick at
     /// first: along the edge of a contact that grows there are always some, of as much area as the mesh gives them.
     pub fn stick_fraction(&self, state: &ContactState) -> f64 {
-        let area = self.sum_where(|i| self.since_start[i] && state.status[i] != Status::Open);
-        let stick = self.sum_where(|i| self.since_start[i] && state.status[i] == Status::Stick);
+        let area = self.sum_where(state, |i| self.since_start[i]);
+        let stick = self.sum_where(state, |i| self.since_start[i] && state.status[i] == Status::Stick);
         if area > 0.0 { stick / area } else { 0.0 }
     }
 
-    fn sum_where(&self, pick: impl Fn(usize) -> bool) -> f64 {
-        (0..self.len())
-            .filter(|&i| pick(i))
-            .map(|i| self.areas[i] * self.contact_fraction[i])
-            .fold(0.0, |a, b| a + b)
+    fn sum_where(&self, state: &ContactState, pick: impl Fn(usize) -> bool) -> f64 {
+        (0..self.len()).filter(|&i| pick(i)).fold(0.0, |sum, i| sum + self.covered_area(state, i))
     }
 
     /// Work of the flat and dissipation at the interface over the step, by the trapezoidal rule.

@@ -13,6 +13,12 @@ fn wave(n: usize, scale: f64, phase: f64) -> Vec<f64> {
     (0..n).map(|i| scale * (i as f64 * 0.61 + phase).sin()).collect()
 }
 
+/// A limit of the shear traction at the points that touch, at the displacement `u`; the edge is beyond none of the others.
+fn where_it_touches(contact: &mut Contact, u: &[f64], flat: FlatPosition, limit: f64) -> Vec<f64> {
+    contact.evaluate(|place| u[place], flat, &vec![0.0; contact.len()]);
+    contact.trial.pressure.iter().map(|&pressure| if pressure > 0.0 { limit } else { 0.0 }).collect()
+}
+
 fn force(contact: &mut Contact, u: &[f64], flat: FlatPosition, limit: &[f64]) -> Vec<f64> {
     contact.evaluate(|p| u[p], flat, limit);
     let mut residual = vec![0.0; u.len()];
@@ -29,7 +35,7 @@ fn tangent_agrees_with_finite_differences() {
     let u = wave(n, 1e-4, 0.2);
     let d = wave(n, 1.0, 1.3);
     for (limit, stick, slip) in [(f64::INFINITY, true, false), (5e-4, false, true), (6.0, true, true)] {
-        let limit = vec![limit; contact.len()];
+        let limit = where_it_touches(&mut contact, &u, flat, limit);
         let h = 1e-10;
         let at = |contact: &mut Contact, t: f64| {
             let x: Vec<f64> = u.iter().zip(&d).map(|(a, b)| a + t * b).collect();
@@ -52,10 +58,12 @@ fn tangent_agrees_with_finite_differences() {
 /// count.
 #[test]
 fn points_that_touch_during_a_motion_do_not_count_as_stick() {
-    let (_, mut contact) = contact();
+    let (mesh, mut contact) = contact();
+    let u = vec![0.0; mesh.field_length(3)];
     let take = |contact: &mut Contact, interference: f64, displacement: f64, limit: f64| {
-        let limit = vec![limit; contact.len()];
-        contact.evaluate(|_| 0.0, FlatPosition { interference, displacement }, &limit);
+        let flat = FlatPosition { interference, displacement };
+        let limit = where_it_touches(contact, &u, flat, limit);
+        contact.evaluate(|_| 0.0, flat, &limit);
         contact.commit();
         contact.stick_fraction(&contact.committed)
     };
@@ -92,4 +100,29 @@ fn slip_keeps_the_traction_at_the_limit_and_along_the_motion() {
     // Reversal: stick until the spring force is reversed.
     contact.evaluate(|p| u[p], FlatPosition { interference: 1e-3, displacement: 1e-2 - 1e-8 }, &limit);
     assert!(contact.trial.status.contains(&Status::Stick));
+}
+
+/// The edge lies in the cell of a ring that is about to touch: neither friction nor area jumps as it does.
+#[test]
+fn friction_is_continuous_as_a_ring_touches() {
+    let (_, mut contact) = contact();
+    let ring = 4;
+    let touching = -contact.height[ring];
+    let at = |contact: &mut Contact, share: f64| {
+        let flat = FlatPosition { interference: touching * share, displacement: 1e-2 };
+        // Without friction first: the points that touch are known to the fractions.
+        contact.evaluate(|_| 0.0, flat, &vec![0.0; contact.len()]);
+        contact.set_edges(&vec![ring as f64 + 0.4; contact.columns]);
+        let limit: Vec<f64> = contact.contact_fraction.iter().map(|fraction| 0.3 * fraction).collect();
+        contact.evaluate(|_| 0.0, flat, &limit);
+        let touches = contact.trial.pressure[ring * contact.columns] > 0.0;
+        (touches, contact.friction(&contact.trial), contact.area(&contact.trial))
+    };
+    let (before, after) = (at(&mut contact, 1.0 - 1e-9), at(&mut contact, 1.0 + 1e-9));
+    assert_eq!((before.0, after.0), (false, true));
+    assert!((before.1 / after.1 - 1.0).abs() < 1e-12 && before.1 > 0.0, "{before:?} {after:?}");
+    assert!((before.2 / after.2 - 1.0).abs() < 1e-12, "{before:?} {after:?}");
+    // The whole cells up to the ring and 0.4 of its own.
+    let cells: f64 = (0..contact.len()).map(|i| contact.areas[i] * contact.contact_fraction[i]).sum();
+    assert!((before.2 / (2.0 * cells) - 1.0).abs() < 1e-12);
 }

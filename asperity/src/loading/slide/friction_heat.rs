@@ -21,7 +21,7 @@ struct FrictionHeat<'a> {
 impl ContactHeat for FrictionHeat<'_> {
     fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
         let problem = self.problem;
-        if self.contact.trial.status[point] == Status::Open {
+        if self.area(point) == 0.0 {
             return (0.0, 0.0);
         }
         let area = self.contact.areas[point];
@@ -45,10 +45,7 @@ impl ContactHeat for FrictionHeat<'_> {
     }
 
     fn area(&self, point: usize) -> f64 {
-        match self.contact.trial.status[point] {
-            Status::Open => 0.0,
-            _ => self.contact.areas[point] * self.contact.contact_fraction[point],
-        }
+        self.contact.covered_area(&self.contact.trial, point)
     }
 
     fn slip(&self) -> f64 {
@@ -116,9 +113,12 @@ fn is_released(contact: &Contact, point: usize) -> bool {
 /// Largest and mean temperature rise over the contact.
 pub fn contact_rise(contact: &Contact, rise: &[f64]) -> (f64, f64) {
     let (mut largest, mut sum, mut area) = (0.0f64, 0.0, 0.0);
-    for i in (0..contact.len()).filter(|&i| contact.trial.status[i] != Status::Open) {
+    for i in 0..contact.len() {
+        let share = contact.covered_area(&contact.trial, i);
+        if share == 0.0 {
+            continue;
+        }
         let value = rise[contact.scalar_place(i)];
-        let share = contact.areas[i] * contact.contact_fraction[i];
         largest = largest.max(value);
         sum += share * value;
         area += share;

@@ -99,9 +99,18 @@ fn shear_strength(watch: &dyn Watch) -> Rows {
         friction / stuck[Quantity::Friction] - 1.0
     };
     let light = slide(FrictionLaw::ShearStrength, 3.0, slip, watch)?.scalars[Quantity::MuStatic];
+    let heavy = slide(FrictionLaw::ShearStrength, 30.0, slip, watch)?;
     let first_failure = kogut_etsion::static_friction(3.0);
     let none = |name: &str, excess: f64, source, tolerance| {
         Row::new(name, excess, Reference::exact(0.0, source), tolerance)
+    };
+    let beside = |outcome: &Outcome, interference: f64| {
+        Row::new(
+            format!("mu_static at shear strength beside full stick, {interference} omega_c"),
+            outcome.scalars[Quantity::MuStatic],
+            brizmer_at(interference),
+            FULL_STICK,
+        )
     };
     Ok(vec![
         none(
@@ -116,11 +125,7 @@ fn shear_strength(watch: &dyn Watch) -> Rows {
             KOGUT_ETSION,
             Tolerance::absolute(0.0, "an inequality"),
         ),
-        Row::new(
-            "mu_static at shear strength beside full stick, 10 omega_c",
-            limited.scalars[Quantity::MuStatic],
-            brizmer_at(10.0),
-            FULL_STICK,
-        ),
+        beside(&limited, 10.0),
+        beside(&heavy, 30.0),
     ])
 }

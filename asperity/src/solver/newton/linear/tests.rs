@@ -63,7 +63,7 @@ fn sheared(interference: f64, finite_strain: bool) -> Mechanics {
     let (body, contact, displacement) = press.into_parts();
     let mesh = RevolvedMesh::new(meridian, Collocation::full(4));
     let body = Body::revolve(&body, mesh.clone());
-    let contact = Contact::revolve(&contact, &mesh, CONTACT_MODULUS);
+    let contact = Contact::revolve(&contact, &mesh, (CONTACT_MODULUS, 0.3));
     let elastic = factors(&mesh, &body);
     let mut mechanics = Mechanics::new(body, contact, elastic, mesh.sectors.spread(&displacement), 1e-7);
     let interference = 1.03 * interference;
