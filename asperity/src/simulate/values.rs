@@ -21,8 +21,6 @@ pub struct Values {
     brackets: [f64; QUANTITIES],
     /// T₀, K.
     start: f64,
-    /// Whether the press was elastic: less deep than first yield without friction.
-    pub elastic: bool,
     pub inception: InceptionCriterion,
     /// Whether μ is steady at the end of the slide.
     pub steady: bool,
@@ -80,19 +78,17 @@ impl Values {
             let here = of_inception(&inception, quantity, &units).unwrap_or_default();
             bracket + other.map(|other| (other - here).abs()).fold(0.0, f64::max)
         });
-        let elastic = problem.interference < problem.critical_interference;
         let inception = inception.criterion;
-        Self { values, brackets, start, elastic, inception, steady: is_steady(&latest), residual: 0.0 }
+        Self { values, brackets, start, inception, steady: is_steady(&latest), residual: 0.0 }
     }
 
-    /// The same value for every quantity, of a plastic contact.
+    /// The same value for every quantity.
     #[cfg(test)]
     pub fn all(value: f64) -> Self {
         Self {
             values: [value; QUANTITIES],
             brackets: [0.0; QUANTITIES],
             start: 0.0,
-            elastic: false,
             inception: InceptionCriterion::None,
             steady: false,
             residual: 0.0,

@@ -192,9 +192,19 @@ impl Contact {
         let tangential = self.tangential_spring[i / self.columns];
         let (area, relative) = (self.areas[i], self.trial.relative[i]);
         let state = &mut self.trial;
-        let (start, share) = match self.committed.status[i] {
-            Status::Open => (self.committed.relative[i], self.touching_share),
-            _ => (self.committed.anchor[i], 1.0),
+        let before = &self.committed;
+        // The spring over the usual one, the displacement at which it has no force, and the slip over its excess force. Where a
+        // covered part of the cell does not reach the point itself, the spring stays soft, and begins as one of that part.
+        let (touches, soft) = (state.pressure[i] > 0.0, self.touching_share);
+        let (start, share, yielding) = match before.status[i] {
+            Status::Open if touches => (before.relative[i], soft, 1.0),
+            Status::Open => (before.relative[i], soft * self.contact_fraction[i], 1.0),
+            _ if touches => (before.anchor[i], 1.0, 1.0),
+            _ => {
+                let without_force =
+                    |c: usize| before.relative[i][c] - before.traction[i][c] / (soft * tangential);
+                (std::array::from_fn(without_force), soft, soft)
+            }
         };
         let stick: [f64; 2] = std::array::from_fn(|c| share * tangential * (relative[c] - start[c]));
         let size = stick[0].hypot(stick[1]);
@@ -210,7 +220,7 @@ impl Contact {
             let direction = if size > 0.0 { [stick[0] / size, stick[1] / size] } else { [1.0, 0.0] };
             let rotation = if size > 0.0 { limit / size } else { 0.0 };
             state.traction[i] = direction.map(|d| limit * d);
-            state.slip[i] = self.committed.slip[i] + (size - limit) / tangential;
+            state.slip[i] = self.committed.slip[i] + (size - limit) / (yielding * tangential);
             for c in 0..2 {
                 for d in 0..2 {
                     let unit = if c == d { 1.0 } else { 0.0 };
@@ -226,14 +236,14 @@ impl Contact {
     pub fn commit(&mut self) {
         self.committed.clone_from(&self.trial);
         self.committed_areas.copy_from_slice(&self.areas);
-        for (since_start, status) in self.since_start.iter_mut().zip(&self.committed.status) {
-            *since_start &= *status != Status::Open;
+        for (since_start, pressure) in self.since_start.iter_mut().zip(&self.committed.pressure) {
+            *since_start &= *pressure > 0.0;
         }
     }
 
     /// A motion starts from the committed state.
     pub fn start_motion(&mut self) {
-        self.since_start = self.committed.status.iter().map(|status| *status != Status::Open).collect();
+        self.since_start = self.committed.pressure.iter().map(|pressure| *pressure > 0.0).collect();
     }
 }
 

@@ -4,8 +4,7 @@
 //! with increments twice as large and with a larger solver tolerance; a run refined by itself has a further one, on the
 //! mesh half as fine as its own. The mesh error follows from the
 //! difference between the run and that on the mesh half as fine by the order of convergence, 1.5 for the
-//! square-root edge of the pressure, 1 for friction of elastic contacts; quantities that depend on the
-//! position of that edge also have a lower bound of the error, since two meshes may misplace it by the same amount. The
+//! square-root edge of the pressure; quantities that depend on the position of that edge also have a lower bound of the error, since two meshes may misplace it by the same amount. The
 //! differences among the auxiliary runs are the errors of the other three sources, less where the run
 //! is finer than they are. All of this is a function of the values of the runs: [`estimate`].
 //!
@@ -16,8 +15,7 @@ use tables::quantity::Quantity;
 
 use crate::discretisation::mesh::EDGE_SIZE;
 use crate::scene::fitted_constants::error_estimates::{
-    COVERAGE_FACTOR, EDGE_OF_ELASTIC_FRICTION, EDGE_OF_LOAD, EDGE_OF_SPACING, ORDER,
-    ORDER_OF_ELASTIC_FRICTION,
+    COVERAGE_FACTOR, EDGE_OF_ENERGY, EDGE_OF_LOAD, EDGE_OF_SPACING, ORDER,
 };
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{RelativeParts, Resolution};
@@ -135,9 +133,8 @@ impl ErrorBudget {
         let elements = run.resolution.elements_per_radius as f64;
         let refinement = elements / coarser.resolution.elements_per_radius as f64;
         self.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|quantity| {
-            let floor = edge_floor(quantity, elements, fine.elastic) * fine.magnitude(quantity);
-            let share = mesh_share(refinement, mesh_order(quantity, fine.elastic));
-            share * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
+            let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
+            mesh_share(refinement) * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
         });
         self.brackets = Quantity::SCALARS.map(|quantity| fine.bracket(quantity));
     }
@@ -219,7 +216,7 @@ pub fn of_press(
     power: f64,
 ) -> [f64; 2] {
     let elements = run.elements_per_radius as f64;
-    let mesh = mesh_share(elements / coarser.elements_per_radius as f64, ORDER) * (fine - coarse).abs();
+    let mesh = mesh_share(elements / coarser.elements_per_radius as f64) * (fine - coarse).abs();
     let steps = (coarse - longer_steps).abs();
     [mesh + power * edge_share(elements) * fine.abs(), steps].map(|part| COVERAGE_FACTOR * part)
 }
@@ -231,20 +228,18 @@ pub fn edge_share(elements_per_radius: f64) -> f64 {
 }
 
 /// Of a quantity, relative: the place of the edge is as uncertain after the slide as after the press.
-fn edge_floor(quantity: Quantity, elements_per_radius: f64, elastic: bool) -> f64 {
+fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
     use Quantity::*;
     let edge = edge_share(elements_per_radius);
     match quantity {
-        Mu | MuStatic | MuPeak | MuMean | Friction | FrictionStatic | Area if elastic => {
-            2.0 * EDGE_OF_ELASTIC_FRICTION * edge
-        }
         // Friction is strength times area.
         Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area | AreaPress => {
             2.0 * edge
         }
         // The rise is proportional to the radius of the source.
-        ContactRadius | InceptionSlip | EnergyRelease | EnergyWeakening | TemperatureMax
-        | TemperatureMean => edge,
+        ContactRadius | InceptionSlip | EnergyWeakening | TemperatureMax | TemperatureMean => edge,
+        // The last points that begin to slip lie at the edge.
+        EnergyRelease => EDGE_OF_ENERGY * edge,
         // The pressure vanishes at the edge.
         Load => EDGE_OF_LOAD * edge,
         _ => 0.0,
@@ -256,20 +251,9 @@ fn sectors_share(sectors: usize, others: usize) -> f64 {
     1.0 / ((sectors as f64 / others as f64).powi(2) - 1.0).abs().max(0.5)
 }
 
-/// Order of convergence in the elements.
-fn mesh_order(quantity: Quantity, elastic: bool) -> f64 {
-    use Quantity::*;
-    match quantity {
-        Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area if elastic => {
-            ORDER_OF_ELASTIC_FRICTION
-        }
-        _ => ORDER,
-    }
-}
-
 /// Error of the finer of two runs over their difference.
-fn mesh_share(refinement: f64, order: f64) -> f64 {
-    1.0 / (refinement.powf(order) - 1.0).abs()
+fn mesh_share(refinement: f64) -> f64 {
+    1.0 / (refinement.powf(ORDER) - 1.0).abs()
 }
 
 #[cfg(test)]
@@ -351,7 +335,7 @@ mod tests {
             let other = run.coarse();
             let refinement = elements as f64 / other.elements_per_radius as f64;
             let change = (value(elements) - value(other.elements_per_radius)).abs();
-            let ratio = mesh_share(refinement, 1.5) * change / (value(elements) - 3.0);
+            let ratio = mesh_share(refinement) * change / (value(elements) - 3.0);
             assert!((ratio - 1.0).abs() < 1e-9, "{elements}: {ratio}");
         }
     }

@@ -219,7 +219,7 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         constant("GAP_CURVATURE", |c| c.gap_curvature),
         constant("SHEAR_SHIFT", |c| c.shear_shift),
     ];
-    let all: Vec<Edge> = elastic.iter().chain(&blunt).copied().collect();
+    let all: Vec<Edge> = elastic.iter().chain(&blunt).chain(&sheared).copied().collect();
     constants.push(FittedConstant {
         name: "EDGE_OF_SPACING",
         stored: EDGE_OF_SPACING,

@@ -5,7 +5,7 @@
 mod contact_edge;
 mod expected_effects;
 mod hertz_limit;
-mod orders;
+mod order;
 
 use std::fmt::Write;
 
@@ -50,8 +50,7 @@ pub struct Fit {
 pub fn fits(watch: &dyn Watch) -> Result<Vec<Fit>, SimulationError> {
     let fits = [
         contact_edge::fit,
-        orders::elastic_load,
-        orders::elastic_friction,
+        order::elastic_load,
         expected_effects::plastic_strain,
         expected_effects::heat_effect,
         hertz_limit::uplift,

@@ -1,13 +1,11 @@
-//! Orders of convergence in the elements that the error estimates take, see `simulate::accuracy::error_budget`.
-
-use tables::quantity::Quantity;
+//! Order of convergence in the elements that the error estimates take, see `simulate::accuracy::error_budget`.
 
 use super::{Fit, FittedConstant, Residual, pressed, rms};
 use crate::loading::problem::Problem;
 use crate::scene::FrictionLaw;
-use crate::scene::fitted_constants::error_estimates::{ORDER, ORDER_OF_ELASTIC_FRICTION};
-use crate::simulate::{SimulationError, Watch, simulate};
-use crate::studies::verification::setup::{Hertz, mesh, plain_material, scene, steel_4340};
+use crate::scene::fitted_constants::error_estimates::ORDER;
+use crate::simulate::{SimulationError, Watch};
+use crate::studies::verification::setup::{Hertz, mesh, plain_material, scene};
 
 /// Slope of the regression line of y over x, with the rms of the misfits, and that of the best line of slope `stored`.
 fn slope(points: &[(f64, f64)], stored: f64) -> (f64, [f64; 2]) {
@@ -40,35 +38,6 @@ pub(super) fn elastic_load(watch: &dyn Watch) -> Result<Fit, SimulationError> {
             points: points.len(),
             stored: of_stored,
             fitted: Some(of_fitted),
-        }],
-    })
-}
-
-/// Static friction of an elastic contact on meshes twice as fine each: the order from the ratio of the changes.
-pub(super) fn elastic_friction(watch: &dyn Watch) -> Result<Fit, SimulationError> {
-    let mut values = Vec::new();
-    for elements in [8, 16, 32] {
-        let mut scene = scene(steel_4340(), FrictionLaw::ShearStrength, 0.1, mesh(elements, 4));
-        scene.loading.slip_distance = 0.05;
-        values.push(simulate(&scene, watch)?.scalars[Quantity::MuStatic].value);
-    }
-    let [coarse, middle, fine] = values[..] else { unreachable!("three meshes") };
-    let fitted = ((middle - coarse) / (fine - middle)).log2();
-    let change = |order: f64| (middle - coarse) / 2f64.powf(order) - (fine - middle);
-    Ok(Fit {
-        name: "Order of convergence of elastic friction",
-        method: "log2 of the ratio of the changes of static friction from 8 to 16 and from 16 to 32 elements; 4340 steel at \
-                 0.1 omega_c.",
-        constants: vec![FittedConstant {
-            name: "ORDER_OF_ELASTIC_FRICTION",
-            stored: ORDER_OF_ELASTIC_FRICTION,
-            fitted,
-        }],
-        residuals: vec![Residual {
-            of: format!("change of mu_static from 16 to 32 elements, {:.4}", fine - middle),
-            points: 1,
-            stored: change(ORDER_OF_ELASTIC_FRICTION).abs(),
-            fitted: Some(0.0),
         }],
     })
 }
