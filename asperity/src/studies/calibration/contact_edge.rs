@@ -182,8 +182,15 @@ fn slid(
         .collect())
 }
 
-pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
-    let elastic = elastic(watch)?;
+/// Edges with the name of what they are of.
+type Group = (String, Vec<Edge>);
+
+fn edges(group: &[Group]) -> Vec<Edge> {
+    group.iter().flat_map(|(_, edges)| edges).copied().collect()
+}
+
+/// Edges of plastic presses and slides.
+fn blunt_edges(watch: &dyn Watch) -> Result<Vec<Group>, SimulationError> {
     let mut groups = Vec::new();
     for (name, material) in [("without hardening", plain_material(0.3)), ("of 4340 steel", steel_4340())] {
         for interference in [5.0, 50.0] {
@@ -191,16 +198,25 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
             groups.push((format!("press {name}, {interference} omega_c"), edges));
         }
     }
+    groups.extend(slides(&SLIDES, 1.0, 24, watch)?);
+    Ok(groups)
+}
+
+fn slides(
+    list: &[(&str, f64)],
+    slip: f64,
+    finer: usize,
+    watch: &dyn Watch,
+) -> Result<Vec<Group>, SimulationError> {
     let name = |(name, interference): (&str, f64)| format!("slide of {name}, {interference} omega_c");
-    for slide in SLIDES {
-        groups.push((name(slide), slid(slide, 1.0, 24, watch)?));
-    }
-    let blunt: Vec<Edge> = groups.iter().flat_map(|(_, edges)| edges).copied().collect();
-    let mut light = Vec::new();
-    for slide in LIGHT_SLIDES {
-        light.push((name(slide), slid(slide, 0.15, 32, watch)?));
-    }
-    let sheared: Vec<Edge> = light.iter().flat_map(|(_, edges)| edges).copied().collect();
+    list.iter().map(|&slide| Ok((name(slide), slid(slide, slip, finer, watch)?))).collect()
+}
+
+pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
+    let elastic = elastic(watch)?;
+    let mut groups = blunt_edges(watch)?;
+    let light = slides(&LIGHT_SLIDES, 0.15, 32, watch)?;
+    let (blunt, sheared) = (edges(&groups), edges(&light));
     let of_elastic = fit_elastic(&elastic);
     let mut fitted = fit_blunt(&of_elastic, &blunt);
     fitted.shear_shift = fit_shear(&fitted, &sheared);
