@@ -59,9 +59,10 @@ fn a_rate_step_has_the_direct_effect_of_the_rate_law() {
         // In the first increment the temperature changes a little.
         assert!((direct(rated, step) - law).abs() < 0.005, "{step} {text}");
     }
-    for step in [1, 2] {
-        assert!((direct(plain, step) - 1.0).abs() < 0.005, "{step} {text}");
-    }
+    assert!((direct(plain, 1) - 1.0).abs() < 0.005, "{text}");
+    // After the step down it sticks until the spring of the body has made up for the strength that it gains by cooling, 0.06 %
+    // per kelvin, some 10 K.
+    assert!((0.0..0.01).contains(&(direct(plain, 2) - 1.0)), "{text}");
     for rows in [plain, rated] {
         // Warms, cools in the hold, and restarts as strong as after the rate step; slides back at the same strength.
         assert!(rows[1][2] < 0.96 * rows[1][1] && rows[3][4] > 360.0 && rows[4][4] < 301.0, "{text}");
