@@ -29,7 +29,7 @@ fn chattering_points_do_not_cut_steps_back() {
 }
 
 /// In a light contact the shear traction at the edge shifts the edge (book, "Contact edge"): without the shift friction on 8
-/// elements is 1.1 % below that on 24.
+/// elements is 1.0 % below that on 24.
 #[test]
 fn friction_of_a_light_contact_is_that_of_a_fine_mesh() {
     let friction = |elements: usize| {

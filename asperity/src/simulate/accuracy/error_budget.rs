@@ -4,8 +4,8 @@
 //! with increments twice as large and with a larger solver tolerance; a run refined by itself has a further one, on the
 //! mesh half as fine as its own. The mesh error follows from the
 //! difference between the run and that on the mesh half as fine by the order of convergence, 1.5 for the
-//! square-root edge of the pressure; quantities that depend on the position of that edge also have a lower bound of the error, since two meshes may misplace it by the same amount. The
-//! differences among the auxiliary runs are the errors of the other three sources, less where the run
+//! square-root edge of the pressure; quantities that depend on the position of that edge also have a lower bound of the
+//! error, since two meshes may misplace it by the same amount. The differences among the auxiliary runs are the errors of the other three sources, less where the run
 //! is finer than they are. All of this is a function of the values of the runs: [`estimate`].
 //!
 //! The accuracy of a scene is compared with the estimates. The reported errors are half-widths of 95 % intervals, the
