@@ -1,12 +1,12 @@
 //! Error estimates by source: mesh, collocation angles, increments, solver, model.
 //!
-//! Every run has auxiliary runs on a mesh half as fine: one unchanged, and one each with another N_θ,
-//! with increments twice as large and with a larger solver tolerance; a run refined by itself has a further one, on the
-//! mesh half as fine as its own. The mesh error follows from the
-//! difference between the run and that on the mesh half as fine by the order of convergence, 1.5 for the
-//! square-root edge of the pressure; quantities that depend on the position of that edge also have a lower bound of the
-//! error, since two meshes may misplace it by the same amount. The differences among the auxiliary runs are the errors of the other three sources, less where the run
-//! is finer than they are. All of this is a function of the values of the runs: [`estimate`].
+//! Every run has auxiliary runs on a mesh half as fine: one unchanged, and one each with another N_θ, with increments
+//! twice as large and with a larger solver tolerance; a run refined by itself has a further one, on the mesh half as
+//! fine as its own. The mesh error follows from the difference between the run and that on the mesh half as fine by the
+//! order of convergence, 1.5 for the square-root edge of the pressure; quantities that depend on the position of that
+//! edge also have a lower bound of the error, since two meshes may misplace it by the same amount. The differences
+//! among the auxiliary runs are the errors of the other three sources, less where the run is finer than they are. All
+//! of this is a function of the values of the runs: [`estimate`].
 //!
 //! The accuracy of a scene is compared with the estimates. The reported errors are half-widths of 95 % intervals, the
 //! estimates times a coverage factor. `asperity effectivity` compares them with true errors.
