@@ -366,7 +366,7 @@ impl<'a> Runner<'a> {
                 Some(conduction.with_counterface(problem.counterface.clone()))
             }
         };
-        let mut slide = Slide::new(problem, mechanics, heat, resolution.increments);
+        let mut slide = Slide::new(problem, mechanics, heat, resolution.growth);
         slide.inception_width = inception_width(self.conditions.softening_at_inception(self.pressed));
         slide.shears_without_limit = self.pressed.shears_without_limit;
         Ok(slide)

@@ -16,10 +16,12 @@ use crate::solver::StopRequest;
 use crate::solver::newton::CouplingData;
 use crate::solver::timings::Kernel;
 
-/// Tolerance of the change of the shear limits between iterations, relative to the strength.
-const LIMIT_TOLERANCE: f64 = 3e-5;
-/// Tolerance of the relative change of the areas of the contact points between iterations.
-const AREA_TOLERANCE: f64 = 1e-4;
+/// Change between iterations, over the tolerance of the residual, at which the coupled quantities are converged: of the
+/// shear limits, relative to the strength, and of the areas of the contact points, relative.
+const CONVERGED: f64 = 100.0;
+/// Updates in a step at most. Most steps need 3 to 8; where a hot interface loses its strength as sliding begins, each
+/// leaves up to 0.7 of the change of the one before.
+const MOST_UPDATES: usize = 24;
 /// Frictional power of the last update over that of the solution, above which the heat is that of the solution.
 const EXCESS_HEAT: f64 = 1.1;
 /// Updates in a row that do not reduce the smallest change so far, after which the shear limits are held: points at the
@@ -49,6 +51,8 @@ struct Coupling<'a> {
     limit: Option<Vec<f64>>,
     /// Smallest change of the shear limits so far, and the updates since.
     smallest: (f64, usize),
+    /// Change at which they are converged.
+    tolerance: f64,
     /// Updates left until the coupled quantities are held constant.
     updates_left: usize,
     /// Whether they are held constant: converged, or no updates left. Newton's method then converges fast.
@@ -80,7 +84,7 @@ impl Coupling<'_> {
             (smallest, since) if change < *smallest => (*smallest, *since) = (change, 0),
             (_, since) => *since += 1,
         }
-        let agrees = change <= LIMIT_TOLERANCE && stretched <= AREA_TOLERANCE;
+        let agrees = change.max(stretched) <= self.tolerance;
         self.held = agrees || self.updates_left == 0 || self.smallest.1 == STALLED_UPDATES;
         self.updates_left = self.updates_left.saturating_sub(1);
         self.limit = Some(limit.clone());
@@ -165,7 +169,8 @@ impl Slide<'_> {
             edge: EdgeSearch::default(),
             limit: None,
             smallest: (f64::INFINITY, 0),
-            updates_left: self.increments.coupling_limit,
+            tolerance: CONVERGED * self.mechanics.tolerance,
+            updates_left: MOST_UPDATES,
             held: false,
             sources: HeatSources::default(),
             heated: None,

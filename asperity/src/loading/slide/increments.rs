@@ -33,15 +33,6 @@ const WIDEST_INCEPTION: f64 = 0.05;
 /// Shortest increment, in units of the elastic displacement at gross slip.
 const SHORTEST: f64 = 1e-6;
 
-/// How finely a slide is divided.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Increments {
-    /// Largest increment relative to the slip so far, times [`WHILE_STICKING`] or [`WHILE_SLIDING`].
-    pub growth: f64,
-    /// Updates of temperature and contact edge in a step at most.
-    pub coupling_limit: usize,
-}
-
 /// Predictor of a step, extrapolated from the last states.
 #[derive(Clone)]
 pub struct Predictor {

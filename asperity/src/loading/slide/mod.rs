@@ -25,7 +25,6 @@ use crate::solver::StopRequest;
 use crate::solver::newton::{LoadingControl, Mechanics, StepFailure};
 use coupling::Equilibrium;
 use friction_heat::HeatSources;
-pub use increments::Increments;
 use increments::{InceptionBracket, Predictor, StepControl};
 use invariants::Violation;
 pub use motion::Motion;
@@ -113,7 +112,9 @@ pub struct Slide<'a> {
     pub history: Vec<SlideState>,
     pub recorder: Recorder,
     pub cutbacks: usize,
-    increments: Increments,
+    /// Largest increment relative to the slip so far, times [`increments::WHILE_STICKING`] or
+    /// [`increments::WHILE_SLIDING`].
+    growth: f64,
     /// Width of the increment in which sliding begins, relative to the slip.
     pub inception_width: f64,
     /// Whether the body may shear without limit below the interface: then an increment that fails when the elements are
@@ -126,12 +127,7 @@ pub struct Slide<'a> {
 
 impl<'a> Slide<'a> {
     /// A slide from the pressed state `mechanics`; with heat if a conduction solver is given.
-    pub fn new(
-        problem: &'a Problem,
-        mechanics: Mechanics,
-        heat: Option<Conduction>,
-        increments: Increments,
-    ) -> Self {
+    pub fn new(problem: &'a Problem, mechanics: Mechanics, heat: Option<Conduction>, growth: f64) -> Self {
         let mut slide = Self {
             interference: problem.interference,
             hold: LoadingControl::Interference,
@@ -146,7 +142,7 @@ impl<'a> Slide<'a> {
             history: Vec::new(),
             recorder: Recorder::default(),
             cutbacks: 0,
-            increments,
+            growth,
             inception_width: increments::INCEPTION_WIDTH,
             shears_without_limit: false,
             #[cfg(test)]
@@ -200,8 +196,7 @@ impl<'a> Slide<'a> {
     ) -> Result<(), SlideFailure> {
         let (motion, start, length) = (self.motion, self.last().slip, self.motion.length());
         let slides = motion.direction() != 0.0;
-        let mut control =
-            StepControl::new(length, self.scale(), self.increments.growth, self.inception_width);
+        let mut control = StepControl::new(length, self.scale(), self.growth, self.inception_width);
         let (mut before, mut done_before) = (self.predictor(), 0.0);
         // Distance, or time of a hold.
         let mut done = 0.0;

@@ -17,8 +17,7 @@ fn ready(problem: &Problem) -> Slide<'_> {
     let discretisation = Discretisation::new(problem, size, Collocation::full(4), &|| false).unwrap();
     let conduction = Conduction::new(&discretisation.mesh, problem.heat_capacity, 1).unwrap();
     let mechanics = discretisation.revolve(problem, (&body, &contact, &displacement), NEWTON_TOLERANCE);
-    let increments = Increments { growth: 0.3, coupling_limit: 4 };
-    let mut slide = Slide::new(problem, mechanics, Some(conduction), increments);
+    let mut slide = Slide::new(problem, mechanics, Some(conduction), 0.3);
     slide.motion = slip(FAST, 0.0);
     slide
 }

@@ -143,7 +143,7 @@ impl ErrorBudget {
     /// increments.
     fn refined(mut self, from: &Resolution, to: &Resolution) -> Self {
         let sectors = (from.sectors as f64 / to.sectors as f64).powi(2);
-        let steps = to.increments.growth / from.increments.growth;
+        let steps = to.growth / from.growth;
         for (source, factor) in [(ErrorSource::Collocation, sectors), (ErrorSource::Steps, steps)] {
             self.parts[source as usize].iter_mut().for_each(|part| *part *= factor);
         }
@@ -294,7 +294,7 @@ mod tests {
     fn errors_of_runs_of_known_orders_are_found() {
         let parts = |r: &Resolution| {
             let (elements, angles) = (r.elements_per_radius as f64, r.sectors as f64);
-            [2.0 * elements.powf(-1.5), 0.5 / angles.powi(2), 0.4 * r.increments.growth]
+            [2.0 * elements.powf(-1.5), 0.5 / angles.powi(2), 0.4 * r.growth]
         };
         let values = |r: &Resolution| Values::all(3.0 + parts(r).iter().sum::<f64>());
         let start = Resolution::choose(&numerics());
@@ -349,11 +349,11 @@ mod tests {
         assert!(with(0.01, 0.005, 0.004).is_none());
         let finer = with(0.04, 0.0, 0.0).unwrap();
         assert!(finer.elements_per_radius as f64 >= run.elements_per_radius as f64 * 2f64.powf(1.0 / 1.5));
-        assert_eq!((finer.sectors, finer.increments.growth), (run.sectors, run.increments.growth));
+        assert_eq!((finer.sectors, finer.growth), (run.sectors, run.growth));
         let finer = with(0.0, 0.03, 0.0).unwrap();
         assert_eq!((finer.sectors, finer.elements_per_radius), (2 * run.sectors, run.elements_per_radius));
         let finer = with(0.0, 0.0, 0.03).unwrap();
-        assert_eq!((finer.increments.growth, finer.sectors), (0.5 * run.increments.growth, run.sectors));
+        assert_eq!((finer.growth, finer.sectors), (0.5 * run.growth, run.sectors));
         // What the scene fixes stays.
         let fixed = Numerics { elements_per_radius: Some(8), ..numerics() };
         let run = Resolution::choose(&fixed);

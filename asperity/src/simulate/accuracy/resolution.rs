@@ -4,12 +4,8 @@
 use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize, SURFACE_LAYER};
 use crate::heat::conduction::sublayers::thickness_ratio;
 use crate::loading::NEWTON_TOLERANCE;
-use crate::loading::slide::Increments;
 use crate::scene::Numerics;
 
-/// Updates of temperature and contact edge in a step at most. Most steps need 3 to 8; where a hot interface loses its
-/// strength as sliding begins, each leaves up to 0.7 of the change of the one before.
-const COUPLING_LIMIT: usize = 24;
 /// Increments of the press times the growth of those of the slide. From growths of 0.3 to 0.6 friction changes by 0.03
 /// and 0.06 per cent at 2 and 20 omega_c, and by 0.15 to 0.3 at 50 and 100 (8 elements, slip rate 0).
 const PRESS_INCREMENTS: f64 = 18.0;
@@ -54,7 +50,8 @@ pub struct Resolution {
     /// How often the layer at the surface is halved, see [`thermal_layer_refinements`].
     pub thermal_layer_refinements: u32,
     pub press_increments: usize,
-    pub increments: Increments,
+    /// Γ, growth of the increments of the slide.
+    pub growth: f64,
     /// Relative residual at which a step counts as solved.
     pub tolerance: f64,
 }
@@ -77,7 +74,7 @@ impl Resolution {
             growth_zone: GROWTH_ZONE,
             thermal_layer_refinements: 0,
             press_increments: (PRESS_INCREMENTS / growth).round() as usize,
-            increments: Increments { growth, coupling_limit: COUPLING_LIMIT },
+            growth,
             tolerance: NEWTON_TOLERANCE,
         }
     }
@@ -103,7 +100,7 @@ impl Resolution {
             n @ ..6 => n + n / 2,
             n => (n / 2).max(4),
         };
-        let coarse = Self::new(elements, self.sectors, self.increments.growth);
+        let coarse = Self::new(elements, self.sectors, self.growth);
         Self { growth_zone: self.growth_zone, ..coarse }
     }
 
@@ -126,29 +123,28 @@ impl Resolution {
 
     /// The same in increments twice as large.
     pub fn longer_steps(&self) -> Self {
-        self.with_growth(2.0 * self.increments.growth)
+        self.with_growth(2.0 * self.growth)
     }
 
     /// The same solved less exactly.
     pub fn looser_solver(&self) -> Self {
-        let increments = Increments { coupling_limit: self.increments.coupling_limit / 2, ..self.increments };
-        Self { tolerance: 30.0 * self.tolerance, increments, ..*self }
+        Self { tolerance: 10.0 * self.tolerance, ..*self }
     }
 
     /// On a mesh `factor` times as fine, all else alike.
     pub fn finer_mesh(&self, factor: usize) -> Self {
-        let finer = Self::new(factor * self.elements_per_radius, self.sectors, self.increments.growth);
+        let finer = Self::new(factor * self.elements_per_radius, self.sectors, self.growth);
         Self { growth_zone: self.growth_zone, ..finer }
     }
 
     /// The same in increments of press and slide `factor` times shorter.
     pub fn shorter_steps(&self, factor: usize) -> Self {
-        self.with_growth(self.increments.growth / factor as f64)
+        self.with_growth(self.growth / factor as f64)
     }
 
     fn with_growth(&self, growth: f64) -> Self {
         let Self { press_increments, .. } = Self::new(self.elements_per_radius, self.sectors, growth);
-        Self { press_increments, increments: Increments { growth, ..self.increments }, ..*self }
+        Self { press_increments, growth, ..*self }
     }
 
     /// With more sectors and shorter increments where those alone would make too large a part
@@ -158,7 +154,7 @@ impl Resolution {
         if parts.solver_exceeds(numerics.accuracy) {
             return *self;
         }
-        let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
+        let (mut sectors, mut growth) = (self.sectors, self.growth);
         if parts.sectors > SHARE * numerics.accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
             sectors *= 2;
         }
@@ -175,7 +171,7 @@ impl Resolution {
         if parts.total() <= accuracy || parts.solver_exceeds(accuracy) {
             return None;
         }
-        let (mut sectors, mut growth) = (self.sectors, self.increments.growth);
+        let (mut sectors, mut growth) = (self.sectors, self.growth);
         let mut others = parts.sectors + parts.steps + parts.solver + parts.model;
         if parts.sectors > 0.25 * accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
             sectors *= 2;

@@ -74,8 +74,8 @@ pub struct StrainChoice {
 
 impl Note {
     pub fn resolution(resolution: &Resolution) -> Self {
-        let Resolution { elements_per_radius, sectors, increments, .. } = *resolution;
-        Self::Resolution { elements_per_radius, sectors, growth: increments.growth }
+        let Resolution { elements_per_radius, sectors, growth, .. } = *resolution;
+        Self::Resolution { elements_per_radius, sectors, growth }
     }
 
     /// The partition that a slide against a conducting counterface found.

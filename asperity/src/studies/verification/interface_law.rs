@@ -168,7 +168,7 @@ fn constant_load(watch: &dyn Watch) -> Rows {
             SHI,
             Tolerance::absolute(0.0, "an inequality"),
         ),
-        super::ledgers::energy("energy missing at constant load", &held, 1e-6),
+        super::ledgers::energy("energy missing at constant load", &held),
     ])
 }
 
