@@ -36,6 +36,9 @@ pub const NO_STICK: f64 = 0.01;
 /// (20 ω_c); under stronger ones a layer of elements shears without limit.
 const LARGEST_STRAIN_IN_STICK: f64 = 0.5;
 const STILL_STICKING: f64 = 0.5;
+/// Increments without solution at which a slide ends. Slides that arrive need up to 41; one that has no continuous path of
+/// states needs several in each increment.
+const MOST_CUTBACKS: usize = 60;
 
 #[derive(Debug, thiserror::Error)]
 pub enum SlideFailure {
@@ -54,6 +57,11 @@ pub enum SlideFailure {
     Distorted { strain: f64, stick_fraction: f64 },
     #[error("every solution of the next increment breaks a law that all states keep: {0}")]
     Impossible(#[from] Violation),
+    #[error(
+        "{MOST_CUTBACKS} increments had no solution and were halved: the states of equilibrium do not follow each \
+         other continuously, as where a light contact sticks and lifts off in turn. The last one: {0}"
+    )]
+    CutBack(Box<SlideFailure>),
     #[error("stopped on request")]
     Cancelled,
 }
@@ -243,6 +251,9 @@ impl<'a> Slide<'a> {
                     let distorted = self.distorted();
                     if distorted.is_some() && self.shears_without_limit || !control.cut_back() {
                         return Err(distorted.unwrap_or(failure));
+                    }
+                    if self.cutbacks == MOST_CUTBACKS {
+                        return Err(SlideFailure::CutBack(failure.into()));
                     }
                 }
             }
