@@ -101,7 +101,7 @@ fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
     for row in rows.iter().filter(|row| number(row, 0) < 1.0) {
         let (friction, error, limit) = (number(row, 1), number(row, 3), number(row, 4));
         // The limit excludes the friction-induced uplift, see `tables::interpolation::hertz_limit`.
-        let uplift = 0.0022 / number(row, 0) * limit;
+        let uplift = tables::interpolation::UPLIFT / number(row, 0) * limit;
         assert!((friction - limit).abs() < error + uplift, "{row}");
     }
     let last = rows.last().unwrap();

@@ -106,11 +106,13 @@ fn tables_show_partial_slip() {
     let tangential = contact_modulus * (1.0 - poisson_ratio) / (2.0 * (2.0 - poisson_ratio));
     let a = table.estimate(Quantity::ContactRadius, radius, omega, 0.0).unwrap().value;
     let gross = constant_shear::gross_slip_displacement(yield_strength / 3f64.sqrt(), tangential, a);
-    let sliding = table.estimate(Quantity::FrictionStatic, radius, omega, 0.0).unwrap().value;
+    // Theory and table divide by the friction of the contact area after the press; the sliding one is larger.
+    let area = table.estimate(Quantity::AreaPress, radius, omega, 0.0).unwrap().value;
+    let full = area * yield_strength / 3f64.sqrt();
     for share in [0.1, 0.2, 0.4, 0.6] {
         let friction = table.response(radius, omega, 0.0, share * gross).unwrap().friction;
-        let (here, there) = (friction.value / sliding, constant_shear::force_fraction(share));
-        println!("{share}: {here:.3} {there:.3}, stated {:.3}", friction.error / sliding);
-        assert!((here - there).abs() < 0.02 * there, "{share}: {here} {there}");
+        let (here, there) = (friction.value / full, constant_shear::force_fraction(share));
+        println!("{share}: {here:.3} {there:.3}, stated {:.3}", friction.error / full);
+        assert!((here - there).abs() < 0.01 * there, "{share}: {here} {there}");
     }
 }

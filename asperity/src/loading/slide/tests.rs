@@ -177,7 +177,8 @@ fn a_slide_that_stops_cools_and_restarts() {
     slide.mechanics.contact.start_motion();
     let again = run(&mut slide);
     assert!(hot.rise_max > 10.0 && cold.rise_max < 1e-3 * hot.rise_max, "{hot:?} {cold:?}");
-    assert_eq!((hot.stick_fraction, cold.stick_fraction), (0.0, 1.0));
+    // A point at the edge slips as long as the edge recedes in the cooling contact.
+    assert!(hot.stick_fraction == 0.0 && cold.stick_fraction > 0.95, "{}", cold.stick_fraction);
     let restart = &slide.history[slide.history.len() - 30..];
     let strongest = restart.iter().map(|state| state.friction / state.area).fold(0.0, f64::max);
     assert!(strongest > 1.005 * hot.friction / hot.area, "{strongest} {hot:?}");
