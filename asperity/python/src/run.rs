@@ -61,14 +61,9 @@ pub fn simulate(
     match result {
         Ok(outcome) => Ok(of(outcome)),
         Err(SimulationError::Unsupported(reason)) => Err(errors::refused("model.heat", reason)),
-        Err(error @ (SimulationError::NotConverged { .. } | SimulationError::Cancelled { .. })) => {
+        Err(error) => {
             let message = error.to_string();
-            let (SimulationError::NotConverged { partial, .. } | SimulationError::Cancelled { partial }) =
-                error
-            else {
-                unreachable!("the other errors have no outcome")
-            };
-            let run = partial.map(|outcome| Py::new(py, of(*outcome))).transpose()?;
+            let run = error.into_partial().map(|outcome| Py::new(py, of(*outcome))).transpose()?;
             Err(errors::failed(message, run.map(Py::into_any)))
         }
     }

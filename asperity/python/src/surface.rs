@@ -10,13 +10,14 @@ use roughsurface::output::figure::figure;
 use roughsurface::output::{Origin, Results, friction_file, report, sample_file, summary, summary_json};
 use roughsurface::sampling::case::{Case, surface_of};
 use roughsurface::sampling::finite_surface;
-use roughsurface::surface::file::{Override, SurfaceFile};
+use roughsurface::surface::file::{SurfaceFile, query_values};
 use roughsurface::topography::characterize::{self, Detrend, Options};
 use roughsurface::topography::readers::{self, Reading};
 use roughsurface::topography::report as characterization;
 use roughsurface::topography::spectrum::Window;
 use roughsurface::topography::{Topography, TopographyError};
 use tables::netcdf::history;
+use tables::netcdf::input::Override;
 
 use crate::errors;
 use crate::input::{Given, Numbers, Source};
@@ -162,7 +163,7 @@ impl Question<'_> {
         let pressure = values(&mut self.pressure, "query.pressure")?;
         let separation = values(&mut self.separation, "query.separation")?;
         let slip_rate = values(&mut self.slip_rate, "query.slip_rate")?;
-        overrides.extend(Override::of_query(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
+        overrides.extend(query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
         Ok(overrides)
     }
 

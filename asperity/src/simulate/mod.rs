@@ -105,6 +105,14 @@ pub enum SimulationError {
 }
 
 impl SimulationError {
+    /// The results before it, if there are any.
+    pub fn into_partial(self) -> Option<Box<Outcome>> {
+        match self {
+            Self::NotConverged { partial, .. } | Self::Cancelled { partial } => partial,
+            Self::Unsupported(_) => None,
+        }
+    }
+
     /// The same with the results before it.
     fn with_partial(self, outcome: Outcome) -> Self {
         let partial = Some(Box::new(outcome));

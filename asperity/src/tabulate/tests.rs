@@ -1,4 +1,4 @@
-//! Tabulations with a simulation that takes no time, and once with finite elements.
+//! Tabulations with a simulation that takes no time.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -39,9 +39,9 @@ impl Bench {
         self.folder.path().join("table.nc.part")
     }
 
-    fn run<S: Simulator>(
+    fn run(
         &self,
-        simulator: &S,
+        simulator: &Fake,
         (jobs, resume, shard): (usize, bool, Option<&str>),
         watch: &dyn TableWatch,
     ) -> Result<Tabulation, TabulateError> {
@@ -201,17 +201,6 @@ fn table_has_every_cell_and_says_which_failed() {
 }
 
 #[test]
-fn files_do_not_depend_on_the_number_of_threads() {
-    let [one, other] = [1, 3].map(|jobs| {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("table.nc");
-        table(&whole(GRID, &Fake::default(), jobs)).write(&path).unwrap();
-        std::fs::read(path).unwrap()
-    });
-    assert_eq!(one, other);
-}
-
-#[test]
 fn every_temperature_has_the_table_of_its_own_request() {
     let all = table(&whole(TEMPERATURES, &Fake::default(), 2));
     let request = request(TEMPERATURES);
@@ -292,49 +281,6 @@ fn time_remaining_is_reported() {
     assert!(reported.iter().all(|progress| progress.total == 9));
     assert!(reported[..8].iter().all(|progress| progress.remaining > 0.0));
     assert_eq!(reported[8].remaining, 0.0);
-}
-
-/// Coarse and short: the interpolated table and the computed one have the same mesh error.
-const COARSE: &str = "[loading]\nslip_distance = 0.05\n[model]\nheat = \"on\"\n\
-                      [table]\ninterference = [2, 8]\nslip_rate = [1]\ntemperature = [298, 600, 900]\n\
-                      [numerics]\nelements_per_radius = 4\nsectors = 4\n";
-
-#[test]
-fn between_temperatures_a_computed_table_agrees_with_the_interpolated_one() {
-    let text = format!("{}{COARSE}", COPPER.replace("copper", "steel-4340"));
-    let request = parse_request(&text, "request.toml", &[]).unwrap();
-    let run = |request: &Request| {
-        table(&Bench::new(request.clone()).run(&FiniteElements, (2, false, None), &Unwatched).unwrap())
-    };
-    let whole = run(&request);
-    let computed = |temperature: f64| run(&request.at_temperature(temperature)).at(None).unwrap();
-    // At one of the temperatures bit for bit.
-    let (alone, member) = (computed(600.0), whole.at(600.0).unwrap());
-    for i in 0..2 {
-        let timeless = |slice: &Slice| {
-            let mut cell = slice.cell(i, 0).unwrap().clone();
-            cell.wall_time = 0.0;
-            cell
-        };
-        assert_eq!(timeless(&alone), timeless(&member));
-    }
-    let bits = |metadata: &Metadata| {
-        [metadata.critical_interference, metadata.contact_modulus, metadata.yield_strength].map(f64::to_bits)
-    };
-    assert_eq!(bits(alone.metadata()), bits(member.metadata()));
-    // Between them within the errors.
-    for temperature in [420.0, 780.0] {
-        let (alone, between) = (computed(temperature), whole.at(temperature).unwrap());
-        for i in 0..2 {
-            for quantity in [Quantity::Mu, Quantity::Friction, Quantity::Load, Quantity::TemperatureMax] {
-                let [truth, found] = [&*alone, &*between].map(|slice| slice.cell(i, 0).unwrap()[quantity]);
-                let difference = (truth.value - found.value).abs();
-                assert!(difference <= found.error, "{temperature} {i} {quantity:?}: {truth:?} {found:?}");
-            }
-        }
-        let strength = alone.metadata().yield_strength;
-        assert!((between.metadata().yield_strength / strength - 1.0).abs() < 2e-3, "{strength}");
-    }
 }
 
 /// Requests without interferences end where the mesh fills the hemisphere: twice the largest has no room.

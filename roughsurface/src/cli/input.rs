@@ -4,11 +4,13 @@ use super::common::*;
 use super::topography::TopographyOptions;
 use clap::Args;
 use roughsurface::sampling::case::{Case, surface_of};
-use roughsurface::surface::file::{Override, SurfaceFile, SurfaceFileError, Values};
+use roughsurface::surface::file::{SurfaceFile, SurfaceFileError, Values, query_key, query_values};
 use roughsurface::surface::query::{ContactLife, LoadingControl};
 use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use tables::netcdf::input::Override;
 use tables::quantity::hint;
 use tables::shipped;
 
@@ -100,13 +102,15 @@ impl QueryOptions {
     fn overrides(&self) -> Vec<Override> {
         let Self { pressure, separation, slip_rate, .. } = self;
         let mut overrides = self.set.clone();
-        overrides.extend(Override::of_query(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
-        overrides.extend(self.hold.map(Override::hold));
-        overrides.extend(self.contact_life.map(Override::contact_life));
-        overrides
-            .extend(self.interaction.iter().map(|kind| Override::query_key("interaction", kind.as_str())));
-        overrides.extend(self.rate_step.iter().flat_map(|&step| Override::rate_step(step)));
-        overrides.extend(self.nominal_size.map(|size| Override::query_key("nominal_size", size)));
+        overrides.extend(query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
+        overrides.extend(self.hold.map(|control| query_key("hold", control)));
+        overrides.extend(self.contact_life.map(|life| query_key("contact_life", life)));
+        overrides.extend(self.interaction.iter().map(|kind| query_key("interaction", kind)));
+        let rate_step = |[before, after]: [f64; 2]| {
+            query_key("rate_step", BTreeMap::from([("before", before), ("after", after)]))
+        };
+        overrides.extend(self.rate_step.map(rate_step));
+        overrides.extend(self.nominal_size.map(|size| query_key("nominal_size", size)));
         overrides
     }
 }

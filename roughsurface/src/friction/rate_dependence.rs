@@ -10,7 +10,7 @@ use tables::law::Estimate;
 /// of the adjacent interval, and the difference of the errors of μ over the interval: errors of
 /// neighbouring rates come from the same asperities and have the same sign.
 pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate]) -> Vec<Estimate> {
-    let unknown = Estimate { value: f64::NAN, error: f64::NAN };
+    let unknown = Estimate::UNKNOWN;
     let first = slip_rates.iter().take_while(|rate| **rate <= 0.0).count();
     let slope = |i: usize| {
         let interval = (slip_rates[i + 1] / slip_rates[i]).ln();

@@ -213,7 +213,7 @@ pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
 /// that weakens linearly from the same peak to the same end releases the same energy (Ida 1972,
 /// doi 10.1029/JB077i020p03796). NaN where friction does not weaken.
 pub fn weakening_distance(slip: &[f64], shear: &[Estimate]) -> Estimate {
-    let unknown = Estimate { value: f64::NAN, error: f64::NAN };
+    let unknown = Estimate::UNKNOWN;
     let Some(end) = shear.last() else {
         return unknown;
     };

@@ -311,7 +311,7 @@ impl<'a> Sweep<'a> {
             weakening_distance: weakening_distance(slip, &shear),
             contacts,
             // Follows from all slip rates together.
-            rate_sensitivity: Estimate { value: f64::NAN, error: f64::NAN },
+            rate_sensitivity: Estimate::UNKNOWN,
             energy_release: self.energy_release(row, pressed).filter(|_| !sliding.mu.value.is_nan()),
             pressed: curve[0],
             sliding,

@@ -182,24 +182,6 @@ fn flash_heating_of_the_asperities_is_that_of_the_surface() {
 }
 
 #[test]
-fn threads_do_not_change_a_bit() {
-    let law = closed_form("jackson-green", &STEEL).unwrap();
-    let surface = surface(Box::new(Gaussian::new(0.5e-6)));
-    let with = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| {
-            predicted(law.as_ref(), &surface, &[1e5, 1e7], &[0.1, 1.0], LoadingControl::Load).unwrap()
-        })
-    };
-    let (one, three) = (with(1), with(3));
-    for (a, b) in one.friction.iter().flatten().zip(three.friction.iter().flatten()) {
-        assert_eq!(a.mu_history, b.mu_history);
-        assert_eq!(a.mu_static, b.mu_static);
-        assert_eq!(a.sliding.separation, b.sliding.separation);
-    }
-}
-
-#[test]
 fn rates_outside_the_table_and_empty_gaps_are_refused() {
     let law = PowerLaw::hertz();
     let surface = surface(Box::new(Uniform::new(1e-6)));

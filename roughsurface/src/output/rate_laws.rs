@@ -66,7 +66,7 @@ fn variables(
     parameters: &[Parameter],
     prefix: &str,
 ) -> Result<(), DatasetError> {
-    let unknown = Estimate { value: f64::NAN, error: f64::NAN };
+    let unknown = Estimate::UNKNOWN;
     for (name, unit, long_name, of) in parameters {
         let values: Vec<Estimate> = fits.iter().map(|fit| fit.as_ref().map_or(unknown, of)).collect();
         with_error(file, name, &[row], (unit, long_name), &values)?;

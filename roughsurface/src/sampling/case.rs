@@ -9,10 +9,11 @@ use crate::friction::cutoff::AtCutoff;
 use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
-use crate::surface::file::{Override, SurfaceFile, SurfaceFileError};
+use crate::surface::file::{SurfaceFile, SurfaceFileError};
 use crate::surface::query::{NormalLoading, Query};
 use crate::topography::characterize::Characterization;
 use crate::topography::report;
+use tables::netcdf::input::Override;
 use tables::quantity::plausible::remarks;
 
 /// A prediction with comparisons and parameter uncertainties.

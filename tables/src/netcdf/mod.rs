@@ -9,6 +9,7 @@
 //!   programs are read first ([`enable_sandbox`]).
 //! - [`write_atomically`]: every file of the project is written completely or not at all; [`check_outputs`]: no
 //!   output replaces an input or another output.
+//! - [`input`]: text files of users, with keys of the command line laid over them.
 //! - [`streams`]: standard output and standard error; [`check_processor`]: the processor has the instructions of the
 //!   program.
 //!
@@ -19,6 +20,7 @@ mod checksum;
 mod classic_header;
 mod csv;
 mod distinct;
+pub mod input;
 mod memory;
 mod outputs;
 mod processor;

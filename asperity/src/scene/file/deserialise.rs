@@ -1,6 +1,7 @@
 //! Sections read by serde, its messages in terms of the file.
 
 use serde::de::DeserializeOwned;
+use tables::netcdf::input::Override;
 use toml::{Table, Value};
 
 use super::check::check;
@@ -70,7 +71,10 @@ fn one_of(names: &[&str]) -> String {
 fn allowed<T: DeserializeOwned>(inner: &str, table: &Table, keys: &[Key]) -> String {
     let kind = find(keys, inner).unwrap_or(Kind::Name);
     let mut unknown = table.clone();
-    set_at(&mut unknown, inner, Value::String("?".into()));
+    let path = inner.split('.').map(String::from).collect();
+    let name = Override { path, value: Some(Value::String("?".into())) };
+    // A name on the way that is a value has been refused before.
+    let _ = name.lay_over(&mut unknown);
     match (kind, serde_path_to_error::deserialize::<_, T>(unknown)) {
         (Kind::Name, Err(error)) if error.inner().message().starts_with("unknown variant") => {
             let names: Vec<&str> = error.inner().message().split('`').skip(3).step_by(2).collect();
@@ -84,18 +88,4 @@ fn value_at<'a>(table: &'a Table, path: &str) -> Option<&'a Value> {
     let mut names = path.split('.');
     let first = table.get(names.next()?)?;
     names.try_fold(first, |value, name| value.get(name))
-}
-
-/// Sets the value at a path, with sections on the way as needed; otherwise the name on the way that is no section.
-pub fn set_at<'a>(table: &mut Table, path: &'a str, value: Value) -> Option<&'a str> {
-    let (sections, last) = path.rsplit_once('.').map_or((None, path), |(start, last)| (Some(start), last));
-    let mut table = table;
-    for name in sections.into_iter().flat_map(|path| path.split('.')) {
-        match table.entry(name).or_insert_with(|| Value::Table(Table::new())) {
-            Value::Table(inner) => table = inner,
-            _ => return Some(name),
-        }
-    }
-    table.insert(last.to_owned(), value);
-    None
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use tables::netcdf::input::Spacing;
 use tables::refinement::Goal;
 use toml::{Table, Value};
 
@@ -79,13 +80,6 @@ struct PointRange {
     to: f64,
     points: usize,
     spacing: Spacing,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Spacing {
-    Log,
-    Linear,
 }
 
 /// Read a table request from a file, with `overrides` (`section.key=value`) laid over it.
@@ -198,14 +192,7 @@ fn points(
             format!("above from = {from:?}"),
         ));
     }
-    let point = |i: usize| match i as f64 / (points - 1) as f64 {
-        // The ends exactly as given.
-        0.0 => from,
-        1.0 => to,
-        share if spacing == Spacing::Log => from * (to / from).powf(share),
-        share => from + (to - from) * share,
-    };
-    Ok(Value::Array((0..points).map(|i| Value::Float(point(i))).collect()))
+    Ok(Value::Array(spacing.range(from, to, points).map(Value::Float).collect()))
 }
 
 /// The whole request as TOML, with every default filled in; reading it gives the same request.

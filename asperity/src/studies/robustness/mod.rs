@@ -15,6 +15,7 @@ use crate::scene::file::{SceneFileError, parse_scene};
 use crate::simulate::accuracy::error_budget::CONTROLLED;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
+use crate::studies::verification::ledgers::{energy_missing, heat_missing};
 
 const BASE: &str = include_str!("base.toml");
 const CASES: &str = include_str!("cases.toml");
@@ -117,11 +118,7 @@ impl RobustnessCase {
                     Some(part) if message.contains(part) => Verdict::Refused(message),
                     _ => Verdict::Failed(message),
                 };
-                let partial = match error {
-                    SimulationError::NotConverged { partial, .. } => partial,
-                    _ => None,
-                };
-                (verdict, partial)
+                (verdict, error.into_partial())
             }
         };
         Some(CaseResult { scene, verdict, outcome, wall_time: since.elapsed().as_secs_f64() })
@@ -193,23 +190,9 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
     let pulls = outcome.slide.states().all(|step| step[Quantity::Mu] >= -1e-9);
     check(reverses || pulls, "friction pushes".into());
     if let Some(end) = outcome.slide.states().next_back() {
-        let spent = end[Quantity::EnergyElastic]
-            + end[Quantity::DissipationPlastic]
-            + end[Quantity::DissipationFriction]
-            + end[Quantity::WorkThermalExpansion]
-            + end[Quantity::EnergyModuliSoftening];
-        let parts = [
-            end[Quantity::Work],
-            end[Quantity::EnergyElastic],
-            end[Quantity::DissipationPlastic],
-            end[Quantity::WorkThermalExpansion],
-        ];
-        let off = relative(end[Quantity::Work] - spent, &parts);
+        let off = energy_missing(end);
         check(off <= LEDGER, format!("the energies of the slide miss the work of the flat by {off:.1e}"));
-        let off = relative(
-            end[Quantity::HeatIn] - end[Quantity::HeatStored] - end[Quantity::HeatOut],
-            &[end[Quantity::HeatIn]],
-        );
+        let off = heat_missing(end);
         check(off <= LEDGER, format!("the heat in the body differs from the heat input by {off:.1e}"));
     }
     wrong
@@ -219,11 +202,6 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
 fn colder(outcome: &Outcome, least: f64) -> Option<String> {
     let hottest = outcome.slide.states().map(|step| step[Quantity::TemperatureMax]).fold(0.0, f64::max);
     (hottest <= least).then(|| format!("the contact reaches {hottest:.0} K and was to pass {least:.0} K"))
-}
-
-fn relative(difference: f64, parts: &[f64]) -> f64 {
-    let scale = parts.iter().fold(0.0f64, |most, part| most.max(part.abs()));
-    if scale > 0.0 { difference.abs() / scale } else { difference.abs() }
 }
 
 #[cfg(test)]

@@ -34,12 +34,14 @@ fn steel(interference: f64) -> Scene {
     scene
 }
 
-/// |balance| over the largest of `terms`.
+/// |balance| over the largest of `terms`, where there is any.
 fn missing(balance: f64, terms: &[f64]) -> f64 {
-    balance.abs() / terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()))
+    let most = terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()));
+    if most > 0.0 { balance.abs() / most } else { balance.abs() }
 }
 
-fn energy_missing(step: State<'_>) -> f64 {
+/// Energy missing in a state, over the largest term.
+pub(in crate::studies) fn energy_missing(step: State<'_>) -> f64 {
     use Quantity::*;
     let parts =
         [EnergyElastic, DissipationPlastic, DissipationFriction, WorkThermalExpansion, EnergyModuliSoftening];
@@ -48,7 +50,8 @@ fn energy_missing(step: State<'_>) -> f64 {
     missing(balance, &[&parts[..], &[step[Work]]].concat())
 }
 
-fn heat_missing(step: State<'_>) -> f64 {
+/// Heat missing in a state, over the largest term.
+pub(in crate::studies) fn heat_missing(step: State<'_>) -> f64 {
     let terms = [step[Quantity::HeatIn], step[Quantity::HeatStored], step[Quantity::HeatOut]];
     missing(terms[0] - terms[1] - terms[2], &terms)
 }

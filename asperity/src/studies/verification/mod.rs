@@ -16,7 +16,7 @@ mod heat_source;
 mod hertz;
 mod interface_law;
 mod invariance;
-mod ledgers;
+pub(in crate::studies) mod ledgers;
 mod partial_slip;
 mod programmes;
 mod regression;

@@ -11,7 +11,7 @@ mod read;
 mod tests;
 mod values;
 
-pub use overrides::Override;
+pub use overrides::{query_key, query_values};
 pub use parameter::{Parameter, Uncertain};
 pub use read::{SurfaceFile, SurfaceFileError};
 pub use values::Values;

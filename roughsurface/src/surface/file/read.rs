@@ -1,7 +1,6 @@
 //! Reads and checks a surface file.
 
 use super::keys::{FileKeys, SurfaceKeys, allowed, interaction_of, positive, radii_of, rate_step_of};
-use super::overrides::{Override, lay_over};
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
 use crate::surface::heights;
@@ -10,6 +9,7 @@ use crate::surface::query::{NormalLoading, Query, Surface};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tables::closed_forms::ElasticPlastic;
+use tables::netcdf::input::{Override, read_text};
 
 /// A surface file that has been read and checked.
 #[derive(Debug)]
@@ -60,23 +60,11 @@ impl SurfaceFile {
 
     /// The same with `overrides` laid over it.
     pub fn read_with(file: &Path, overrides: &[Override]) -> Result<Self, SurfaceFileError> {
-        use std::io::Read;
-
-        /// Above the size of any surface file; bounds the read from an endless device.
-        const MOST: u64 = 16 << 20;
-        let unreadable = |reason: String| SurfaceFileError::Unreadable { file: file.to_path_buf(), reason };
-        let mut text = String::new();
-        let opened: std::io::Result<Box<dyn Read>> = match file == Path::new("-") {
-            true => Ok(Box::new(std::io::stdin())),
-            false => std::fs::File::open(file).map(|file| Box::new(file) as Box<dyn Read>),
+        let unreadable = |error: std::io::Error| SurfaceFileError::Unreadable {
+            file: file.to_path_buf(),
+            reason: error.to_string(),
         };
-        opened
-            .and_then(|opened| opened.take(MOST + 1).read_to_string(&mut text))
-            .map_err(|reason| unreadable(reason.to_string()))?;
-        match text.len() as u64 > MOST {
-            true => Err(unreadable(format!("is longer than {} MB", MOST >> 20))),
-            false => Self::parse_with(file, text, overrides),
-        }
+        Self::parse_with(file, read_text(file).map_err(unreadable)?, overrides)
     }
 
     /// Checks the `text` of a surface file; `file` is named in errors, and measured
@@ -95,7 +83,8 @@ impl SurfaceFile {
             content(file, line_of(&text, error.span()), one_line(error.message()))
         })?;
         for change in overrides {
-            lay_over(&mut sections, change).map_err(|what| content(file, None, what))?;
+            let explained = |what| content(file, None, format!("{}: {what}", change.key()));
+            change.lay_over(&mut sections).map_err(explained)?;
         }
         let text = toml::to_string(&sections).map_err(|error| content(file, None, error.to_string()))?;
         Self::parse_moved(file, text, None).map_err(|error| match error {

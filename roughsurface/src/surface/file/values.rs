@@ -4,6 +4,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
 use std::fmt;
 use std::str::FromStr;
+use tables::netcdf::input::Spacing;
 
 /// Numbers of a key, as `1e6`, `[1e5, 1e6]`, or a range `{ from = 0.1, to = 10, points = 7, spacing = "log" }`; on
 /// the command line as `1e6`, `1e5,1e6`, `0.1..10` or `0.1..10:7`.
@@ -20,13 +21,6 @@ struct PointRange {
     to: f64,
     points: Option<usize>,
     spacing: Option<Spacing>,
-}
-
-#[derive(Clone, Copy, PartialEq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Spacing {
-    Log,
-    Linear,
 }
 
 /// More points than a figure shows or a table has.
@@ -51,14 +45,7 @@ impl PointRange {
         if !(2..=MOST_POINTS).contains(&points) {
             return Err(format!("points = {points} must be a number from 2 to {MOST_POINTS}"));
         }
-        let point = |i: usize| match i as f64 / (points - 1) as f64 {
-            // The ends exactly as given.
-            0.0 => from,
-            1.0 => to,
-            share if spacing == Spacing::Log => from * (to / from).powf(share),
-            share => from + (to - from) * share,
-        };
-        Ok(Values((0..points).map(point).collect()))
+        Ok(Values(spacing.range(from, to, points).collect()))
     }
 }
 

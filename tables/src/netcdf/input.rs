@@ -1,0 +1,137 @@
+//! Text files that users write: their text, keys given on the command line in place of theirs, and ranges of numbers.
+
+use std::io::{self, Read};
+use std::path::Path;
+use std::str::FromStr;
+
+use serde::Deserialize;
+use toml::{Table, Value};
+
+/// Path that stands for the standard input.
+pub const STANDARD_INPUT: &str = "-";
+
+/// The text of a file, or of the standard input for the path `-`.
+pub fn read_text(path: &Path) -> io::Result<String> {
+    /// Above the size of any such file; bounds the read from an endless device.
+    const LONGEST: u64 = 16 << 20;
+    let file: Box<dyn Read> = match path == Path::new(STANDARD_INPUT) {
+        true => Box::new(io::stdin()),
+        false => Box::new(std::fs::File::open(path)?),
+    };
+    let mut text = String::new();
+    file.take(LONGEST + 1).read_to_string(&mut text)?;
+    match text.len() as u64 > LONGEST {
+        true => Err(io::Error::other(format!("is longer than {} MB", LONGEST >> 20))),
+        false => Ok(text),
+    }
+}
+
+/// A key and its value in place of that of a TOML file, as `section.key=value`; without a value the key is left out.
+///
+/// The value is read as TOML (`1e-3`, `[1, 2]`, `{ law = "none" }`, `"on"`); what is not TOML is taken as text, so that
+/// `model.heat=on` needs no quotes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Override {
+    /// Names of the sections, then that of the key.
+    pub path: Vec<String>,
+    /// The value; none leaves the key out.
+    pub value: Option<Value>,
+}
+
+impl FromStr for Override {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        /// Deeper than any key, and not deep enough for the recursion of the parsers.
+        const DEEPEST: usize = 8;
+        let form = || "must be of the form section.key=value".to_owned();
+        let (path, value) = text.split_once('=').ok_or_else(form)?;
+        let path: Vec<String> = path.split('.').map(|name| name.trim().to_owned()).collect();
+        let value = value.trim();
+        if !(2..=DEEPEST).contains(&path.len()) || path.iter().any(String::is_empty) || value.is_empty() {
+            return Err(form());
+        }
+        let parsed: Option<Table> = format!("value = {value}").parse().ok();
+        // A second key would come from a line break within the text.
+        let parsed = parsed.filter(|table| table.len() == 1).and_then(|mut table| table.remove("value"));
+        Ok(Self { path, value: Some(parsed.unwrap_or_else(|| Value::String(value.to_owned()))) })
+    }
+}
+
+impl Override {
+    /// The key, as `section.key`.
+    pub fn key(&self) -> String {
+        self.path.join(".")
+    }
+
+    /// Sets or removes the key, with sections on the way as needed; the error states the name on the way that is no
+    /// section.
+    pub fn lay_over(&self, sections: &mut Table) -> Result<(), String> {
+        let Some((last, names)) = self.path.split_last() else { return Ok(()) };
+        let mut table = sections;
+        for name in names {
+            match table.entry(name).or_insert_with(|| Value::Table(Table::new())) {
+                Value::Table(inner) => table = inner,
+                _ => return Err(format!("{name} is a value, not a section")),
+            }
+        }
+        match &self.value {
+            Some(value) => table.insert(last.clone(), value.clone()),
+            None => table.remove(last),
+        };
+        Ok(())
+    }
+}
+
+/// Spacing of the numbers of a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Spacing {
+    /// Equal ratios.
+    Log,
+    /// Equal differences.
+    Linear,
+}
+
+impl Spacing {
+    /// `points` numbers, two or more, from one end to the other, which are exactly as given.
+    pub fn range(self, from: f64, to: f64, points: usize) -> impl Iterator<Item = f64> {
+        (0..points).map(move |i| match i as f64 / (points - 1) as f64 {
+            0.0 => from,
+            1.0 => to,
+            share if self == Self::Log => from * (to / from).powf(share),
+            share => from + (to - from) * share,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn laid_over(text: &str) -> Result<Table, String> {
+        let mut sections: Table = "[loading]\nslip_rate = 1.0".parse().unwrap();
+        text.parse::<Override>()?.lay_over(&mut sections)?;
+        Ok(sections)
+    }
+
+    #[test]
+    fn overrides_replace_add_and_descend() {
+        let sections = |text: &str| laid_over(text).unwrap();
+        assert_eq!(sections("loading.slip_rate=2")["loading"]["slip_rate"], Value::Integer(2));
+        assert_eq!(sections("model.heat=on")["model"]["heat"].as_str(), Some("on"));
+        let modulus = &sections("material.hardening.modulus=1e9")["material"]["hardening"]["modulus"];
+        assert_eq!(modulus.as_float(), Some(1e9));
+        let list = &sections("table.interference=[1, 2]")["table"]["interference"];
+        assert_eq!(list.as_array().unwrap().len(), 2);
+    }
+
+    #[test]
+    fn malformed_overrides_are_refused() {
+        for text in ["loading", "loading=1", "loading.slip_rate", "a..b=1", "a.b=", ".=1"] {
+            let error = laid_over(text).unwrap_err();
+            assert!(error.contains("section.key=value"), "{error}");
+        }
+        assert_eq!(laid_over("loading.slip_rate.x=1").unwrap_err(), "slip_rate is a value, not a section");
+    }
+}
