@@ -17,7 +17,7 @@
 #               Python with matplotlib
 #
 # The data are kept in target/figures. Wall time on two cores without the build: run 2 s, convergence 15 s, friction 40 s,
-# bearing, transition and slip-rate 1 s, press and rate-steps 10 s, no-end-state a few minutes.
+# bearing, transition and slip-rate 1 s, press and rate-steps 10 s, no-end-state a minute.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -2,7 +2,7 @@
 //! mesh. Here one can see it, and see what helps and what does not.
 //!
 //! A sphere pressed to 50 ω_c slides by three tenths of a contact radius, on 6 and on 12 elements per
-//! contact radius, at small strain. Prints μ of both meshes along the slide. Four minutes of processor time;
+//! contact radius, at small strain. Prints μ of both meshes along the slide. A minute of processor time;
 //! with `coarse` the first three cases alone, on 4 and 8 elements over half the slide.
 //!
 //!     cargo run --release -p examples --example no_end_state [FIGURE.svg | coarse]

@@ -3,7 +3,7 @@
 //!
 //! Prints for each step the mean shear stress τ̄ = Q/A before it, in its first state in which all of the contact slips, and
 //! at its end; the slip after which half of the change between the last two is done; and the temperature at the end. Draws
-//! friction, stress and temperature. Ten seconds of processor time.
+//! friction, stress and temperature. Five seconds of processor time.
 //!
 //!     cargo run --release -p examples --example rate_steps [FIGURE.svg]
 

@@ -28,7 +28,7 @@ PEERS = ROOT / "examples/peers"
 PEER_NAMES = {"asperity": "asperity", "calculix": "CalculiX", "getfem": "GetFEM"}
 
 
-@block("refinement", 37)
+@block("refinement", 20)
 def refinement():
     """Three meshes of 4340 steel at 20 ω_c, and three numbers of angles."""
     slide = {"loading__slip_rate": 0, "loading__slip_distance": 0.2, "model__kinematics": "small"}
@@ -57,7 +57,7 @@ def refinement():
         "$A$ (10⁻⁹ m²)",
         r"$\mu_s$",
         r"$\mu$",
-        "estimated error of $P$",
+        "reported error of $P$",
         "of $A$",
         r"of $\mu$",
     ]
@@ -77,7 +77,7 @@ def titanium(interference, elements, **settings):
     )
 
 
-@block("first-heat", 20)
+@block("first-heat", 7)
 def first_heat():
     """Titanium that softens before it slides."""
     rows = []
@@ -87,7 +87,7 @@ def first_heat():
     return table(["$n_c$", r"$\mu_\text{static}$", "estimated error"], rows)
 
 
-@block("thermal-layer", 36)
+@block("thermal-layer", 12)
 def thermal_layer():
     """Titanium where the heated layer is thin."""
     rows = []
@@ -99,7 +99,7 @@ def thermal_layer():
     return table(["$n_c$", r"$\mu$", "estimated error", r"$T_\text{max}$ (K)"], rows)
 
 
-@block("verify", 300, by_name=True)
+@block("verify", 120, by_name=True)
 def verify():
     """Every row of `asperity verify`."""
     return verification(asperity("verify"))
@@ -138,7 +138,7 @@ def verification(report):
     return text + "\n"
 
 
-@block("press", 15)
+@block("press", 9)
 def press():
     """The press beside published fits, from the example `press_curves`."""
     cases, head = {}, None
@@ -219,7 +219,7 @@ def peers():
     return table(head, lines) + "\n" + machine().replace("Machine", "Machine of asperity")
 
 
-@block("times", 30, by_name=True)
+@block("times", 12, by_name=True)
 def times():
     """Processor time of single runs."""
     cases = [(f"default accuracy, {omega} ω_c", {"loading__interference": omega}) for omega in (1, 20, 100)]
@@ -248,7 +248,7 @@ def times():
     return table(head, rows) + "\n" + machine()
 
 
-@block("scaling", 60, by_name=True)
+@block("scaling", 55, by_name=True)
 def scaling():
     """Processor time against resolution, from examples/scaling.py."""
     settings = ["model.kinematics=small", "numerics.sectors=4", "numerics.accuracy=0.1"]
@@ -258,7 +258,7 @@ def scaling():
     return text.rstrip("\n") + "\n\n" + machine()
 
 
-@block("surface-times", 5, by_name=True)
+@block("surface-times", 25, by_name=True)
 def surface_times():
     """Processor time of a prediction for a rough surface."""
     scene, rows = "examples/scenes/ground-steel-surface.toml", []

@@ -131,7 +131,7 @@ def rate():
     return table(head, rows)
 
 
-@block("rate-law", 400)
+@block("rate-law", 30)
 def rate_law():
     """Friction at 20 ω_c on a like body, without and with the rate law of the presets."""
     rows = []
@@ -162,7 +162,7 @@ def rate_law():
     return table(head, rows)
 
 
-@block("junction-strength", 310)
+@block("junction-strength", 15)
 def junction_strength():
     """Copper with the strength of the virgin and of the hardened metal at the interface."""
     rows = []
@@ -188,7 +188,7 @@ def junction_strength():
     return table([r"$\omega_0/\omega_c$", *names], rows)
 
 
-@block("rate-steps", 15)
+@block("rate-steps", 4)
 def rate_steps():
     """A contact through steps of the slip rate, a hold and a reversal."""
     rows, case = [], ""
@@ -205,7 +205,7 @@ def rate_steps():
     return table(head, rows)
 
 
-@block("rate-step-superposition", 60)
+@block("rate-step-superposition", 20)
 def rate_step_superposition():
     """A contact after a step of the slip rate: a run, and the superposition of the slides of a table."""
     rows = []
@@ -223,7 +223,7 @@ def rate_step_superposition():
     return table([*head, *[f"$x = {slip} a_0$" for slip in slips], "difference over change"], rows)
 
 
-@block("no-end-state", 240)
+@block("no-end-state", 50)
 def no_end_state():
     """Body and interface of equal strength, from the example of that name."""
     rows = []
@@ -235,7 +235,7 @@ def no_end_state():
     return table(head, rows)
 
 
-@block("robustness", 900, by_name=True)
+@block("robustness", 150, by_name=True)
 def robustness():
     """How the robustness suite ends."""
     suite = asperity("verify", "--robustness")
@@ -285,7 +285,7 @@ def table_times():
     return table(["table", "all cells (s)", "one cell (s)", "longest cell (s)"], rows)
 
 
-@block("cell-times", 40, by_name=True)
+@block("cell-times", 5, by_name=True)
 def cell_times():
     """Processor time and memory of one cell."""
     rows = []

@@ -58,7 +58,7 @@ def cases(text):
             yield [words[0], *case, *("–" if word in ("-", "0.000") else word for word in words[1:])]
 
 
-@block("static-friction", 200)
+@block("static-friction", 20)
 def static_friction():
     """Thresholds of the stiffness beside published static friction, from the example `static_friction`."""
     order = {"full-stick": 0, "shear-strength": 1}
@@ -67,7 +67,7 @@ def static_friction():
     return table(head, [row[:10] for row in rows])
 
 
-@block("first-failure", 20)
+@block("first-failure", 3)
 def first_failure():
     """Static friction around first yield beside Kogut & Etsion, from the same example."""
     text, _, _ = call(program("examples") / "static_friction", "light")
@@ -75,7 +75,7 @@ def first_failure():
     return table([r"$\omega_0/\omega_c$", r"$\mu_s$ at shear strength", "Kogut & Etsion"], rows)
 
 
-@block("dry-steel", 140)
+@block("dry-steel", 55)
 def dry_steel():
     """Sliding friction of a dry steel surface up to 80 m/s: three counterfaces, two roughnesses."""
     rows = []
@@ -93,7 +93,7 @@ def dry_steel():
     return table(head, rows)
 
 
-@block("warm-steel", 20)
+@block("warm-steel", 3)
 def warm_steel():
     """One asperity of the same table that is warm as a whole."""
     settings = ("table.temperature=[298.0,800.0]", "table.interference=[16.0,250.0]", "table.slip_rate=[0.1,10.0]")
@@ -110,7 +110,7 @@ def warm_steel():
     return table(head, [[plain(omega), f"{plain(rate)} m/s", *values] for (omega, rate), values in rows.items()])
 
 
-@block("granite", 240)
+@block("granite", 80)
 def granite():
     """Sliding friction of the granite example over the slip rate, with two counterfaces."""
     like = ("elastic=false", "thermal_conductivity=2.8", "density=2650.0", "specific_heat=830.0")

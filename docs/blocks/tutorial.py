@@ -52,6 +52,6 @@ def cutoff():
     return "```text\n" + text[text.index("Influence of the cut-off") :]
 
 
-@block("tutorial-scatter", 25)
+@block("tutorial-scatter", 35)
 def scatter():
     return of_surface(SAMPLE)
