@@ -36,9 +36,9 @@ pub const NO_STICK: f64 = 0.01;
 /// (20 ω_c); under stronger ones a layer of elements shears without limit.
 const LARGEST_STRAIN_IN_STICK: f64 = 0.5;
 const STILL_STICKING: f64 = 0.5;
-/// Increments without solution at which a slide ends. Slides that arrive need up to 41; one that has no continuous path of
-/// states needs several in each increment.
-const MOST_CUTBACKS: usize = 60;
+/// Increments of a motion that fail after one that was taken, at which the slide ends: repeated halving counts once. Motions
+/// that arrive have up to 9; one without a continuous sequence of states fails in every fourth increment.
+const MOST_FAILURES: usize = 50;
 
 #[derive(Debug, thiserror::Error)]
 pub enum SlideFailure {
@@ -58,10 +58,10 @@ pub enum SlideFailure {
     #[error("every solution of the next increment breaks a law that all states keep: {0}")]
     Impossible(#[from] Violation),
     #[error(
-        "{MOST_CUTBACKS} increments had no solution and were halved: the states of equilibrium do not follow each \
-         other continuously, as where a light contact sticks and lifts off in turn. The last one: {0}"
+        "{MOST_FAILURES} times an increment failed after one that was taken: there may be no continuous sequence of \
+         states, as where a light contact sticks and lifts off in turn. The last failure: {0}"
     )]
-    CutBack(Box<SlideFailure>),
+    Discontinuous(Box<SlideFailure>),
     #[error("stopped on request")]
     Cancelled,
 }
@@ -208,6 +208,7 @@ impl<'a> Slide<'a> {
         let (mut before, mut done_before) = (self.predictor(), 0.0);
         // Distance, or time of a hold.
         let mut done = 0.0;
+        let (mut failures, mut taken) = (0, true);
         while done < length * (1.0 - 1e-9) {
             watch(done / length, &self.history);
             if stop() {
@@ -229,7 +230,9 @@ impl<'a> Slide<'a> {
                 seconds: motion.seconds(next - done, &self.problem.units),
                 wide: slides && control.is_wide(next - done, next),
             };
-            match self.step(step, advance, guess, stop) {
+            let attempt = self.step(step, advance, guess, stop);
+            let taken_before = std::mem::replace(&mut taken, attempt.is_ok());
+            match attempt {
                 Ok(Attempt::Taken) => {
                     (before, done_before, done) = (committed, done, next);
                     control.taken(done, self.last().stick_fraction, self.has_begun || !slides);
@@ -252,8 +255,9 @@ impl<'a> Slide<'a> {
                     if distorted.is_some() && self.shears_without_limit || !control.cut_back() {
                         return Err(distorted.unwrap_or(failure));
                     }
-                    if self.cutbacks == MOST_CUTBACKS {
-                        return Err(SlideFailure::CutBack(failure.into()));
+                    failures += usize::from(taken_before);
+                    if failures == MOST_FAILURES {
+                        return Err(SlideFailure::Discontinuous(failure.into()));
                     }
                 }
             }

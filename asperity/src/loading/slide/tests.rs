@@ -62,6 +62,15 @@ fn a_cut_back_restores_the_history_completely() {
     assert!(forced.cutbacks >= 40);
     assert!(forced.history.last().unwrap().rise_max > 1.0);
 
+    // If further increments fail, the motion ends, with the states before.
+    let mut endless = ready(&problem);
+    endless.rejecting = 1000;
+    let ended = endless.run(&[slip(FAST, distance)], &|| false, |_, _| {});
+    assert!(
+        matches!(ended, Err(SlideFailure::Discontinuous(_))) && endless.history.len() == MOST_FAILURES,
+        "{ended:?}"
+    );
+
     let mut direct = ready(&problem);
     let mut before = direct.predictor();
     let slips: Vec<f64> = forced.history.iter().map(|state| state.slip).collect();
