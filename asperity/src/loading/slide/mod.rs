@@ -59,7 +59,8 @@ pub enum SlideFailure {
     Impossible(#[from] Violation),
     #[error(
         "{MOST_FAILURES} times an increment failed after one that was taken: there may be no continuous sequence of \
-         states, as where a light contact sticks and lifts off in turn. The last failure: {0}"
+         states, as where a light contact sticks and lifts off in turn; the law \"coulomb\" or a smaller \
+         strength_factor may have one. The last failure: {0}"
     )]
     Discontinuous(Box<SlideFailure>),
     #[error("stopped on request")]
