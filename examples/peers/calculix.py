@@ -1,6 +1,6 @@
 """Writes the deck for CalculiX and runs it; prints P, A, Q and the number of unknowns as JSON.
 
-    calculix.py ELEMENTS_PER_RADIUS [DIRECTORY]
+    calculix.py ELEMENTS_PER_RADIUS INCREMENTS [DIRECTORY]
 
 Contact is surface to surface by penalty. The stick slope is the number to tune: ten times as much
 does not converge, and the less of it, the softer the contact is in shear.
@@ -16,7 +16,6 @@ import problem
 
 STICK_SLOPE = 1e7  # MPa/mm
 OVERCLOSURE_SLOPE = 1e9  # MPa/mm
-INCREMENTS = 20  # of each step at least
 FACES = {1: (0, 1, 2, 3), 2: (4, 7, 6, 5), 3: (0, 4, 5, 1), 4: (1, 5, 6, 2), 5: (2, 6, 7, 3), 6: (3, 7, 4, 0)}
 
 
@@ -25,7 +24,7 @@ def lines(numbers, per_line=12):
     return "".join(", ".join(numbers[i : i + per_line]) + ",\n" for i in range(0, len(numbers), per_line))
 
 
-def write_deck(path, elements_per_radius):
+def write_deck(path, elements_per_radius, increments):
     points, cells, top, base, symmetry = problem.half_hemisphere(elements_per_radius)
     reach = 2 * problem.CONTACT_RADIUS
     faces = []
@@ -83,7 +82,7 @@ SYMMETRY, 2, 2
             deck.write(
                 f"""*STEP, INC=1000
 *STATIC
-{1 / INCREMENTS}, 1, 1e-6, {1 / INCREMENTS}
+{1 / increments}, 1, 1e-6, {1 / increments}
 *BOUNDARY
 FLATNODES, 1, 1, {x:.12e}
 FLATNODES, 2, 2, 0
@@ -116,10 +115,10 @@ def results(path):
 
 
 def main():
-    elements = int(sys.argv[1])
-    directory = Path(sys.argv[2] if len(sys.argv) > 2 else f"calculix-{elements}")
+    elements, increments = map(int, sys.argv[1:3])
+    directory = Path(sys.argv[3] if len(sys.argv) > 3 else f"calculix-{elements}")
     directory.mkdir(parents=True, exist_ok=True)
-    unknowns = write_deck(directory / "slide.inp", elements)
+    unknowns = write_deck(directory / "slide.inp", elements, increments)
     print(json.dumps({"unknowns": unknowns}), flush=True)
     with open(directory / "log", "w") as log:
         code = subprocess.run(["ccx", "-i", "slide"], cwd=directory, stdout=log, stderr=log).returncode

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Solves one problem with asperity, CalculiX and GetFEM and prints what each found and took.
 
-    compare.py [--asperity PATH] [--limit SECONDS] [--codes asperity,calculix,getfem] [--rows FILE] [N_C]...
+    compare.py [--asperity PATH] [--limit SECONDS] [--codes asperity,calculix,getfem] [--increments N]
+               [--rows FILE] [N_C]...
 
-N_C is the number of elements per contact radius, 8 and 16 by default. Each code runs on one thread,
+N_C is the number of elements per contact radius, 8 and 16 by default. CalculiX and GetFEM take N increments
+in the press and N in the slide; asperity chooses its own. Each code runs on one thread,
 one after the other; one that has used more processor time than the limit is stopped and shown as
 "more than". What was measured is added to the file given with --rows, one JSON object a line, of which
 chart.py draws error against time.
@@ -24,13 +26,13 @@ PYTHON = "/usr/bin/python3"
 ONE_THREAD = {name: "1" for name in ("RAYON_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")}
 
 
-def command(code, elements, asperity, folder):
+def command(code, elements, arguments, folder):
     if code == "asperity":
-        return [asperity, "run", str(HERE / "hemisphere.toml"), "-o", f"{folder}/run.nc", "--json", "--quiet",
+        return [arguments.asperity, "run", str(HERE / "hemisphere.toml"), "-o", f"{folder}/run.nc", "--json", "--quiet",
                 "--timings", "--set", f"numerics.elements_per_radius={elements}"]  # fmt: skip
     if code == "calculix":
-        return [PYTHON, str(HERE / "calculix.py"), str(elements), f"{folder}/calculix"]
-    return [PYTHON, str(HERE / "getfem_slide.py"), str(elements)]
+        return [PYTHON, str(HERE / "calculix.py"), str(elements), str(arguments.increments), f"{folder}/calculix"]
+    return [PYTHON, str(HERE / "getfem_slide.py"), str(elements), str(arguments.increments)]
 
 
 def results(code, text):
@@ -60,7 +62,7 @@ def measure(code, elements, arguments):
 
     with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryFile() as output:
         process = subprocess.Popen(
-            command(code, elements, arguments.asperity, folder),
+            command(code, elements, arguments, folder),
             stdout=output,
             stderr=subprocess.DEVNULL,
             env={**os.environ, **ONE_THREAD},
@@ -86,6 +88,7 @@ def main():
     parser.add_argument("--asperity", default="asperity")
     parser.add_argument("--limit", type=int, default=1800, help="processor time of one run, s [1800]")
     parser.add_argument("--codes", default="asperity,calculix,getfem")
+    parser.add_argument("--increments", type=int, default=20, help="of press and slide each, CalculiX and GetFEM [20]")
     parser.add_argument("--rows", type=Path, help="file to add the results to")
     arguments = parser.parse_args()
     print("| code | n_c | unknowns | P (N) | Q (N) | A (mm²) | Q/P | processor time (s) | MB |")

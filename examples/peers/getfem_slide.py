@@ -1,6 +1,6 @@
 """Solves the problem with GetFEM; prints P, A, Q and the number of unknowns as JSON.
 
-    getfem_slide.py ELEMENTS_PER_RADIUS
+    getfem_slide.py ELEMENTS_PER_RADIUS INCREMENTS
 
 Trilinear hexahedra, the volumetric part with one Gauss point; contact with a rigid obstacle by an
 augmented Lagrangian, exactly Coulomb's law; MUMPS.
@@ -14,7 +14,6 @@ import numpy as np
 
 import problem
 
-INCREMENTS = 20  # of each step
 MOST_ITERATIONS = 20
 BASE, SYMMETRY, CONTACT = 1, 2, 3
 
@@ -38,7 +37,7 @@ def newton(model):
 
 def main():
     gf.util_trace_level(0)
-    elements = int(sys.argv[1])
+    elements, increments = map(int, sys.argv[1:])
     points, cells, top, base, symmetry = problem.half_hemisphere(elements)
     mesh = gf.Mesh("empty", 3)
     # GetFEM numbers the corners of a cube as binary numbers.
@@ -117,8 +116,8 @@ def main():
         model.set_variable("Previous_u", model.variable("u"))
         return True
 
-    done = all(step(problem.DEPTH * (i / INCREMENTS) ** 2, 0.0) for i in range(1, INCREMENTS + 1))
-    done = done and all(step(problem.DEPTH, problem.SLIDE * problem.DEPTH / INCREMENTS) for _ in range(INCREMENTS))
+    done = all(step(problem.DEPTH * (i / increments) ** 2, 0.0) for i in range(1, increments + 1))
+    done = done and all(step(problem.DEPTH, problem.SLIDE * problem.DEPTH / increments) for _ in range(increments))
 
     force = gf.asm_generic(mim, 0, "traction", CONTACT, model)
     # Where the projection is pressure. The multiplier itself is its average on nodes, and swings about

@@ -4,7 +4,7 @@
 //! - `mesh`: graded quadrilaterals of the meridian; `collocation`: values and derivatives at N_θ angles;
 //! - `element`: strains and forces of a ring element with mean dilatation (B̄); `elastic`: its stiffness;
 //! - `body`: history at the Gauss points, ∫Bᵀσ dV, its derivative, energies, means at nodes and surface;
-//! - `runs`: vectors restricted to a part of the body.
+//! - `runs`: vectors restricted to a part of the body; `threads`: when loops over the body are divided among threads.
 //!
 //! Depends on `crate::material` and `crate::scene` alone. Chapters "Mesh and elements" and "Integration of plastic
 //! flow" of the book.
@@ -15,3 +15,4 @@ pub(crate) mod elastic;
 pub(crate) mod element;
 pub(crate) mod mesh;
 pub(crate) mod runs;
+pub(crate) mod threads;

@@ -140,13 +140,11 @@ std::thread_local! {
     static NARROW: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
 }
 
-/// The result of a computation with the instructions of the program alone.
+/// The result of a computation with the instructions of the program alone, on a thread of its own.
 #[cfg(test)]
-pub fn narrow<R>(compute: impl FnOnce() -> R) -> R {
-    NARROW.set(true);
-    let result = compute();
-    NARROW.set(false);
-    result
+pub fn narrow<R: Send>(compute: impl FnOnce() -> R + Send) -> R {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).start_handler(|_| NARROW.set(true));
+    pool.build().expect("one thread").install(compute)
 }
 
 /// Whether kernels take the widest instructions.

@@ -12,10 +12,12 @@
 pub mod accuracy;
 mod conditions;
 pub mod derived;
+mod early;
 pub mod expected_time;
 #[cfg(test)]
 pub(crate) mod fake;
 pub mod fracture;
+mod ladder;
 pub mod messages;
 pub mod outcome;
 mod pressed;
@@ -27,6 +29,7 @@ pub(crate) mod values;
 
 use std::time::Instant;
 
+use crate::discretisation::threads::Simulation;
 use crate::interface::contact::Contact;
 use crate::loading::press::Increment;
 use crate::loading::recording::Recording;
@@ -138,7 +141,15 @@ pub fn simulate_recorded(
     if scene.model.heat == Switch::On && scene.loading.slip_rate == 0.0 {
         return Err(SimulationError::Unsupported("model.heat = \"on\" at slip rate 0".into()));
     }
-    slide(&press(scene, watch)?.recording(recording.clone()), scene.loading.slip_rate, watch)
+    in_pool(|| {
+        // The other presses are made by the runs that start from them.
+        let clock = Instant::now();
+        let pressed = pressed::press_coarsely(scene, watch)?;
+        watch.progress("press", 1.0, "");
+        let wall_time = clock.elapsed().as_secs_f64();
+        let pressed = Pressed { wall_time, ..pressed }.recording(recording.clone());
+        slide_in_pool(&pressed, scene.loading.slip_rate, REFINEMENTS, watch)
+    })
 }
 
 /// Slide the pressed asperity at `slip_rate` (m/s).
@@ -153,8 +164,23 @@ pub(crate) fn slide_refined(
     refinements: usize,
     watch: &dyn Watch,
 ) -> Result<Outcome, SimulationError> {
+    in_pool(|| slide_in_pool(pressed, slip_rate, refinements, watch))
+}
+
+/// A simulation on a thread of the pool: a loop that is divided elsewhere is passed on to the pool as a whole.
+fn in_pool<R: Send>(compute: impl FnOnce() -> R + Send) -> R {
+    let _in_progress = Simulation::begin();
+    rayon::scope(|_| compute())
+}
+
+fn slide_in_pool(
+    pressed: &Pressed,
+    slip_rate: f64,
+    refinements: usize,
+    watch: &dyn Watch,
+) -> Result<Outcome, SimulationError> {
     let clock = Instant::now();
-    let mut runner = Runner::new(pressed, slip_rate, watch)?;
+    let runner = Runner::new(pressed, slip_rate, watch)?;
     let mut ladder = runner.ladder()?;
     let mut budget = runner.judge(&ladder);
     let mut stopped = false;
@@ -221,13 +247,15 @@ fn run_alone(
     resolution: &Resolution,
     watch: &dyn Watch,
 ) -> Result<Run, SimulationError> {
-    let pressed = pressed::press_coarsely(scene, watch)?;
-    let progress = RunProgress { kind: RunKind::Main, span: (0.0, 1.0) };
-    let mut run = Runner::new(&pressed, slip_rate, watch)?.run(resolution, progress)?;
-    match run.failure.take() {
-        None => Ok(run),
-        Some(failure) => Err(slide_error(failure, run.history.last(), &pressed)),
-    }
+    in_pool(|| {
+        let pressed = pressed::press_coarsely(scene, watch)?;
+        let progress = RunProgress { kind: RunKind::Main, span: (0.0, 1.0) };
+        let mut run = Runner::new(&pressed, slip_rate, watch)?.run(resolution, progress, watch)?;
+        match run.failure.take() {
+            None => Ok(run),
+            Some(failure) => Err(slide_error(failure, run.history.last(), &pressed)),
+        }
+    })
 }
 
 /// The slide failed after the state `last`.

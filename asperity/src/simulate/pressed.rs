@@ -10,7 +10,7 @@ use tables::quantity::Estimate;
 
 use super::messages::StrainChoice;
 use super::strain::{choose_strain, shears_without_limit};
-use super::{SimulationError, Watch};
+use super::{SimulationError, Watch, in_pool};
 use crate::discretisation::body::{Body, MeanStress};
 use crate::discretisation::mesh::MeshSize;
 use crate::interface::contact::Contact;
@@ -73,6 +73,10 @@ pub struct Pressed {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn press(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
+    in_pool(|| press_in_pool(scene, watch))
+}
+
+fn press_in_pool(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
     let clock = Instant::now();
     let mut pressed = press_coarsely(scene, watch)?;
     watch.progress("press", 0.2, "fine mesh");

@@ -3,8 +3,9 @@
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::quantity::{Estimate, History, Quantity, Scalars};
 
+use super::ladder::Ladder;
 use super::messages::{Note, Warning};
-use super::runs::{Ladder, Run, Runner};
+use super::runs::{Run, Runner};
 use super::{SimulationError, slide_error};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::press::Increment;
@@ -90,7 +91,7 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     let others = || ladder.auxiliary.iter().chain(earlier).chain(&ladder.coarse).chain(&ladder.abandoned);
     let mut timings = run.timings;
     let slides: f64 = others().map(Run::slide_time).sum();
-    timings.add(Kernel::AuxiliaryRuns, slides + runner.other_presses(run));
+    timings.add(Kernel::AuxiliaryRuns, slides + ladder.given_up + runner.other_presses(run));
     Account {
         elements_per_radius: run.resolution.elements_per_radius,
         sectors: run.resolution.sectors,

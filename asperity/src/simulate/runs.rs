@@ -1,11 +1,13 @@
-//! The runs of one slip rate: a slide at one resolution, and the main run with its auxiliary runs.
+//! The runs of one slip rate: a slide at one resolution, and the main run beside its auxiliary runs.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use rayon::prelude::*;
 
 use super::conditions::Conditions;
+use super::early::EarlyMain;
+use super::ladder::Ladder;
 use super::messages::{Note, RunKind, RunProgress};
 use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
 use super::{SimulationError, Watch};
@@ -18,10 +20,9 @@ use crate::loading::recording::{Fields, Recorder};
 use crate::loading::slide::increments::inception_width;
 use crate::loading::slide::{Motion, Slide, SlideFailure};
 use crate::loading::state::SlideState;
-use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_of, time_ratio};
+use crate::simulate::expected_time::time_of;
 use crate::simulate::values::Values;
 use crate::solver::newton::Effort;
 use crate::solver::timings::{Kernel, Timings};
@@ -30,9 +31,6 @@ use crate::solver::timings::{Kernel, Timings};
 /// repeated more finely.
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
-/// Share of the error that a refinement leaves at which it has gained nothing; by the order of convergence a refinement
-/// leaves half or less.
-const STAGNATION: f64 = 0.8;
 
 /// One slide at one resolution, up to its end or failure, and the press that it started from.
 pub(super) struct Run {
@@ -62,7 +60,7 @@ impl Run {
     }
 
     /// Processor time of the slide by its counts, s.
-    fn expected_time(&self) -> f64 {
+    pub fn expected_time(&self) -> f64 {
         time_of(self.effort.newton, self.unknowns)
     }
 
@@ -80,79 +78,6 @@ impl Run {
     }
 }
 
-/// The main run and the auxiliary runs of the resolution `start`.
-pub(super) struct Ladder {
-    start: Resolution,
-    /// On the coarse mesh: unchanged, with another N_θ, with longer increments, with a looser solver.
-    pub auxiliary: Vec<Run>,
-    /// Each finer than the one before.
-    pub main: Vec<Run>,
-    /// On the coarse mesh of the finest of them, where that is not the first: errors depend on the final resolution and
-    /// not on those before.
-    pub coarse: Option<Run>,
-    /// A finer run that did not finish.
-    pub abandoned: Option<Run>,
-    /// Why the runs that had to follow could not begin; the result is then the best of those before.
-    pub obstacle: Option<SimulationError>,
-    /// Largest relative error of the quantities controlled by the accuracy, of each main run.
-    errors: Vec<f64>,
-    pub notes: Vec<Note>,
-}
-
-impl Ladder {
-    fn new(start: Resolution, main: Run, auxiliary: Vec<Run>) -> Self {
-        Self {
-            start,
-            auxiliary,
-            main: vec![main],
-            coarse: None,
-            abandoned: None,
-            obstacle: None,
-            errors: Vec::new(),
-            notes: Vec::new(),
-        }
-    }
-
-    /// The first auxiliary run replaces the main run.
-    fn of_auxiliary(start: Resolution, mut auxiliary: Vec<Run>, obstacle: Option<SimulationError>) -> Self {
-        let coarse = auxiliary.swap_remove(0);
-        Self { obstacle, ..Self::new(start, coarse, auxiliary) }
-    }
-
-    /// The finest main run.
-    pub fn result(&self) -> &Run {
-        self.main.last().expect("there is a main run")
-    }
-
-    /// The next finer resolution, if the accuracy requires one, the last refinement, if any, reduced the error, and the
-    /// time with it is within the factor of the time `expected` (s) of all runs.
-    pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics, expected: f64) -> Option<Resolution> {
-        let (quantity, parts) = budget.worst(&self.result().values);
-        if parts.solver_exceeds(numerics.accuracy) {
-            let solver = parts.solver;
-            self.notes.push(Note::AccuracyOutOfReach { quantity, solver, accuracy: numerics.accuracy });
-            return None;
-        }
-        let finer = self.result().resolution.refine(numerics, &parts)?;
-        let after = parts.total();
-        if let Some(&before) = self.errors.last()
-            && after > STAGNATION * before
-        {
-            self.notes.push(Note::RefinementStopped { before, after });
-            return None;
-        }
-        let spent: f64 = self.main.iter().map(Run::expected_time).sum();
-        let next = self.result().expected_time() * time_ratio(&finer, &self.result().resolution);
-        if spent + next > EXPECTED_TIME_FACTOR * expected {
-            let (elements, sectors) = (finer.elements_per_radius, finer.sectors);
-            self.notes.push(Note::RefinementTooLong { next, expected, elements, sectors });
-            return None;
-        }
-        self.errors.push(after);
-        Some(finer)
-    }
-}
-
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
     let [coarse, other_sectors, longer_steps, looser_solver] = runs else { return None };
     runs.iter().all(|run| run.failure.is_none()).then_some(AuxiliaryRuns {
@@ -163,24 +88,31 @@ fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
     })
 }
 
+/// What follows the auxiliary runs.
+enum Next {
+    Main(Resolution),
+    /// No main run: one of them has outgrown its mesh, or the runs cannot go on.
+    None(Option<SimulationError>),
+}
+
 /// Makes the runs of one slip rate.
 pub(super) struct Runner<'a> {
     pub pressed: &'a Pressed,
     pub conditions: Conditions,
     pub watch: &'a dyn Watch,
     /// Those of `pressed`, and those that this slip rate alone needs.
-    presses: Vec<Arc<PressedMesh>>,
+    presses: Mutex<Vec<Arc<PressedMesh>>>,
 }
 
 impl<'a> Runner<'a> {
     pub fn new(pressed: &'a Pressed, slip_rate: f64, watch: &'a dyn Watch) -> Result<Self, SimulationError> {
         let conditions = Conditions::new(pressed, slip_rate)?;
-        Ok(Self { pressed, conditions, watch, presses: pressed.meshes.clone() })
+        Ok(Self { pressed, conditions, watch, presses: Mutex::new(pressed.meshes.clone()) })
     }
 
     /// The runs of the first resolution. Where a contact outgrows its mesh, all is repeated on wider ones as long as
     /// there is room; where that cannot begin, the runs before are the result.
-    pub fn ladder(&mut self) -> Result<Ladder, SimulationError> {
+    pub fn ladder(&self) -> Result<Ladder, SimulationError> {
         let mut ladder = self.runs_from(self.pressed.resolution)?;
         let mut notes = Vec::new();
         while let Some((growth, wider)) =
@@ -199,31 +131,58 @@ impl<'a> Runner<'a> {
         Ok(ladder)
     }
 
-    /// The auxiliary runs of a resolution, then the main run with the sectors and increments that they require. Without
-    /// the main run where an auxiliary one was stopped or has outgrown its mesh, or where the main run cannot begin.
-    fn runs_from(&mut self, start: Resolution) -> Result<Ladder, SimulationError> {
+    /// The main run of a resolution, with the sectors and increments that the auxiliary runs require, and these.
+    fn runs_from(&self, start: Resolution) -> Result<Ladder, SimulationError> {
+        let progress = RunProgress { kind: RunKind::Main, span: (AUXILIARY, MAIN) };
+        let early = EarlyMain::new(self.watch);
+        let (auxiliary, begun) = rayon::join(
+            || {
+                let runs = self.auxiliary_runs(start, &early.of_auxiliary());
+                early.auxiliary_ended(matches!(runs, Ok((_, Next::Main(resolution))) if resolution == start));
+                runs
+            },
+            || early.begins().then(|| self.run(&start, progress, &early)),
+        );
+        let (auxiliary, next) = auxiliary?;
+        let (main, given_up) = match next {
+            Next::Main(resolution) if resolution == start && begun.is_some() => (begun, None),
+            Next::Main(resolution) => (Some(self.run(&resolution, progress, self.watch)), begun),
+            Next::None(obstacle) => (obstacle.map(Err), begun),
+        };
+        let mut ladder = match main {
+            Some(Ok(main)) => Ladder::new(start, main, auxiliary),
+            Some(Err(error)) => Ladder::of_auxiliary(start, auxiliary, Some(error)),
+            None => Ladder::of_auxiliary(start, auxiliary, None),
+        };
+        ladder.given_up = given_up.and_then(Result::ok).map_or(0.0, |run| run.slide_time());
+        Ok(ladder)
+    }
+
+    /// The auxiliary runs of a resolution, and what follows.
+    fn auxiliary_runs(
+        &self,
+        start: Resolution,
+        watch: &dyn Watch,
+    ) -> Result<(Vec<Run>, Next), SimulationError> {
         let [coarse, others @ ..] = start.auxiliary();
         let middle = 0.5 * AUXILIARY;
-        let auxiliary_progress = |span| RunProgress { kind: RunKind::Auxiliary, span };
-        let mut auxiliary = self.run_all(&[coarse], auxiliary_progress((0.0, middle)))?;
+        let progress = |span| RunProgress { kind: RunKind::Auxiliary, span };
+        let mut runs = self.run_all(&[coarse], progress((0.0, middle)), watch)?;
         // Without the first of them errors are unknown, and the others are not needed.
-        if auxiliary[0].failure.is_none() {
-            match self.run_all(&others, auxiliary_progress((middle, AUXILIARY))) {
-                Ok(others) => auxiliary.extend(others),
-                Err(error) => return Ok(Ladder::of_auxiliary(start, auxiliary, Some(error))),
+        if runs[0].failure.is_none() {
+            match self.run_all(&others, progress((middle, AUXILIARY)), watch) {
+                Ok(others) => runs.extend(others),
+                Err(error) => return Ok((runs, Next::None(Some(error)))),
             }
         }
-        let stopped = auxiliary.iter().any(Run::is_cancelled);
-        if stopped || self.wider(&start, auxiliary.iter()).is_some() {
-            let obstacle = stopped.then_some(SimulationError::Cancelled { partial: None });
-            return Ok(Ladder::of_auxiliary(start, auxiliary, obstacle));
-        }
-        let resolution = self.main_resolution(&start, &auxiliary);
-        let progress = RunProgress { kind: RunKind::Main, span: (AUXILIARY, MAIN) };
-        Ok(match self.run(&resolution, progress) {
-            Ok(main) => Ladder::new(start, main, auxiliary),
-            Err(error) => Ladder::of_auxiliary(start, auxiliary, Some(error)),
-        })
+        let next = if runs.iter().any(Run::is_cancelled) {
+            Next::None(Some(SimulationError::Cancelled { partial: None }))
+        } else if self.wider(&start, runs.iter()).is_some() {
+            Next::None(None)
+        } else {
+            Next::Main(self.main_resolution(&start, &runs))
+        };
+        Ok((runs, next))
     }
 
     /// Errors of the finest main run; none where a run did not finish.
@@ -260,49 +219,76 @@ impl<'a> Runner<'a> {
         (growth > 0.0 && self.conditions.fits(&wider)).then_some((growth, wider))
     }
 
+    fn presses(&self) -> MutexGuard<'_, Vec<Arc<PressedMesh>>> {
+        self.presses.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Time spent on presses other than that of the run, s.
     pub fn other_presses(&self, run: &Run) -> f64 {
-        self.presses.iter().filter(|press| !Arc::ptr_eq(press, &run.press)).map(|press| press.seconds).sum()
+        self.presses().iter().filter(|press| !Arc::ptr_eq(press, &run.press)).map(|press| press.seconds).sum()
     }
 
     /// Runs side by side; progress is that of the first.
-    fn run_all(&mut self, plan: &[Resolution], progress: RunProgress) -> Result<Vec<Run>, SimulationError> {
-        self.add_presses(plan)?;
-        let this = &*self;
+    fn run_all(
+        &self,
+        plan: &[Resolution],
+        progress: RunProgress,
+        watch: &dyn Watch,
+    ) -> Result<Vec<Run>, SimulationError> {
+        let presses = self.pressed(plan, watch)?;
         let progress_of = |i: usize| (i == 0).then_some(progress);
-        plan.par_iter().enumerate().map(|(i, resolution)| this.slide(resolution, progress_of(i))).collect()
+        let runs = plan.par_iter().zip(presses).enumerate();
+        runs.map(|(i, (resolution, press))| self.slide(resolution, press, progress_of(i), watch)).collect()
     }
 
     /// A finer main run, and one on its coarse mesh.
-    pub fn finer(&mut self, resolution: &Resolution) -> Result<[Run; 2], SimulationError> {
+    pub fn finer(&self, resolution: &Resolution) -> Result<[Run; 2], SimulationError> {
         self.watch.progress("slide", MAIN, "finer");
         let progress = RunProgress { kind: RunKind::Finer, span: (MAIN, 1.0) };
-        let runs = self.run_all(&[*resolution, resolution.coarse()], progress)?;
+        let runs = self.run_all(&[*resolution, resolution.coarse()], progress, self.watch)?;
         Ok(runs.try_into().unwrap_or_else(|_| unreachable!("as many runs as planned")))
     }
 
     /// One run.
-    pub fn run(&mut self, resolution: &Resolution, progress: RunProgress) -> Result<Run, SimulationError> {
-        self.add_presses(std::slice::from_ref(resolution))?;
-        self.slide(resolution, Some(progress))
+    pub fn run(
+        &self,
+        resolution: &Resolution,
+        progress: RunProgress,
+        watch: &dyn Watch,
+    ) -> Result<Run, SimulationError> {
+        let mut runs = self.run_all(std::slice::from_ref(resolution), progress, watch)?;
+        Ok(runs.pop().expect("one run was planned"))
     }
 
-    fn add_presses(&mut self, plan: &[Resolution]) -> Result<(), SimulationError> {
+    /// The presses that slides at the resolutions of a plan start from.
+    fn pressed(
+        &self,
+        plan: &[Resolution],
+        watch: &dyn Watch,
+    ) -> Result<Vec<Arc<PressedMesh>>, SimulationError> {
         let plan: Vec<_> = plan.iter().map(|resolution| self.conditions.at_surface(resolution)).collect();
         let Pressed { problem, contact_radius, .. } = self.pressed;
-        add_presses(&mut self.presses, problem, &plan, *contact_radius, self.watch)
+        let mut presses = self.presses().clone();
+        let known = presses.len();
+        add_presses(&mut presses, problem, &plan, *contact_radius, watch)?;
+        self.presses().extend_from_slice(&presses[known..]);
+        let of = |resolution: &Resolution| presses.iter().find(|press| press.serves(resolution)).cloned();
+        Ok(plan.iter().map(|resolution| of(resolution).expect("pressed before")).collect())
     }
 
-    /// A slide from its press, which must be there.
-    fn slide(&self, resolution: &Resolution, progress: Option<RunProgress>) -> Result<Run, SimulationError> {
+    /// A slide from its press.
+    fn slide(
+        &self,
+        resolution: &Resolution,
+        press: Arc<PressedMesh>,
+        progress: Option<RunProgress>,
+        watch: &dyn Watch,
+    ) -> Result<Run, SimulationError> {
         let Pressed { problem, recording, .. } = self.pressed;
-        let at_surface = self.conditions.at_surface(resolution);
-        let press =
-            self.presses.iter().find(|press| press.serves(&at_surface)).expect("pressed before").clone();
         let clock = Instant::now();
         let discretisation =
             Discretisation::new(problem, press.size, Collocation::full(resolution.sectors), &|| {
-                self.watch.cancelled()
+                watch.cancelled()
             })
             .map_err(|e| press_error(e.into()))?;
         let mut slide = self.start(&press, &discretisation, resolution)?;
@@ -314,10 +300,10 @@ impl<'a> Runner<'a> {
         let programme = self.conditions.programme.iter();
         let motions: Vec<Motion> = programme.map(|step| Motion::new(step, radius, &problem.units)).collect();
         let failure = slide
-            .run(&motions, &|| self.watch.cancelled(), |done, history| {
+            .run(&motions, &|| watch.cancelled(), |done, history| {
                 if let Some(progress) = progress {
                     let detail = progress.describe(&problem.units, history);
-                    self.watch.progress("slide", progress.at(done), &detail);
+                    watch.progress("slide", progress.at(done), &detail);
                 }
             })
             .err();

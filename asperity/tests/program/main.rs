@@ -9,6 +9,7 @@ mod shards_and_tables;
 mod shipped_tables;
 #[cfg(target_os = "linux")]
 mod streams_and_disks;
+mod threads;
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -12,18 +12,20 @@
 //! Depends on `element`, `collocation` and `crate::material`. Chapters "Mesh and elements" and "Integration of plastic
 //! flow" of the book.
 
-use crate::discretisation::collocation::VECTOR_PARITY;
+use rayon::prelude::*;
+
 use crate::discretisation::element::{CORNERS, POINTS, RevolvedMesh, shape_at_points};
+use crate::discretisation::threads::least_share;
 use crate::material::Solid;
-use crate::material::instruction_set::dispatch;
-use crate::material::lanes::Pack;
-use wide::f64x4;
+use partition::{Partition, differentiate};
 
 mod energies;
 mod finite_strain;
 mod mises;
 mod nodal;
 mod packing;
+mod part;
+mod partition;
 mod point_stress;
 mod small_strain;
 mod state;
@@ -61,9 +63,11 @@ pub struct Body {
     /// Tangent of the kernel of finite strain; none at small strain.
     finite_strain: Option<finite_strain::FiniteTangent>,
     shapes: [[f64; CORNERS]; POINTS],
-    /// Scratch: ∂u/∂θ, and the forces that work on it.
+    partition: Partition,
+    /// All nodes.
+    nodes: Vec<usize>,
+    /// Scratch: ∂u/∂θ.
     slope: Vec<f64>,
-    on_slope: Vec<f64>,
 }
 
 const TENSOR: usize = 6;
@@ -91,8 +95,9 @@ impl Body {
             tangent,
             finite_strain: None,
             shapes: shape_at_points(),
+            partition: Partition::new(&mesh),
+            nodes: (0..mesh.node_count()).collect(),
             slope: vec![0.0; mesh.field_length(3)],
-            on_slope: vec![0.0; mesh.field_length(3)],
             mesh,
         }
     }
@@ -129,74 +134,11 @@ impl Body {
     /// Internal nodal forces at displacement `u` and temperature rise `rise` (zero if absent);
     /// sets the trial state and the tangent. The force of an inverted element is NaN.
     pub fn internal_force(&mut self, u: &[f64], rise: Option<&[f64]>, force: &mut [f64]) {
-        dispatch! { <E> fn(
-            body: &mut Body = self,
-            u: &[f64] = u,
-            rise: Option<&[f64]> = rise,
-            force: &mut [f64] = force,
-        ) {
-            force.fill(0.0);
-            body.on_slope.fill(0.0);
-            body.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut body.slope);
-            // Several points share a vector register where the angles alone do not fill it.
-            match body.mesh.sectors.columns() {
-                1 => body.force_by_lanes::<1, 4, 4, f64, f64x4>(u, rise, force),
-                4 => body.force_by_lanes::<4, 2, 8, f64x4, E>(u, rise, force),
-                n if n.is_multiple_of(8) => body.force_by_lanes::<8, 1, 8, E, E>(u, rise, force),
-                _ => body.force_by_lanes::<4, 1, 4, f64x4, f64x4>(u, rise, force),
-            }
-            body.mesh.sectors.add_transposed(&VECTOR_PARITY, &body.on_slope, force);
-        }}
-    }
-
-    /// W angles at a time, which fill A, and P points of them, which fill the N lanes of V.
-    #[inline(always)]
-    fn force_by_lanes<const W: usize, const P: usize, const N: usize, A: Pack, V: Pack>(
-        &mut self,
-        u: &[f64],
-        rise: Option<&[f64]>,
-        force: &mut [f64],
-    ) {
-        match (self.finite_strain.is_some(), self.solid.stiffness_varies()) {
-            (true, _) => self.assemble::<W, P, N, A, V, true, false>(u, rise, force),
-            (false, true) => self.assemble::<W, P, N, A, V, false, true>(u, rise, force),
-            (false, false) => self.assemble::<W, P, N, A, V, false, false>(u, rise, force),
-        }
-    }
-
-    /// Sum over the elements of the forces on their corners. FINITE: strain measure; VARYING: whether the moduli depend
-    /// on temperature, at small strain.
-    #[inline(always)]
-    fn assemble<
-        const W: usize,
-        const P: usize,
-        const N: usize,
-        A: Pack,
-        V: Pack,
-        const FINITE: bool,
-        const VARYING: bool,
-    >(
-        &mut self,
-        u: &[f64],
-        rise: Option<&[f64]>,
-        force: &mut [f64],
-    ) {
-        let mut finite_strain = self.finite_strain.take();
-        for e in 0..self.mesh.elements.len() {
-            for first in (0..self.mesh.sectors.columns()).step_by(W) {
-                let displacement =
-                    self.mesh.gather_vector::<A>(u, &self.slope, &self.mesh.elements[e], first);
-                let of_element = match &mut finite_strain {
-                    Some(tangent) if FINITE => {
-                        self.finite_strain_force::<W, P, N, A, V>(e, first, &displacement, rise, tangent)
-                    }
-                    _ => self.small_strain_force::<W, P, N, A, V, VARYING>(e, first, &displacement, rise),
-                };
-                let element = &self.mesh.elements[e];
-                self.mesh.scatter_vector(&of_element, element, first, force, &mut self.on_slope);
-            }
-        }
-        self.finite_strain = finite_strain;
+        let sectors = &self.mesh.sectors;
+        differentiate(sectors, &self.nodes, u, &mut self.slope);
+        let parts = self.parts().into_par_iter().with_min_len(least_share());
+        parts.for_each(|mut part| part.internal_force(u, rise));
+        self.partition.forces_on(&self.mesh.sectors, &self.nodes, &self.partition.all(), force);
     }
 
     /// Angles that are computed together.
@@ -222,27 +164,14 @@ impl Body {
     /// Product of the stiffness loss, elastic stiffness at T₀ minus consistent tangent at the last internal force, with
     /// a displacement. Reads and writes the entries of the zone alone: elsewhere the product is zero.
     pub fn stiffness_loss(&mut self, zone: &InelasticZone, u: &[f64], force: &mut [f64]) {
-        dispatch! { <E> fn(
-            body: &mut Body = self,
-            zone: &InelasticZone = zone,
-            u: &[f64] = u,
-            force: &mut [f64] = force,
-        ) {
-            for run in zone.entries.iter() {
-                force[run.clone()].fill(0.0);
-                body.on_slope[run.clone()].fill(0.0);
-                body.mesh.sectors.differentiate(&VECTOR_PARITY, &u[run.clone()], &mut body.slope[run]);
-            }
-            match body.mesh.sectors.columns() {
-                1 => body.stiffness_loss_lanes::<1, 4, f64, f64x4>(zone, u, force),
-                n if n.is_multiple_of(8) => body.stiffness_loss_lanes::<8, 1, E, E>(zone, u, force),
-                _ => body.stiffness_loss_lanes::<4, 1, f64x4, f64x4>(zone, u, force),
-            }
-            for run in zone.entries.iter() {
-                let (on_slope, force) = (&body.on_slope[run.clone()], &mut force[run]);
-                body.mesh.sectors.add_transposed(&VECTOR_PARITY, on_slope, force);
-            }
-        }}
+        differentiate(&self.mesh.sectors, &zone.nodes, u, &mut self.slope);
+        let mut partition = std::mem::take(&mut self.partition);
+        let parts = partition.parts(self.mesh.sectors.columns()).into_par_iter().zip(&zone.parts);
+        parts
+            .with_min_len(least_share())
+            .for_each(|(part, elements)| self.stiffness_loss_of(part, &zone.elements[elements.clone()], u));
+        partition.forces_on(&self.mesh.sectors, &zone.nodes, &zone.active, force);
+        self.partition = partition;
     }
 
     /// Product with the consistent tangent itself.
@@ -251,7 +180,7 @@ impl Body {
         let mut loss = vec![0.0; force.len()];
         let zone = self.inelastic_zone();
         self.stiffness_loss(&zone, u, &mut loss);
-        self.elastic_product_lanes::<1, f64>(u, force);
+        self.elastic_product(u, force);
         force.iter_mut().zip(&loss).for_each(|(force, loss)| *force -= loss);
     }
 }

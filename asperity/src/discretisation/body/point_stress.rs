@@ -1,12 +1,13 @@
 //! Stress at Gauss points at the end of a step.
 
+use super::part::Part;
 use super::state::place_of;
 use super::temperature::{ElementHeat, PointTemperature};
-use super::{Body, COEFFICIENTS, TENSOR};
+use super::{COEFFICIENTS, TENSOR};
 use crate::material::StrainPath;
 use crate::material::lanes::{Lanes, Pack, lanes_of};
 
-/// Gauss points of an element from `chunk` on and a group of angles, side by side in the history and the tangent.
+/// Gauss points of an element from `chunk` on and a group of angles, side by side in history and tangent.
 #[derive(Clone, Copy)]
 pub(super) struct Points {
     pub(super) e: usize,
@@ -47,7 +48,7 @@ struct Yielding<const N: usize> {
     softening: Lanes<N>,
 }
 
-impl Body {
+impl Part<'_> {
     /// Stress deviator at points of W angles each, which fill N lanes, and whether any flows.
     #[inline(always)]
     pub(super) fn point_stress<const W: usize, const N: usize, V: Pack>(
@@ -161,8 +162,8 @@ impl Body {
             flowing,
             start: &start,
             elastic: &elastic,
-            strain: at_start(&self.committed.accumulated),
-            strength: at_start(&self.committed.strength),
+            strain: at_start(self.committed.accumulated),
+            strength: at_start(self.committed.strength),
             softening: yielding.softening,
             guess,
             time_step: self.time_step,

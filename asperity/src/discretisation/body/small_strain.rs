@@ -3,13 +3,14 @@
 //! Stress at a Gauss point: deviator s = 2G(e − e_p), mean stress p = K(ε̄_v − 3∫α dθ̄), where the dilatation ε̄_v and
 //! the temperature rise θ̄ are means over the element (B̄).
 
+use super::TENSOR;
 use super::packing::{joined, unpack};
+use super::part::Part;
 use super::point_stress::Points;
-use super::{Body, TENSOR};
 use crate::discretisation::element::{CORNERS, POINTS, VALUES, deviators_and_dilatation, stress_force};
 use crate::material::lanes::{Lanes, Pack, lanes_of};
 
-impl Body {
+impl Part<'_> {
     /// Forces on the corners; W angles at a time, which fill A, and P points of them, which fill the N lanes of V.
     /// VARYING: whether the moduli depend on temperature.
     #[inline(always)]
@@ -30,7 +31,7 @@ impl Body {
         let lanes = self.mesh.sectors.columns();
         let at = e * lanes + first;
         let heat = self.element_heat::<W>(e, first, rise, VARYING);
-        let (deviators, dilatation) = deviators_and_dilatation(&self.mesh.elements[e], displacement);
+        let (deviators, dilatation) = deviators_and_dilatation(&self.elements[e], displacement);
         let dilatation: Lanes<W> = lanes_of(dilatation);
         let mut mean_stress = [0.0; W];
         for l in 0..W {
@@ -56,7 +57,7 @@ impl Body {
                 self.point_stress::<W, N, V>(Points { e, chunk, first, lanes }, &deviator, &heat);
             flows |= flowing;
             for p in 0..P {
-                let weight = A::splat(self.mesh.elements[e].weight[chunk + p]);
+                let weight = A::splat(self.elements[e].weight[chunk + p]);
                 for i in 0..TENSOR {
                     let deviatoric = A::load(&unpack::<W, V>(stress[i], p));
                     stresses[chunk + p][i] =
@@ -65,6 +66,6 @@ impl Body {
             }
         }
         self.tangent.flows[at] = flows;
-        stress_force(&self.mesh.elements[e], &stresses)
+        stress_force(&self.elements[e], &stresses)
     }
 }

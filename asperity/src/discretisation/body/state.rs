@@ -1,6 +1,9 @@
 //! History of the body at the Gauss points.
 
+use std::ops::Range;
+
 use super::TENSOR;
+use super::part::take;
 use crate::discretisation::element::POINTS;
 
 /// Place of value i of `count` at Gauss point q of element e and the first angle: element by element, value by value,
@@ -11,20 +14,21 @@ pub(super) fn place_of(count: usize, [e, i, q]: [usize; 3], lanes: usize) -> usi
 }
 
 /// History of all Gauss points: element by element, component by component, points and angles as lanes.
+/// V: the values of all points, or of a part of them.
 #[derive(Clone, Debug)]
-pub struct BodyState {
+pub struct BodyState<V = Vec<f64>> {
     /// Plastic strain (deviatoric), 6 components.
-    pub(super) plastic_strain: Vec<f64>,
+    pub(super) plastic_strain: V,
     /// Deviatoric stress, 6 components.
-    pub(super) deviator: Vec<f64>,
+    pub(super) deviator: V,
     /// Equivalent plastic strain.
-    pub(super) accumulated: Vec<f64>,
+    pub(super) accumulated: V,
     /// Strength without softening at that strain, stored to save its power law.
-    pub(super) strength: Vec<f64>,
+    pub(super) strength: V,
     /// Mean stress, one per element.
-    pub(super) mean_stress: Vec<f64>,
+    pub(super) mean_stress: V,
     /// Mean temperature rise, one per element.
-    pub(super) rise: Vec<f64>,
+    pub(super) rise: V,
 }
 
 impl BodyState {
@@ -65,5 +69,46 @@ impl BodyState {
         self.strength.copy_from_slice(&other.strength);
         self.mean_stress.copy_from_slice(&other.mean_stress);
         self.rise.copy_from_slice(&other.rise);
+    }
+
+    /// Of consecutive elements.
+    pub(super) fn of_elements(&self, elements: Range<usize>, lanes: usize) -> BodyState<&[f64]> {
+        let groups = elements.start * lanes..elements.end * lanes;
+        let points = groups.start * POINTS..groups.end * POINTS;
+        let tensors = points.start * TENSOR..points.end * TENSOR;
+        BodyState {
+            plastic_strain: &self.plastic_strain[tensors.clone()],
+            deviator: &self.deviator[tensors],
+            accumulated: &self.accumulated[points.clone()],
+            strength: &self.strength[points],
+            mean_stress: &self.mean_stress[groups.clone()],
+            rise: &self.rise[groups],
+        }
+    }
+
+    pub(super) fn slices_mut(&mut self) -> BodyState<&mut [f64]> {
+        BodyState {
+            plastic_strain: &mut self.plastic_strain,
+            deviator: &mut self.deviator,
+            accumulated: &mut self.accumulated,
+            strength: &mut self.strength,
+            mean_stress: &mut self.mean_stress,
+            rise: &mut self.rise,
+        }
+    }
+}
+
+impl BodyState<&mut [f64]> {
+    /// Of the first elements times angles; the rest remains.
+    pub(super) fn take(&mut self, groups: usize) -> Self {
+        let points = groups * POINTS;
+        BodyState {
+            plastic_strain: take(&mut self.plastic_strain, points * TENSOR),
+            deviator: take(&mut self.deviator, points * TENSOR),
+            accumulated: take(&mut self.accumulated, points),
+            strength: take(&mut self.strength, points),
+            mean_stress: take(&mut self.mean_stress, groups),
+            rise: take(&mut self.rise, groups),
+        }
     }
 }

@@ -4,20 +4,32 @@
 //! direction is a sum of known residuals, and only the elements with another tangent contribute: those that flow, 30
 //! to 40 % of them in a slide at 20 ω_c.
 
+use std::ops::Range;
+
+use wide::f64x4;
+
+use super::partition::PartForces;
+#[cfg(test)]
+use super::partition::differentiate;
 use super::point_stress::Points;
 use super::{Body, TENSOR};
 #[cfg(test)]
-use crate::discretisation::collocation::VECTOR_PARITY;
-#[cfg(test)]
 use crate::discretisation::elastic;
-use crate::discretisation::element::{CORNERS, POINTS, VALUES, deviators_and_dilatation, stress_force};
+use crate::discretisation::element::{
+    CORNERS, POINTS, VALUES, deviators_and_dilatation, scatter_vector, stress_force,
+};
 use crate::discretisation::runs::Runs;
+use crate::material::instruction_set::dispatch;
 use crate::material::lanes::Pack;
 
 /// Inelastic zone: where the tangent at the last internal force is not the elastic stiffness at T₀, i.e. elements that
 /// flow, have other moduli or large displacement gradients.
 pub struct InelasticZone {
-    elements: Vec<u32>,
+    pub(super) elements: Vec<u32>,
+    /// Of each part of the body, places in `elements`.
+    pub(super) parts: Vec<Range<usize>>,
+    /// Whether a part has any.
+    pub(super) active: Vec<bool>,
     /// Nodes of these elements and of the contact.
     pub nodes: Vec<usize>,
     /// Displacements of these nodes.
@@ -37,7 +49,9 @@ impl Body {
         of_elements.chain(&self.mesh.meridian.contact).for_each(|&node| touched[node as usize] = true);
         let nodes: Vec<usize> = (0..touched.len()).filter(|&node| touched[node]).collect();
         let entries = Runs::of_blocks(nodes.iter().copied(), 3 * lanes);
-        InelasticZone { elements, nodes, entries }
+        let parts = self.partition.places_of(&elements);
+        let active = parts.iter().map(|places| !places.is_empty()).collect();
+        InelasticZone { elements, parts, active, nodes, entries }
     }
 
     /// Whether the tangent of a group of angles of an element differs from the elastic one.
@@ -53,16 +67,36 @@ impl Body {
         self.finite_strain.as_ref().is_some_and(|tangent| !tangent.is_small(at))
     }
 
-    /// Sum over the elements of the zone; W angles at a time, which fill A, and P points of them, which fill V.
+    /// Sum over elements of the zone in one part.
+    pub(super) fn stiffness_loss_of(&self, part: PartForces<'_>, elements: &[u32], u: &[f64]) {
+        if elements.is_empty() {
+            return;
+        }
+        dispatch! { <E> fn(
+            body: &Body = self,
+            part: PartForces<'_> = part,
+            elements: &[u32] = elements,
+            u: &[f64] = u,
+        ) {
+            part.forces.fill(0.0);
+            match body.mesh.sectors.columns() {
+                1 => body.stiffness_loss_lanes::<1, 4, f64, f64x4>(part, elements, u),
+                n if n.is_multiple_of(8) => body.stiffness_loss_lanes::<8, 1, E, E>(part, elements, u),
+                _ => body.stiffness_loss_lanes::<4, 1, f64x4, f64x4>(part, elements, u),
+            }
+        }}
+    }
+
+    /// W angles at a time, which fill A, and P points of them, which fill V.
     #[inline(always)]
-    pub(super) fn stiffness_loss_lanes<const W: usize, const P: usize, A: Pack, V: Pack>(
-        &mut self,
-        zone: &InelasticZone,
+    fn stiffness_loss_lanes<const W: usize, const P: usize, A: Pack, V: Pack>(
+        &self,
+        part: PartForces<'_>,
+        elements: &[u32],
         u: &[f64],
-        force: &mut [f64],
     ) {
         let lanes = self.mesh.sectors.columns();
-        for e in zone.elements.iter().map(|&e| e as usize) {
+        for e in elements.iter().map(|&e| e as usize) {
             let element = &self.mesh.elements[e];
             for first in (0..lanes).step_by(W) {
                 let at = e * lanes + first;
@@ -75,7 +109,7 @@ impl Body {
                 } else {
                     self.small_loss::<A>(e, first, &displacement)
                 };
-                self.mesh.scatter_vector(&loss, element, first, force, &mut self.on_slope);
+                scatter_vector(&loss, &part.corners[e - part.elements.start], (first, lanes), part.forces);
             }
         }
     }
@@ -121,17 +155,20 @@ impl Body {
 
     /// Product of the elastic stiffness at T₀.
     #[cfg(test)]
-    pub(super) fn elastic_product_lanes<const W: usize, V: Pack>(&mut self, u: &[f64], force: &mut [f64]) {
-        force.fill(0.0);
-        self.on_slope.fill(0.0);
-        self.mesh.sectors.differentiate(&VECTOR_PARITY, u, &mut self.slope);
-        for element in &self.mesh.elements {
-            for first in (0..self.mesh.sectors.columns()).step_by(W) {
-                let displacement = self.mesh.gather_vector::<V>(u, &self.slope, element, first);
-                let nodal_force = elastic::element_force(element, self.solid.moduli, &displacement);
-                self.mesh.scatter_vector(&nodal_force, element, first, force, &mut self.on_slope);
+    pub(super) fn elastic_product(&mut self, u: &[f64], force: &mut [f64]) {
+        differentiate(&self.mesh.sectors, &self.nodes, u, &mut self.slope);
+        let columns = self.mesh.sectors.columns();
+        for part in self.partition.parts(columns) {
+            part.forces.fill(0.0);
+            for (e, corners) in part.elements.zip(part.corners) {
+                let element = &self.mesh.elements[e];
+                for first in 0..columns {
+                    let displacement = self.mesh.gather_vector::<f64>(u, &self.slope, element, first);
+                    let nodal_force = elastic::element_force(element, self.solid.moduli, &displacement);
+                    scatter_vector(&nodal_force, corners, (first, columns), part.forces);
+                }
             }
         }
-        self.mesh.sectors.add_transposed(&VECTOR_PARITY, &self.on_slope, force);
+        self.partition.forces_on(&self.mesh.sectors, &self.nodes, &self.partition.all(), force);
     }
 }

@@ -1,6 +1,6 @@
 //! Temperature at the Gauss points and its mean over an element, with the properties that follow from it.
 
-use super::Body;
+use super::part::Part;
 use crate::discretisation::element::{CORNERS, Element, POINTS};
 use crate::material::lanes::Lanes;
 
@@ -41,7 +41,7 @@ impl<const W: usize> ElementHeat<W> {
     }
 }
 
-impl Body {
+impl Part<'_> {
     /// Temperature and properties in element e; `varying`: whether the moduli depend on temperature.
     #[inline(always)]
     pub(super) fn element_heat<const W: usize>(
@@ -51,7 +51,7 @@ impl Body {
         rise: Option<&[f64]>,
         varying: bool,
     ) -> ElementHeat<W> {
-        let element = &self.mesh.elements[e];
+        let element = &self.elements[e];
         let nodal_rise = rise.map(|field| self.mesh.gather_scalar::<W>(field, element, first));
         let (point_rise, mean_rise) = self.temperatures(element, nodal_rise);
         let weakest = nodal_rise.map_or(1.0, |nodal| {

@@ -194,27 +194,6 @@ impl RevolvedMesh {
         values
     }
 
-    /// Adds the forces conjugate to the corners' displacements and to their derivatives in θ.
-    #[inline(always)]
-    pub fn scatter_vector<V: Pack>(
-        &self,
-        values: &[[V; VALUES]; CORNERS],
-        element: &Element,
-        first: usize,
-        field: &mut [f64],
-        on_derivative: &mut [f64],
-    ) {
-        let columns = self.sectors.columns();
-        for (values, &node) in values.iter().zip(&element.nodes) {
-            let base = node as usize * 3 * columns + first;
-            for c in 0..3 {
-                let at = base + c * columns;
-                (V::load(&field[at..]) + values[c]).store(&mut field[at..]);
-                (V::load(&on_derivative[at..]) + values[c + 3]).store(&mut on_derivative[at..]);
-            }
-        }
-    }
-
     /// Scalar values of an element's corners at W angles from `first` on.
     #[inline(always)]
     pub fn gather_scalar<const W: usize>(
@@ -245,6 +224,24 @@ impl RevolvedMesh {
             for (target, value) in field[at..at + W].iter_mut().zip(values) {
                 *target += value;
             }
+        }
+    }
+}
+
+/// Adds the forces conjugate to the corners' displacements and to their derivatives in θ to `forces`, which has
+/// [`VALUES`] components a node, at as many of `columns` angles from `first` on as a pack holds.
+#[inline(always)]
+pub fn scatter_vector<V: Pack>(
+    values: &[[V; VALUES]; CORNERS],
+    nodes: &[u32; CORNERS],
+    (first, columns): (usize, usize),
+    forces: &mut [f64],
+) {
+    for (values, &node) in values.iter().zip(nodes) {
+        let base = node as usize * VALUES * columns + first;
+        for (c, &value) in values.iter().enumerate() {
+            let target = &mut forces[base + c * columns..];
+            (V::load(target) + value).store(target);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::discretisation::elastic::{element_force, element_stiffness};
-use crate::discretisation::element::{Element, RevolvedMesh};
+use crate::discretisation::element::{Element, RevolvedMesh, VALUES, scatter_vector};
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::material::elasticity::Moduli;
 use faer::linalg::solvers::Solve;
@@ -46,19 +46,25 @@ fn plain_stiffness(
     expand: &[Option<(usize, f64)>],
 ) -> SparseColMat<usize, f64> {
     let mut triplets = Vec::new();
-    let [mut u, mut slope, mut force, mut on_slope] = [0; 4].map(|_| vec![0.0; expand.len()]);
+    let [mut u, mut slope, mut force] = [0; 3].map(|_| vec![0.0; expand.len()]);
+    let columns = mesh.sectors.columns();
+    let mut forces = vec![0.0; mesh.field_length(VALUES)];
     for element in &mesh.elements {
         let places = element_places(mesh, element);
         for &j in &places {
             u[j] = 1.0;
             // Only the values of the element's nodes are needed; the rest of the fields stays zero.
             mesh.sectors.differentiate(&VECTOR_PARITY, &u, &mut slope);
-            for first in 0..mesh.sectors.columns() {
+            for first in 0..columns {
                 let values = mesh.gather_vector::<f64>(&u, &slope, element, first);
                 let f = element_force(element, moduli, &values);
-                mesh.scatter_vector(&f, element, first, &mut force, &mut on_slope);
+                scatter_vector(&f, &element.nodes, (first, columns), &mut forces);
             }
-            mesh.sectors.add_transposed(&VECTOR_PARITY, &on_slope, &mut force);
+            let of_nodes = forces.chunks_exact(2 * 3 * columns).map(|of_node| of_node.split_at(3 * columns));
+            for (force, (of_displacement, of_slope)) in force.chunks_exact_mut(3 * columns).zip(of_nodes) {
+                force.copy_from_slice(of_displacement);
+                mesh.sectors.add_transposed(&VECTOR_PARITY, of_slope, force);
+            }
             for &i in &places {
                 if let (Some((p, a)), Some((q, b))) = (expand[i], expand[j])
                     && force[i] != 0.0
@@ -67,8 +73,7 @@ fn plain_stiffness(
                 }
             }
             u[j] = 0.0;
-            force.fill(0.0);
-            on_slope.fill(0.0);
+            forces.fill(0.0);
         }
     }
     SparseColMat::try_new_from_triplets(n, n, &triplets).unwrap()

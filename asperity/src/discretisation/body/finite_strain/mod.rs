@@ -19,10 +19,11 @@
 
 use super::Body;
 use super::packing::{joined, pack, packed_values, spread, summed, unpack};
+use super::part::{Part, take};
 use super::point_stress::Points;
 use super::temperature::ElementHeat;
 use crate::discretisation::elastic;
-use crate::discretisation::element::{CORNERS, POINTS, VALUES};
+use crate::discretisation::element::{CORNERS, Element, POINTS, VALUES};
 use crate::material::lanes::{Lanes, Pack, lanes_of};
 use crate::material::log_moduli::{self, ENTRIES, LogModuli, add_volume_curvature, symmetric_product};
 use crate::material::log_strain::{Rules, first_piola};
@@ -64,6 +65,31 @@ struct Kinematics<const W: usize, V> {
     largest: f64,
 }
 
+/// Of consecutive elements.
+pub(super) struct FiniteTangentPart<'a> {
+    point: &'a mut [f32],
+    small: &'a mut [bool],
+    volumetric: &'a mut [f64],
+    rules: &'a Rules,
+}
+
+impl<'a> FiniteTangentPart<'a> {
+    pub fn whole(tangent: &'a mut FiniteTangent) -> Self {
+        let FiniteTangent { point, small, volumetric, rules } = tangent;
+        Self { point, small, volumetric, rules }
+    }
+
+    /// Of the first elements times angles; the rest remains.
+    pub fn take(&mut self, groups: usize) -> Self {
+        Self {
+            point: take(&mut self.point, groups * POINTS * POINT_VALUES),
+            small: take(&mut self.small, groups),
+            volumetric: take(&mut self.volumetric, groups),
+            rules: self.rules,
+        }
+    }
+}
+
 impl FiniteTangent {
     /// Whether the moduli of small strain are used for the element and group of angles at `at`.
     pub(super) fn is_small(&self, at: usize) -> bool {
@@ -80,7 +106,7 @@ impl FiniteTangent {
     }
 }
 
-impl Body {
+impl Part<'_> {
     /// Forces on the corners; W angles at a time, which fill A, and P points of them, which fill the N lanes of V.
     #[inline(always)]
     pub(super) fn finite_strain_force<const W: usize, const P: usize, const N: usize, A: Pack, V: Pack>(
@@ -89,7 +115,7 @@ impl Body {
         first: usize,
         displacement: &[[A; VALUES]; CORNERS],
         rise: Option<&[f64]>,
-        tangent: &mut FiniteTangent,
+        tangent: &mut FiniteTangentPart<'_>,
     ) -> [[A; VALUES]; CORNERS] {
         let lanes = self.mesh.sectors.columns();
         let at = e * lanes + first;
@@ -105,17 +131,10 @@ impl Body {
             let (stress, flows) =
                 self.weighted_stress::<W, P, N, V>(points, gradient, pressure, &heat, tangent);
             any_flows |= flows;
-            add_stress_force(&self.shapes_at::<W, P, V>(e, points.chunk), &stress, &mut force);
+            add_stress_force(&shapes_at::<W, P, V>(&self.elements[e], points.chunk), &stress, &mut force);
         }
         self.tangent.flows[at] = any_flows;
         summed::<W, P, A, V>(&force)
-    }
-
-    /// Shape functions at P points.
-    #[inline(always)]
-    fn shapes_at<const W: usize, const P: usize, V: Pack>(&self, e: usize, chunk: usize) -> PackedShape<V> {
-        let of_points = std::array::from_fn(|p| &self.mesh.elements[e].shape[chunk + p]);
-        packed_shape::<P, V>(of_points, spread::<W, P, V>)
     }
 
     /// h at all points, and J̄ − 1.
@@ -125,14 +144,14 @@ impl Body {
         e: usize,
         values: &[[V; VALUES]; CORNERS],
     ) -> Kinematics<W, V> {
-        let (volume, weight) = (self.mesh.elements[e].volume, self.mesh.elements[e].weight);
+        let (volume, weight) = (self.elements[e].volume, self.elements[e].weight);
         let zero = V::splat(0.0);
         let mut gradients = [[[zero; 3]; 3]; POINTS];
         let mut excess = [0.0; W];
         let mut largest = zero;
         for (chunk, gradient) in gradients[..POINTS / P].iter_mut().enumerate() {
             let chunk = chunk * P;
-            *gradient = displacement_gradient(&self.shapes_at::<W, P, V>(e, chunk), values);
+            *gradient = displacement_gradient(&shapes_at::<W, P, V>(&self.elements[e], chunk), values);
             for &h in gradient.as_flattened() {
                 largest = h.larger(largest);
             }
@@ -156,9 +175,9 @@ impl Body {
         first: usize,
         excess: &Lanes<W>,
         heat: &ElementHeat<W>,
-        tangent: &mut FiniteTangent,
+        tangent: &mut FiniteTangentPart<'_>,
     ) -> Lanes<W> {
-        let (at, volume) = (e * self.mesh.sectors.columns() + first, self.mesh.elements[e].volume);
+        let (at, volume) = (e * self.mesh.sectors.columns() + first, self.elements[e].volume);
         let mut pressure = [0.0; W];
         // Without cancellation for small J̄ − 1.
         let ln_ratio = excess.map(f64::ln_1p);
@@ -187,10 +206,10 @@ impl Body {
         gradient: &TwoPoint<V>,
         pressure: V,
         heat: &ElementHeat<W>,
-        tangent: &mut FiniteTangent,
+        tangent: &mut FiniteTangentPart<'_>,
     ) -> (TwoPoint<V>, bool) {
         let Points { e, chunk, first, lanes } = points;
-        let weight = self.mesh.elements[e].weight;
+        let weight = self.elements[e].weight;
         let weight = spread::<W, P, V>(std::array::from_fn(|p| weight[chunk + p]));
         let f = deformation_gradient(gradient);
         let cofactors = cofactors(&f);
@@ -251,7 +270,16 @@ impl Body {
             direction: if flows { Some(direction) } else { None },
         }
     }
+}
 
+/// Shape functions at P points.
+#[inline(always)]
+fn shapes_at<const W: usize, const P: usize, V: Pack>(element: &Element, chunk: usize) -> PackedShape<V> {
+    let of_points = std::array::from_fn(|p| &element.shape[chunk + p]);
+    packed_shape::<P, V>(of_points, spread::<W, P, V>)
+}
+
+impl Body {
     /// Contribution to [`Body::stiffness_loss`] of an element with large displacement gradients.
     #[inline(always)]
     pub(super) fn finite_loss<const W: usize, const P: usize, A: Pack, V: Pack>(
@@ -273,7 +301,7 @@ impl Body {
         // Change of ∫J dV.
         let mut growth = zero;
         for chunk in (0..POINTS).step_by(P) {
-            let gradient = displacement_gradient(&self.shapes_at::<W, P, V>(e, chunk), &displacements);
+            let gradient = displacement_gradient(&shapes_at::<W, P, V>(element, chunk), &displacements);
             stresses[chunk] = symmetric_product(|i| value(chunk, i), &gradient);
             for (i, component) in gradient.as_flattened().iter().enumerate() {
                 growth = value(chunk, ENTRIES + i).mul_add(*component, growth);
@@ -288,7 +316,7 @@ impl Body {
             for (i, component) in stresses[chunk].as_flattened_mut().iter_mut().enumerate() {
                 *component = value(chunk, ENTRIES + i).mul_add(growth, *component);
             }
-            add_stress_force(&self.shapes_at::<W, P, V>(e, chunk), &stresses[chunk], &mut nodal_force);
+            add_stress_force(&shapes_at::<W, P, V>(element, chunk), &stresses[chunk], &mut nodal_force);
         }
         let nodal_force = summed::<W, P, A, V>(&nodal_force);
         let mut loss = elastic::element_force(element, self.solid.moduli, displacement);

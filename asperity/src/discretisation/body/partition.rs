@@ -1,0 +1,172 @@
+//! Division of the body into parts of elements that threads compute side by side.
+//!
+//! The elements of a part add their forces in a place of the part's own; the forces on a node are then the sum over the
+//! parts, in order. The parts follow from the mesh alone, so the results do not depend on the number of threads.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use crate::discretisation::collocation::{Collocation, VECTOR_PARITY};
+use crate::discretisation::element::{CORNERS, RevolvedMesh, VALUES};
+use crate::discretisation::threads::least_share;
+use crate::material::instruction_set::dispatch;
+
+/// Elements times angles of a part at least: a tenth of a millisecond of work.
+const LEAST: usize = 512;
+const MOST_PARTS: usize = 32;
+/// Nodes that a thread takes at a time.
+const BLOCK: usize = 256;
+
+#[derive(Clone, Debug, Default)]
+pub(super) struct Partition {
+    /// Elements of each part but the last.
+    size: usize,
+    elements: usize,
+    /// Corners of each element among the nodes of its part.
+    corners: Vec<[u32; CORNERS]>,
+    /// Nodes of each part.
+    counts: Vec<usize>,
+    /// For each node the places of its forces, part by part; those of node n begin at `start[n]`.
+    places: Vec<Place>,
+    start: Vec<u32>,
+    /// Forces and the forces on the slopes ∂u/∂θ at the nodes of the parts: scratch.
+    forces: Vec<f64>,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Place {
+    part: u32,
+    /// Among the nodes of all parts.
+    node: u32,
+}
+
+impl Partition {
+    pub fn new(mesh: &RevolvedMesh) -> Self {
+        let (elements, columns) = (mesh.elements.len(), mesh.sectors.columns());
+        let size = elements.div_ceil(MOST_PARTS).max(LEAST / columns);
+        let mut corners = Vec::with_capacity(elements);
+        let (mut counts, mut of_nodes) = (Vec::new(), vec![Vec::new(); mesh.node_count()]);
+        let mut before = 0;
+        for (part, elements) in mesh.elements.chunks(size).enumerate() {
+            let mut nodes: Vec<u32> = elements.iter().flat_map(|element| element.nodes).collect();
+            nodes.sort_unstable();
+            nodes.dedup();
+            let local = |node: u32| nodes.binary_search(&node).expect("a node of the part") as u32;
+            corners.extend(elements.iter().map(|element| element.nodes.map(local)));
+            for (i, &node) in nodes.iter().enumerate() {
+                of_nodes[node as usize].push(Place { part: part as u32, node: (before + i) as u32 });
+            }
+            counts.push(nodes.len());
+            before += nodes.len();
+        }
+        let mut start = vec![0];
+        start.extend(of_nodes.iter().scan(0, |end, places| {
+            *end += places.len() as u32;
+            Some(*end)
+        }));
+        let forces = vec![0.0; before * VALUES * columns];
+        Self { size, elements, corners, counts, places: of_nodes.concat(), start, forces }
+    }
+
+    /// Those of rising elements that are in each part.
+    pub fn places_of(&self, elements: &[u32]) -> Vec<Range<usize>> {
+        let before = |part: usize| elements.partition_point(|&e| (e as usize) < part * self.size);
+        (0..self.counts.len()).map(|part| before(part)..before(part + 1)).collect()
+    }
+
+    /// Splits the scratch: for each part its elements, their corners and the forces at its nodes.
+    pub fn parts(&mut self, columns: usize) -> Vec<PartForces<'_>> {
+        let mut rest = &mut self.forces[..];
+        let parts = self.corners.chunks(self.size).zip(&self.counts).enumerate();
+        parts
+            .map(|(part, (corners, count))| {
+                let forces = rest.split_off_mut(..count * VALUES * columns).expect("of all parts");
+                let first = part * self.size;
+                PartForces { elements: first..(first + self.size).min(self.elements), corners, forces }
+            })
+            .collect()
+    }
+
+    /// Forces on `nodes` (rising): sums over the parts that are `active`. Other entries of `force` are kept.
+    pub fn forces_on(&self, sectors: &Collocation, nodes: &[usize], active: &[bool], force: &mut [f64]) {
+        let size = BLOCK * 3 * sectors.columns();
+        let blocks = force.par_chunks_mut(size).with_min_len(least_share());
+        blocks.enumerate().for_each(|(block, force)| {
+            dispatch! { <E> fn(
+                this: &Partition = self,
+                sectors: &Collocation = sectors,
+                nodes: &[usize] = of_block(nodes, block),
+                active: &[bool] = active,
+                force: &mut [f64] = force,
+            ) {
+                let width = 3 * sectors.columns();
+                for &node in nodes {
+                    let force = &mut force[node % BLOCK * width..][..width];
+                    this.force_on(sectors, node, active, force);
+                }
+            }}
+        });
+    }
+
+    /// Most nodes have elements of one part alone.
+    #[inline(always)]
+    fn force_on(&self, sectors: &Collocation, node: usize, active: &[bool], force: &mut [f64]) {
+        let width = force.len();
+        let places = &self.places[self.start[node] as usize..self.start[node + 1] as usize];
+        let mut parts = places
+            .iter()
+            .filter(|place| active[place.part as usize])
+            .map(|place| self.forces[place.node as usize * 2 * width..][..2 * width].split_at(width));
+        match parts.next() {
+            None => force.fill(0.0),
+            Some((of_displacement, of_slope)) => {
+                force.copy_from_slice(of_displacement);
+                sectors.add_transposed(&VECTOR_PARITY, of_slope, force);
+            }
+        }
+        for (of_displacement, of_slope) in parts {
+            force.iter_mut().zip(of_displacement).for_each(|(force, of_part)| *force += of_part);
+            sectors.add_transposed(&VECTOR_PARITY, of_slope, force);
+        }
+    }
+
+    /// All parts.
+    pub fn all(&self) -> Vec<bool> {
+        vec![true; self.counts.len()]
+    }
+}
+
+/// Those of rising nodes that are in a block.
+fn of_block(nodes: &[usize], block: usize) -> &[usize] {
+    let [first, end] = [block, block + 1].map(|block| nodes.partition_point(|&node| node < block * BLOCK));
+    &nodes[first..end]
+}
+
+/// ∂u/∂θ at `nodes` (rising).
+pub(super) fn differentiate(sectors: &Collocation, nodes: &[usize], u: &[f64], slope: &mut [f64]) {
+    let size = BLOCK * 3 * sectors.columns();
+    let blocks = u.par_chunks(size).zip(slope.par_chunks_mut(size)).with_min_len(least_share());
+    blocks.enumerate().for_each(|(block, (u, slope))| {
+        dispatch! { <E> fn(
+            sectors: &Collocation = sectors,
+            nodes: &[usize] = of_block(nodes, block),
+            u: &[f64] = u,
+            slope: &mut [f64] = slope,
+        ) {
+            let width = 3 * sectors.columns();
+            for &node in nodes {
+                let own = node % BLOCK * width..(node % BLOCK + 1) * width;
+                sectors.differentiate(&VECTOR_PARITY, &u[own.clone()], &mut slope[own]);
+            }
+        }}
+    });
+}
+
+/// A part of the body, and its forces.
+pub(super) struct PartForces<'a> {
+    pub elements: Range<usize>,
+    /// Of each of its elements, among the nodes of the part.
+    pub corners: &'a [[u32; CORNERS]],
+    pub forces: &'a mut [f64],
+}

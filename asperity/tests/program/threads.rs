@@ -1,0 +1,32 @@
+//! A run on several threads.
+
+use serde_json::Value;
+
+use super::{alone, command, message};
+
+/// The auxiliary runs of the first scene require twice as many angles as they start from, so the main run that began
+/// beside them is repeated; those of the second do not.
+#[test]
+fn threads_change_no_number() {
+    let _alone = alone();
+    for (interference, accuracy, sectors) in [(0.05, 0.015, 8), (5.0, 0.5, 4)] {
+        let run = |threads: &str| -> Value {
+            let folder = tempfile::tempdir().unwrap();
+            let scene = format!(
+                "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\nslip_rate = 1\n\
+                 interference = {interference}\nslip_distance = 0.3\n[numerics]\nelements_per_radius = 4\n\
+                 accuracy = {accuracy}\n"
+            );
+            std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+            let mut program = command(folder.path(), "run scene.toml -o run.nc --json --quiet");
+            let output = program.env("RAYON_NUM_THREADS", threads).output().unwrap();
+            assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+            let mut results: Value = serde_json::from_slice(&output.stdout).unwrap();
+            results["account"]["wall_time"].take();
+            results
+        };
+        let [one, many] = ["1", "4"].map(run);
+        assert_eq!(one, many);
+        assert_eq!(one["account"]["sectors"], sectors);
+    }
+}
