@@ -5,13 +5,10 @@
 //! pressure. Its friction is set to zero for the rest of the step.
 
 use super::StepFailure;
-use crate::interface::contact::{Contact, ContactState, FlatPosition, Status};
+use crate::interface::contact::{Contact, Status};
 
 /// Number of changes of status in one step after which the friction of a point is set to zero.
 const STATUS_CHANGES: u8 = 2;
-/// Largest share of the friction removed from points of a stagnant step: that of a point at the edge of a fine mesh.
-/// Ordinary slides stay below it.
-const LARGEST_RELEASED: f64 = 0.02;
 /// Share of removed friction above which a step fails: that of the outermost ring of the coarsest mesh. Ordinary slides
 /// stay below 0.02.
 const LARGEST_SHARE: f64 = 0.2;
@@ -45,34 +42,6 @@ impl Chattering {
         }
         self.open = open;
         damped
-    }
-
-    /// In a stagnant step, sets the friction to zero of points that touch here but not further along: with friction
-    /// they lift off, without it they touch. Returns whether the removed share is acceptable; otherwise a shorter
-    /// increment is better.
-    pub fn release(
-        &mut self,
-        contact: &mut Contact,
-        further: impl Fn(usize) -> f64,
-        flat: FlatPosition,
-        limit: &[f64],
-    ) -> bool {
-        let here = contact.trial.clone();
-        contact.evaluate(further, flat, limit);
-        let there = std::mem::replace(&mut contact.trial, here);
-        let touches = |state: &ContactState, i: usize| state.status[i] != Status::Open;
-        let alternating: Vec<usize> = (0..limit.len())
-            .filter(|&i| touches(&contact.trial, i) != touches(&there, i))
-            .filter(|&i| limit[i] > 0.0)
-            .collect();
-        let (taken, left) = self.friction(contact, limit);
-        let released =
-            alternating.iter().map(|&i| contact.areas[i] * largest_traction(contact, limit, i)).sum::<f64>();
-        let may_help = !alternating.is_empty() && taken + released <= LARGEST_RELEASED * (taken + left);
-        if may_help {
-            alternating.into_iter().for_each(|i| self.changes[i] = STATUS_CHANGES + 1);
-        }
-        may_help
     }
 
     /// Fails if too large a share of the friction is removed.

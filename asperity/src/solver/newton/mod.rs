@@ -237,11 +237,7 @@ impl Mechanics {
         self.effort.line_searches += usize::from(step != 1.0);
         now.stagnant = if step < STAGNATION_TOLERANCE { now.stagnant + 1 } else { 0 };
         if now.stagnant > STAGNATION_LIMIT {
-            let further = |p: usize| now.u[p] + line.direction[p];
-            if !now.chattering.release(&mut self.contact, further, line.flat, &now.data.limit) {
-                return false;
-            }
-            now.stagnant = 0;
+            return false;
         }
         if refresh && !ahead {
             next = coupling(&mut self.body, &mut self.contact);
