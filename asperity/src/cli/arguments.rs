@@ -9,6 +9,8 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use tables::figures::TABLE_PANELS;
 
+use tables::netcdf::program::Words;
+
 use super::{help, table};
 
 /// Friction of one spherical elastic-plastic asperity on a rigid flat.
@@ -39,6 +41,12 @@ pub(super) struct Display {
     /// Show progress on stderr even if that is not a terminal
     #[arg(long, global = true, conflicts_with = "quiet")]
     pub(super) progress: bool,
+}
+
+impl Display {
+    pub(super) fn words(&self) -> Words {
+        Words { json: self.json, quiet: self.quiet }
+    }
 }
 
 #[derive(Subcommand)]

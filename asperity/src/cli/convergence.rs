@@ -7,7 +7,7 @@ use asperity::studies::convergence::{self, Convergence, DIVISOR, SHOWN};
 use serde_json::json;
 
 use super::progress::{Progress, watch_for_interrupt};
-use super::{ConvergenceArguments, Display, Failure, command_line, outputs};
+use super::{ConvergenceArguments, Display, Failure, command_line, outputs, program};
 
 /// Runs the sequence of meshes, writes the file and prints the least expensive mesh that meets the accuracy.
 pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Result<(), Failure> {
@@ -18,7 +18,7 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
     if !finest.is_multiple_of(DIVISOR) {
         return Err(Failure::input(format!("--finest: {finest} is not a multiple of {DIVISOR}")));
     }
-    display.warn(scene.remarks());
+    display.words().warn(scene.remarks());
     watch_for_interrupt();
     let progress = Progress::new(display);
     let result = Convergence::sweep(&scene, finest, &progress);
@@ -28,14 +28,15 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
         error => Failure::run(error),
     })?;
     let history = provenance::history(&command_line());
-    let saved = outputs::save(&arguments.output, |path| convergence::write(path, &scene, &sweep, &history));
+    let saved = program::save(&arguments.output, |path| convergence::write(path, &scene, &sweep, &history));
     let drawn = arguments
         .plot
         .as_ref()
         .map_or(Ok(()), |plot| outputs::draw(convergence::figure(&sweep), &arguments.panel, plot));
-    let printed =
-        display.print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
-    outputs::all([saved, drawn, printed])
+    let printed = display
+        .words()
+        .print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
+    Failure::all([saved, drawn, printed])
 }
 
 fn as_json(sweep: &Convergence) -> serde_json::Value {

@@ -22,31 +22,13 @@ mod verify;
 use std::process::ExitCode;
 
 use clap::Parser;
-use serde_json::Value;
-use tables::netcdf::streams::{self, say};
+use tables::netcdf::program::{self, Failure, exit_status, print};
+use tables::netcdf::streams;
 
 use arguments::{
     Arguments, Command, ConvergenceArguments, Display, EffectivityArguments, MergeArguments, RunArguments,
     TabulateArguments, VerifyArguments,
 };
-
-/// Reason of a failed command.
-enum Failure {
-    /// Bad input or usage; no computation was started.
-    Input(String),
-    /// A run failed; the results up to the failure are written.
-    Run(String),
-}
-
-impl Failure {
-    fn input(reason: impl ToString) -> Self {
-        Self::Input(reason.to_string())
-    }
-
-    fn run(reason: impl ToString) -> Self {
-        Self::Run(reason.to_string())
-    }
-}
 
 fn main() -> ExitCode {
     tables::netcdf::check_processor();
@@ -76,37 +58,7 @@ fn program() -> ExitCode {
         Command::Man { directory } => manual::man(directory),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
-    let (status, reason) = match std::panic::catch_unwind(work) {
-        Ok(Ok(())) => return ExitCode::SUCCESS,
-        Ok(Err(Failure::Run(reason))) => (1, reason),
-        Ok(Err(Failure::Input(reason))) => (2, reason),
-        Err(_) => (1, "internal error (see above); please report it".into()),
-    };
-    say(format!("error: {reason}"));
-    ExitCode::from(status)
-}
-
-/// Write to standard output, after all files; text that is lost there is a failure.
-fn print(text: &str) -> Result<(), Failure> {
-    streams::print(text).map_err(|error| Failure::Run(format!("standard output cannot be written: {error}")))
-}
-
-impl Display {
-    /// Write warnings on standard error, a line each.
-    fn warn<W: std::fmt::Display>(&self, warnings: impl IntoIterator<Item = W>) {
-        if !self.quiet {
-            warnings.into_iter().for_each(|warning| say(format!("warning: {warning}")));
-        }
-    }
-
-    /// Write the result of a command to stdout: JSON with `--json`, text otherwise.
-    fn print(&self, json: impl FnOnce() -> Value, text: impl FnOnce() -> String) -> Result<(), Failure> {
-        match (self.json, self.quiet) {
-            (true, _) => print(&format!("{:#}\n", json())),
-            (false, false) => print(&text()),
-            (false, true) => Ok(()),
-        }
-    }
+    exit_status(work)
 }
 
 /// Number of threads that a tabulation uses by default.
@@ -114,16 +66,8 @@ fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// The command as given, for the history of the files that it writes.
 fn command_line() -> String {
-    let arguments = std::env::args_os().skip(1).map(|argument| {
-        let argument = argument.to_string_lossy().into_owned();
-        match argument.contains(char::is_whitespace) {
-            true => format!("'{argument}'"),
-            false => argument,
-        }
-    });
-    std::iter::once("asperity".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+    program::command_line("asperity")
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use serde_json::json;
 use tables::netcdf::streams::say;
 use tables::table::Table;
 
-use super::{Display, Failure, MergeArguments, command_line, outputs};
+use super::{Display, Failure, MergeArguments, command_line, outputs, program};
 
 /// Read the shards, check that they belong together, write the table.
 pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failure> {
@@ -27,7 +27,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         )));
     }
     let missing = missing.len();
-    outputs::save(&arguments.output, |path| table.write(path))?;
+    program::save(&arguments.output, |path| table.write(path))?;
     if let Some(plot) = &arguments.plot {
         outputs::plot(&table, plot, &arguments.panel)?;
     }
@@ -39,7 +39,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
     }
     let done = cells - missing - failed.len();
     let (output, failed) = (arguments.output.display().to_string(), failed.len());
-    display.print(
+    display.words().print(
         || json!({ "output": output, "done": done, "not_run": missing, "failed": failed }),
         || format!("{done} of {cells} cells done, {missing} not run, {failed} failed\n"),
     )

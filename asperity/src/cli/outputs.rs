@@ -1,13 +1,11 @@
 //! Checks of the files to be written, before the work begins.
 
-use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use tables::figures::Figure;
-use tables::netcdf::{self, check_outputs, probe};
+use tables::netcdf::program::{Failure, save};
+use tables::netcdf::{check_outputs, probe};
 use tables::table::Table;
-
-use super::Failure;
 
 /// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is
 /// given with its role; that of a figure is its option, `--plot`.
@@ -58,19 +56,6 @@ pub fn plot(table: &Table, plot: &Path, panels: &[String]) -> Result<(), Failure
 pub fn draw(figure: Figure, panels: &[String], plot: &Path) -> Result<(), Failure> {
     let figure = figure.only(panels).map_err(Failure::run)?;
     save(plot, |path| figure.save(path))
-}
-
-/// Writes a result, elsewhere where `output` cannot take it; see [`netcdf::save`].
-pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -> Result<(), Failure> {
-    netcdf::save(output, write).map_err(Failure::run)
-}
-
-/// Ok, or the reasons of all failures: each may name the place of something that was saved.
-pub fn all(results: impl IntoIterator<Item = Result<(), Failure>>) -> Result<(), Failure> {
-    let failures = results.into_iter().filter_map(Result::err);
-    let reasons: Vec<String> =
-        failures.map(|(Failure::Input(reason) | Failure::Run(reason))| reason).collect();
-    if reasons.is_empty() { Ok(()) } else { Err(Failure::Run(reasons.join("; "))) }
 }
 
 /// Whether files can be written into a directory, which is created if it does not exist.

@@ -23,7 +23,7 @@ use tables::numbers;
 use tables::quantity::Quantity;
 
 use super::progress::{self, Progress, watch_for_interrupt};
-use super::{Display, Failure, RunArguments, command_line, outputs, timings};
+use super::{Display, Failure, RunArguments, command_line, outputs, program, timings};
 
 /// Run the scene, write the results, also those before a failure, and print a summary.
 pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
@@ -38,7 +38,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     }
     check_outputs(arguments)?;
     let remarks = scene.remarks();
-    display.warn(&remarks);
+    display.words().warn(&remarks);
     if !display.quiet {
         progress::tell_expected_time(expected_time(&scene));
     }
@@ -71,7 +71,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
             "{reason}; the results so far are in {}; a run cannot be continued, only repeated",
             arguments.output.display()
         ))),
-        Some(reason) => outputs::all([Err(Failure::Run(reason)), reported]),
+        Some(reason) => Failure::all([Err(Failure::Run(reason)), reported]),
     }
 }
 
@@ -105,20 +105,22 @@ fn report(
 ) -> Result<(), Failure> {
     let about = About { history: provenance::history(&command_line()), incomplete };
     let clock = Instant::now();
-    let saved = outputs::save(&arguments.output, |path| run_file::write(path, scene, outcome, &about));
+    let saved = program::save(&arguments.output, |path| run_file::write(path, scene, outcome, &about));
     let drawn = arguments
         .plot
         .as_ref()
         .map_or(Ok(()), |plot| outputs::draw(figures::run_figure(scene, outcome), &arguments.panel, plot));
     let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
     let body = arguments.vtu.as_ref().map_or(Ok(()), |directory| {
-        outputs::save(directory, |place| vtu::write(place, outcome, extent).map(drop))
+        program::save(directory, |place| vtu::write(place, outcome, extent).map(drop))
     });
     let mut spent = outcome.account.timings;
     spent.since(Kernel::Output, clock);
     // Results are printed even if the disk is full.
     // Those about the scene were printed before the run.
-    display.warn(outcome.account.warnings.iter().filter(|warning| !matches!(warning, Warning::Scene(_))));
+    display
+        .words()
+        .warn(outcome.account.warnings.iter().filter(|warning| !matches!(warning, Warning::Scene(_))));
     if display.verbose {
         say(account(outcome).trim_end());
     }
@@ -133,8 +135,8 @@ fn report(
         }
         json
     };
-    let printed = display.print(json, || summary(scene, outcome));
-    outputs::all([saved, drawn, body, printed])
+    let printed = display.words().print(json, || summary(scene, outcome));
+    Failure::all([saved, drawn, body, printed])
 }
 
 fn summary(scene: &Scene, outcome: &Outcome) -> String {

@@ -2,7 +2,6 @@
 
 use super::common::*;
 use super::topography::TopographyOptions;
-use anyhow::anyhow;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use roughsurface::topography::report::{self, WhichSummits};
@@ -58,11 +57,14 @@ pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
     ];
     check_outputs(&[("the topography", &options.topography)], &outputs)?;
     if let Some(plot) = &options.plot {
-        Figure::check_extension(plot).map_err(input)?;
+        Figure::check_extension(plot).map_err(Failure::input)?;
     }
     let found = options.measured.characterize(&options.topography, of_found)?;
     if of_found && found.found.count < 2 {
-        return Err(input(anyhow!("{shown}: {} summits found; a surface needs two", found.found.count)));
+        return Err(Failure::input(format!(
+            "{shown}: {} summits found; a surface needs two",
+            found.found.count
+        )));
     }
     if let Some(output) = &options.output {
         if let Some(heights) = &heights {
@@ -74,7 +76,8 @@ pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
     }
     if let Some(plot) = &options.plot {
         let drawn = report::figure(&found).only(&options.panel).and_then(|figure| figure.save(plot));
-        drawn.map_err(|error| Failure::Run(error.into()))?;
+        drawn.map_err(Failure::run)?;
     }
-    summarise(display, &found.warnings, || report::text(&found), || report::json(&found))
+    display.words().warn(&found.warnings);
+    display.words().print(|| report::json(&found), || report::text(&found))
 }

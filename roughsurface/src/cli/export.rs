@@ -34,11 +34,11 @@ pub struct Export {
 
 /// Reads, writes.
 pub fn run(options: &Export) -> Result<(), Failure> {
-    let format = Format::of(&options.output).map_err(input)?;
+    let format = Format::of(&options.output).map_err(Failure::input)?;
     let inputs: Vec<&Path> = options.friction.iter().map(PathBuf::as_path).collect();
     let roles: Vec<(&str, &Path)> = inputs.iter().map(|path| ("the result", *path)).collect();
     check_outputs(&roles, &[("--output", Some(&options.output))])?;
-    let table = FrictionTable::read(&inputs).map_err(input)?;
-    let table = if options.law { table.of_laws().map_err(input)? } else { table };
+    let table = FrictionTable::read(&inputs).map_err(Failure::input)?;
+    let table = if options.law { table.of_laws().map_err(Failure::input)? } else { table };
     write_whole(&options.output, format.text(&table).as_bytes())
 }

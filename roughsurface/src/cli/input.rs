@@ -133,12 +133,12 @@ impl InputOptions {
             true => Some(self.topography.characterize(&self.surface, false)?),
             false => self.topography.refuse(&self.surface).map(|()| None)?,
         };
-        let file = self.surface_file(measured.as_ref()).map_err(input)?;
+        let file = self.surface_file(measured.as_ref()).map_err(Failure::input)?;
         let tables = file.uncertain_tables.iter().map(|(_, table)| ("a table of the surface file", &**table));
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
         check_outputs(&tables.chain(heights).collect::<Vec<_>>(), outputs)?;
 
-        Case::open(file, measured, self.table(), self.allow_missing).map_err(input)
+        Case::open(file, measured, self.table(), self.allow_missing).map_err(Failure::input)
     }
 
     fn surface_file(&self, measured: Option<&Characterization>) -> Result<SurfaceFile, SurfaceFileError> {

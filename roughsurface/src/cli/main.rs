@@ -12,10 +12,11 @@ mod sample;
 mod topography;
 
 use clap::{Parser, Subcommand};
-use common::{Display, Failure};
+use common::Display;
 use help::{EXAMPLES, after_help};
 use std::process::ExitCode;
-use tables::netcdf::streams::{self, say};
+use tables::netcdf::program::exit_status;
+use tables::netcdf::streams;
 
 /// Friction of a rough surface from the friction of one asperity
 #[derive(Parser)]
@@ -67,19 +68,12 @@ fn program() -> ExitCode {
         Err(message) => return streams::usage(message.exit_code(), message.print()),
     };
     let display = &arguments.display;
-    let result = match arguments.command {
+    exit_status(|| match arguments.command {
         Command::Predict(options) => predict::run(&options, display),
         Command::Sample(options) => sample::run(&options, display),
         Command::Characterize(options) => characterize::run(&options, display),
         Command::Export(options) => export::run(&options),
         Command::Completions { shell } => manual::completions(shell),
         Command::Man { directory } => manual::man(&directory),
-    };
-    let (error, status) = match result {
-        Ok(()) => return ExitCode::SUCCESS,
-        Err(Failure::Input(error)) => (error, 2),
-        Err(Failure::Run(error)) => (error, 1),
-    };
-    say(format!("error: {error:#}"));
-    ExitCode::from(status)
+    })
 }

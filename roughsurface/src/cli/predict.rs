@@ -3,7 +3,6 @@
 use super::common::*;
 use super::input::InputOptions;
 use super::progress::Progress;
-use anyhow::anyhow;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use roughsurface::friction::Settings;
@@ -90,7 +89,9 @@ fn models(asked: &[String]) -> Result<Vec<String>, Failure> {
         return Ok(NAMES.map(String::from).to_vec());
     }
     match asked.iter().find(|name| !NAMES.contains(&name.as_str())) {
-        Some(name) => Err(input(anyhow!("--compare {name}: must be among {}, or all", NAMES.join(", ")))),
+        Some(name) => {
+            Err(Failure::input(format!("--compare {name}: must be among {}, or all", NAMES.join(", "))))
+        }
         None => Ok(asked.to_vec()),
     }
 }
@@ -106,7 +107,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     let models = models(&options.compare)?;
     if let Some(plot) = &options.plot {
-        Figure::check_extension(plot).map_err(input)?;
+        Figure::check_extension(plot).map_err(Failure::input)?;
     }
     let case = options.input.read(&[
         ("--output", Some(&options.output)),
@@ -115,7 +116,7 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     ])?;
     // At once: the prediction may be refused for what they are about.
     let of_input = case.warnings();
-    warn(display, &Warning::condensed(&of_input));
+    display.words().warn(Warning::condensed(&of_input));
     let mut settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
     if display.verbose {
@@ -159,7 +160,7 @@ fn write(
     let origin = Origin { surface: &case.file.text, table: &case.table, history: &history(&command_line()) };
     let saved = save(&options.output, |path| friction_file::write(path, results, &origin));
     let drawn = options.plot.as_ref().map_or(Ok(()), |plot| {
-        let figure = figure(results).only(&options.panel).map_err(|error| Failure::Run(error.into()))?;
+        let figure = figure(results).only(&options.panel).map_err(Failure::run)?;
         save(plot, |path| figure.save(path))
     });
     let reported = options.report.as_ref().map_or(Ok(()), |report| {
@@ -169,11 +170,7 @@ fn write(
                 .map_err(|error| format!("cannot write {}: {error}", path.display()))
         })
     });
-    let printed = summarise(
-        display,
-        &Warning::condensed(&results.prediction.warnings[said..]),
-        || summary::text(results),
-        || summary_json::json(results),
-    );
-    all([saved, drawn, reported, printed])
+    display.words().warn(Warning::condensed(&results.prediction.warnings[said..]));
+    let printed = display.words().print(|| summary_json::json(results), || summary::text(results));
+    Failure::all([saved, drawn, reported, printed])
 }

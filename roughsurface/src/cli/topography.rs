@@ -1,7 +1,6 @@
 //! Options of a measured topography, for every command that reads one.
 
 use super::common::*;
-use anyhow::anyhow;
 use clap::Args;
 use roughsurface::topography::characterize::{Characterization, Detrend, Options, characterize};
 use roughsurface::topography::readers::length;
@@ -50,7 +49,9 @@ impl TopographyOptions {
         ] {
             if given {
                 let shown = file.display();
-                return Err(input(anyhow!("{option} is for a topography; {shown} is a surface file")));
+                return Err(Failure::input(format!(
+                    "{option} is for a topography; {shown} is a surface file"
+                )));
             }
         }
         Ok(())
@@ -59,9 +60,9 @@ impl TopographyOptions {
     /// Reads and characterises a topography; summits found can be asked `of_maps` only.
     pub fn characterize(&self, file: &Path, of_maps: bool) -> Result<Characterization, Failure> {
         let reading = Reading { unit: self.unit, pixel: self.pixel };
-        let mut topography = read(file, &reading).map_err(input)?;
+        let mut topography = read(file, &reading).map_err(Failure::input)?;
         topography.periodic |= self.periodic;
-        let refused = |what: String| input(anyhow!("{}: {what}", file.display()));
+        let refused = |what: String| Failure::input(format!("{}: {what}", file.display()));
         if of_maps && topography.is_profile() {
             return Err(refused("peaks of a profile are no summits; --summits found needs a map".into()));
         }

@@ -10,8 +10,8 @@
 //! - [`write_atomically`]: every file of the project is written completely or not at all; [`check_outputs`]: no
 //!   output replaces an input or another output.
 //! - [`input`]: text files of users, with keys of the command line laid over them.
-//! - [`streams`]: standard output and standard error; [`check_processor`]: the processor has the instructions of the
-//!   program.
+//! - [`streams`]: standard output and standard error; [`program`]: exit status, warnings and results;
+//!   [`check_processor`]: the processor has the instructions of the program.
 //!
 //! Depends on `table` and `quantity`. Chapter "Table: table.nc" of the book.
 
@@ -24,6 +24,7 @@ pub mod input;
 mod memory;
 mod outputs;
 mod processor;
+pub mod program;
 mod reader;
 mod sandbox;
 pub mod schema;

@@ -1,0 +1,99 @@
+//! What the programs do alike: failed commands and their exit status, warnings and results, the command as given.
+
+use std::fmt::Display;
+use std::panic::{UnwindSafe, catch_unwind};
+use std::path::Path;
+use std::process::ExitCode;
+
+use super::streams::{self, say};
+
+/// Reason of a failed command.
+#[derive(Debug)]
+pub enum Failure {
+    /// Bad input or usage, exit status 2; no computation was started.
+    Input(String),
+    /// A run failed, exit status 1; the results up to the failure are written.
+    Run(String),
+}
+
+impl Failure {
+    /// Bad input.
+    pub fn input(reason: impl ToString) -> Self {
+        Self::Input(reason.to_string())
+    }
+
+    /// A failed run.
+    pub fn run(reason: impl ToString) -> Self {
+        Self::Run(reason.to_string())
+    }
+
+    /// Ok, or the reasons of all failures: each may name the place of something that was saved.
+    pub fn all(results: impl IntoIterator<Item = Result<(), Self>>) -> Result<(), Self> {
+        let failures = results.into_iter().filter_map(Result::err);
+        let reasons: Vec<String> = failures.map(|(Self::Input(reason) | Self::Run(reason))| reason).collect();
+        if reasons.is_empty() { Ok(()) } else { Err(Self::Run(reasons.join("; "))) }
+    }
+}
+
+/// Exit status of a command, with the reason of its failure on standard error.
+pub fn exit_status(command: impl FnOnce() -> Result<(), Failure> + UnwindSafe) -> ExitCode {
+    let (status, reason) = match catch_unwind(command) {
+        Ok(Ok(())) => return ExitCode::SUCCESS,
+        Ok(Err(Failure::Run(reason))) => (1, reason),
+        Ok(Err(Failure::Input(reason))) => (2, reason),
+        Err(_) => (1, "internal error (see above); please report it".into()),
+    };
+    say(format!("error: {reason}"));
+    ExitCode::from(status)
+}
+
+/// What a command writes on its streams.
+#[derive(Clone, Copy, Debug)]
+pub struct Words {
+    /// The result as JSON, not as text.
+    pub json: bool,
+    /// Neither warnings nor text.
+    pub quiet: bool,
+}
+
+impl Words {
+    /// Warnings on standard error, a line each.
+    pub fn warn<W: Display>(self, warnings: impl IntoIterator<Item = W>) {
+        if !self.quiet {
+            warnings.into_iter().for_each(|warning| say(format!("warning: {warning}")));
+        }
+    }
+
+    /// The result on standard output, after all files; text that is lost there is a failure.
+    pub fn print<J: Display>(
+        self,
+        json: impl FnOnce() -> J,
+        text: impl FnOnce() -> String,
+    ) -> Result<(), Failure> {
+        match (self.json, self.quiet) {
+            (true, _) => print(&format!("{:#}\n", json())),
+            (false, false) => print(&text()),
+            (false, true) => Ok(()),
+        }
+    }
+}
+
+/// Text on standard output, as [`Words::print`].
+pub fn print(text: &str) -> Result<(), Failure> {
+    streams::print(text).map_err(|error| Failure::run(format!("standard output cannot be written: {error}")))
+}
+
+/// Writes a result, elsewhere where `output` cannot take it; see [`save`](super::save).
+pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -> Result<(), Failure> {
+    super::save(output, write).map_err(Failure::run)
+}
+
+/// The command as given, for the history of the files that it writes, without the folder of the program.
+pub fn command_line(program: &str) -> String {
+    // Not `args`, which panics where an argument is not UTF-8.
+    let arguments = std::env::args_os().skip(1).map(|argument| {
+        let argument = argument.to_string_lossy().into_owned();
+        if argument.contains(char::is_whitespace) { format!("'{argument}'") } else { argument }
+    });
+    std::iter::once(program.to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
