@@ -105,6 +105,9 @@ pub(super) struct RunArguments {
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
     pub(super) set: Vec<String>,
+    /// Threads [default: number of processors]. Results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(super) threads: Option<u16>,
     /// Print the time by part of the computation on stderr, or in the JSON
     #[arg(long)]
     pub(super) timings: bool,

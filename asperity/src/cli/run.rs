@@ -37,6 +37,10 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
         )));
     }
     check_outputs(arguments)?;
+    if let Some(threads) = arguments.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+        pool.map_err(|error| Failure::run(format!("--threads {threads}: {error}")))?;
+    }
     let remarks = scene.remarks();
     display.words().warn(&remarks);
     if !display.quiet {

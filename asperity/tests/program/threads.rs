@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{alone, command, message};
+use super::{alone, done};
 
 /// The auxiliary runs of the first scene require twice as many angles as they start from, so the main run that began
 /// beside them is repeated; those of the second do not.
@@ -10,7 +10,7 @@ use super::{alone, command, message};
 fn threads_change_no_number() {
     let _alone = alone();
     for (interference, accuracy, sectors) in [(0.05, 0.015, 8), (5.0, 0.5, 4)] {
-        let run = |threads: &str| -> Value {
+        let run = |threads: usize| -> Value {
             let folder = tempfile::tempdir().unwrap();
             let scene = format!(
                 "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\nslip_rate = 1\n\
@@ -18,14 +18,12 @@ fn threads_change_no_number() {
                  accuracy = {accuracy}\n"
             );
             std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
-            let mut program = command(folder.path(), "run scene.toml -o run.nc --json --quiet");
-            let output = program.env("RAYON_NUM_THREADS", threads).output().unwrap();
-            assert_eq!(output.status.code(), Some(0), "{}", message(&output));
-            let mut results: Value = serde_json::from_slice(&output.stdout).unwrap();
+            let line = format!("run scene.toml -o run.nc --json --quiet --threads {threads}");
+            let mut results: Value = serde_json::from_str(&done(folder.path(), &line)).unwrap();
             results["account"]["wall_time"].take();
             results
         };
-        let [one, many] = ["1", "4"].map(run);
+        let [one, many] = [1, 4].map(run);
         assert_eq!(one, many);
         assert_eq!(one["account"]["sectors"], sectors);
     }
