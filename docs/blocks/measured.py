@@ -189,7 +189,7 @@ def peers():
     lines = []
     for row in ours + others:
         seconds = f"{row['seconds']:.2g}" if row["seconds"] < 10 else f"{row['seconds']:.0f}"
-        line = [PEER_NAMES[row["code"]], row["elements"], row.get("unknowns", "")]
+        line = [PEER_NAMES[row["code"]], row["elements"], row.get("increments", "–"), row.get("unknowns", "")]
         if row.get("finished"):
             line += [
                 f"{row['P']:.4f}",
@@ -200,12 +200,13 @@ def peers():
             ]
         else:
             line += ["–", "–", "–", "–", "–"]
-            seconds = f"more than {seconds}"
+            seconds = f"{'more than' if row['stopped'] else 'no solution after'} {seconds}"
         main = f"{row['seconds'] * row['main']:.2g}" if "main" in row else seconds
         lines.append([*line, seconds if "main" in row else "–", main, f"{row['memory']:.0f}"])
     head = [
         "code",
         "$n_c$",
+        "increments",
         "unknowns",
         "$P$ (N)",
         "error",

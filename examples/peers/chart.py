@@ -6,7 +6,8 @@
 Errors are those of load and area after the slide against the limit that asperity's own meshes show
 (Richardson's extrapolation of the two finest, order 1.5). asperity presses in full stick and the others with
 the friction of the slide, so that their limits differ by some tenths of a per cent: below that, the curves of
-the others say nothing. Runs that were stopped are arrows. Needs matplotlib.
+the others say nothing. Marks have the number of elements, those of the others also that of increments. Runs that were
+stopped are arrows. Needs matplotlib.
 """
 import json
 import sys
@@ -17,10 +18,10 @@ rows = [json.loads(line) for line in open(sys.argv[1])]
 runs, stopped = {}, []
 for row in rows:
     if row.get("finished"):
-        runs.setdefault(row["code"], {})[row["elements"]] = row
-    else:
+        runs.setdefault(row["code"], {})[row["elements"], row.get("increments", 0)] = row
+    elif row["stopped"]:
         stopped.append(row)
-ours = runs["asperity"]
+ours = {elements: row for (elements, _), row in runs["asperity"].items()}
 coarse, fine = sorted(ours)[-2:]
 
 
@@ -33,7 +34,7 @@ NAMES = {"asperity": "asperity, main run", "calculix": "CalculiX 2.20", "getfem"
 figure, axes = plt.subplots(1, 2, figsize=(8, 3.6), layout="constrained", sharey=True, sharex=True)
 for panel, name, title in zip(axes, ("P", "A"), ("load", "contact area")):
     exact = limit(name)
-    for code, marker, style in (("asperity", "o", "-"), ("calculix", "s", "--"), ("getfem", "^", ":")):
+    for code, marker, style in (("asperity", "o", "-"), ("calculix", "s", ""), ("getfem", "^", "")):
         done = [row for _, row in sorted(runs.get(code, {}).items()) if row["elements"] != fine or code != "asperity"]
         done = [row for row in done if row.get(name) is not None]
         if not done:
@@ -43,7 +44,8 @@ for panel, name, title in zip(axes, ("P", "A"), ("load", "contact area")):
         panel.loglog(seconds, errors, marker=marker, linestyle=style, color="black", markerfacecolor="white",
                      label=NAMES[code])
         for row, x, y in zip(done, seconds, errors):
-            panel.annotate(str(row["elements"]), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=8)
+            label = f"{row['elements']}, {row['increments']}" if "increments" in row else row["elements"]
+            panel.annotate(label, (x, y), xytext=(5, 4), textcoords="offset points", fontsize=8)
     # Runs that were stopped have a time, and no error.
     for code in sorted({row["code"] for row in stopped}):
         ended = sorted((row["elements"], row["seconds"]) for row in stopped if row["code"] == code)

@@ -75,6 +75,9 @@ def measure(code, elements, arguments):
         except ValueError:
             found = {}
     seconds = usage.ru_utime + usage.ru_stime
+    if code != "asperity":
+        found["increments"] = arguments.increments
+    found["stopped"] = seconds > 0.99 * limit
     return {**found, "seconds": seconds, "memory": usage.ru_maxrss / 1e3}
 
 
@@ -97,8 +100,8 @@ def main():
         for code in arguments.codes.split(","):
             found = measure(code, elements, arguments)
             done = found.get("finished", False)
-            stopped = found["seconds"] > 0.99 * arguments.limit
-            time = f"{found['seconds']:.1f}" if done else f"{'more than' if stopped else 'failed after'} {found['seconds']:.0f}"
+            how = "" if done else "more than " if found["stopped"] else "failed after "
+            time = f"{how}{found['seconds']:.1f}"
             if "main" in found:
                 time += f" ({found['main'] * found['seconds']:.1f} without error estimates)"
             P, Q = (found.get(name) if done else None for name in "PQ")

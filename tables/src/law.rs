@@ -100,7 +100,7 @@ pub type SlidingResponse<'a> = Box<dyn Fn(f64, f64) -> Result<Response, LookupEr
 ///     }
 ///     fn response(&self, radius: f64, interference: f64, _rate: f64, _slip: f64) -> Result<Response, LookupError> {
 ///         let omega = interference * self.critical_interference(radius);
-///         let exact = |value: f64| Estimate { value, error: 0.0 };
+///         let exact = Estimate::exact;
 ///         let area = contact_area(radius, omega);
 ///         let load = exact(hertz_load(contact_modulus(205e9, 0.29), radius, omega));
 ///         Ok(Response::new(load, exact(50e6 * area), exact(area), exact(f64::NAN)))

@@ -182,7 +182,8 @@ fn time_spent(file: &mut DatasetWriter, account: &Account) -> Result<(), Dataset
     let seconds: Vec<f64> = kernels.iter().map(|&kernel| account.timings.of(kernel)).collect();
     file.dimension("kernel", kernels.len())?;
     file.texts("kernel_name", &["kernel"], &names, &[("long_name", "part of the run".into())])?;
-    let mut attributes = described("s", "time spent in each part of the run, summed over threads");
+    let mut attributes =
+        described("s", "time spent in each part of the run, summed over main and auxiliary runs");
     attributes.push(("coordinates", "kernel_name".into()));
     file.reals("time_spent", &["kernel"], &seconds, &attributes)
 }

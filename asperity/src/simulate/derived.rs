@@ -97,7 +97,7 @@ mod tests {
         scene.material.youngs_modulus = 120e9;
         scene.material.poisson_ratio = 0.3;
         scene.material.density = 9000.0;
-        let friction = Estimate { value: PI * 1e-10 * 5e7, error: 0.0 };
+        let friction = Estimate::exact(PI * 1e-10 * 5e7);
         let radius = Estimate { value: 1e-5, error: 1e-7 };
         let found = inception_time(&scene, 10.0, friction, radius).unwrap();
         assert!((found.value - 0.208528).abs() < 1e-6, "{found:?}");

@@ -25,7 +25,7 @@ use crate::scene::{FractureData, Hardening, Material};
 ///             [asperity]\nradius = 1e-6\n[loading]\ninterference = 5\nslip_rate = 1\n";
 /// let scene = parse_scene(text, "this example", &[])?;
 /// let energy = fracture_energy(&scene.material);
-/// assert_eq!(energy.at(Estimate { value: 1e-7, error: 0.0 }).value, 500.0);
+/// assert_eq!(energy.at(Estimate::exact(1e-7)).value, 500.0);
 /// # Ok::<(), asperity::scene::file::SceneFileError>(())
 /// ```
 pub fn fracture_energy(material: &Material) -> FractureEnergy {

@@ -1,11 +1,12 @@
 //! The simulation of one asperity: press, slide, errors.
 //!
 //! ```text
-//! resolution from the accuracy ─► press on the planned resolutions ─► strain measure
-//!   ─► heat ─► auxiliary runs ─► main run ─► scalars, error estimates ─► at most two finer runs ─► outcome
+//! resolution from the accuracy ─► press on the coarse mesh ─► strain measure ─► heat
+//!   ─► auxiliary runs ─► main run ─► scalars, error estimates ─► at most two finer runs ─► outcome
 //! ```
-//! One press ([`press`]) serves slides at any slip rate ([`slide`]). [`accuracy`] estimates errors from the values of the
-//! runs; `report` collects outcome, notes and warnings; [`messages`] contains their sentences.
+//! Each run makes the press that it starts from. The main run begins beside the auxiliary runs (`early`) where a thread
+//! is idle. One press ([`press`]) serves slides at any slip rate ([`slide`]). [`accuracy`] estimates errors from the values
+//! of the runs; `report` collects outcome, notes and warnings; [`messages`] contains their sentences.
 //!
 //! Depends on `crate::loading` and the rooms below it. Chapters "What is reported" and "Errors of a run" of the book.
 

@@ -150,7 +150,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
 
 /// Sliding inception so fast that inertia counts.
 fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
-    let exact = |quantity| Estimate { value: run.values.value(quantity), error: 0.0 };
+    let exact = |quantity| Estimate::exact(run.values.value(quantity));
     let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
     let slip_rate = runner.conditions.programme.first()?.slip_rate();
     let time = inception_time(&runner.pressed.scene, slip_rate, friction, radius)?.value;

@@ -1,7 +1,7 @@
 //! Time of a run by kernel.
 //!
-//! Wall-clock time of the thread that did the work, so that with as many threads as idle
-//! processors the sum is processor time. It has no influence on results.
+//! Wall-clock time of the thread that computes a run; a loop that it shares with others counts once. On one thread the
+//! sum is processor time. It has no influence on results.
 
 use std::time::Instant;
 

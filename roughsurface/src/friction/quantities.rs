@@ -133,7 +133,7 @@ impl Quantity {
             Source::Sliding(of) => Some(of(&friction.sliding)),
             Source::Slide(of) => Some(of(friction)),
             Source::WhereKnown(of) => of(friction),
-            Source::Share(of) => Some(Estimate { value: of(friction), error: 0.0 }),
+            Source::Share(of) => Some(Estimate::exact(of(friction))),
         }
     }
 

@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn one_positive_rate_has_no_slope() {
-        let mu = [Estimate { value: 0.5, error: 0.0 }; 2];
+        let mu = [Estimate::exact(0.5); 2];
         assert!(rate_sensitivity(&[0.0, 1.0], &mu).iter().all(|slope| slope.value.is_nan()));
         let two = rate_sensitivity(&[1.0, 2.0], &mu);
         assert!(two[0].value == 0.0 && two[1].value == 0.0);

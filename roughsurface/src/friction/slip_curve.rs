@@ -94,7 +94,7 @@ impl SlipState {
 
     /// State of a surface held at the `effective` separation (m), with the errors of an exact one.
     pub fn at_separation(effective: f64, state: &ContactState, plane: MeanPlane) -> Self {
-        let exact = |value| Estimate { value, error: 0.0 };
+        let exact = Estimate::exact;
         let displacement = plane.displacement(exact(state.pressure.value));
         Self {
             mu: state.friction_coefficient(),
@@ -263,7 +263,7 @@ mod tests {
 
     fn curve(mu: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<Estimate>) {
         let slip = slip_grid(1.0, 1.0, 97);
-        let values = slip.iter().map(|&s| Estimate { value: mu(s), error: 0.0 });
+        let values = slip.iter().map(|&s| Estimate::exact(mu(s)));
         let values = values.collect();
         (slip, values)
     }

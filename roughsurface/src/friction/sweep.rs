@@ -168,7 +168,7 @@ impl<'a> Sweep<'a> {
         let heights = self.surface.heights.as_ref();
         let state = match self.query.control {
             LoadingControl::Separation => {
-                let pressure = Estimate { value: before.state.pressure.value, error: 0.0 };
+                let pressure = Estimate::exact(before.state.pressure.value);
                 let held = before.separation - self.plane.displacement(pressure).value;
                 let tolerance = self.settings.tolerance;
                 let effective = self.plane.effective_separation(integral, heights, held, tolerance)?;

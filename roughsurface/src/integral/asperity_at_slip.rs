@@ -186,7 +186,7 @@ impl<'a> AsperityAtSlip<'a> {
                 let steady = self.law.steady_friction(self.radius, inside, self.slip_rate)?;
                 let known = steady.is_some_and(|mu| mu.error <= UNKNOWN_STEADY_FRICTION * mu.value);
                 let share = if known { 0.0 } else { self.beyond_histories() };
-                Ok(Estimate { value: share * response.load.value, error: 0.0 })
+                Ok(Estimate::exact(share * response.load.value))
             }
         }
     }

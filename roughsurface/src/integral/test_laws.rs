@@ -107,7 +107,7 @@ impl AsperityLaw for PowerLaw {
         let contact_radius = (area.value / std::f64::consts::PI).sqrt();
         let history = (self.history)(slip_rate, slip.min(self.last_slip * contact_radius), contact_radius);
         let friction = estimate((self.friction.0 * history, self.friction.1));
-        let temperature_max = Estimate { value: (self.temperature)(interference), error: 0.0 };
+        let temperature_max = Estimate::exact((self.temperature)(interference));
         Ok(Response::new(estimate(self.load), friction, area, temperature_max))
     }
     fn last_slip(&self) -> f64 {

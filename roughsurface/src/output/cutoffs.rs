@@ -53,7 +53,7 @@ pub(super) fn write(
 /// of `friction`, or why there are none.
 pub(super) fn json(cutoffs: &[AtCutoff]) -> Value {
     let of = |at: &AtCutoff| {
-        let exact = |value| Estimate { value, error: 0.0 };
+        let exact = Estimate::exact;
         let mut entry = json!({ "cutoff": exact(at.cutoff).in_unit("m") });
         for (name, unit, _, value) in SUMMITS {
             entry[name] = json!(Estimate { value: value(at), error: f64::NAN }.in_unit(unit));

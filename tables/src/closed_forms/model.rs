@@ -287,7 +287,8 @@ impl AsperityLaw for ClosedForm {
         _slip_rate: f64,
         slip: f64,
     ) -> Result<Response, LookupError> {
-        let mut response = Response { temperature_max: exact(self.temperature), ..Response::default() };
+        let mut response =
+            Response { temperature_max: Estimate::exact(self.temperature), ..Response::default() };
         if interference <= 0.0 {
             return Ok(response);
         }
@@ -297,9 +298,9 @@ impl AsperityLaw for ClosedForm {
         } else {
             constant_shear::force_fraction(slip / sliding.gross_slip)
         };
-        response.load = exact(sliding.load);
-        response.area = exact(sliding.area);
-        response.friction = exact(sliding.strength * sliding.area * mobilised);
+        response.load = Estimate::exact(sliding.load);
+        response.area = Estimate::exact(sliding.area);
+        response.friction = Estimate::exact(sliding.strength * sliding.area * mobilised);
         Ok(response)
     }
 
@@ -311,17 +312,13 @@ impl AsperityLaw for ClosedForm {
         _slip_rate: f64,
     ) -> Result<Option<Estimate>, LookupError> {
         if interference <= 0.0 {
-            return Ok(Some(exact(0.0)));
+            return Ok(Some(Estimate::exact(0.0)));
         }
         let sliding = self.sliding(radius, interference);
         let (_, _, dissipated) = constant_shear::energies_at_gross_slip();
         let unit = sliding.strength * sliding.area * sliding.gross_slip;
-        Ok(Some(exact(dissipated * unit)))
+        Ok(Some(Estimate::exact(dissipated * unit)))
     }
-}
-
-fn exact(value: f64) -> Estimate {
-    Estimate { value, error: 0.0 }
 }
 
 #[cfg(test)]

@@ -284,7 +284,7 @@ impl AsperityLaw for InterpolatedTable {
         slip_rate: f64,
     ) -> Result<Option<Estimate>, LookupError> {
         if interference <= 0.0 {
-            return Ok(Some(Estimate { value: self.metadata().temperature, error: 0.0 }));
+            return Ok(Some(Estimate::exact(self.metadata().temperature)));
         }
         self.estimate(Quantity::TemperatureMean, radius, interference, slip_rate).map(Some)
     }

@@ -17,6 +17,11 @@ impl Estimate {
     /// Neither value nor error is known.
     pub const UNKNOWN: Self = Self { value: f64::NAN, error: f64::NAN };
 
+    /// A value without error.
+    pub const fn exact(value: f64) -> Self {
+        Self { value, error: 0.0 }
+    }
+
     /// A value whose error is the sum of the magnitudes of its contributions, and so never negative.
     pub fn with_errors(value: f64, contributions: impl IntoIterator<Item = f64>) -> Self {
         Self { value, error: contributions.into_iter().map(f64::abs).sum() }

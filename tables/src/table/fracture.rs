@@ -44,7 +44,7 @@ mod tests {
         let (energy, radius) =
             (Estimate { value: 600.0, error: 30.0 }, Estimate { value: 2e-5, error: 1e-6 });
         let constant = FractureEnergy { coefficient: 300.0, radius_exponent: 0 };
-        assert_eq!(constant.at(radius), Estimate { value: 300.0, error: 0.0 });
+        assert_eq!(constant.at(radius), Estimate::exact(300.0));
         let ratio = constant.ratio(energy, radius);
         assert!((ratio.value - 2.0).abs() < 1e-14 && (ratio.error - 0.1).abs() < 1e-14);
         // 300 J/m² at 20 µm, 5 % of error of a.

@@ -22,7 +22,6 @@ const BLOCK: usize = 256;
 pub(super) struct Partition {
     /// Elements of each part but the last.
     size: usize,
-    elements: usize,
     /// Corners of each element among the nodes of its part.
     corners: Vec<[u32; CORNERS]>,
     /// Nodes of each part.
@@ -66,7 +65,7 @@ impl Partition {
             Some(*end)
         }));
         let forces = vec![0.0; before * VALUES * columns];
-        Self { size, elements, corners, counts, places: of_nodes.concat(), start, forces }
+        Self { size, corners, counts, places: of_nodes.concat(), start, forces }
     }
 
     /// Those of rising elements that are in each part.
@@ -83,7 +82,7 @@ impl Partition {
             .map(|(part, (corners, count))| {
                 let forces = rest.split_off_mut(..count * VALUES * columns).expect("of all parts");
                 let first = part * self.size;
-                PartForces { elements: first..(first + self.size).min(self.elements), corners, forces }
+                PartForces { elements: first..first + corners.len(), corners, forces }
             })
             .collect()
     }
@@ -169,4 +168,38 @@ pub(super) struct PartForces<'a> {
     /// Of each of its elements, among the nodes of the part.
     pub corners: &'a [[u32; CORNERS]],
     pub forces: &'a mut [f64],
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discretisation::element::scatter_vector;
+    use crate::discretisation::mesh::{MeridianMesh, MeshSize};
+
+    /// A unit force on each corner of each element: the force on a node is the number of its elements in active parts.
+    #[test]
+    fn forces_on_nodes_are_sums_over_their_elements() {
+        let columns = 8;
+        let mesh = RevolvedMesh::new(MeridianMesh::new(MeshSize::new(0.1, 6)), Collocation::full(columns));
+        let mut partition = Partition::new(&mesh);
+        assert!(partition.counts.len() > 2);
+        for part in partition.parts(columns) {
+            for corners in part.corners {
+                let unit = [[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]; CORNERS];
+                (0..columns).for_each(|j| scatter_vector(&unit, corners, (j, columns), part.forces));
+            }
+        }
+        let nodes: Vec<usize> = (0..mesh.node_count()).collect();
+        let first = (0..partition.counts.len()).map(|part| part == 0).collect();
+        for (active, elements) in [(partition.all(), mesh.elements.len()), (first, partition.size)] {
+            let mut force = vec![f64::NAN; mesh.field_length(3)];
+            partition.forces_on(&mesh.sectors, &nodes, &active, &mut force);
+            for (node, force) in force.chunks_exact(3 * columns).enumerate() {
+                let corners = mesh.elements[..elements].iter().flat_map(|element| element.nodes);
+                let count = corners.filter(|corner| *corner as usize == node).count();
+                assert!(force[..columns].iter().all(|f| *f == count as f64));
+                assert!(force[columns..].iter().all(|f| *f == 0.0));
+            }
+        }
+    }
 }

@@ -157,7 +157,7 @@ pub struct RateLaws {
 ///
 /// let rates = [0.1, 0.3, 1.0, 3.0, 10.0];
 /// let mu = rates.map(|rate: f64| 0.6 / (1.0 + (rate / 40.0).sqrt()));
-/// let law = choose(&rates, &mu.map(|value| Estimate { value, error: 0.0 })).chosen?;
+/// let law = choose(&rates, &mu.map(Estimate::exact)).chosen?;
 /// assert_eq!(law.form.name, "square-root");
 /// assert!((law.velocity.value - 40.0).abs() < 1e-3);
 /// # Ok::<(), roughsurface::friction::rate_law::NoFit>(())

@@ -8,7 +8,7 @@ fn rates(from: f64, to: f64, count: usize) -> Vec<f64> {
 }
 
 fn exact(rates: &[f64], mut law: impl FnMut(f64) -> f64) -> Vec<Estimate> {
-    rates.iter().map(|rate| Estimate { value: law(*rate), error: 0.0 }).collect()
+    rates.iter().map(|rate| Estimate::exact(law(*rate))).collect()
 }
 
 fn flash_heating(rate: f64) -> f64 {
@@ -109,7 +109,7 @@ fn curves_that_do_not_weaken_are_not_fitted() {
     assert_eq!(choose(&rates, &rising).chosen, Err(NoFit::NoWeakening));
     assert_eq!(choose(&rates[..3], &rising[..3]).chosen, Err(NoFit::NoWeakening));
     assert_eq!(choose(&rates[..2], &rising[..2]).chosen, Err(NoFit::TooFewSlipRates(3)));
-    assert_eq!(choose(&rates, &[Estimate { value: f64::NAN, error: 0.0 }; 9]).chosen, Err(NoFit::NoFriction));
+    assert_eq!(choose(&rates, &[Estimate::exact(f64::NAN); 9]).chosen, Err(NoFit::NoFriction));
     // Scatter about a constant.
     let noise = Normal::new(0.0, 1e-3).unwrap();
     let mut random = StdRng::seed_from_u64(3);

@@ -80,7 +80,7 @@ pub(super) trait Summits {
             let separation = match query.loading {
                 NormalLoading::Separation(_) => value,
                 NormalLoading::Pressure(_) => {
-                    let displacement = plane.displacement(Estimate { value, error: 0.0 });
+                    let displacement = plane.displacement(Estimate::exact(value));
                     find(&mut before, value)?.separation - displacement.value
                 }
             };

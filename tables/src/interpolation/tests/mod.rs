@@ -24,7 +24,7 @@ fn truth(interference: f64, slip_rate: f64, slip: f64) -> Response {
     let ratio = slip / contact_radius;
     let heating = slip_rate / WEAKENING_RATE * contact_radius / critical * (ratio / (1.0 + ratio));
     let drop = 1.0 - 0.1 * ratio / (1.0 + ratio);
-    let exact = |value| Estimate { value, error: 0.0 };
+    let exact = Estimate::exact;
     let (load, friction) = (exact(cold.load.value * drop), exact(cold.friction.value / (1.0 + heating)));
     Response::new(load, friction, cold.area, exact(BASE + 900.0 * heating / (1.0 + heating)))
 }
