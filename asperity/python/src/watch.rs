@@ -7,7 +7,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread::Builder;
 use std::time::Duration;
 
-use asperity::simulate::Watch;
+use asperity::simulate::{STACK_SIZE, Watch};
 use asperity::tabulate::{CellProgress, CellResult, Index, TableWatch};
 use pyo3::prelude::*;
 
@@ -15,9 +15,6 @@ use crate::errors;
 
 /// Interval at which interrupts are attended to.
 const INTERVAL: Duration = Duration::from_millis(50);
-
-/// Of a thread that computes; that of the programs is as large.
-const STACK: usize = 32 << 20;
 
 /// What the computing threads tell, and the request to stop.
 #[derive(Default)]
@@ -84,13 +81,14 @@ pub fn followed<T: Send>(
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Follower) -> T + Send,
 ) -> PyResult<T> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).stack_size(STACK).build();
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).stack_size(STACK_SIZE).build();
     let pool = pool.map_err(|error| errors::failed(format!("cannot start threads: {error}"), None))?;
     let follower = Follower::default();
     std::thread::scope(|scope| {
         let (ended, end) = channel::<()>();
         let (follower, pool) = (&follower, &pool);
-        let computing = Builder::new().stack_size(STACK).spawn_scoped(scope, move || {
+        let computing = Builder::new().stack_size(STACK_SIZE).spawn_scoped(scope, move || {
             // Closes the channel also where the work panics.
             let _ended = ended;
             pool.install(|| work(follower))

@@ -8,8 +8,7 @@ use asperity::tabulate::Shard;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use tables::figures::TABLE_PANELS;
-
-use tables::netcdf::program::Words;
+use tables::netcdf::program::Printer;
 
 use super::{help, table};
 
@@ -44,8 +43,8 @@ pub(super) struct Display {
 }
 
 impl Display {
-    pub(super) fn words(&self) -> Words {
-        Words { json: self.json, quiet: self.quiet }
+    pub(super) fn printer(&self) -> Printer {
+        Printer { json: self.json, quiet: self.quiet }
     }
 }
 
@@ -105,7 +104,7 @@ pub(super) struct RunArguments {
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
     pub(super) set: Vec<String>,
-    /// Threads [default: number of processors]. Results do not depend on it
+    /// Number of threads [default: number of processors]; results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) threads: Option<u16>,
     /// Print the time by part of the computation on stderr, or in the JSON
@@ -173,6 +172,9 @@ pub(super) struct ConvergenceArguments {
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
     pub(super) set: Vec<String>,
+    /// Number of threads [default: number of processors]; results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(super) threads: Option<u16>,
     /// Elements per contact radius of the finest mesh, a multiple of 12
     #[arg(long, value_name = "N", default_value_t = FINEST, value_parser = clap::value_parser!(u16).range(12..=96))]
     pub(super) finest: u16,

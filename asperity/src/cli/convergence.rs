@@ -18,7 +18,7 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
     if !finest.is_multiple_of(DIVISOR) {
         return Err(Failure::input(format!("--finest: {finest} is not a multiple of {DIVISOR}")));
     }
-    display.words().warn(scene.remarks());
+    display.printer().warn(scene.remarks());
     watch_for_interrupt();
     let progress = Progress::new(display);
     let result = Convergence::sweep(&scene, finest, &progress);
@@ -34,7 +34,7 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
         .as_ref()
         .map_or(Ok(()), |plot| outputs::draw(convergence::figure(&sweep), &arguments.panel, plot));
     let printed = display
-        .words()
+        .printer()
         .print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));
     Failure::all([saved, drawn, printed])
 }

@@ -21,6 +21,7 @@ mod verify;
 
 use std::process::ExitCode;
 
+use asperity::simulate::STACK_SIZE;
 use clap::Parser;
 use tables::netcdf::program::{self, Failure, exit_status, print};
 use tables::netcdf::streams;
@@ -45,6 +46,11 @@ fn program() -> ExitCode {
         Err(message) => return streams::usage(message.exit_code(), message.print()),
     };
     let display = &arguments.display;
+    let threads = match &arguments.command {
+        Command::Run(arguments) => arguments.threads,
+        Command::Convergence(arguments) => arguments.threads,
+        _ => None,
+    };
     let work = || match &arguments.command {
         Command::Run(arguments) => run::run(arguments, display),
         Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
@@ -58,7 +64,14 @@ fn program() -> ExitCode {
         Command::Man { directory } => manual::man(directory),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
-    exit_status(work)
+    exit_status(|| start_threads(threads).and_then(|()| work()))
+}
+
+/// Starts the threads of all commands but `tabulate`: as many as processors by default.
+fn start_threads(number: Option<u16>) -> Result<(), Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(number.map_or(0, usize::from));
+    let started = pool.stack_size(STACK_SIZE).build_global();
+    started.map_err(|error| Failure::run(format!("cannot start threads: {error}")))
 }
 
 /// Number of threads that a tabulation uses by default.

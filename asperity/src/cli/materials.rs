@@ -24,7 +24,7 @@ pub fn materials(name: Option<&str>, display: &Display) -> Result<(), Failure> {
         None => chosen.iter().map(|preset| format!("{:21}{}\n", preset.name, preset.title)).collect(),
         Some(_) => constants(chosen[0]),
     };
-    display.words().print(json, text)
+    display.printer().print(json, text)
 }
 
 fn unknown(name: &str) -> Failure {

@@ -39,7 +39,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
     }
     let done = cells - missing - failed.len();
     let (output, failed) = (arguments.output.display().to_string(), failed.len());
-    display.words().print(
+    display.printer().print(
         || json!({ "output": output, "done": done, "not_run": missing, "failed": failed }),
         || format!("{done} of {cells} cells done, {missing} not run, {failed} failed\n"),
     )

@@ -52,7 +52,7 @@ pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), 
         json!({ "solved": solved, "refused": refused, "failed": failed, "cases": cases })
     };
     let (all, solvable) = (results.len(), results.iter().filter(|(case, _)| case.refused.is_none()).count());
-    display.words().print(json, || {
+    display.printer().print(json, || {
         format!("{all} cases: {solved} solved, {refused} refused as expected, {failed} failed\n")
     })?;
     match failed as f64 <= MOST_FAILURES * solvable as f64 {

@@ -37,12 +37,8 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
         )));
     }
     check_outputs(arguments)?;
-    if let Some(threads) = arguments.threads {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
-        pool.map_err(|error| Failure::run(format!("--threads {threads}: {error}")))?;
-    }
     let remarks = scene.remarks();
-    display.words().warn(&remarks);
+    display.printer().warn(&remarks);
     if !display.quiet {
         progress::tell_expected_time(expected_time(&scene));
     }
@@ -123,7 +119,7 @@ fn report(
     // Results are printed even if the disk is full.
     // Those about the scene were printed before the run.
     display
-        .words()
+        .printer()
         .warn(outcome.account.warnings.iter().filter(|warning| !matches!(warning, Warning::Scene(_))));
     if display.verbose {
         say(account(outcome).trim_end());
@@ -139,7 +135,7 @@ fn report(
         }
         json
     };
-    let printed = display.words().print(json, || summary(scene, outcome));
+    let printed = display.printer().print(json, || summary(scene, outcome));
     Failure::all([saved, drawn, body, printed])
 }
 

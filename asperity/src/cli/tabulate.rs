@@ -23,7 +23,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
     let journal = Journal::beside(&arguments.output);
     check_outputs(arguments, &request.temperatures, &journal)?;
-    display.words().warn(request.remarks());
+    display.printer().warn(request.remarks());
     if display.verbose {
         say(format!("note: {}", Note::Defaults(request.template.defaults_in_effect())));
     }
@@ -90,7 +90,7 @@ fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Displ
     let failed = table.failures().len();
     let json = || json!({ "output": output, "complete": true, "failed": failed });
     let text = || format!("{output}: the table of this request is complete, nothing was computed\n");
-    let printed = display.words().print(json, text);
+    let printed = display.printer().print(json, text);
     if let Some(plot) = &arguments.plot {
         outputs::plot(table, plot, &arguments.panel)?;
     }
@@ -123,7 +123,7 @@ fn report(
     arguments: &TabulateArguments,
     display: &Display,
 ) -> Result<(), Failure> {
-    display.words().warn(tabulation.warnings());
+    display.printer().warn(tabulation.warnings());
     if !display.quiet {
         for (index, reason) in tabulation.failures() {
             say(format!("failed: {}: {reason}", tabulation.label(index)));
@@ -149,7 +149,7 @@ fn report(
         }
         json
     };
-    display.words().print(json, || summary(tabulation))
+    display.printer().print(json, || summary(tabulation))
 }
 
 /// One line per cell.

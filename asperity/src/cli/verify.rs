@@ -37,7 +37,7 @@ pub fn verify(arguments: &VerifyArguments, display: &Display) -> Result<(), Fail
     progress.clear();
     let passed = failed.is_empty();
     let tally = Tally::of(&all);
-    display.words().print(
+    display.printer().print(
         || {
             json!({
                 "passed": passed,

@@ -2,23 +2,23 @@
 //!
 //! Loops over the body are divided, and a main run begins beside its auxiliary runs, only while a single simulation is
 //! in progress. Of several, as the cells of a table, each has a thread of its own; there a thread that waited for a part
-//! of a loop would begin another simulation meanwhile. Results do not depend on it.
+//! of a loop would begin another simulation meanwhile. Results do not depend on whether loops are divided.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 static IN_PROGRESS: AtomicUsize = AtomicUsize::new(0);
 
 /// A simulation in progress, until it is dropped.
-pub struct Simulation(());
+pub struct InProgress(());
 
-impl Simulation {
+impl InProgress {
     pub fn begin() -> Self {
         IN_PROGRESS.fetch_add(1, Ordering::Relaxed);
         Self(())
     }
 }
 
-impl Drop for Simulation {
+impl Drop for InProgress {
     fn drop(&mut self) {
         IN_PROGRESS.fetch_sub(1, Ordering::Relaxed);
     }

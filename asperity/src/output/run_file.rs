@@ -183,7 +183,7 @@ fn time_spent(file: &mut DatasetWriter, account: &Account) -> Result<(), Dataset
     file.dimension("kernel", kernels.len())?;
     file.texts("kernel_name", &["kernel"], &names, &[("long_name", "part of the run".into())])?;
     let mut attributes =
-        described("s", "time spent in each part of the run, summed over main and auxiliary runs");
+        described("s", "time of the main run by part; auxiliary_runs is that of all other runs and presses");
     attributes.push(("coordinates", "kernel_name".into()));
     file.reals("time_spent", &["kernel"], &seconds, &attributes)
 }

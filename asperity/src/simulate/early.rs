@@ -1,12 +1,12 @@
 //! A main run that begins beside its auxiliary runs, where a thread is idle.
 //!
-//! Its resolution depends on theirs, but mostly it is the one that they start from. At that one it begins at once; where
-//! they require another one it is revoked and repeated. So the results do not depend on the threads.
+//! The resolution of the main run follows from the auxiliary runs; mostly it is the one that they start from. If a thread is
+//! idle, the main run begins at that resolution at once. If the auxiliary runs require another one, it is stopped and
+//! repeated. Results do not depend on the number of threads.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Watch;
-use crate::discretisation::threads::is_alone;
 
 /// Follows a main run that begins early, and revokes it.
 pub(super) struct EarlyMain<'a> {
@@ -29,15 +29,29 @@ impl<'a> EarlyMain<'a> {
         Auxiliary(self)
     }
 
-    /// Whether the main run shall begin.
+    /// Whether the main run can still begin early.
     pub fn begins(&self) -> bool {
-        is_alone() && !self.late.load(Ordering::Relaxed)
+        !self.late.load(Ordering::Relaxed)
     }
 
-    /// The auxiliary runs have ended; `useful`: whether the main run is what they require.
-    pub fn auxiliary_ended(&self, useful: bool) {
-        self.late.store(true, Ordering::Relaxed);
-        self.revoked.store(!useful, Ordering::Relaxed);
+    /// For the duration of the auxiliary runs.
+    pub fn while_auxiliary(&self) -> AuxiliaryEnd<'_> {
+        AuxiliaryEnd { early: self, useful: false }
+    }
+}
+
+/// Ends the time in which the main run can begin early, also where an auxiliary run panics, and revokes it unless it is
+/// useful.
+pub(super) struct AuxiliaryEnd<'a> {
+    early: &'a EarlyMain<'a>,
+    /// Whether the main run is what the auxiliary runs require.
+    pub useful: bool,
+}
+
+impl Drop for AuxiliaryEnd<'_> {
+    fn drop(&mut self) {
+        self.early.late.store(true, Ordering::Relaxed);
+        self.early.revoked.store(!self.useful, Ordering::Relaxed);
     }
 }
 
@@ -96,8 +110,8 @@ mod tests {
     fn a_main_run_that_is_not_required_is_revoked() {
         for useful in [true, false] {
             let early = EarlyMain::new(&super::super::Unwatched);
-            assert!(!early.cancelled());
-            early.auxiliary_ended(useful);
+            assert!(early.begins() && !early.cancelled());
+            early.while_auxiliary().useful = useful;
             assert_eq!(early.cancelled(), !useful);
             assert!(!early.begins() && !early.of_auxiliary().cancelled());
         }

@@ -4,7 +4,7 @@
 //! resolution from the accuracy ─► press on the coarse mesh ─► strain measure ─► heat
 //!   ─► auxiliary runs ─► main run ─► scalars, error estimates ─► at most two finer runs ─► outcome
 //! ```
-//! Each run makes the press that it starts from. The main run begins beside the auxiliary runs (`early`) where a thread
+//! The presses on other meshes are made before the first run that needs them. The main run begins beside the auxiliary runs (`early`) where a thread
 //! is idle. One press ([`press`]) serves slides at any slip rate ([`slide`]). [`accuracy`] estimates errors from the values
 //! of the runs; `report` collects outcome, notes and warnings; [`messages`] contains their sentences.
 //!
@@ -30,7 +30,7 @@ pub(crate) mod values;
 
 use std::time::Instant;
 
-use crate::discretisation::threads::Simulation;
+use crate::discretisation::threads::InProgress;
 use crate::interface::contact::Contact;
 use crate::loading::press::Increment;
 use crate::loading::recording::Recording;
@@ -80,7 +80,8 @@ const REFINEMENTS: usize = 2;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Watch: Sync {
-    /// `stage` is "press" or "slide", `done` the share of that stage that is done (0 to 1).
+    /// `stage` is "press" or "slide", `done` the share of that stage that is done (0 to 1), less than before where a run is
+    /// repeated. Called from several threads.
     fn progress(&self, _stage: &'static str, _done: f64, _detail: &str) {}
     /// True once the run shall stop; the converged steps are returned in the error.
     fn cancelled(&self) -> bool {
@@ -168,9 +169,12 @@ pub(crate) fn slide_refined(
     in_pool(|| slide_in_pool(pressed, slip_rate, refinements, watch))
 }
 
-/// A simulation on a thread of the pool: a loop that is divided elsewhere is passed on to the pool as a whole.
+/// Stack of a thread that simulates, bytes: while it waits for another one, it may compute a further run.
+pub const STACK_SIZE: usize = 32 << 20;
+
+/// A simulation on a thread of the pool. A thread outside of it would hand each divided loop to the pool and wait.
 fn in_pool<R: Send>(compute: impl FnOnce() -> R + Send) -> R {
-    let _in_progress = Simulation::begin();
+    let _in_progress = InProgress::begin();
     rayon::scope(|_| compute())
 }
 

@@ -49,7 +49,7 @@ pub struct Pressed {
     pub(super) resolution: Resolution,
     /// Contact radius over R that meshes are laid out for.
     pub(super) contact_radius: f64,
-    /// The coarse mesh, that of the main run, and the coarse one in longer increments.
+    /// The coarse mesh; from [`press`] also that of the main run, and the coarse one in longer increments.
     pub(super) meshes: Vec<Arc<PressedMesh>>,
     pub(super) recording: Recording,
     pub(super) wall_time: f64,

@@ -12,6 +12,7 @@ use super::messages::{Note, RunKind, RunProgress};
 use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
 use super::{SimulationError, Watch};
 use crate::discretisation::collocation::Collocation;
+use crate::discretisation::threads::is_alone;
 use crate::heat::conduction::Conduction;
 use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
@@ -54,6 +55,11 @@ impl Run {
         matches!(self.failure, Some(SlideFailure::Cancelled))
     }
 
+    /// At its last state.
+    fn time(&self) -> f64 {
+        self.history.last().map_or(0.0, |state| state.time)
+    }
+
     /// Largest plastic strain.
     pub fn plastic_strain(&self) -> f64 {
         self.history.last().map_or(0.0, |state| state.plastic_strain_max)
@@ -91,8 +97,10 @@ fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
 /// What follows the auxiliary runs.
 enum Next {
     Main(Resolution),
-    /// No main run: one of them has outgrown its mesh, or the runs cannot go on.
-    None(Option<SimulationError>),
+    /// One of them has outgrown its mesh.
+    Wider,
+    /// They were stopped, or one could not begin.
+    Failed(SimulationError),
 }
 
 /// Makes the runs of one slip rate.
@@ -131,30 +139,43 @@ impl<'a> Runner<'a> {
         Ok(ladder)
     }
 
-    /// The main run of a resolution, with the sectors and increments that the auxiliary runs require, and these.
+    /// The auxiliary runs of a resolution, and the main run with the sectors and increments that they require. If they are
+    /// stopped, the result is the run that has come furthest.
     fn runs_from(&self, start: Resolution) -> Result<Ladder, SimulationError> {
-        let progress = RunProgress { kind: RunKind::Main, span: (AUXILIARY, MAIN) };
+        let progress = |from| RunProgress { kind: RunKind::Main, span: (from, MAIN) };
         let early = EarlyMain::new(self.watch);
         let (auxiliary, begun) = rayon::join(
             || {
+                let mut end = early.while_auxiliary();
                 let runs = self.auxiliary_runs(start, &early.of_auxiliary());
-                early.auxiliary_ended(matches!(runs, Ok((_, Next::Main(resolution))) if resolution == start));
+                end.useful = matches!(runs, Ok((_, Next::Main(resolution))) if resolution == start);
                 runs
             },
-            || early.begins().then(|| self.run(&start, progress, &early)),
+            || (is_alone() && early.begins()).then(|| self.run(&start, progress(0.0), &early)),
         );
         let (auxiliary, next) = auxiliary?;
-        let (main, given_up) = match next {
-            Next::Main(resolution) if resolution == start && begun.is_some() => (begun, None),
-            Next::Main(resolution) => (Some(self.run(&resolution, progress, self.watch)), begun),
-            Next::None(obstacle) => (obstacle.map(Err), begun),
+        let time = |run: Option<Result<Run, _>>| run.and_then(Result::ok).map_or(0.0, |run| run.slide_time());
+        let (main, given_up) = match (next, begun) {
+            (Next::Main(resolution), Some(main)) if resolution == start => (Some(main), 0.0),
+            (Next::Main(resolution), begun) => {
+                let given_up = time(begun);
+                (Some(self.run(&resolution, progress(AUXILIARY), self.watch)), given_up)
+            }
+            (Next::Failed(SimulationError::Cancelled { .. }), Some(Ok(mut main)))
+                if main.time() > auxiliary[0].time() =>
+            {
+                main.failure.get_or_insert(SlideFailure::Cancelled);
+                (Some(Ok(main)), 0.0)
+            }
+            (Next::Failed(error), begun) => (Some(Err(error)), time(begun)),
+            (Next::Wider, begun) => (None, time(begun)),
         };
         let mut ladder = match main {
             Some(Ok(main)) => Ladder::new(start, main, auxiliary),
             Some(Err(error)) => Ladder::of_auxiliary(start, auxiliary, Some(error)),
             None => Ladder::of_auxiliary(start, auxiliary, None),
         };
-        ladder.given_up = given_up.and_then(Result::ok).map_or(0.0, |run| run.slide_time());
+        ladder.given_up = given_up;
         Ok(ladder)
     }
 
@@ -172,13 +193,13 @@ impl<'a> Runner<'a> {
         if runs[0].failure.is_none() {
             match self.run_all(&others, progress((middle, AUXILIARY)), watch) {
                 Ok(others) => runs.extend(others),
-                Err(error) => return Ok((runs, Next::None(Some(error)))),
+                Err(error) => return Ok((runs, Next::Failed(error))),
             }
         }
         let next = if runs.iter().any(Run::is_cancelled) {
-            Next::None(Some(SimulationError::Cancelled { partial: None }))
+            Next::Failed(SimulationError::Cancelled { partial: None })
         } else if self.wider(&start, runs.iter()).is_some() {
-            Next::None(None)
+            Next::Wider
         } else {
             Next::Main(self.main_resolution(&start, &runs))
         };
@@ -235,7 +256,7 @@ impl<'a> Runner<'a> {
         progress: RunProgress,
         watch: &dyn Watch,
     ) -> Result<Vec<Run>, SimulationError> {
-        let presses = self.pressed(plan, watch)?;
+        let presses = self.presses_of(plan, watch)?;
         let progress_of = |i: usize| (i == 0).then_some(progress);
         let runs = plan.par_iter().zip(presses).enumerate();
         runs.map(|(i, (resolution, press))| self.slide(resolution, press, progress_of(i), watch)).collect()
@@ -261,7 +282,7 @@ impl<'a> Runner<'a> {
     }
 
     /// The presses that slides at the resolutions of a plan start from.
-    fn pressed(
+    fn presses_of(
         &self,
         plan: &[Resolution],
         watch: &dyn Watch,

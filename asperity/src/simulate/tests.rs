@@ -12,7 +12,7 @@ use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 
 /// A point that lifts off with friction and touches without it has no equilibrium for any increment. Without removal of
-/// its friction two steps here are cut back; at 0.01 ω_c the slide does not end.
+/// its friction two steps here are cut back; at 0.01 ω_c the slide fails.
 #[test]
 fn chattering_points_do_not_cut_steps_back() {
     let text = "[material]\npreset = \"steel-304\"\n[asperity]\nradius = 1e-3\n\

@@ -1,7 +1,8 @@
 //! Time of a run by kernel.
 //!
-//! Wall-clock time of the thread that computes a run; a loop that it shares with others counts once. On one thread the
-//! sum is processor time. It has no influence on results.
+//! Wall-clock time of the thread that computes a run; a loop that it shares with others counts once, with the time
+//! of another run that the thread may compute while it waits for the end of the loop. On one thread the sum is processor
+//! time. It has no influence on results.
 
 use std::time::Instant;
 

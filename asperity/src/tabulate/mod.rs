@@ -35,7 +35,7 @@ use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
 use crate::simulate::expected_time::expected_time;
 use crate::simulate::outcome::Outcome;
-use crate::simulate::{self, Pressed, SimulationError, Watch};
+use crate::simulate::{self, Pressed, STACK_SIZE, SimulationError, Watch};
 use cost::CostModel;
 use grid::Work;
 use known::Known;
@@ -194,8 +194,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
     let mut known: Known = found.into_iter().collect();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.jobs)
-        // While a thread waits for a slide it may start another on its stack.
-        .stack_size(32 << 20)
+        .stack_size(STACK_SIZE)
         .build()
         .map_err(|error| TabulateError::Threads { jobs: options.jobs, reason: error.to_string() })?;
     let slips = slip_grid(request.template.loading.slip_distance);

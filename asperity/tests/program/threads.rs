@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::{alone, done};
 
-/// The auxiliary runs of the first scene require twice as many angles as they start from, so the main run that began
+/// The auxiliary runs of the first scene require twice as many angles as they start from, so a main run that has begun
 /// beside them is repeated; those of the second do not.
 #[test]
 fn threads_change_no_number() {

@@ -78,6 +78,6 @@ pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
         let drawn = report::figure(&found).only(&options.panel).and_then(|figure| figure.save(plot));
         drawn.map_err(Failure::run)?;
     }
-    display.words().warn(&found.warnings);
-    display.words().print(|| report::json(&found), || report::text(&found))
+    display.printer().warn(&found.warnings);
+    display.printer().print(|| report::json(&found), || report::text(&found))
 }

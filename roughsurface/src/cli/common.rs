@@ -6,7 +6,7 @@ use roughsurface::integral::separation::SeparationError;
 use roughsurface::sampling::case::CaseError;
 use std::path::Path;
 use tables::law::LookupError;
-use tables::netcdf::program::{self, Words};
+use tables::netcdf::program::{self, Printer};
 pub use tables::netcdf::program::{Failure, save};
 use tables::netcdf::{self, write_atomically};
 
@@ -35,8 +35,8 @@ pub struct Display {
 }
 
 impl Display {
-    pub fn words(&self) -> Words {
-        Words { json: self.json, quiet: self.quiet }
+    pub fn printer(&self) -> Printer {
+        Printer { json: self.json, quiet: self.quiet }
     }
 }
 

@@ -116,7 +116,7 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     ])?;
     // At once: the prediction may be refused for what they are about.
     let of_input = case.warnings();
-    display.words().warn(Warning::condensed(&of_input));
+    display.printer().warn(Warning::condensed(&of_input));
     let mut settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     settings.tolerance = options.tolerance.unwrap_or(settings.tolerance);
     if display.verbose {
@@ -170,7 +170,7 @@ fn write(
                 .map_err(|error| format!("cannot write {}: {error}", path.display()))
         })
     });
-    display.words().warn(Warning::condensed(&results.prediction.warnings[said..]));
-    let printed = display.words().print(|| summary_json::json(results), || summary::text(results));
+    display.printer().warn(Warning::condensed(&results.prediction.warnings[said..]));
+    let printed = display.printer().print(|| summary_json::json(results), || summary::text(results));
     Failure::all([saved, drawn, reported, printed])
 }

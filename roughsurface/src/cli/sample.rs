@@ -49,7 +49,7 @@ fn slip_length(text: &str) -> Result<f64, String> {
 pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let case = options.input.read(&[("--output", Some(&options.output))])?;
     let of_input = case.warnings();
-    display.words().warn(Warning::condensed(&of_input));
+    display.printer().warn(Warning::condensed(&of_input));
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     let progress = Progress::new(display, "surfaces");
     let show = |done, total| progress.show(done, total);
@@ -61,7 +61,7 @@ pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
     let history = netcdf::history(&command_line());
     let origin = Origin { surface: &case.file.text, table: &case.table, history: &history };
     let saved = save(&options.output, |path| sample_file::write(path, &samples, &origin));
-    display.words().warn(Warning::condensed(&samples.warnings[of_input.len()..]));
-    let printed = display.words().print(|| sample_file::json(&samples), || sample_file::text(&samples));
+    display.printer().warn(Warning::condensed(&samples.warnings[of_input.len()..]));
+    let printed = display.printer().print(|| sample_file::json(&samples), || sample_file::text(&samples));
     Failure::all([saved, printed])
 }

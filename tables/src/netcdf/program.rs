@@ -1,4 +1,4 @@
-//! What the programs do alike: failed commands and their exit status, warnings and results, the command as given.
+//! Common to the programs: failed commands and their exit status, warnings and results, the command as given.
 
 use std::fmt::Display;
 use std::panic::{UnwindSafe, catch_unwind};
@@ -12,7 +12,7 @@ use super::streams::{self, say};
 pub enum Failure {
     /// Bad input or usage, exit status 2; no computation was started.
     Input(String),
-    /// A run failed, exit status 1; the results up to the failure are written.
+    /// The command failed, exit status 1; the results up to the failure are written.
     Run(String),
 }
 
@@ -22,12 +22,12 @@ impl Failure {
         Self::Input(reason.to_string())
     }
 
-    /// A failed run.
+    /// A failed command.
     pub fn run(reason: impl ToString) -> Self {
         Self::Run(reason.to_string())
     }
 
-    /// Ok, or the reasons of all failures: each may name the place of something that was saved.
+    /// Ok, or a failed command with the reasons of all failures: each may name the place of something that was saved.
     pub fn all(results: impl IntoIterator<Item = Result<(), Self>>) -> Result<(), Self> {
         let failures = results.into_iter().filter_map(Result::err);
         let reasons: Vec<String> = failures.map(|(Self::Input(reason) | Self::Run(reason))| reason).collect();
@@ -47,16 +47,16 @@ pub fn exit_status(command: impl FnOnce() -> Result<(), Failure> + UnwindSafe) -
     ExitCode::from(status)
 }
 
-/// What a command writes on its streams.
+/// Which texts a command prints.
 #[derive(Clone, Copy, Debug)]
-pub struct Words {
+pub struct Printer {
     /// The result as JSON, not as text.
     pub json: bool,
     /// Neither warnings nor text.
     pub quiet: bool,
 }
 
-impl Words {
+impl Printer {
     /// Warnings on standard error, a line each.
     pub fn warn<W: Display>(self, warnings: impl IntoIterator<Item = W>) {
         if !self.quiet {
@@ -78,7 +78,7 @@ impl Words {
     }
 }
 
-/// Text on standard output, as [`Words::print`].
+/// Text on standard output, as [`Printer::print`].
 pub fn print(text: &str) -> Result<(), Failure> {
     streams::print(text).map_err(|error| Failure::run(format!("standard output cannot be written: {error}")))
 }

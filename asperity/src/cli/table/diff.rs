@@ -13,7 +13,7 @@ use crate::{Display, Failure};
 pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure> {
     let [here, there] = [&arguments.here, &arguments.there].map(|table| read(table, &arguments.at));
     let comparison = here?.compare(&*there?);
-    display.words().print(|| as_json(&comparison), || text(&comparison))?;
+    display.printer().print(|| as_json(&comparison), || text(&comparison))?;
     let Some(tolerance) = arguments.tolerance else { return Ok(()) };
     let largest = comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest));
     match largest {

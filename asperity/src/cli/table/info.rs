@@ -17,7 +17,7 @@ pub fn info(table: &Table, table_name: &str, display: &Display) -> Result<(), Fa
         Ok(slice) => as_json(table, slice, table_name),
         Err(_) => by_temperature(table, table_name),
     };
-    display.words().print(json, || text(table, table_name, display.verbose))
+    display.printer().print(json, || text(table, table_name, display.verbose))
 }
 
 /// Print the shipped tables, a line each.
@@ -58,7 +58,9 @@ pub fn list(display: &Display) -> Result<(), Failure> {
             percent(*mu),
         )
     };
-    display.words().print(|| rows.iter().map(as_json).collect::<Value>(), || rows.iter().map(line).collect())
+    display
+        .printer()
+        .print(|| rows.iter().map(as_json).collect::<Value>(), || rows.iter().map(line).collect())
 }
 
 fn text(table: &Table, table_name: &str, verbose: bool) -> String {

@@ -166,7 +166,7 @@ impl Body {
     pub fn stiffness_loss(&mut self, zone: &InelasticZone, u: &[f64], force: &mut [f64]) {
         differentiate(&self.mesh.sectors, &zone.nodes, u, &mut self.slope);
         let mut partition = std::mem::take(&mut self.partition);
-        let parts = partition.parts(self.mesh.sectors.columns()).into_par_iter().zip(&zone.parts);
+        let parts = partition.parts(self.mesh.sectors.columns()).into_par_iter().zip(&zone.ranges);
         parts
             .with_min_len(least_share())
             .for_each(|(part, elements)| self.stiffness_loss_of(part, &zone.elements[elements.clone()], u));

@@ -27,14 +27,14 @@ pub(super) struct Part<'a> {
     forces: &'a mut [f64],
 }
 
-/// Of [`super::Tangent`].
+/// The [`super::Tangent`] of the elements of a part.
 pub(super) struct TangentPart<'a> {
     pub flows: &'a mut [bool],
     pub coefficients: &'a mut [f64],
     pub stiffness: &'a mut [f64],
 }
 
-/// The first values of `rest`, which keeps the others; as many as there are where these are fewer.
+/// Splits off the first `count` values, or all if there are fewer: the stiffness may be empty.
 pub(super) fn take<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     let count = count.min(rest.len());
     rest.split_off_mut(..count).expect("no more than there are")

@@ -1,7 +1,7 @@
 //! Division of the body into parts of elements that threads compute side by side.
 //!
-//! The elements of a part add their forces in a place of the part's own; the forces on a node are then the sum over the
-//! parts, in order. The parts follow from the mesh alone, so the results do not depend on the number of threads.
+//! The elements of a part add to the part's own copy of the nodal forces; the force on a node is the sum over the parts, in
+//! order. The parts follow from the mesh alone, so the results do not depend on the number of threads.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use crate::discretisation::element::{CORNERS, RevolvedMesh, VALUES};
 use crate::discretisation::threads::least_share;
 use crate::material::instruction_set::dispatch;
 
-/// Elements times angles of a part at least: a tenth of a millisecond of work.
+/// Least elements times angles of a part (the last may have fewer): a tenth of a millisecond of work.
 const LEAST: usize = 512;
 const MOST_PARTS: usize = 32;
 /// Nodes that a thread takes at a time.
@@ -24,8 +24,8 @@ pub(super) struct Partition {
     size: usize,
     /// Corners of each element among the nodes of its part.
     corners: Vec<[u32; CORNERS]>,
-    /// Nodes of each part.
-    counts: Vec<usize>,
+    /// Number of nodes of each part.
+    node_counts: Vec<usize>,
     /// For each node the places of its forces, part by part; those of node n begin at `start[n]`.
     places: Vec<Place>,
     start: Vec<u32>,
@@ -45,7 +45,7 @@ impl Partition {
         let (elements, columns) = (mesh.elements.len(), mesh.sectors.columns());
         let size = elements.div_ceil(MOST_PARTS).max(LEAST / columns);
         let mut corners = Vec::with_capacity(elements);
-        let (mut counts, mut of_nodes) = (Vec::new(), vec![Vec::new(); mesh.node_count()]);
+        let (mut node_counts, mut of_nodes) = (Vec::new(), vec![Vec::new(); mesh.node_count()]);
         let mut before = 0;
         for (part, elements) in mesh.elements.chunks(size).enumerate() {
             let mut nodes: Vec<u32> = elements.iter().flat_map(|element| element.nodes).collect();
@@ -56,7 +56,7 @@ impl Partition {
             for (i, &node) in nodes.iter().enumerate() {
                 of_nodes[node as usize].push(Place { part: part as u32, node: (before + i) as u32 });
             }
-            counts.push(nodes.len());
+            node_counts.push(nodes.len());
             before += nodes.len();
         }
         let mut start = vec![0];
@@ -65,19 +65,19 @@ impl Partition {
             Some(*end)
         }));
         let forces = vec![0.0; before * VALUES * columns];
-        Self { size, corners, counts, places: of_nodes.concat(), start, forces }
+        Self { size, corners, node_counts, places: of_nodes.concat(), start, forces }
     }
 
-    /// Those of rising elements that are in each part.
-    pub fn places_of(&self, elements: &[u32]) -> Vec<Range<usize>> {
+    /// For each part, its range in `elements`, which ascend.
+    pub fn ranges_of(&self, elements: &[u32]) -> Vec<Range<usize>> {
         let before = |part: usize| elements.partition_point(|&e| (e as usize) < part * self.size);
-        (0..self.counts.len()).map(|part| before(part)..before(part + 1)).collect()
+        (0..self.node_counts.len()).map(|part| before(part)..before(part + 1)).collect()
     }
 
     /// Splits the scratch: for each part its elements, their corners and the forces at its nodes.
     pub fn parts(&mut self, columns: usize) -> Vec<PartForces<'_>> {
         let mut rest = &mut self.forces[..];
-        let parts = self.corners.chunks(self.size).zip(&self.counts).enumerate();
+        let parts = self.corners.chunks(self.size).zip(&self.node_counts).enumerate();
         parts
             .map(|(part, (corners, count))| {
                 let forces = rest.split_off_mut(..count * VALUES * columns).expect("of all parts");
@@ -87,7 +87,7 @@ impl Partition {
             .collect()
     }
 
-    /// Forces on `nodes` (rising): sums over the parts that are `active`. Other entries of `force` are kept.
+    /// Forces on `nodes`, which ascend: sums over the parts that are `active`. Other entries of `force` are kept.
     pub fn forces_on(&self, sectors: &Collocation, nodes: &[usize], active: &[bool], force: &mut [f64]) {
         let size = BLOCK * 3 * sectors.columns();
         let blocks = force.par_chunks_mut(size).with_min_len(least_share());
@@ -111,12 +111,13 @@ impl Partition {
     /// Most nodes have elements of one part alone.
     #[inline(always)]
     fn force_on(&self, sectors: &Collocation, node: usize, active: &[bool], force: &mut [f64]) {
-        let width = force.len();
+        // Those on the displacement, and with those on the slopes.
+        let (width, both) = (force.len(), VALUES * sectors.columns());
         let places = &self.places[self.start[node] as usize..self.start[node + 1] as usize];
         let mut parts = places
             .iter()
             .filter(|place| active[place.part as usize])
-            .map(|place| self.forces[place.node as usize * 2 * width..][..2 * width].split_at(width));
+            .map(|place| self.forces[place.node as usize * both..][..both].split_at(width));
         match parts.next() {
             None => force.fill(0.0),
             Some((of_displacement, of_slope)) => {
@@ -132,17 +133,17 @@ impl Partition {
 
     /// All parts.
     pub fn all(&self) -> Vec<bool> {
-        vec![true; self.counts.len()]
+        vec![true; self.node_counts.len()]
     }
 }
 
-/// Those of rising nodes that are in a block.
+/// The nodes of a block; `nodes` ascend.
 fn of_block(nodes: &[usize], block: usize) -> &[usize] {
     let [first, end] = [block, block + 1].map(|block| nodes.partition_point(|&node| node < block * BLOCK));
     &nodes[first..end]
 }
 
-/// ∂u/∂θ at `nodes` (rising).
+/// ∂u/∂θ at `nodes`, which ascend.
 pub(super) fn differentiate(sectors: &Collocation, nodes: &[usize], u: &[f64], slope: &mut [f64]) {
     let size = BLOCK * 3 * sectors.columns();
     let blocks = u.par_chunks(size).zip(slope.par_chunks_mut(size)).with_min_len(least_share());
@@ -176,30 +177,51 @@ mod tests {
     use crate::discretisation::element::scatter_vector;
     use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 
-    /// A unit force on each corner of each element: the force on a node is the number of its elements in active parts.
+    /// Unit forces on u_r and on ∂u_z/∂θ at each corner of each element: the forces on a node are those of one corner times
+    /// the number of its elements in active parts.
     #[test]
     fn forces_on_nodes_are_sums_over_their_elements() {
         let columns = 8;
         let mesh = RevolvedMesh::new(MeridianMesh::new(MeshSize::new(0.1, 6)), Collocation::full(columns));
         let mut partition = Partition::new(&mesh);
-        assert!(partition.counts.len() > 2);
+        assert!(partition.node_counts.len() > 2);
+        let unit = [[1.0, 0.0, 0.0, 0.0, 0.0, 1.0]; CORNERS];
         for part in partition.parts(columns) {
             for corners in part.corners {
-                let unit = [[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]; CORNERS];
-                (0..columns).for_each(|j| scatter_vector(&unit, corners, (j, columns), part.forces));
+                // At the first angle alone, so that the slope does not vanish.
+                scatter_vector(&unit, corners, (0, columns), part.forces);
             }
         }
-        let nodes: Vec<usize> = (0..mesh.node_count()).collect();
-        let first = (0..partition.counts.len()).map(|part| part == 0).collect();
+        let mut of_one = vec![0.0; 3 * columns];
+        of_one[0] = 1.0;
+        let on_slope: Vec<f64> = (0..3 * columns).map(|i| f64::from(u8::from(i == 2 * columns))).collect();
+        mesh.sectors.add_transposed(&VECTOR_PARITY, &on_slope, &mut of_one);
+        let every_third: Vec<usize> = (0..mesh.node_count()).step_by(3).collect();
+        let first = (0..partition.node_counts.len()).map(|part| part == 0).collect();
         for (active, elements) in [(partition.all(), mesh.elements.len()), (first, partition.size)] {
             let mut force = vec![f64::NAN; mesh.field_length(3)];
-            partition.forces_on(&mesh.sectors, &nodes, &active, &mut force);
+            partition.forces_on(&mesh.sectors, &every_third, &active, &mut force);
             for (node, force) in force.chunks_exact(3 * columns).enumerate() {
+                if !node.is_multiple_of(3) {
+                    assert!(force.iter().all(|f| f.is_nan()));
+                    continue;
+                }
                 let corners = mesh.elements[..elements].iter().flat_map(|element| element.nodes);
-                let count = corners.filter(|corner| *corner as usize == node).count();
-                assert!(force[..columns].iter().all(|f| *f == count as f64));
-                assert!(force[columns..].iter().all(|f| *f == 0.0));
+                let count = corners.filter(|corner| *corner as usize == node).count() as f64;
+                assert!(force.iter().zip(&of_one).all(|(f, one)| (f - count * one).abs() < 1e-12));
             }
         }
+    }
+
+    #[test]
+    fn ranges_of_elements_cover_them() {
+        let mesh = RevolvedMesh::new(MeridianMesh::new(MeshSize::new(0.1, 6)), Collocation::full(8));
+        let partition = Partition::new(&mesh);
+        let elements: Vec<u32> = (0..mesh.elements.len() as u32).step_by(7).collect();
+        for (part, range) in partition.ranges_of(&elements).into_iter().enumerate() {
+            assert!(elements[range].iter().all(|&e| e as usize / partition.size == part));
+        }
+        let lengths = partition.ranges_of(&elements).into_iter().map(|range| range.len());
+        assert_eq!(lengths.sum::<usize>(), elements.len());
     }
 }

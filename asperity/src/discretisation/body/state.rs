@@ -71,7 +71,7 @@ impl BodyState {
         self.rise.copy_from_slice(&other.rise);
     }
 
-    /// Of consecutive elements.
+    /// The state of consecutive elements.
     pub(super) fn of_elements(&self, elements: Range<usize>, lanes: usize) -> BodyState<&[f64]> {
         let groups = elements.start * lanes..elements.end * lanes;
         let points = groups.start * POINTS..groups.end * POINTS;
@@ -99,7 +99,7 @@ impl BodyState {
 }
 
 impl BodyState<&mut [f64]> {
-    /// Of the first elements times angles; the rest remains.
+    /// Splits off the first `groups` elements times angles.
     pub(super) fn take(&mut self, groups: usize) -> Self {
         let points = groups * POINTS;
         BodyState {

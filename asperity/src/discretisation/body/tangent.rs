@@ -26,9 +26,9 @@ use crate::material::lanes::Pack;
 /// flow, have other moduli or large displacement gradients.
 pub struct InelasticZone {
     pub(super) elements: Vec<u32>,
-    /// Of each part of the body, places in `elements`.
-    pub(super) parts: Vec<Range<usize>>,
-    /// Whether a part has any.
+    /// For each part of the body, its range in `elements`.
+    pub(super) ranges: Vec<Range<usize>>,
+    /// For each part, whether that range is not empty.
     pub(super) active: Vec<bool>,
     /// Nodes of these elements and of the contact.
     pub nodes: Vec<usize>,
@@ -49,9 +49,9 @@ impl Body {
         of_elements.chain(&self.mesh.meridian.contact).for_each(|&node| touched[node as usize] = true);
         let nodes: Vec<usize> = (0..touched.len()).filter(|&node| touched[node]).collect();
         let entries = Runs::of_blocks(nodes.iter().copied(), 3 * lanes);
-        let parts = self.partition.places_of(&elements);
-        let active = parts.iter().map(|places| !places.is_empty()).collect();
-        InelasticZone { elements, parts, active, nodes, entries }
+        let ranges = self.partition.ranges_of(&elements);
+        let active = ranges.iter().map(|range| !range.is_empty()).collect();
+        InelasticZone { elements, ranges, active, nodes, entries }
     }
 
     /// Whether the tangent of a group of angles of an element differs from the elastic one.

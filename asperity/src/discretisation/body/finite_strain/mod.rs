@@ -65,7 +65,7 @@ struct Kinematics<const W: usize, V> {
     largest: f64,
 }
 
-/// Of consecutive elements.
+/// Tangent of consecutive elements.
 pub(super) struct FiniteTangentPart<'a> {
     point: &'a mut [f32],
     small: &'a mut [bool],
@@ -79,7 +79,7 @@ impl<'a> FiniteTangentPart<'a> {
         Self { point, small, volumetric, rules }
     }
 
-    /// Of the first elements times angles; the rest remains.
+    /// Splits off the first `groups` elements times angles.
     pub fn take(&mut self, groups: usize) -> Self {
         Self {
             point: take(&mut self.point, groups * POINTS * POINT_VALUES),
