@@ -46,11 +46,6 @@ fn program() -> ExitCode {
         Err(message) => return streams::usage(message.exit_code(), message.print()),
     };
     let display = &arguments.display;
-    let threads = match &arguments.command {
-        Command::Run(arguments) => arguments.threads,
-        Command::Convergence(arguments) => arguments.threads,
-        _ => None,
-    };
     let work = || match &arguments.command {
         Command::Run(arguments) => run::run(arguments, display),
         Command::Tabulate(arguments) => tabulate::tabulate(arguments, display),
@@ -64,11 +59,18 @@ fn program() -> ExitCode {
         Command::Man { directory } => manual::man(directory),
         Command::Materials { name } => materials::materials(name.as_deref(), display),
     };
-    exit_status(|| start_threads(threads).and_then(|()| work()))
+    exit_status(|| start_threads(&arguments.command).and_then(|()| work()))
 }
 
-/// Starts the threads of all commands but `tabulate`: as many as processors by default.
-fn start_threads(number: Option<u16>) -> Result<(), Failure> {
+/// Starts the threads of the commands that simulate, as many as processors by default; `tabulate` has its own.
+fn start_threads(command: &Command) -> Result<(), Failure> {
+    let number = match command {
+        Command::Run(arguments) => arguments.threads,
+        Command::Convergence(arguments) => arguments.threads,
+        Command::Verify(_) | Command::Effectivity(_) | Command::Calibrate => None,
+        Command::Table(table::TableCommand::Check(_)) => None,
+        _ => return Ok(()),
+    };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(number.map_or(0, usize::from));
     let started = pool.stack_size(STACK_SIZE).build_global();
     started.map_err(|error| Failure::run(format!("cannot start threads: {error}")))

@@ -2,7 +2,7 @@
 
 use super::SimulationError;
 use super::messages::Note;
-use super::runs::Run;
+use super::run::Run;
 use crate::scene::Numerics;
 use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::accuracy::resolution::Resolution;

@@ -23,6 +23,7 @@ pub mod messages;
 pub mod outcome;
 mod pressed;
 mod report;
+mod run;
 mod runs;
 mod steady;
 mod strain;
@@ -43,7 +44,8 @@ use crate::simulate::outcome::Outcome;
 use messages::{RunKind, RunProgress};
 pub(crate) use pressed::bisect;
 pub use pressed::{Pressed, PressedContact, press};
-use runs::{Run, Runner};
+use run::Run;
+use runs::Runner;
 
 /// Times that a run is repeated more finely, at most.
 const REFINEMENTS: usize = 2;

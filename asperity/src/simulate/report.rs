@@ -5,7 +5,8 @@ use tables::quantity::{Estimate, History, Quantity, Scalars};
 
 use super::ladder::Ladder;
 use super::messages::{Note, Warning};
-use super::runs::{Run, Runner};
+use super::run::Run;
+use super::runs::Runner;
 use super::{SimulationError, slide_error};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::press::Increment;

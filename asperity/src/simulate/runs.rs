@@ -1,4 +1,4 @@
-//! The runs of one slip rate: a slide at one resolution, and the main run beside its auxiliary runs.
+//! The runs of one slip rate: the main run beside its auxiliary runs, with the presses that they need.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
@@ -10,79 +10,25 @@ use super::early::EarlyMain;
 use super::ladder::Ladder;
 use super::messages::{Note, RunKind, RunProgress};
 use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
+use super::run::Run;
 use super::{SimulationError, Watch};
 use crate::discretisation::collocation::Collocation;
 use crate::discretisation::threads::is_alone;
 use crate::heat::conduction::Conduction;
-use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
 use crate::loading::problem::Discretisation;
-use crate::loading::recording::{Fields, Recorder};
+use crate::loading::recording::Recorder;
 use crate::loading::slide::increments::inception_width;
 use crate::loading::slide::{Motion, Slide, SlideFailure};
-use crate::loading::state::SlideState;
 use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::expected_time::time_of;
 use crate::simulate::values::Values;
-use crate::solver::newton::Effort;
-use crate::solver::timings::{Kernel, Timings};
+use crate::solver::timings::Kernel;
 
 /// Shares of the progress of a slide at the end of the auxiliary runs and of the main run; then it may be
 /// repeated more finely.
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
-
-/// One slide at one resolution, up to its end or failure, and the press that it started from.
-pub(super) struct Run {
-    pub resolution: Resolution,
-    pub press: Arc<PressedMesh>,
-    pub history: Vec<SlideState>,
-    pub values: Values,
-    pub fields: Vec<Fields>,
-    pub body: Option<BodyFields>,
-    /// At its end.
-    pub contact: Contact,
-    pub unknowns: usize,
-    pub effort: Effort,
-    pub timings: Timings,
-    pub cutbacks: usize,
-    pub failure: Option<SlideFailure>,
-}
-
-impl Run {
-    pub fn is_cancelled(&self) -> bool {
-        matches!(self.failure, Some(SlideFailure::Cancelled))
-    }
-
-    /// At its last state.
-    fn time(&self) -> f64 {
-        self.history.last().map_or(0.0, |state| state.time)
-    }
-
-    /// Largest plastic strain.
-    pub fn plastic_strain(&self) -> f64 {
-        self.history.last().map_or(0.0, |state| state.plastic_strain_max)
-    }
-
-    /// Processor time of the slide by its counts, s.
-    pub fn expected_time(&self) -> f64 {
-        time_of(self.effort.newton, self.unknowns)
-    }
-
-    /// Time of the slide without the press, s.
-    pub fn slide_time(&self) -> f64 {
-        self.timings.total() - self.timings.of(Kernel::Press)
-    }
-
-    /// Growth of the contact, relative to its radius after the press, at which it left the mesh.
-    fn outgrown(&self) -> Option<f64> {
-        match self.failure {
-            Some(SlideFailure::OutgrewMesh { growth }) => Some(growth),
-            _ => None,
-        }
-    }
-}
 
 fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
     let [coarse, other_sectors, longer_steps, looser_solver] = runs else { return None };
@@ -162,7 +108,7 @@ impl<'a> Runner<'a> {
                 (Some(self.run(&resolution, progress(AUXILIARY), self.watch)), given_up)
             }
             (Next::Failed(SimulationError::Cancelled { .. }), Some(Ok(mut main)))
-                if main.time() > auxiliary[0].time() =>
+                if main.is_ahead_of(&auxiliary[0]) =>
             {
                 main.failure.get_or_insert(SlideFailure::Cancelled);
                 (Some(Ok(main)), 0.0)

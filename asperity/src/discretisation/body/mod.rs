@@ -1,5 +1,7 @@
 //! The elastic-plastic body: history at the Gauss points, internal forces, consistent tangent and mechanical energies.
 //!
+//! The internal force is computed by parts of the body ([`part`], [`partition`]), which threads share.
+//!
 //! The strain measure is a property of the element kernel: [`small_strain`] or [`finite_strain`], with the same
 //! history. Stress and plastic strain at the end of a step follow from the material, [`Solid::flow`], called in
 //! [`point_stress`]. Moduli are f = E(T)/E(T₀) times those at T₀, f at the mean temperature of the element; stresses
@@ -21,6 +23,7 @@ use partition::{Partition, differentiate};
 
 mod energies;
 mod finite_strain;
+mod finite_tangent;
 mod mises;
 mod nodal;
 mod packing;
@@ -61,7 +64,7 @@ pub struct Body {
     pub trial: BodyState,
     tangent: Tangent,
     /// Tangent of the kernel of finite strain; none at small strain.
-    finite_strain: Option<finite_strain::FiniteTangent>,
+    finite_strain: Option<finite_tangent::FiniteTangent>,
     shapes: [[f64; CORNERS]; POINTS],
     partition: Partition,
     /// All nodes.
@@ -105,7 +108,7 @@ impl Body {
     /// The same body at finite strain.
     pub fn at_finite_strain(mut self) -> Self {
         let (elements, lanes) = (self.mesh.elements.len(), self.mesh.sectors.columns());
-        self.finite_strain = Some(finite_strain::FiniteTangent::new(elements, lanes));
+        self.finite_strain = Some(finite_tangent::FiniteTangent::new(elements, lanes));
         self
     }
 

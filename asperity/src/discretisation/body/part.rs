@@ -1,8 +1,8 @@
 //! The internal force of a part of the body: the loop over its elements, which sets their trial state and tangent.
 
-use super::finite_strain::FiniteTangentPart;
+use super::finite_tangent::FiniteTangentPart;
 use super::partition::PartForces;
-use super::state::BodyState;
+use super::state::{BodyState, take};
 use super::{Body, COEFFICIENTS};
 use crate::discretisation::element::{CORNERS, Element, POINTS, RevolvedMesh, scatter_vector};
 use crate::material::Solid;
@@ -32,12 +32,6 @@ pub(super) struct TangentPart<'a> {
     pub flows: &'a mut [bool],
     pub coefficients: &'a mut [f64],
     pub stiffness: &'a mut [f64],
-}
-
-/// Splits off the first `count` values, or all if there are fewer: the stiffness may be empty.
-pub(super) fn take<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
-    let count = count.min(rest.len());
-    rest.split_off_mut(..count).expect("no more than there are")
 }
 
 impl Body {

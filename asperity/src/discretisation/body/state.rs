@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use super::TENSOR;
-use super::part::take;
 use crate::discretisation::element::POINTS;
 
 /// Place of value i of `count` at Gauss point q of element e and the first angle: element by element, value by value,
@@ -111,4 +110,10 @@ impl BodyState<&mut [f64]> {
             rise: take(&mut self.rise, groups),
         }
     }
+}
+
+/// Splits off the first `count` values, or all if there are fewer: the stiffness may be empty.
+pub(super) fn take<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let count = count.min(rest.len());
+    rest.split_off_mut(..count).expect("no more than there are")
 }

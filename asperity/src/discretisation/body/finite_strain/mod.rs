@@ -18,15 +18,16 @@
 //! Depends on `element` and `crate::material`. Chapter "Mesh and elements" of the book.
 
 use super::Body;
+use super::finite_tangent::{FiniteTangentPart, POINT_VALUES};
 use super::packing::{joined, pack, packed_values, spread, summed, unpack};
-use super::part::{Part, take};
+use super::part::Part;
 use super::point_stress::Points;
 use super::temperature::ElementHeat;
 use crate::discretisation::elastic;
 use crate::discretisation::element::{CORNERS, Element, POINTS, VALUES};
 use crate::material::lanes::{Lanes, Pack, lanes_of};
 use crate::material::log_moduli::{self, ENTRIES, LogModuli, add_volume_curvature, symmetric_product};
-use crate::material::log_strain::{Rules, first_piola};
+use crate::material::log_strain::first_piola;
 use crate::material::tensor::{
     Symmetric, TwoPoint, cauchy_green_excess, cofactors, deformation_gradient, volume_excess,
 };
@@ -37,25 +38,6 @@ mod gradient;
 /// Largest component of the displacement gradient up to which the moduli of small strain are used.
 const SMALL: f64 = 1e-2;
 
-/// Values per point: ∂P/∂F and ∂J/∂F, times the point's weight.
-const POINT_VALUES: usize = ENTRIES + 9;
-
-/// Tangent at the last internal force.
-#[derive(Clone, Debug)]
-pub struct FiniteTangent {
-    /// Values of each point, see [`super::state::place_of`]. In single precision: the products are bound by memory, and the
-    /// convergence of Newton's method is the same.
-    point: Vec<f32>,
-    /// Per element and group of lanes: whether the displacement gradient is so small that the moduli of small strain
-    /// are used. Their relative error is the size of the gradient, which leaves the convergence of Newton's method as
-    /// it is.
-    small: Vec<bool>,
-    /// ψ'' over ∫J dV of each element: (K − p)/(V J̄²), p the mean stress.
-    volumetric: Vec<f64>,
-    /// For the logarithm.
-    rules: Rules,
-}
-
 /// Displacement gradients of an element.
 struct Kinematics<const W: usize, V> {
     gradients: [TwoPoint<V>; POINTS],
@@ -63,47 +45,6 @@ struct Kinematics<const W: usize, V> {
     excess: Lanes<W>,
     /// Largest component of h.
     largest: f64,
-}
-
-/// Tangent of consecutive elements.
-pub(super) struct FiniteTangentPart<'a> {
-    point: &'a mut [f32],
-    small: &'a mut [bool],
-    volumetric: &'a mut [f64],
-    rules: &'a Rules,
-}
-
-impl<'a> FiniteTangentPart<'a> {
-    pub fn whole(tangent: &'a mut FiniteTangent) -> Self {
-        let FiniteTangent { point, small, volumetric, rules } = tangent;
-        Self { point, small, volumetric, rules }
-    }
-
-    /// Splits off the first `groups` elements times angles.
-    pub fn take(&mut self, groups: usize) -> Self {
-        Self {
-            point: take(&mut self.point, groups * POINTS * POINT_VALUES),
-            small: take(&mut self.small, groups),
-            volumetric: take(&mut self.volumetric, groups),
-            rules: self.rules,
-        }
-    }
-}
-
-impl FiniteTangent {
-    /// Whether the moduli of small strain are used for the element and group of angles at `at`.
-    pub(super) fn is_small(&self, at: usize) -> bool {
-        self.small[at]
-    }
-
-    pub fn new(elements: usize, lanes: usize) -> Self {
-        Self {
-            point: vec![0.0; elements * POINTS * POINT_VALUES * lanes],
-            small: vec![false; elements * lanes],
-            volumetric: vec![0.0; elements * lanes],
-            rules: Rules::new(),
-        }
-    }
 }
 
 impl Part<'_> {

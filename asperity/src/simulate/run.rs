@@ -1,0 +1,67 @@
+//! One slide at one resolution.
+
+use std::sync::Arc;
+
+use super::pressed::PressedMesh;
+use crate::interface::contact::Contact;
+use crate::loading::body_fields::BodyFields;
+use crate::loading::recording::Fields;
+use crate::loading::slide::SlideFailure;
+use crate::loading::state::SlideState;
+use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::expected_time::time_of;
+use crate::simulate::values::Values;
+use crate::solver::newton::Effort;
+use crate::solver::timings::{Kernel, Timings};
+
+/// One slide at one resolution, up to its end or failure, and the press that it started from.
+pub(super) struct Run {
+    pub resolution: Resolution,
+    pub press: Arc<PressedMesh>,
+    pub history: Vec<SlideState>,
+    pub values: Values,
+    pub fields: Vec<Fields>,
+    pub body: Option<BodyFields>,
+    /// At its end.
+    pub contact: Contact,
+    pub unknowns: usize,
+    pub effort: Effort,
+    pub timings: Timings,
+    pub cutbacks: usize,
+    pub failure: Option<SlideFailure>,
+}
+
+impl Run {
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self.failure, Some(SlideFailure::Cancelled))
+    }
+
+    /// Whether it has come further than `other`: it has ended, or neither has and it has more states, which both take by
+    /// the same rule.
+    pub fn is_ahead_of(&self, other: &Self) -> bool {
+        self.failure.is_none() || other.failure.is_some() && self.history.len() > other.history.len()
+    }
+
+    /// Largest plastic strain.
+    pub fn plastic_strain(&self) -> f64 {
+        self.history.last().map_or(0.0, |state| state.plastic_strain_max)
+    }
+
+    /// Processor time of the slide by its counts, s.
+    pub fn expected_time(&self) -> f64 {
+        time_of(self.effort.newton, self.unknowns)
+    }
+
+    /// Time of the slide without the press, s.
+    pub fn slide_time(&self) -> f64 {
+        self.timings.total() - self.timings.of(Kernel::Press)
+    }
+
+    /// Growth of the contact, relative to its radius after the press, at which it left the mesh.
+    pub fn outgrown(&self) -> Option<f64> {
+        match self.failure {
+            Some(SlideFailure::OutgrewMesh { growth }) => Some(growth),
+            _ => None,
+        }
+    }
+}
