@@ -40,7 +40,7 @@ pub(super) fn report(
     let obstacle = ladder.obstacle.take();
     let mut warnings = warnings(runner, ladder.result(), budget.as_ref(), stopped);
     let Resolution { elements_per_radius, sectors, .. } = ladder.result().resolution;
-    warnings.extend(obstacle.as_ref().map(|_| Warning::NextNotBegun { elements_per_radius, sectors }));
+    warnings.extend(obstacle.as_ref().map(|_| Warning::NoMainRun { elements_per_radius, sectors }));
     let account = account(runner, &ladder, warnings, wall_time);
     let mut run = ladder.main.pop().expect("there is a main run");
     let budget = budget.unwrap_or_else(|| {

@@ -20,8 +20,8 @@ pub enum Warning {
     /// A run did not finish.
     ErrorsUnknown,
     StoppedBeforeRefinement,
-    /// The results are those of a run that another had to follow, which did not begin.
-    NextNotBegun {
+    /// The results are those of a run that another was to follow, which did not begin or was given up.
+    NoMainRun {
         elements_per_radius: usize,
         sectors: usize,
     },
@@ -116,10 +116,10 @@ impl Display for Warning {
                  smaller strength_factor or slip_distance avoids it",
                 quantity.descriptor().name
             ),
-            Self::NextNotBegun { elements_per_radius, sectors } => write!(
+            Self::NoMainRun { elements_per_radius, sectors } => write!(
                 f,
-                "the main run did not begin, or not on the mesh that it requires: the results are those of the run \
-                 before, with {elements_per_radius} elements per contact radius and {sectors} sectors"
+                "the main run on the mesh that is required did not begin or was given up: the results are those of \
+                 another run, with {elements_per_radius} elements per contact radius and {sectors} sectors"
             ),
             Self::InceptionByStiffness { spread } => write!(
                 f,
