@@ -1,9 +1,16 @@
 //! Sliding inception: the first state in which no contact point sticks, or the tangential stiffness
 //! dQ/ds is below 1 % of its first value, whichever comes first.
 //!
+//! Friction and load are those of that state. Where no point sticks, slip and G are those of full mobilisation of the
+//! shear strength ([`super::mobilisation`]): G changes by three times as much as the slip, and the last point that sticks
+//! depends on mesh and angles.
+//!
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
 //! inception bracket Q is not smooth, as single points begin to slip.
 
+use tables::interpolation::steffen::Steffen;
+
+use super::mobilisation::slip_of_full_mobilisation;
 use super::slide::NO_STICK;
 use super::state::SlideState;
 use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
@@ -32,17 +39,25 @@ pub struct Inception {
     pub slip: f64,
     pub friction: f64,
     pub load: f64,
-    /// (work of the flat − change of elastic energy)/A; the work of friction is integrated with the curvature of Q(s).
+    /// (work of the flat − change of elastic energy)/A.
     pub energy_release: f64,
-    /// Uncertainty of the slip between two states, and what friction and G change over it.
-    pub slip_bracket: f64,
+    /// What friction changes between the two states around inception, as far as it is uncertain; of slip and G where
+    /// they are those of a state.
     pub friction_bracket: f64,
+    pub slip_bracket: f64,
     pub energy_bracket: f64,
 }
 
 /// Sliding inception of a slide.
 pub fn inception(history: &[SlideState]) -> Inception {
-    inception_at(history, STIFFNESS_SHARE)
+    let first = inception_at(history, STIFFNESS_SHARE);
+    let mobilised = match first.criterion {
+        InceptionCriterion::FullSlip => slip_of_full_mobilisation(history),
+        InceptionCriterion::Stiffness | InceptionCriterion::None => None,
+    };
+    let Some(slip) = mobilised else { return first };
+    let energy_release = energy_release(history).value(slip);
+    Inception { slip, energy_release, slip_bracket: 0.0, energy_bracket: 0.0, ..first }
 }
 
 /// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
@@ -94,48 +109,64 @@ impl Inception {
     /// At `slip`, somewhere between the states n − 1 and n.
     fn at(history: &[SlideState], slip: f64, n: usize, criterion: InceptionCriterion) -> Self {
         let state = between(history, slip);
-        let curved = work_of_curvature(&history[..=n]);
-        let release =
-            |i: &SlideState| if i.area > 0.0 { (2.0 * (i.work - i.elastic) + curved) / i.area } else { 0.0 };
         let (low, high) = (history[n.saturating_sub(1)], history[n]);
         let width = high.slip - low.slip;
         let share = match criterion {
             InceptionCriterion::FullSlip if width > 0.0 => uncertainty(&history[..=n], slip) / width,
             _ => 0.5,
         };
+        let release = energy_release(&history[..=n]);
         Self {
             criterion,
             slip,
             friction: state.friction,
             load: state.load,
-            energy_release: release(&state),
-            slip_bracket: share * width,
+            energy_release: release.value(slip),
             friction_bracket: share * (high.friction - low.friction).abs(),
-            energy_bracket: share * (release(&high) - release(&low)).abs(),
+            slip_bracket: share * width,
+            energy_bracket: share * (release.value(high.slip) - release.value(low.slip)).abs(),
         }
     }
 }
 
-/// Work of friction between these states beyond that of the trapezoidal rule, by which the increments sum it: h²(Q'₀ − Q'₁)/12
-/// in an increment h, with slopes of parabolas through three states. Over the six to thirteen increments before inception
-/// the rule loses 0.4 to 2 % of G, as Q(s) is concave.
-fn work_of_curvature(history: &[SlideState]) -> f64 {
-    let secants: Vec<(f64, f64)> = history
-        .windows(2)
-        .map(|pair| (pair[1].slip - pair[0].slip, pair[1].friction - pair[0].friction))
-        .filter(|(h, _)| *h > 0.0)
-        .map(|(h, rise)| (h, rise / h))
-        .collect();
+/// (work of the flat − change of elastic energy)/A of the whole body over the slip. The work of friction, which the
+/// increments sum by the trapezoidal rule, is corrected for the curvature of Q(s).
+fn energy_release(history: &[SlideState]) -> Steffen {
+    let mut curved = 0.0;
+    let (mut slips, mut release) = (Vec::new(), Vec::new());
+    for (n, (state, beyond)) in history.iter().zip(work_of_curvature(history)).enumerate() {
+        curved += beyond;
+        if n == 0 || state.slip > history[n - 1].slip {
+            slips.push(state.slip);
+            let energy = 2.0 * (state.work - state.elastic) + curved;
+            release.push(if state.area > 0.0 { energy / state.area } else { 0.0 });
+        }
+    }
+    Steffen::new(slips, release)
+}
+
+/// Work of friction in the increment before each state beyond that of the trapezoidal rule: h²(Q'₀ − Q'₁)/12 in an increment
+/// h, with slopes of parabolas through three states. Over the six to thirteen increments before inception the rule loses
+/// 0.4 to 2 % of G, as Q(s) is concave.
+fn work_of_curvature(history: &[SlideState]) -> Vec<f64> {
+    let lengths: Vec<f64> = history.windows(2).map(|pair| pair[1].slip - pair[0].slip).collect();
+    let moved = || (0..lengths.len()).filter(|&n| lengths[n] > 0.0);
+    let secants: Vec<(f64, f64)> =
+        moved().map(|n| (lengths[n], (history[n + 1].friction - history[n].friction) / lengths[n])).collect();
+    let mut work = vec![0.0; history.len()];
     // Slopes at the inner states, and from the same parabolas at the two ends.
     let inner = secants.windows(2).map(|w| (w[1].0 * w[0].1 + w[0].0 * w[1].1) / (w[0].0 + w[1].0));
     let inner: Vec<f64> = inner.collect();
-    let ([first, .., last], [next, .., before]) = (&secants[..], &inner[..]) else { return 0.0 };
+    let ([first, .., last], [next, .., before]) = (&secants[..], &inner[..]) else { return work };
     let slopes: Vec<f64> = [2.0 * first.1 - next]
         .into_iter()
         .chain(inner.iter().copied())
         .chain([2.0 * last.1 - before])
         .collect();
-    secants.iter().zip(slopes.windows(2)).map(|((h, _), slope)| h * h * (slope[0] - slope[1]) / 12.0).sum()
+    for (n, ((h, _), slope)) in moved().zip(secants.iter().zip(slopes.windows(2))) {
+        work[n + 1] = h * h * (slope[0] - slope[1]) / 12.0;
+    }
+    work
 }
 
 /// Of the slip at which the stick area vanishes between the last two states: the difference from that which the two states
@@ -208,12 +239,12 @@ mod tests {
                 .map(|pair| 0.5 * (pair[1].slip - pair[0].slip) * (pair[0].friction + pair[1].friction))
                 .sum();
             let exact = 2.0 - (1.0 - (-2.0f64).exp());
-            [rule, rule + work_of_curvature(&history)].map(|work| work - exact)
+            [rule, rule + work_of_curvature(&history).iter().sum::<f64>()].map(|work| work - exact)
         };
         let ([rule, corrected], [_, finer]) = (error(8), error(16));
         assert!(corrected.abs() < 0.02 * rule.abs(), "{rule} {corrected}");
         assert!(finer.abs() < corrected.abs() / 8.0, "{corrected} {finer}");
-        assert_eq!(work_of_curvature(&[SlideState::default(); 3]), 0.0);
+        assert_eq!(work_of_curvature(&[SlideState::default(); 3]), [0.0; 3]);
     }
 
     /// Of a stick area that falls linearly a tenth of the interval remains, of one that falls all at once half of it.

@@ -9,6 +9,7 @@
 
 pub mod body_fields;
 pub(crate) mod inception;
+mod mobilisation;
 pub(crate) mod press;
 pub(crate) mod problem;
 pub mod recording;

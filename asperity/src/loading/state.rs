@@ -15,6 +15,8 @@ pub struct SlideState {
     pub load: f64,
     pub area: f64,
     pub stick_fraction: f64,
+    /// Share of the shear strength of the contact that its shear traction mobilises.
+    pub mobilised: f64,
     pub rise_max: f64,
     pub rise_mean: f64,
     pub plastic_strain_max: f64,

@@ -245,6 +245,7 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
             Quantity::Mu => i.mu(),
             Quantity::Area => i.area * units.area(),
             Quantity::StickFraction => i.stick_fraction,
+            Quantity::StrengthMobilised => i.mobilised,
             Quantity::TemperatureMax => units.temperature + i.rise_max,
             Quantity::TemperatureMean => units.temperature + i.rise_mean,
             Quantity::PlasticStrainMax => i.plastic_strain_max,

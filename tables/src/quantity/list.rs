@@ -45,6 +45,7 @@ pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
     history(SlipRate, "slip_rate", "m s-1", (-1, (0, 0)), "rate of the displacement of the flat in the increment"),
     history(ProgrammeStep, "programme_step", "1", NUMBER, "step of the programme of slip rates and holds, from 1"),
     history(StickFraction, "stick_fraction", "1", NUMBER, "fraction that sticks of the contact that exists since the start of the motion"),
+    history(StrengthMobilised, "strength_mobilised", "1", NUMBER, "share of the shear strength that is mobilised, of the contact that exists since the start of the motion"),
     history(PlasticStrainMax, "plastic_strain_max", "1", NUMBER, "largest equivalent plastic strain"),
     history(Work, "work", "J", ENERGY, "work of the flat since the start of the slide"),
     history(EnergyElastic, "energy_elastic", "J", ENERGY, "change of the elastic energy"),

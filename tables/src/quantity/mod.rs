@@ -76,6 +76,8 @@ pub enum Quantity {
     ProgrammeStep,
     /// Fraction of the contact area that sticks.
     StickFraction,
+    /// Share of the shear strength of the contact that is mobilised.
+    StrengthMobilised,
     /// Largest equivalent plastic strain of the body.
     PlasticStrainMax,
     /// Work of the flat since the start of the slide.

@@ -208,6 +208,7 @@ impl Contact {
         };
         let stick: [f64; 2] = std::array::from_fn(|c| share * tangential * (relative[c] - start[c]));
         let size = stick[0].hypot(stick[1]);
+        state.limit[i] = limit;
         if size <= limit && limit > 0.0 {
             state.status[i] = Status::Stick;
             state.traction[i] = stick;

@@ -19,6 +19,8 @@ pub struct ContactState {
     pub gap: Vec<f64>,
     /// Shear traction of the flat on the asperity.
     pub traction: Vec<[f64; 2]>,
+    /// Limit of the shear traction.
+    pub limit: Vec<f64>,
     /// Displacement of the flat relative to the surface.
     pub relative: Vec<[f64; 2]>,
     /// Relative displacement at which the tangential spring of a point has no force.
@@ -34,6 +36,7 @@ impl ContactState {
             pressure: vec![0.0; points],
             gap: vec![0.0; points],
             traction: vec![[0.0; 2]; points],
+            limit: vec![0.0; points],
             relative: vec![[0.0; 2]; points],
             anchor: vec![[0.0; 2]; points],
             slip: vec![0.0; points],
@@ -50,6 +53,7 @@ impl ContactState {
             pressure: spread(&self.pressure, columns),
             gap: spread(&self.gap, columns),
             traction: spread(&self.traction, columns),
+            limit: spread(&self.limit, columns),
             relative: spread(&self.relative, columns),
             anchor: spread(&self.anchor, columns),
             slip: spread(&self.slip, columns),

@@ -26,6 +26,7 @@ impl Slide<'_> {
             load: contact.load(&contact.trial),
             area: contact.area(&contact.trial),
             stick_fraction: contact.stick_fraction(&contact.trial),
+            mobilised: contact.mobilised_strength(&contact.trial),
             plastic_strain_max: self.mechanics.body.trial.largest_plastic_strain(),
             ..previous
         }
