@@ -1,9 +1,9 @@
-//! Sliding inception: the first state in which no contact point sticks, or the tangential stiffness
+//! Sliding inception: the first state in which less than 1 % of the contact area sticks, or the tangential stiffness
 //! dQ/ds is below 1 % of its first value, whichever comes first.
 //!
-//! Friction and load are those of that state. Where no point sticks, slip and G are those of full mobilisation of the
-//! shear strength ([`super::mobilisation`]): G changes by three times as much as the slip, and the last point that sticks
-//! depends on mesh and angles.
+//! Friction and load are those of that state. By the first criterion slip and G are those of full mobilisation of the
+//! shear strength ([`super::mobilisation`]): G changes by up to six times as much as the slip, and the slip at which the last
+//! points stick depends on mesh and angles.
 //!
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
 //! inception bracket Q is not smooth, as single points begin to slip.
@@ -41,8 +41,8 @@ pub struct Inception {
     pub load: f64,
     /// (work of the flat − change of elastic energy)/A.
     pub energy_release: f64,
-    /// What friction changes between the two states around inception, as far as it is uncertain; of slip and G where
-    /// they are those of a state.
+    /// Uncertainty of friction between the two states around inception; of slip and G, 0 where they are extrapolated from the
+    /// mobilised strength.
     pub friction_bracket: f64,
     pub slip_bracket: f64,
     pub energy_bracket: f64,
@@ -134,9 +134,9 @@ impl Inception {
 fn energy_release(history: &[SlideState]) -> Steffen {
     let mut curved = 0.0;
     let (mut slips, mut release) = (Vec::new(), Vec::new());
-    for (n, (state, beyond)) in history.iter().zip(work_of_curvature(history)).enumerate() {
+    for (state, beyond) in history.iter().zip(work_of_curvature(history)) {
         curved += beyond;
-        if n == 0 || state.slip > history[n - 1].slip {
+        if slips.last().is_none_or(|&last| state.slip > last) {
             slips.push(state.slip);
             let energy = 2.0 * (state.work - state.elastic) + curved;
             release.push(if state.area > 0.0 { energy / state.area } else { 0.0 });
@@ -206,6 +206,8 @@ pub fn between(history: &[SlideState], slip: f64) -> SlideState {
 
 #[cfg(test)]
 mod tests {
+    use tables::closed_forms::partial_slip::constant_shear;
+
     use super::*;
 
     /// Q = 1 − e^−s, that sticks throughout, in increments of a fiftieth of the slip but at least 0.02, and short ones
@@ -245,6 +247,29 @@ mod tests {
         assert!(corrected.abs() < 0.02 * rule.abs(), "{rule} {corrected}");
         assert!(finer.abs() < corrected.abs() / 8.0, "{corrected} {finer}");
         assert_eq!(work_of_curvature(&[SlideState::default(); 3]), [0.0; 3]);
+    }
+
+    /// Savkoor's contact of unit strength, radius and slip δ_s, which sticks at the edge for longer than in its middle: slip
+    /// and G are those of the closed form, ∫Q ds = 1 − 4/(3π), friction that of the last point.
+    #[test]
+    fn slip_and_energy_are_those_of_full_mobilisation() {
+        let mut history: Vec<SlideState> = Vec::new();
+        for slip in
+            [0.0, 0.05, 0.1, 0.15, 0.2, 0.26, 0.34, 0.44, 0.57, 0.72, 0.86, 0.93, 0.98, 1.1, 1.2, 1.21]
+        {
+            let friction = constant_shear::force_fraction(slip);
+            let before = history.last().copied().unwrap_or_default();
+            let work = before.work + 0.25 * (slip - before.slip) * (friction + before.friction);
+            let stick_fraction = (1.0 - slip / 1.2).max(0.0);
+            let state = SlideState { slip, friction, work, stick_fraction, ..SlideState::default() };
+            history.push(SlideState { load: 2.0, area: 1.0, mobilised: friction, ..state });
+        }
+        let found = inception(&history);
+        assert_eq!((found.criterion, found.friction), (InceptionCriterion::FullSlip, 1.0));
+        assert!((found.slip - 1.0).abs() < 1e-3, "{found:?}");
+        let exact = constant_shear::energies_at_gross_slip().0;
+        assert!((found.energy_release / exact - 1.0).abs() < 3e-3, "{found:?} {exact}");
+        assert_eq!((found.slip_bracket, found.energy_bracket), (0.0, 0.0));
     }
 
     /// Of a stick area that falls linearly a tenth of the interval remains, of one that falls all at once half of it.

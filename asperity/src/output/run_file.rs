@@ -271,10 +271,11 @@ mod tests {
             assert!(variable.attribute("long_name").is_some(), "{name}");
             variable.dimensions().iter().map(|d| d.name()).collect()
         };
-        for name in "slip time Q P mu area stick_fraction temperature_max temperature_mean \
+        for name in
+            "slip time Q P mu area stick_fraction strength_mobilised temperature_max temperature_mean \
                      plastic_strain_max work energy_elastic dissipation_plastic \
                      dissipation_friction heat_in"
-            .split_whitespace()
+                .split_whitespace()
         {
             assert_eq!(dimensions(name), ["step"], "{name}");
         }

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use tables::closed_forms::partial_slip;
-use tables::quantity::{Estimate, Quantity};
+use tables::quantity::{Estimate, Quantity, State};
 
+use crate::heat::counterface::HalfSpace;
 use crate::scene::{Material, Scene};
 use crate::simulate::fracture::fracture_energy;
 use crate::simulate::outcome::Outcome;
@@ -12,7 +13,8 @@ use crate::simulate::outcome::Outcome;
 /// Name, unit, long name and value.
 pub type Derived = (&'static str, &'static str, &'static str, Estimate);
 
-/// G_IIc and G/G_IIc, and the relative time of sliding inception of a slide with friction.
+/// G_IIc and G/G_IIc, the relative time of sliding inception of a slide with friction, and the highest temperature of a
+/// counterface that conducts.
 pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
     let of = |quantity| outcome.scalars[quantity];
     let mut derived = Vec::new();
@@ -34,7 +36,37 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
     );
     let name = "time of sliding inception over that of a shear wave across the contact radius";
     derived.extend(time.map(|time| ("inception_time", "1", name, time)));
+    let name = "highest temperature of the counterface within the contact at the end of the slide";
+    let highest = counterface_temperature(scene, outcome);
+    derived.extend(highest.map(|highest| ("temperature_max_counterface", "K", name, highest)));
     derived
+}
+
+/// Highest temperature of the surface of a conducting counterface within the contact at the end of the slide, K: the
+/// response of a half-space to the heat that it took up in each increment, uniform over the contact. Its error relative to the
+/// rise is that of the mean rise of the contact. Without heat there is none.
+fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate> {
+    let [conductivity, capacity] = scene.counterface.conduction().filter(|_| outcome.account.heat)?;
+    let mut half_space = HalfSpace::new(conductivity / capacity, (conductivity * capacity).sqrt());
+    let mut before: Option<State<'_>> = None;
+    let mut radius = 0.0;
+    for now in outcome.slide.states() {
+        radius = (now[Quantity::Area] / PI).sqrt();
+        if let Some(before) = before {
+            let change = |quantity| now[quantity] - before[quantity];
+            let (time, heat) = (change(Quantity::Time), change(Quantity::HeatCounterface));
+            if time > 0.0 && radius > 0.0 {
+                let flux = heat / (time * now[Quantity::Area]);
+                half_space.heat(time, change(Quantity::Slip), radius, flux);
+            }
+        }
+        before = Some(now);
+    }
+    let rise = half_space.highest_rise(radius);
+    let mean = outcome.scalars[Quantity::TemperatureMean];
+    let mean_rise = mean.value - scene.loading.temperature;
+    let error = if mean_rise > 0.0 { rise * mean.error / mean_rise } else { 0.0 };
+    Some(Estimate { value: scene.loading.temperature + rise, error })
 }
 
 /// Time of sliding inception at `slip_rate` (m/s) over that of a shear wave across the contact radius, from Q at sliding

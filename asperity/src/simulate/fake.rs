@@ -44,6 +44,7 @@ fn state(scene: &Scene, share: f64, quantity: Quantity) -> f64 {
         Quantity::Mu => mu,
         Quantity::Area => PI * radius * radius * (1.0 + 0.1 * share),
         Quantity::StickFraction => (1.0 - 4.0 * share).max(0.0),
+        Quantity::StrengthMobilised => (4.0 * share).min(1.0),
         Quantity::TemperatureMax => initial + 500.0 * share.sqrt() * rate,
         Quantity::TemperatureMean => initial + 300.0 * share.sqrt() * rate,
         _ => 0.0,

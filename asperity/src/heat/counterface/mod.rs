@@ -22,6 +22,12 @@ use overlap::Overlap;
 const POINTS: usize = 6;
 /// Panels of the convolution per contact radius of motion.
 const PANELS_PER_RADIUS: f64 = 1.0;
+/// The same at a point, which the edge of the source passes at once.
+const PANELS_AT_A_POINT: f64 = 4.0;
+/// Radius over that of the contact of a disc that stands for a point.
+const POINT: f64 = 1e-3;
+/// Places between the middle of the contact and its edge at which the highest rise is sought.
+const PLACES: usize = 16;
 /// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
 const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
@@ -68,6 +74,16 @@ pub struct HalfSpace {
     trial: Option<[Interval; 2]>,
     rule: GaussLegendre,
     overlap: Overlap,
+}
+
+/// The disc over which the mean of a rise is taken: its radius, and how far its centre is ahead of that of the contact in the
+/// direction of motion.
+#[derive(Clone, Copy, Debug)]
+struct Disc {
+    radius: f64,
+    ahead: f64,
+    /// Motion per panel of the convolution.
+    panel: f64,
 }
 
 /// Linear response of the half-space in an increment: mean rise of its surface over the contact.
@@ -129,9 +145,10 @@ impl HalfSpace {
         let (from, to) = (self.now, Moment { time: self.now.time + dt, slip: self.now.slip + slip });
         let stage = from.towards(to, 1.0 - FIRST_PART);
         let unit = |from: Moment, to: Moment| Interval { from, to, flux: 1.0, radius };
-        let free = [stage, to].map(|at| self.history.iter().map(|heat| self.rise(heat, at, radius)).sum());
-        let first = self.rise(&unit(from, from.towards(to, FIRST_PART)), to, radius);
-        let own = self.rise(&unit(from, stage), stage, radius);
+        let contact = Disc { radius, ahead: 0.0, panel: radius / PANELS_PER_RADIUS };
+        let free = [stage, to].map(|at| self.history.iter().map(|heat| self.rise(heat, at, contact)).sum());
+        let first = self.rise(&unit(from, from.towards(to, FIRST_PART)), to, contact);
+        let own = self.rise(&unit(from, stage), stage, contact);
         StepResponse { free, first, own, radius, from, to }
     }
 
@@ -150,25 +167,46 @@ impl HalfSpace {
         }
     }
 
+    /// Adds an increment of a given flux to the history.
+    pub fn heat(&mut self, dt: f64, slip: f64, radius: f64, flux: f64) {
+        let to = Moment { time: self.now.time + dt, slip: self.now.slip + slip };
+        self.history.push(Interval { from: self.now, to, flux, radius });
+        self.now = to;
+    }
+
+    /// Highest rise within a contact of this radius: on its diameter along the motion, behind the middle, where the surface has
+    /// passed the most of the contact. Places are denser towards the edge, near which it is at large Péclet numbers.
+    pub fn highest_rise(&self, radius: f64) -> f64 {
+        let Some(last) = self.history.last() else { return 0.0 };
+        let direction = if last.to.slip < last.from.slip { -1.0 } else { 1.0 };
+        let rise = |place: usize| {
+            let share = 1.0 - (1.0 - place as f64 / PLACES as f64).powi(2);
+            let ahead = direction * share * radius;
+            let point = Disc { radius: POINT * radius, ahead, panel: radius / PANELS_AT_A_POINT };
+            self.history.iter().map(|heat| self.rise(heat, self.now, point)).sum()
+        };
+        (0..=PLACES).map(rise).fold(0.0, f64::max)
+    }
+
     /// Fluxes of the stages to start from: those of the increment tried last or, without one, the last flux.
     pub fn expected_fluxes(&self) -> [f64; 2] {
         let last = self.history.last().map_or(0.0, |interval| interval.flux);
         self.trial.map_or([last; 2], |parts| parts.map(|part| part.flux))
     }
 
-    /// Mean rise at `at`, over the contact of radius `radius`, from the heat of an interval before.
-    fn rise(&self, heat: &Interval, at: Moment, radius: f64) -> f64 {
+    /// Mean rise over a disc at `at` from the heat of an interval before.
+    fn rise(&self, heat: &Interval, at: Moment, Disc { radius, ahead, panel }: Disc) -> f64 {
         let [near, far] = [heat.to, heat.from].map(|then| at.time - then.time);
         let [here, there] = [heat.to, heat.from].map(|then| at.slip - then.slip);
         if far <= near.max(0.0) || radius <= 0.0 {
             return 0.0;
         }
         let (start, end) = (near.max(0.0).sqrt(), far.sqrt());
-        let panels = 1 + (PANELS_PER_RADIUS * (there - here).abs() / radius) as usize;
+        let panels = 1 + ((there - here).abs() / panel) as usize;
         let width = (end - start) / panels as f64;
         let share = |root: f64| {
             let distance = here + (there - here) * (root * root - near) / (far - near);
-            self.overlap.share([radius, heat.radius], self.spreading * root, distance.abs())
+            self.overlap.share([radius, heat.radius], self.spreading * root, (distance - ahead).abs())
         };
         let integral: f64 = (0..panels)
             .map(|panel| {

@@ -37,12 +37,12 @@ impl Contact {
         if area > 0.0 { stick / area } else { 0.0 }
     }
 
-    /// Share of the shear strength of the same contact that the shear traction mobilises: 1 where all of it slips, 0 of an
-    /// infinite strength.
+    /// Share of the shear strength of the same contact that the shear traction mobilises: 1 where all of it slips; 0 if the
+    /// strength is infinite or zero.
     pub fn mobilised_strength(&self, state: &ContactState) -> f64 {
         let points = (0..self.len()).filter(|&i| self.since_start[i] && state.status[i] != Status::Open);
         let (mobilised, strength) = points.fold((0.0, 0.0), |(mobilised, strength), i| {
-            let (area, [r, t]) = (self.covered_area(state, i), state.traction[i]);
+            let (area, [r, t]) = (self.areas[i], state.traction[i]);
             (mobilised + area * r.hypot(t), strength + area * state.limit[i])
         });
         if strength > 0.0 { mobilised / strength } else { 0.0 }

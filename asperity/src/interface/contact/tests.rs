@@ -80,6 +80,30 @@ fn points_that_touch_during_a_motion_do_not_count_as_stick() {
     assert!((new - (1.0 - before / contact.area(&contact.committed))).abs() < 1e-12, "{new}");
 }
 
+/// In stick the sum of the forces over that of the limits, 1 in slip; an infinite strength and none are not mobilised.
+#[test]
+fn the_mobilised_strength_is_a_ratio_of_forces() {
+    let (mesh, mut contact) = contact();
+    let u = vec![0.0; mesh.field_length(3)];
+    let mut at = |displacement: f64, limit: f64| {
+        let flat = FlatPosition { interference: 1e-3, displacement };
+        let limit = where_it_touches(&mut contact, &u, flat, limit);
+        contact.evaluate(|place| u[place], flat, &limit);
+        let forces: f64 = (0..contact.len())
+            .map(|i| contact.areas[i] * contact.trial.traction[i][0].hypot(contact.trial.traction[i][1]))
+            .sum();
+        let touching: f64 = (0..contact.len())
+            .filter(|&i| contact.trial.status[i] != Status::Open)
+            .map(|i| contact.areas[i])
+            .sum();
+        (contact.mobilised_strength(&contact.trial), forces / (0.3 * touching))
+    };
+    let (mobilised, share) = at(1e-7, 0.3);
+    assert!(mobilised > 0.0 && mobilised < 1.0 && (mobilised - share).abs() < 1e-12, "{mobilised} {share}");
+    assert!((at(1e-2, 0.3).0 - 1.0).abs() < 1e-12);
+    assert_eq!((at(1e-7, f64::INFINITY).0, at(1e-2, 0.0).0), (0.0, 0.0));
+}
+
 #[test]
 fn slip_keeps_the_traction_at_the_limit_and_along_the_motion() {
     let (mesh, mut contact) = contact();

@@ -238,7 +238,7 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
         }
         // The rise is proportional to the radius of the source.
         ContactRadius | InceptionSlip | EnergyWeakening | TemperatureMax | TemperatureMean => edge,
-        // The last points that begin to slip lie at the edge.
+        // Changes by one (plastic contacts) to six times (elastic ones) as much as the slip at inception.
         EnergyRelease => EDGE_OF_ENERGY * edge,
         // The pressure vanishes at the edge.
         Load => EDGE_OF_LOAD * edge,

@@ -181,6 +181,9 @@ fn shear(on: &On, watch: &dyn Watch) -> Rows {
     }
     let slip = outcome.scalars[Quantity::InceptionSlip];
     add("displacement at gross slip", slip.into(), gross.displacement, "m", on.inception());
+    let energy = outcome.scalars[Quantity::EnergyRelease].scaled(1.0 / (strength * gross.displacement));
+    let tolerance = Tolerance::absolute(on.energy, "that of Q times Q u_s");
+    add("G over tau_0 u_s", energy.into(), dissipated, "1", tolerance);
     let stress = end[Quantity::Friction] / end[Quantity::Area] / strength;
     let tolerance = Tolerance::relative(0.001, "mean square of the angles of slip");
     add("Q/A over tau_0 in gross slip", stress.into(), 1.0, "1", tolerance);
@@ -213,6 +216,11 @@ fn coulomb(on: &On, watch: &dyn Watch) -> Rows {
     };
     let name = "Coulomb: displacement at gross slip over u_s".to_owned();
     rows.push(on.row(name, over, exact(1.0), on.inception()));
+    // Of the work 3/5 μP u_s two thirds are stored.
+    let unit = gross.force * gross.displacement / last(&outcome)[Quantity::Area];
+    let energy = outcome.scalars[Quantity::EnergyRelease].scaled(1.0 / unit);
+    let tolerance = Tolerance::absolute(on.energy, "that of Q times Q u_s");
+    rows.push(on.row("Coulomb: G A over mu P u_s".to_owned(), energy, exact(0.2), tolerance));
     let mu = last(&outcome)[Quantity::Friction] / last(&outcome)[Quantity::Load] / FRICTION;
     let tolerance = Tolerance::relative(0.001, "mean square of the angles of slip");
     rows.push(on.row("Coulomb: Q/P over mu in gross slip".to_owned(), mu, exact(1.0), tolerance));
