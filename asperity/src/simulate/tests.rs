@@ -6,8 +6,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::accuracy::resolution::Resolution;
 use super::messages::{Note, Warning};
-use super::{SimulationError, Unwatched, Watch, press, sample, simulate, slide};
+use super::{SimulationError, Unwatched, Watch, press, run_alone, sample, simulate, slide};
 use crate::heat::expected::HeatEffect;
+use crate::loading::slide::SlideFailure;
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 
@@ -43,6 +44,23 @@ fn friction_of_a_light_contact_is_that_of_a_fine_mesh() {
     };
     let change = friction(8) / friction(24) - 1.0;
     assert!(change.abs() < 5e-3, "{change}");
+}
+
+/// Of an interrupted run that is kept which has ended or, if none has, has more states.
+#[test]
+fn an_ended_run_is_ahead_of_a_longer_one() {
+    let scene = hot_scene("copper", 1.0, 0.0, "off");
+    let run = || run_alone(&scene, 0.0, &Resolution::choose(&scene.numerics), &Unwatched).unwrap();
+    let stopped = |states: usize| {
+        let mut run = run();
+        run.history.truncate(states);
+        run.failure = Some(SlideFailure::Cancelled);
+        run
+    };
+    let (mut ended, long, short) = (run(), stopped(6), stopped(3));
+    ended.history.truncate(4);
+    assert!(ended.is_ahead_of(&long) && !long.is_ahead_of(&ended));
+    assert!(long.is_ahead_of(&short) && !short.is_ahead_of(&long));
 }
 
 fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {

@@ -15,8 +15,8 @@ const FIRST_INCREMENT: f64 = 0.05;
 const LEAST_INCREMENTS: f64 = 16.0;
 /// Growth of the increments that the numbers above are for.
 const REFERENCE_GROWTH: f64 = 0.15;
-/// Growth of the increments while points stick. With this, [`FIRST_INCREMENT`] and [`APPROACH`] G is 1.0 % (mean size; nine of
-/// ten 2.6 %) from its value in increments a quarter as long, in the 85 slides of the study of effectivity.
+/// Growth of the increments while points stick. With this, [`FIRST_INCREMENT`] and [`APPROACH`] G is 0.5 % (mean size; nine of
+/// ten 1.2 %) from its value in increments a quarter as long, in the 85 slides of the study of effectivity.
 const WHILE_STICKING: f64 = 0.7;
 /// Largest part of the way to sliding inception, as the fall of the stick area foretells it, that an increment takes, for
 /// a growth of twice [`REFERENCE_GROWTH`]. Without it, and with the points counted that touch during the slide, G of aluminium
