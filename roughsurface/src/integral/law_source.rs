@@ -159,7 +159,6 @@ fn inception_time(scene: &str, combined: &ElasticPlastic) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::integral::test_laws::STEEL;
-    use std::path::PathBuf;
     use tables::quantity::Quantity;
     use tables::table::{Axes, Cell, Metadata, Slice, Table};
 
@@ -178,10 +177,6 @@ mod tests {
         table
     }
 
-    fn path(name: &str) -> PathBuf {
-        std::env::temp_dir().join(format!("roughsurface-{name}-{}.nc", std::process::id()))
-    }
-
     fn refused(asked: &str, material: Option<&ElasticPlastic>, temperature: Option<f64>) -> String {
         match LawSource::open(asked, material, temperature, false) {
             Ok(_) => panic!("{asked} was found"),
@@ -193,11 +188,11 @@ mod tests {
     fn missing_cells_are_interpolated_only_if_asked() {
         let mut gap = table(&[1.0, 3.0, 9.0], &[0, 2], 2.0, Metadata::default());
         gap.mark_failed(1, 0, "no convergence");
-        let path = path("gaps");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("gaps.nc");
         gap.write(&path).unwrap();
         let open = |interpolate| LawSource::open(path.to_str().unwrap(), None, None, interpolate).unwrap();
         let (strict, whole) = (open(false), open(true));
-        std::fs::remove_file(&path).unwrap();
         let refusal = strict.law.response(1e-3, 4.0, 1.0, 1e-5).unwrap_err();
         assert!(refusal.to_string().contains("no convergence"));
         assert!((whole.law.response(1e-3, 4.0, 1.0, 1e-5).unwrap().load.value - 2.0).abs() < 1e-12);
@@ -239,7 +234,8 @@ mod tests {
     #[test]
     fn a_table_of_another_counterface_is_refused() {
         let like = "youngs_modulus = 205000000000.0, poisson_ratio = 0.29, contact_conductance = inf";
-        let path = path("counterface");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("counterface.nc");
         let refusal = |counterface: &str, asked: &[(&str, f64)]| {
             let metadata = Metadata { counterface: counterface.into(), ..Metadata::default() };
             table(&[1.0], &[0], 2.0, metadata).write(&path).unwrap();
@@ -264,7 +260,6 @@ mod tests {
             let message = refusal(counterface, asked).unwrap();
             assert!(message.contains(expected), "{message}");
         }
-        std::fs::remove_file(&path).unwrap();
     }
 
     #[test]
@@ -275,7 +270,8 @@ mod tests {
                 Metadata { temperature, yield_strength, contact_modulus: 2e11, ..Default::default() };
             table(&[1.0], &[0], temperature, metadata)
         };
-        let path = path("series");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("series.nc");
         let several = Table::new([300.0, 400.0, 500.0].map(member).to_vec()).unwrap();
         several.write(&path).unwrap();
         let asked = path.to_str().unwrap();
@@ -283,7 +279,6 @@ mod tests {
         let load = |source: &LawSource| source.law.response(1e-3, 1.0, 1.0, 1e-5).unwrap().load.value;
         let (at, between) = (open(400.0), open(450.0));
         let (unstated, outside) = (refused(asked, None, None), refused(asked, None, Some(600.0)));
-        std::fs::remove_file(&path).unwrap();
         assert!((load(&at) / 400.0 - 1.0).abs() < 1e-12 && (load(&between) / 450.0 - 1.0).abs() < 1e-2);
         assert_eq!(at.material.yield_strength, 6e8);
         assert!(

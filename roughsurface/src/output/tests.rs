@@ -7,7 +7,7 @@ use crate::friction::{Prediction, Settings, predict};
 use crate::integral::test_laws::PowerLaw;
 use crate::sampling::finite_surface::{Sampling, sample};
 use crate::surface::file::SurfaceFile;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tables::netcdf::DatasetReader;
 
 const SURFACE: &str = "# a < b & c\nsurface = { asperity_density = 1e10, asperity_radius = 1e-4, \
@@ -26,18 +26,13 @@ fn prediction(query: &str) -> Prediction {
     predict(&law, &file.surface, &file.query, &Settings::default(), &|_, _| ()).unwrap()
 }
 
-fn path(name: &str) -> PathBuf {
-    std::env::temp_dir().join(format!("roughsurface-{name}-{}.nc", std::process::id()))
-}
-
 /// Writes the prediction, reads it with `read`, and returns the bytes.
-fn written(name: &str, results: &Results, read: impl Fn(&DatasetReader)) -> Vec<u8> {
-    let path = path(name);
+fn written(results: &Results, read: impl Fn(&DatasetReader)) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("friction.nc");
     friction_file::write(&path, results, &ORIGIN).unwrap();
     read(&DatasetReader::open(&path).unwrap());
-    let bytes = std::fs::read(&path).unwrap();
-    std::fs::remove_file(&path).unwrap();
-    bytes
+    std::fs::read(&path).unwrap()
 }
 
 #[test]
@@ -45,7 +40,7 @@ fn every_quantity_is_in_the_file_and_in_the_json() {
     let results = Results::from(prediction("pressure = [1e5, 1e6]\nslip_rate = [0.1, 1.0, 10.0]"));
     let prediction = &results.prediction;
     let json = summary_json::json(&results);
-    let bytes = written("pressure", &results, |file| {
+    let bytes = written(&results, |file| {
         assert_eq!(file.coordinate("pressure").unwrap(), [1e5, 1e6]);
         assert_eq!(file.coordinate("slip").unwrap(), prediction.slip);
         for quantity in QUANTITIES.iter().filter(|quantity| quantity.name != "pressure") {
@@ -71,14 +66,14 @@ fn every_quantity_is_in_the_file_and_in_the_json() {
         assert_eq!(file.attribute_text("surface").unwrap(), SURFACE);
     });
     // The same prediction gives the same bytes.
-    assert!(bytes == written("again", &results, |_| ()));
+    assert!(bytes == written(&results, |_| ()));
     assert_eq!(summary::text(&results).lines().count(), 2 + 7 + 2 + 5);
 }
 
 #[test]
 fn separations_are_a_coordinate_too_and_missing_fits_are_fill_values() {
     let results = prediction("separation = [0.0, 2e-6]\nslip_rate = [0.1]").into();
-    written("separation", &results, |file| {
+    written(&results, |file| {
         assert_eq!(file.coordinate("separation").unwrap(), [0.0, 2e-6]);
         assert_eq!(file.reals("pressure", &[2, 1]).unwrap().len(), 2);
         assert!(file.reals("mu_0", &[2]).unwrap().iter().all(|value| value.is_nan()));
@@ -91,7 +86,8 @@ fn every_surface_and_its_statistics_are_written() {
     let (law, settings) = (PowerLaw::hertz(), Settings::default());
     let sampling = Sampling { asperities: 100, realizations: 20, seed: u64::MAX, slip: Some(1e-3) };
     let samples = sample(&law, &file.surface, &file.query, &sampling, &settings, &|_, _| ()).unwrap();
-    let path = path("samples");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("samples.nc");
     sample_file::write(&path, &samples, &ORIGIN).unwrap();
     let read = DatasetReader::open(&path).unwrap();
     assert_eq!(read.reals("mu", &[2, 1, 20]).unwrap()[21], samples.states[1][0][1].state.mu.value);
@@ -101,8 +97,6 @@ fn every_surface_and_its_statistics_are_written() {
         assert!(read.reals(&format!("{name}_std"), &[2, 1]).is_ok(), "{name}");
     }
     assert_eq!(read.attribute_text("seed").unwrap(), u64::MAX.to_string());
-    drop(read);
-    std::fs::remove_file(path).unwrap();
     assert_eq!(sample_file::text(&samples).lines().count(), 4);
     assert_eq!(sample_file::json(&samples)["friction"][1]["pressure"], 1e7);
 }
@@ -164,7 +158,7 @@ fn a_step_of_the_slip_rate_is_in_every_output() {
     let query = "pressure = [1e5, 1e6]\nslip_rate = 1.0\nrate_step = { before = 0.1, after = 1.0 }";
     let results = Results::from(prediction(query));
     let step = results.prediction.rate_step.clone().unwrap();
-    written("step", &results, |file| {
+    written(&results, |file| {
         assert_eq!(file.coordinate("slip_since_step").unwrap(), step.slip);
         let mu = file.reals("mu_since_step", &[2, step.slip.len()]).unwrap();
         assert_eq!(mu[step.slip.len()], step.rows[1].mu[0].value);

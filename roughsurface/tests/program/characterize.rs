@@ -1,17 +1,12 @@
 //! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
 //! from there to a prediction.
 
-use crate::folder::Folder;
+use crate::folder::{Folder, data};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::Topography;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
 use roughsurface::topography::readers::{Reading, read};
 use roughsurface::topography::spectrum::Window;
-use std::path::{Path, PathBuf};
-
-fn data(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
-}
 
 fn topography(name: &str) -> Topography {
     let in_micrometres = name.ends_with("-um.txt") || name.ends_with("-um.npy");
@@ -113,7 +108,7 @@ fn numbers_have_units(value: &serde_json::Value, units: &serde_json::Value, plac
 
 #[test]
 fn a_topography_becomes_a_surface_file_that_predicts() {
-    let folder = Folder::new("characterize");
+    let folder = Folder::new();
     let map = data("map.x3p").display().to_string();
     for summits in ["moments", "found"] {
         let options = format!("--cutoff 1.6um --summits {summits} -o s.toml --json --plot s.svg");
@@ -139,7 +134,7 @@ fn a_topography_becomes_a_surface_file_that_predicts() {
 
 #[test]
 fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
-    let folder = Folder::new("bad-topography");
+    let folder = Folder::new();
     for (file, parts) in [("map.x3p", 2), ("map.gsf", 2), ("map.nc", 100)] {
         let whole = std::fs::read(data(file)).unwrap();
         folder.write(&file.replace("map", "cut"), &whole[..whole.len() / parts]);
@@ -171,7 +166,7 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
 #[cfg(unix)]
 #[test]
 fn folders_fifos_and_devices_are_refused_at_once() {
-    let folder = Folder::new("no-file");
+    let folder = Folder::new();
     let made = std::process::Command::new("mkfifo").arg(folder.path("fifo")).status().unwrap();
     assert!(made.success());
     for (name, expected) in

@@ -15,9 +15,8 @@ pressure = [1e5, 1e6, 1e7]
 slip_rate = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]
 "#;
 
-fn folder(name: &str) -> Folder {
-    let folder = Folder::new(name);
-    folder.write("surface.toml", SURFACE);
+fn folder() -> Folder {
+    let folder = Folder::with(SURFACE);
     table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
     folder.run_well("predict surface.toml --table table.nc -o friction.nc --quiet");
     folder
@@ -38,7 +37,7 @@ fn numbers(text: &str, marks: [char; 2]) -> Vec<Vec<f64>> {
 
 #[test]
 fn every_format_has_the_friction_of_the_file() {
-    let folder = folder("export");
+    let folder = folder();
     let mu = reals(&folder, "mu", &[3, 7]);
     let (pressures, rates) = ([1e5, 1e6, 1e7], [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]);
     for name in ["friction.inp", "friction.txt", "friction.CSV", "law.json"] {
@@ -77,7 +76,7 @@ fn every_format_has_the_friction_of_the_file() {
 
 #[test]
 fn values_of_the_law_lie_within_its_misfit() {
-    let folder = folder("export-law");
+    let folder = folder();
     folder.run_well("export friction.nc -o law.inp --law");
     let rows = numbers(&folder.read("law.inp"), ['*'; 2]);
     assert_eq!(rows.len(), 3 * 21);
@@ -93,7 +92,7 @@ fn values_of_the_law_lie_within_its_misfit() {
 
 #[test]
 fn several_files_are_a_dependence_on_temperature() {
-    let folder = folder("export-temperature");
+    let folder = folder();
     let hot = Weakening { strength: 1.1, ..Weakening::new() };
     for (kelvin, law) in [(298.0, Weakening::new()), (500.0, hot)] {
         let mut slice = table(&law, 200.0);
@@ -120,7 +119,7 @@ fn several_files_are_a_dependence_on_temperature() {
 
 #[test]
 fn what_cannot_be_exported_is_refused() {
-    let folder = folder("export-refused");
+    let folder = folder();
     folder.refused("export friction.nc -o friction.mat", "ends in .inp for Abaqus");
     folder.refused("export friction.nc -o friction.nc", "ends in .inp");
     folder.refused("export table.nc -o friction.csv", "table.nc");

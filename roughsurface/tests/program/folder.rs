@@ -3,18 +3,28 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+/// A topography that comes with the tests.
+pub fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
+}
+
 /// A folder for one test, removed at its end.
-pub struct Folder(PathBuf);
+pub struct Folder(tempfile::TempDir);
 
 impl Folder {
-    pub fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("roughsurface-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        Self(folder)
+    pub fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    /// With the file surface.toml.
+    pub fn with(surface: &str) -> Self {
+        let folder = Self::new();
+        folder.write("surface.toml", surface);
+        folder
     }
 
     pub fn path(&self, name: &str) -> PathBuf {
-        self.0.join(name)
+        self.0.path().join(name)
     }
 
     /// Writes a file, for a name or a number of text or bytes.
@@ -28,7 +38,7 @@ impl Folder {
 
     /// Runs the program with arguments separated by white space.
     pub fn run(&self, arguments: &str) -> Output {
-        program(&self.0).args(arguments.split_whitespace()).output().unwrap()
+        program(self.0.path()).args(arguments.split_whitespace()).output().unwrap()
     }
 
     /// Runs the program, which must succeed.
@@ -44,12 +54,6 @@ impl Folder {
         let message = stderr(&output);
         assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{arguments}: {message}");
         assert!(message.contains(expected), "{arguments}: {message}");
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
     }
 }
 

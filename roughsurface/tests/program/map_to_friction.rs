@@ -1,18 +1,17 @@
 //! From a topography to friction in one command, and the query on the command line.
 
-use crate::folder::{Folder, stderr};
-use std::path::Path;
+use crate::folder::{Folder, data, stderr};
 use tables::netcdf::DatasetReader;
 
 fn map(name: &str) -> String {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name).display().to_string()
+    data(name).display().to_string()
 }
 
 const STEEL: &str = "--set material.youngs_modulus=205e9 --set material.poisson_ratio=0.29 --set material.yield_strength=792e6";
 
 #[test]
 fn one_command_does_what_two_do() {
-    let folder = Folder::new("one-command");
+    let folder = Folder::new();
     let map = map("map.x3p");
     let query = "--pressure 1e6,2e6 --slip-rate 0.1..10:3 --hold separation";
     let law = format!("--table model:jackson-green {STEEL} --extrapolate");
@@ -53,7 +52,7 @@ fn one_command_does_what_two_do() {
 
 #[test]
 fn a_material_names_a_shipped_table() {
-    let folder = Folder::new("material");
+    let folder = Folder::new();
     let map = map("map.x3p");
     let command = format!(
         "predict {map} --cutoff 1.6um --pressure 1e6 --slip-rate 1 --extrapolate -o f.nc --plot f.svg"
@@ -78,7 +77,7 @@ fn a_material_names_a_shipped_table() {
 
 #[test]
 fn keys_on_the_command_line_replace_those_of_the_file() {
-    let folder = Folder::new("override");
+    let folder = Folder::new();
     let surface = "[surface]\nasperity_density = 1e8\nasperity_radius = 1e-3\n\
                    heights = { distribution = \"gaussian\", std = 0.4e-6 }\n\
                    [query]\npressure = [1e6, 1e7]\nslip_rate = { from = 0.1, to = 10, points = 3 }\n";
@@ -120,7 +119,7 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
 
 #[test]
 fn numpy_and_csv_maps_are_read() {
-    let folder = Folder::new("npy-csv");
+    let folder = Folder::new();
     let text = std::fs::read_to_string(map("map-um.txt")).unwrap();
     let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
     let cells = |separator: &str| lines.iter().map(|line| line.join(separator) + "\n").collect::<String>();

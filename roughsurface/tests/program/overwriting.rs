@@ -1,21 +1,8 @@
 //! No output takes the place of an input or of another output.
 
-use crate::folder::{Folder, stderr};
+use crate::folder::{Folder, data, stderr};
 use std::path::Path;
 
-const SURFACE: &str = r#"
-[surface]
-asperity_density = 1e10
-asperity_radius = 100e-6
-heights = { distribution = "sample", file = "heights.txt" }
-[query]
-pressure = 1e6
-slip_rate = 1.0
-[uncertainty]
-tables = { conductivity = "up.nc" }
-"#;
-
-#[cfg(target_os = "linux")]
 const PLAIN: &str = r#"
 [surface]
 asperity_density = 1e10
@@ -26,24 +13,25 @@ pressure = 1e6
 slip_rate = 1.0
 "#;
 
-/// A folder with a table, two links to it, a surface, its heights, and a map.
-fn folder(name: &str) -> Folder {
-    let folder = Folder::new(name);
-    folder.write("surface.toml", SURFACE);
+/// A folder with a table, a copy and a link of it, a surface, one that reads its heights and the copy, and a map.
+fn folder() -> Folder {
+    let gaussian = r#"distribution = "gaussian", std = 1e-7"#;
+    let measured = PLAIN.replace(gaussian, r#"distribution = "sample", file = "heights.txt""#);
+    let folder = Folder::with(&(measured + "[uncertainty]\ntables = { conductivity = \"up.nc\" }\n"));
+    folder.write("plain.toml", PLAIN);
     folder.write("heights.txt", "0 1e-7 2e-7 3e-7\n");
     let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tables/data/copper.nc");
     for name in ["table.nc", "up.nc"] {
         std::fs::copy(&table, folder.path(name)).unwrap();
     }
     std::fs::hard_link(folder.path("table.nc"), folder.path("hard.nc")).unwrap();
-    let map = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/map.nc");
-    std::fs::copy(map, folder.path("map.nc")).unwrap();
+    std::fs::copy(data("map.nc"), folder.path("map.nc")).unwrap();
     folder
 }
 
 #[test]
 fn an_output_that_is_an_input_or_another_output_is_refused() {
-    let folder = folder("overwriting");
+    let folder = folder();
     #[cfg(unix)]
     std::os::unix::fs::symlink("table.nc", folder.path("soft.nc")).unwrap();
     let files = ["surface.toml", "heights.txt", "table.nc", "up.nc", "map.nc"].map(|name| folder.path(name));
@@ -99,8 +87,7 @@ fn on_small_disk(folder: &Folder, kilobytes: usize, command: &str) -> Option<std
 #[cfg(target_os = "linux")]
 #[test]
 fn results_for_which_there_is_no_room_are_saved_elsewhere() {
-    let folder = folder("full-disk");
-    folder.write("plain.toml", PLAIN);
+    let folder = folder();
     let predict = "predict plain.toml --table table.nc -o disk/f.nc --plot disk/f.svg --report disk/f.html";
     let sample = "sample plain.toml --table table.nc --asperities 9 --realizations 2 -o disk/f.nc";
     for (command, names) in [(predict, &["f.nc", "f.svg", "f.html"][..]), (sample, &["f.nc"])] {
@@ -135,8 +122,7 @@ fn results_for_which_there_is_no_room_are_saved_elsewhere() {
 #[cfg(target_os = "linux")]
 #[test]
 fn an_export_for_which_there_is_no_room_leaves_nothing() {
-    let folder = folder("full-disk-export");
-    folder.write("plain.toml", PLAIN);
+    let folder = folder();
     folder.run_well("predict plain.toml --table table.nc --slip-rate 0.1..10:300 -o f.nc --quiet");
     let Some(output) = on_small_disk(&folder, 4, "export f.nc -o disk/f.csv") else { return };
     let said = stderr(&output);
@@ -148,7 +134,7 @@ fn an_export_for_which_there_is_no_room_leaves_nothing() {
 /// The file of heights beside the surface file would replace the map.
 #[test]
 fn the_file_of_heights_is_an_output_too() {
-    let folder = folder("heights");
+    let folder = folder();
     std::fs::copy(folder.path("map.nc"), folder.path("map.heights.txt")).unwrap();
     folder.refused(
         "characterize map.heights.txt --summits found -o map.toml",

@@ -24,15 +24,9 @@ poisson_ratio = 0.3
 yield_strength = 400e6
 "#;
 
-fn folder(name: &str) -> Folder {
-    let folder = Folder::new(name);
-    folder.write("surface.toml", SURFACE);
-    folder
-}
-
 #[test]
 fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
-    let folder = folder("table");
+    let folder = Folder::with(SURFACE);
     let law = Weakening::new();
     table(&law, 200.0).write(&folder.path("table.nc")).unwrap();
     let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
@@ -64,7 +58,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
 
 #[test]
 fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
-    let folder = folder("temperatures");
+    let folder = Folder::with(SURFACE);
     let cold = table(&Weakening::new(), 200.0);
     let mut hot = table(&Weakening { strength: 1.1, ..Weakening::new() }, 200.0);
     hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
@@ -99,7 +93,7 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
 
 #[test]
 fn threads_change_nothing_and_random_surfaces_repeat() {
-    let folder = folder("threads");
+    let folder = Folder::with(SURFACE);
     for (command, name) in [
         ("predict surface.toml --table model:brizmer", "friction.nc"),
         ("sample surface.toml --table model:brizmer --asperities 200 --realizations 20 --seed 3", "mc.nc"),
@@ -117,7 +111,7 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
 
 #[test]
 fn bad_input_ends_with_status_two_and_one_line() {
-    let folder = folder("input");
+    let folder = Folder::with(SURFACE);
     folder.write("typo.toml", SURFACE.replace("pressure", "presure"));
     folder.write("rigid.toml", format!("{SURFACE}[counterface]\n"));
     // NetCDF, but not a table.
@@ -146,10 +140,9 @@ fn bad_input_ends_with_status_two_and_one_line() {
 
 #[test]
 fn everything_asked_for_is_in_the_files() {
-    let folder = folder("everything");
+    let folder =
+        Folder::with(&format!("{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n"));
     table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
-    let text = format!("{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n");
-    folder.write("surface.toml", text);
     let output = folder.run_well(
         "predict surface.toml --table table.nc -o f.nc --compare kogut-etsion,jackson-green --report f.html --json",
     );
@@ -188,13 +181,12 @@ fn everything_asked_for_is_in_the_files() {
 
 #[test]
 fn another_table_stands_for_a_constant_of_the_material() {
-    let folder = folder("tables");
+    let folder =
+        Folder::with(&format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n"));
     table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
     // A tenth more of every shear stress: friction and its energies grow by as much.
     let stronger = table(&Weakening { strength: 1.1, ..Weakening::new() }, 200.0);
     stronger.write(&folder.path("stronger.nc")).unwrap();
-    let text = format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n");
-    folder.write("surface.toml", text);
     folder.run_well("predict surface.toml --table table.nc -o f.nc --report f.html");
     let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
@@ -216,7 +208,7 @@ fn names_may_be_anything_and_links_are_followed() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
-    let folder = folder("names");
+    let folder = Folder::with(SURFACE);
     let odd = folder.path("").join(OsStr::from_bytes(b"a folder \xff"));
     std::fs::create_dir_all(&odd).unwrap();
     let [surface, output] =

@@ -19,8 +19,7 @@ yield_strength = 400e6
 
 #[test]
 fn no_closed_form_is_taken_to_an_indentation_of_a_thousand_radii() {
-    let folder = Folder::new("thousand-radii");
-    folder.write("surface.toml", SHARP);
+    let folder = Folder::with(SHARP);
     for name in tables::closed_forms::NAMES {
         let predict = format!("predict surface.toml --table model:{name} -o f.nc");
         folder.refused(&format!("{predict} -q"), "above 0.4 of their radius");
@@ -47,8 +46,7 @@ fn signals_end_a_computation_unless_they_are_ignored() {
     /// A second is promised, the machine may be busy.
     const LATEST: Duration = Duration::from_secs(5);
 
-    let folder = Folder::new("signals");
-    folder.write("surface.toml", SHARP.replace("separation = -1e-3", "pressure = 1e5"));
+    let folder = Folder::with(&SHARP.replace("separation = -1e-3", "pressure = 1e5"));
     let input = "surface.toml --table model:jackson-green --extrapolate -q -o f.nc";
     let predict = format!("predict {input} --pressure 1e4..1e6:1000 --slip-rate 0.1..10:100 --compare all");
     let sample = format!("sample {input} --asperities 1000000 --realizations 100000");

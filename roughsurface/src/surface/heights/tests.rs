@@ -127,10 +127,10 @@ fn a_measured_set_counts_its_summits() {
 
 #[test]
 fn histograms_are_read_with_the_upper_edge_last() {
-    let file = std::env::temp_dir().join(format!("roughsurface-histogram-{}.txt", std::process::id()));
+    let file = tempfile::NamedTempFile::new().unwrap();
     let read = |text: &str| {
         std::fs::write(&file, text).unwrap();
-        Histogram::read(&file)
+        Histogram::read(file.path())
     };
     let heights = read("# edge, count\n-1e-6, 3\n0, 1\n\n1e-6\n").unwrap();
     assert_eq!(heights.support(), (-1e-6, 1e-6));
@@ -145,7 +145,6 @@ fn histograms_are_read_with_the_upper_edge_last() {
         let message = read(text).unwrap_err().to_string();
         assert!(message.contains(what), "{message}");
     }
-    std::fs::remove_file(&file).unwrap();
 }
 
 #[test]
