@@ -1,21 +1,16 @@
-//! Faults of a long tabulation, tested on the program itself: killed at any moment, a journal cut
-//! anywhere, a full disk, a directory that is removed or cannot be written, a clock that is wrong, names that
-//! are links or no text, two programs at one table. Finished cells are preserved, and the final table is
-//! that of an undisturbed run.
+//! Faults of a long tabulation, tested on the program itself: killed at any moment, a full disk, a directory that is
+//! removed or cannot be written, a clock that is wrong, names that are links or no text, two programs at one table.
+//! Finished cells are preserved, and the final table is that of an undisturbed run.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
 use std::time::Duration;
 
 use tables::table::{Status, Table};
 
-use crate::{alone, message};
+use crate::{alone, ended, message};
 
-const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-                       [loading]\nslip_distance = 0.02\n\
-                       [table]\ninterference = [0.5, 1, 2]\nslip_rate = [0, 1]\n\
-                       [numerics]\nelements_per_radius = 4\nsectors = 4\naccuracy = 0.5\n";
 const CELLS: usize = 6;
 const JOBS: usize = 2;
 
@@ -26,9 +21,9 @@ fn tabulate(directory: &Path, more: &[&str]) -> Command {
 }
 
 fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
-    folder
+    let sections =
+        "[loading]\nslip_distance = 0.02\n[table]\ninterference = [0.5, 1, 2]\nslip_rate = [0, 1]\n";
+    crate::folder_with("request.toml", &format!("{sections}{}", crate::COARSE))
 }
 
 /// All of a table but the wall times.
@@ -54,8 +49,7 @@ fn undisturbed() -> &'static str {
     static CONTENT: OnceLock<String> = OnceLock::new();
     CONTENT.get_or_init(|| {
         let folder = folder();
-        let output = tabulate(folder.path(), &[]).output().unwrap();
-        assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+        ended(&tabulate(folder.path(), &[]).output().unwrap(), 0);
         content(&folder.path().join("table.nc"))
     })
 }
@@ -78,10 +72,9 @@ fn killed_with(results: usize, directory: &Path) {
 
 /// Continues a killed tabulation to its end; what it said, after a check of the table.
 fn continued(directory: &Path) -> String {
-    let output = tabulate(directory, &["--resume", "-v"]).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    let said = ended(&tabulate(directory, &["--resume", "-v"]).output().unwrap(), 0);
     assert_undisturbed(directory);
-    message(&output)
+    said
 }
 
 fn assert_undisturbed(directory: &Path) {
@@ -182,8 +175,8 @@ fn a_directory_that_cannot_be_written_is_refused_at_once() {
     let script = "mkdir disk; mount -t tmpfs tmpfs disk; cp request.toml disk; mount -o remount,ro disk
                   cd disk; exec $ASPERITY tabulate request.toml -o table.nc";
     let Some(output) = in_namespace(folder.path(), script) else { return };
-    assert_eq!(output.status.code(), Some(2), "{}", message(&output));
-    assert!(message(&output).contains("Read-only file system"), "{}", message(&output));
+    let said = ended(&output, 2);
+    assert!(said.contains("Read-only file system"), "{said}");
 }
 
 /// The directory of the table is removed while it is being made.
@@ -191,7 +184,7 @@ fn a_directory_that_cannot_be_written_is_refused_at_once() {
 fn a_directory_that_vanishes_ends_the_run() {
     let _alone = alone();
     let folder = folder();
-    let place: PathBuf = folder.path().join("place");
+    let place = folder.path().join("place");
     std::fs::create_dir(&place).unwrap();
     let mut command =
         crate::command(folder.path(), "tabulate request.toml -o place/table.nc --jobs 2 --quiet");
@@ -200,9 +193,8 @@ fn a_directory_that_vanishes_ends_the_run() {
         std::thread::sleep(Duration::from_millis(5));
     }
     std::fs::remove_dir_all(&place).unwrap();
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(1), "{}", message(&output));
-    assert!(message(&output).contains("table.nc"), "{}", message(&output));
+    let said = ended(&child.wait_with_output().unwrap(), 1);
+    assert!(said.contains("table.nc"), "{said}");
 }
 
 /// Two programs at one table: one makes it, the other ends with a message.
@@ -216,84 +208,29 @@ fn two_programs_do_not_disturb_each_other() {
     let codes = outputs.each_ref().map(|output| output.status.code());
     assert!(codes.contains(&Some(0)), "{codes:?}");
     for output in outputs.iter().filter(|output| output.status.code() != Some(0)) {
-        assert_eq!(output.status.code(), Some(2));
-        assert!(message(output).contains("another program is making this table"), "{}", message(output));
+        let said = ended(output, 2);
+        assert!(said.contains("another program is making this table"), "{said}");
     }
     assert_undisturbed(folder.path());
 }
 
-/// A journal cut anywhere, as by a crash of the machine, and one with a damaged byte: what is whole before
-/// the cut is taken, what is not is done again.
 #[test]
-fn a_cut_journal_continues_with_all_that_is_whole() {
+fn a_finished_table_is_not_computed_again() {
     let _alone = alone();
     let folder = folder();
-    let journal = folder.path().join("table.nc.part");
-    killed_with(3, folder.path());
-    let whole = std::fs::read(&journal).unwrap();
-    let ends: Vec<usize> = (0..whole.len()).filter(|place| whole[*place] == b'\n').collect();
-
-    // At every byte by a test of the journal; here at those that differ, to the table.
-    for cut in [1, ends[0], ends[1] - 1, (ends[1] + ends[2]) / 2, ends[2] + 1] {
-        std::fs::write(&journal, &whole[..cut]).unwrap();
-        let said = continued(folder.path());
-        // A line may lack its line end alone.
-        let kept = ends.iter().filter(|end| **end <= cut).count().saturating_sub(1);
-        let taken = format!("{kept} cells were taken from the interrupted run");
-        assert!(said.contains(&taken), "cut at {cut}: {said}");
-        std::fs::remove_file(folder.path().join("table.nc")).unwrap();
-    }
-
-    // A byte of the second result.
-    let mut damaged = whole.clone();
-    damaged[(ends[1] + ends[2]) / 2] ^= 1;
-    std::fs::write(&journal, &damaged[..=ends[2]]).unwrap();
-    let said = continued(folder.path());
-    assert!(said.contains("1 cells were taken"), "{said}");
-}
-
-/// A finished table is not computed again, and no file of another program under the name of the journal is touched.
-#[test]
-fn a_finished_table_and_a_foreign_file_are_left_alone() {
-    let _alone = alone();
-    let folder = folder();
-    let (table, journal) = (folder.path().join("table.nc"), folder.path().join("table.nc.part"));
-    std::fs::write(&journal, "notes\n").unwrap();
-    let output = tabulate(folder.path(), &["--resume"]).output().unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    assert!(message(&output).contains("is not a journal of this table"), "{}", message(&output));
-    assert_eq!(std::fs::read_to_string(&journal).unwrap(), "notes\n");
-    std::fs::remove_file(&journal).unwrap();
-
-    let output = tabulate(folder.path(), &[]).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
+    let table = folder.path().join("table.nc");
+    ended(&tabulate(folder.path(), &[]).output().unwrap(), 0);
     let before = std::fs::read(&table).unwrap();
-    let resumed = || tabulate(folder.path(), &["--resume"]).stdout(Stdio::piped()).output().unwrap();
-    let output = resumed();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
-    let said = String::from_utf8(output.stdout).unwrap();
+    let resumed = |more: &str| {
+        crate::done(folder.path(), &format!("tabulate request.toml -o table.nc --jobs 2 --resume {more}"))
+    };
+    let said = resumed("");
     assert!(said.contains("table.nc: the table of this request is complete"), "{said}");
     assert_eq!(std::fs::read(&table).unwrap(), before);
-
     // Another request, another table.
-    std::fs::write(folder.path().join("request.toml"), REQUEST.replace("[0.5, 1, 2]", "[0.5]")).unwrap();
-    let said = String::from_utf8(resumed().stdout).unwrap();
+    let said = resumed("--set table.interference=[0.5]");
     assert!(said.contains("0.5 omega_c"), "{said}");
     assert_ne!(std::fs::read(&table).unwrap(), before);
-}
-
-/// File times in the future and before 1970: results do not depend on the clock.
-#[test]
-fn files_may_be_of_any_date() {
-    let _alone = alone();
-    let folder = folder();
-    killed_with(2, folder.path());
-    for (name, date) in [("request.toml", "2099-01-01"), ("table.nc.part", "1950-01-01"), (".", "2090-01-01")]
-    {
-        let touched = Command::new("touch").args(["-d", date, name]).current_dir(folder.path()).status();
-        assert!(touched.unwrap().success());
-    }
-    continued(folder.path());
 }
 
 /// A clock that is set back by an hour at every look at it, where the library that does so is installed
@@ -312,64 +249,36 @@ fn a_clock_may_go_backwards() {
     let mut command = tabulate(folder.path(), &["--progress", "--timings"]);
     // Of the clock of the day alone: a monotonic one does not do so.
     command.env("LD_PRELOAD", library).env("FAKETIME", "-1h i-3600").env("FAKETIME_DONT_FAKE_MONOTONIC", "1");
-    let output = command.output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", message(&output));
-    assert!(!message(&output).contains("panicked"), "{}", message(&output));
+    let said = ended(&command.output().unwrap(), 0);
+    assert!(!said.contains("panicked"), "{said}");
     assert_undisturbed(folder.path());
 }
 
-/// A table whose name is a link is written where the link leads to; the link stays.
+/// Names with spaces and names that are not UTF-8, of the request, the table and its folder; outputs that are links are
+/// written where the links lead to, and the links stay.
 #[test]
-fn tables_are_written_through_links() {
-    let _alone = alone();
-    let folder = folder();
-    std::fs::create_dir_all(folder.path().join("large disk")).unwrap();
-    std::os::unix::fs::symlink("request.toml", folder.path().join("linked.toml")).unwrap();
-    for (link, target) in [("table.nc", "large disk/table.nc"), ("figure.svg", "large disk/figure.svg")] {
-        std::os::unix::fs::symlink(target, folder.path().join(link)).unwrap();
-    }
-    crate::done(folder.path(), "tabulate linked.toml -o table.nc --jobs 2 --plot figure.svg");
-    for name in ["table.nc", "figure.svg"] {
-        assert!(folder.path().join(name).is_symlink(), "{name}");
-        assert!(folder.path().join("large disk").join(name).metadata().unwrap().is_file(), "{name}");
-    }
-    assert_undisturbed(folder.path());
-    assert_eq!(std::fs::read_dir(folder.path().join("large disk")).unwrap().count(), 2);
-}
-
-/// Names with spaces and names that are not UTF-8, of the request, the table and its folder.
-#[test]
-fn names_may_be_anything() {
+fn names_may_be_anything_and_links_are_followed() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
+    use std::os::unix::fs::symlink;
 
     let _alone = alone();
     let folder = folder();
     let odd = folder.path().join(OsStr::from_bytes(b"a folder \xff\xfe"));
-    std::fs::create_dir(&odd).unwrap();
+    let targets = odd.join("large disk");
+    std::fs::create_dir_all(&targets).unwrap();
     let [request, table, figure] = [&b"request \xff.toml"[..], b"my table \xff.nc", b"\xe9.svg"]
         .map(|name| odd.join(OsStr::from_bytes(name)));
-    std::fs::rename(folder.path().join("request.toml"), &request).unwrap();
+    symlink("../request.toml", &request).unwrap();
+    for (link, target) in [(&table, "large disk/table.nc"), (&figure, "large disk/figure.svg")] {
+        symlink(target, link).unwrap();
+    }
     let mut command = crate::command(folder.path(), "tabulate --jobs 2 -o");
-    let output = command.arg(&table).arg("--plot").arg(&figure).arg(&request).output().unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    ended(&command.arg(&table).arg("--plot").arg(&figure).arg(&request).output().unwrap(), 0);
     assert_eq!(content(&table), undisturbed());
-    assert!(figure.exists());
-    assert_eq!(std::fs::read_dir(&odd).unwrap().count(), 3, "something was left behind");
-}
-
-/// A device in the place of the output would be replaced by the file.
-#[test]
-fn what_is_no_file_is_not_replaced() {
-    let _alone = alone();
-    let folder = folder();
-    let _socket = std::os::unix::net::UnixListener::bind(folder.path().join("table.nc")).unwrap();
-    let output = tabulate(folder.path(), &[]).output().unwrap();
-    assert_eq!(output.status.code(), Some(2), "{}", message(&output));
-    assert!(
-        message(&output).contains("table.nc: cannot be written: it is not a regular file"),
-        "{}",
-        message(&output)
-    );
-    assert!(!folder.path().join("table.nc").metadata().unwrap().is_file());
+    for (link, target) in [(&table, "table.nc"), (&figure, "figure.svg")] {
+        assert!(link.is_symlink() && targets.join(target).is_file(), "{target}");
+    }
+    let entries = [&odd, &targets].map(|folder| std::fs::read_dir(folder).unwrap().count());
+    assert_eq!(entries, [4, 2], "something was left behind");
 }

@@ -122,16 +122,3 @@ fn at_one_of_its_temperatures_it_is_the_table_of_that_temperature() {
         assert!(mu.error < 1.5 * ends[0].error.max(ends[1].error), "{mu:?} {ends:?}");
     }
 }
-
-#[test]
-fn what_does_not_go_together_is_refused() {
-    let _alone = alone();
-    let folder = made();
-    let refuse = |set: &str, parts: &[&str]| {
-        refused(&folder, &format!("tabulate request.toml -o none.nc --set {set}"), parts);
-        assert!(!folder.join("none.nc").exists());
-    };
-    refuse("table.tolerance=0.1", &["table.tolerance = 0.1", "table.temperature"]);
-    refuse("table.temperature=[300,1800]", &["table.temperature = 1800.0", "melting = 1793.0 K"]);
-    refuse("table.temperature=[500]", &["table.temperature = [500]", "loading.temperature"]);
-}

@@ -6,9 +6,8 @@ use std::process::{Child, Command, Stdio};
 
 use tables::netcdf::DatasetReader;
 
-use crate::{alone, message};
+use crate::{alone, ended, folder_with};
 
-const MATERIAL: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
 const NUMERICS: &str = "[numerics]\nelements_per_radius = 8\nsectors = 8\n";
 
 /// The program with progress on stderr. The tests may run where signals are ignored, as under nohup.
@@ -47,9 +46,8 @@ fn interrupt_at(mut child: Child, signals: &[&str], seen: impl Fn(&str) -> bool)
 #[test]
 fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let scene = format!("{MATERIAL}[loading]\ninterference = 20\nslip_rate = 1\n{NUMERICS}");
-    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    let directory =
+        folder_with("scene.toml", &format!("[loading]\ninterference = 20\nslip_rate = 1\n{NUMERICS}"));
     for signal in ["-INT", "-TERM"] {
         let child = start(directory.path(), "run scene.toml -o run.nc --plot run.svg --vtu body");
         let (status, said) =
@@ -79,10 +77,8 @@ fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
 #[test]
 fn two_signals_at_once_are_one_request_and_lose_nothing() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let numerics = "[numerics]\nelements_per_radius = 24\n";
-    let scene = format!("{MATERIAL}[loading]\ninterference = 5\nslip_rate = 0\n{numerics}");
-    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    let fine = "[loading]\ninterference = 5\nslip_rate = 0\n[numerics]\nelements_per_radius = 24\n";
+    let directory = folder_with("scene.toml", fine);
     let child = start(directory.path(), "run scene.toml -o run.nc");
     let (status, said) = interrupt_at(child, &["-TERM", "-TERM"], |line| line.starts_with("slide"));
     assert_eq!(status, Some(1), "{said}");
@@ -94,9 +90,8 @@ fn two_signals_at_once_are_one_request_and_lose_nothing() {
 #[test]
 fn signals_that_are_ignored_stay_ignored() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let scene = format!("{MATERIAL}[loading]\ninterference = 5\nslip_rate = 0\n{NUMERICS}");
-    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    let directory =
+        folder_with("scene.toml", &format!("[loading]\ninterference = 5\nslip_rate = 0\n{NUMERICS}"));
     for (signals, expected) in [(&["-HUP"][..], 0), (&["-HUP", "-TERM"], 1)] {
         let mut shell = Command::new("sh");
         shell.args(["-c", "trap '' HUP; exec \"$ASPERITY\" run scene.toml -o run.nc --progress"]);
@@ -115,9 +110,7 @@ fn a_request_to_stop_is_honoured_within_an_increment() {
     /// Of processor time; a second is promised, the machine may be busy.
     const LATEST: std::time::Duration = std::time::Duration::from_secs(5);
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let scene = format!("{MATERIAL}[loading]\ninterference = 20\nslip_rate = 1\n[numerics]\n");
-    std::fs::write(directory.path().join("scene.toml"), scene).unwrap();
+    let directory = folder_with("scene.toml", "[loading]\ninterference = 20\nslip_rate = 1\n[numerics]\n");
     let fine = "--set numerics.elements_per_radius=192";
     let perfect = "--set numerics.elements_per_radius=32 --set loading.interference=100 \
                    --set material.hardening.law=\"none\" --set interface.law=full-stick";
@@ -129,19 +122,16 @@ fn a_request_to_stop_is_honoured_within_an_increment() {
         assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
         let output = child.wait_with_output().unwrap();
         assert!(asked.elapsed() < LATEST, "after {after} s: {:?}", asked.elapsed());
-        assert_eq!(output.status.code(), Some(1), "{}", message(&output));
-        assert!(message(&output).contains("stopped on request"), "{}", message(&output));
+        let said = ended(&output, 1);
+        assert!(said.contains("stopped on request"), "{said}");
     }
 }
 
 #[test]
 fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
     let _alone = alone();
-    let directory = tempfile::tempdir().unwrap();
-    let request = format!(
-        "{MATERIAL}[table]\ninterference = [1, 2, 20]\nslip_rate = [1]\n[numerics]\nelements_per_radius = 6\nsectors = 4\n"
-    );
-    std::fs::write(directory.path().join("request.toml"), request).unwrap();
+    let request = "[table]\ninterference = [1, 2, 20]\nslip_rate = [1]\n[numerics]\nelements_per_radius = 6\nsectors = 4\n";
+    let directory = folder_with("request.toml", request);
     let child = start(directory.path(), "tabulate request.toml -o table.nc --jobs 1");
     let (status, said) = interrupt_at(child, &["-INT"], |line| line.contains("1 of 3 cells"));
     assert_eq!(status, Some(1), "{said}");
@@ -153,8 +143,7 @@ fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
         .env("HDF5_USE_FILE_LOCKING", "FALSE")
         .output()
         .unwrap();
-    let said = message(&output);
-    assert_eq!(output.status.code(), Some(0), "{said}");
+    let said = ended(&output, 0);
     assert!(!said.contains("0 cells were taken") && said.contains("cells were taken"), "{said}");
     assert!(directory.path().join("table.nc").exists());
     assert!(!directory.path().join("table.nc.part").exists());

@@ -5,6 +5,7 @@ mod command_line;
 mod faults;
 mod initial_temperatures;
 mod interrupt;
+mod paraview;
 mod shards_and_tables;
 mod shipped_tables;
 #[cfg(target_os = "linux")]
@@ -37,15 +38,35 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
+/// A sphere of which only the sections on loading, numerics and table are to be added.
+const SPHERE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n";
+
+/// A mesh as coarse as there is, on which no accuracy is asked.
+const COARSE: &str = "[numerics]\nelements_per_radius = 4\nsectors = 4\naccuracy = 0.5\n";
+
+/// A folder with a file of these sections for [`SPHERE`].
+fn folder_with(name: &str, sections: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join(name), format!("{SPHERE}{sections}")).unwrap();
+    folder
+}
+
 /// What the program wrote on stderr.
 fn message(output: &Output) -> String {
     text(&output.stderr)
 }
 
+/// The same of a program that ended with this exit status.
+fn ended(output: &Output, status: i32) -> String {
+    let said = message(output);
+    assert_eq!(output.status.code(), Some(status), "{said}");
+    said
+}
+
 /// Exit status 0; what the program printed.
 fn done(directory: &Path, line: &str) -> String {
     let output = asperity(directory, line);
-    assert_eq!(output.status.code(), Some(0), "{line}: {}", message(&output));
+    ended(&output, 0);
     text(&output.stdout)
 }
 

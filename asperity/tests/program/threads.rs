@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{alone, done};
+use super::{alone, done, folder_with};
 
 /// The auxiliary runs of the first scene require twice as many angles as they start from, so a main run that has begun
 /// beside them is repeated; those of the second do not.
@@ -11,13 +11,11 @@ fn threads_change_no_number() {
     let _alone = alone();
     for (interference, accuracy, sectors) in [(0.05, 0.015, 8), (5.0, 0.5, 4)] {
         let run = |threads: usize| -> Value {
-            let folder = tempfile::tempdir().unwrap();
-            let scene = format!(
-                "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\nslip_rate = 1\n\
-                 interference = {interference}\nslip_distance = 0.3\n[numerics]\nelements_per_radius = 4\n\
-                 accuracy = {accuracy}\n"
+            let sections = format!(
+                "[loading]\nslip_rate = 1\ninterference = {interference}\nslip_distance = 0.3\n\
+                 [numerics]\nelements_per_radius = 4\naccuracy = {accuracy}\n"
             );
-            std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+            let folder = folder_with("scene.toml", &sections);
             let line = format!("run scene.toml -o run.nc --json --quiet --threads {threads}");
             let mut results: Value = serde_json::from_str(&done(folder.path(), &line)).unwrap();
             results["account"]["wall_time"].take();

@@ -10,8 +10,9 @@ use std::sync::OnceLock;
 use tables::netcdf::DatasetReader;
 use vtkio::model::{Attribute, DataSet, Piece, UnstructuredGridPiece, Vtk};
 
-const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-                     [loading]\ninterference = 20\nslip_rate = 1\nslip_distance = 0.2\n\
+use crate::alone;
+
+const SCENE: &str = "[loading]\ninterference = 20\nslip_rate = 1\nslip_distance = 0.2\n\
                      [numerics]\nelements_per_radius = 8\nsectors = 4\n";
 
 /// A directory with run.nc, half/ and whole/; made once.
@@ -19,17 +20,10 @@ fn results() -> &'static Path {
     static DIRECTORY: OnceLock<tempfile::TempDir> = OnceLock::new();
     DIRECTORY
         .get_or_init(|| {
-            let directory = tempfile::tempdir().unwrap();
-            std::fs::write(directory.path().join("scene.toml"), SCENE).unwrap();
-            for options in ["--vtu half --fields-at 0.05,0.1", "--vtu whole --vtu-whole --fields-at 0.05,0.1"]
-            {
-                let output = Command::new(env!("CARGO_BIN_EXE_asperity"))
-                    .args("run scene.toml -o run.nc".split(' ').chain(options.split(' ')))
-                    .current_dir(directory.path())
-                    .env("HDF5_USE_FILE_LOCKING", "FALSE")
-                    .output()
-                    .unwrap();
-                assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            let directory = crate::folder_with("scene.toml", SCENE);
+            for options in ["half", "whole --vtu-whole"] {
+                let line = format!("run scene.toml -o run.nc --fields-at 0.05,0.1 --vtu {options}");
+                crate::done(directory.path(), &line);
             }
             directory
         })
@@ -72,6 +66,7 @@ fn highest(values: impl IntoIterator<Item = f64>) -> f64 {
 
 #[test]
 fn fields_are_those_of_the_run_and_lie_on_the_flat() {
+    let _alone = alone();
     let run = DatasetReader::open(&results().join("run.nc")).unwrap();
     let steps = run.shape("slip").unwrap()[0];
     let of = |name: &str| run.reals(name, &[steps]).unwrap();
@@ -117,31 +112,21 @@ fn fields_are_those_of_the_run_and_lie_on_the_flat() {
 
 #[test]
 fn the_stress_on_the_axis_carries_the_pressure_of_the_contact_centre() {
+    let _alone = alone();
     let run = DatasetReader::open(&results().join("run.nc")).unwrap();
     let pressure = run.reals("pressure", &run.shape("pressure").unwrap()).unwrap();
-    let grid = grid("whole", &collection("whole")[0].1);
+    let [half, grid] = ["half", "whole"].map(|folder| grid(folder, &collection(folder)[0].1));
+    assert_eq!(grid.cells.num_cells(), 2 * half.cells.num_cells());
     let apex = points(&grid).iter().position(|x| x.iter().all(|x| *x == 0.0)).unwrap();
     let axial = values(&grid, "stress")[6 * apex + 2];
     // The mean over the element below the apex is not yet the value at the surface.
     assert!((axial / -pressure[0] - 1.0).abs() < 0.1, "{axial:e} {:e}", pressure[0]);
 }
 
-#[test]
-fn the_whole_body_is_the_half_and_its_mirror_image() {
-    let ((_, half), (_, whole)) = (&collection("half")[0], &collection("whole")[0]);
-    let (half, whole) = (grid("half", half), grid("whole", whole));
-    assert_eq!(whole.cells.num_cells(), 2 * half.cells.num_cells());
-    let range = |grid: &UnstructuredGridPiece| {
-        let of_y = || points(grid).into_iter().map(|x| x[1]);
-        (highest(of_y()), -highest(of_y().map(|y| -y)))
-    };
-    let ((half_high, half_low), (high, low)) = (range(&half), range(&whole));
-    assert!(half_low.abs() < 1e-15 && (half_high - high).abs() < 1e-12 && (high + low).abs() < 1e-12);
-}
-
 /// With another reader, where Python has it.
 #[test]
 fn meshio_reads_the_files() {
+    let _alone = alone();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/read_body.py");
     let python = |arguments: &[&str]| Command::new("python3").args(arguments).output();
     if !python(&["-c", "import meshio"]).is_ok_and(|output| output.status.success()) {
