@@ -353,13 +353,4 @@ mod tests {
         assert!(file.variable("mu").is_none());
         assert!(file.variable("P_press").is_some());
     }
-
-    #[test]
-    fn a_directory_that_does_not_exist_is_an_error() {
-        let outcome = fake::outcome(&fake::scene(20.0, 1.0));
-        let about = About { history: String::new(), incomplete: None };
-        let path = Path::new("does/not/exist/run.nc");
-        let error = write(path, &fake::scene(20.0, 1.0), &outcome, &about).unwrap_err();
-        assert!(error.to_string().contains("does/not/exist/run.nc"), "{error}");
-    }
 }

@@ -172,14 +172,6 @@ fn failures_are_kept_with_their_reason_and_stop_nothing() {
 }
 
 #[test]
-fn unfinished_work_is_not_overwritten_without_resume() {
-    let bench = Bench::new(request(GRID));
-    bench.run(&Fake::default(), (1, false, None), &Unwatched).unwrap();
-    let error = bench.run(&Fake::default(), (1, false, None), &Unwatched).unwrap_err();
-    assert!(error.to_string().contains("--resume"));
-}
-
-#[test]
 fn table_has_every_cell_and_says_which_failed() {
     let mut tabulation = whole(GRID, &Fake { slide_fails: Some(10.0), ..Fake::default() }, 1);
     if let Some(Ok(finished)) = &mut tabulation.cells[0][0] {

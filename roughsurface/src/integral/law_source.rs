@@ -160,7 +160,7 @@ mod tests {
     use super::*;
     use crate::integral::test_laws::STEEL;
     use tables::quantity::Quantity;
-    use tables::table::{Axes, Cell, Metadata, Slice, Table};
+    use tables::table::{Axes, Cell, Metadata, Slice};
 
     /// A table over `interference` at one slip rate, every quantity of the cells `done` equal to `value`.
     fn table(interference: &[f64], done: &[usize], value: f64, metadata: Metadata) -> Slice {
@@ -260,31 +260,5 @@ mod tests {
             let message = refusal(counterface, asked).unwrap();
             assert!(message.contains(expected), "{message}");
         }
-    }
-
-    #[test]
-    fn a_table_is_read_at_the_temperature_asked_for() {
-        let member = |temperature: f64| {
-            let yield_strength = 1e9 - 1e6 * temperature;
-            let metadata =
-                Metadata { temperature, yield_strength, contact_modulus: 2e11, ..Default::default() };
-            table(&[1.0], &[0], temperature, metadata)
-        };
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("series.nc");
-        let several = Table::new([300.0, 400.0, 500.0].map(member).to_vec()).unwrap();
-        several.write(&path).unwrap();
-        let asked = path.to_str().unwrap();
-        let open = |temperature| LawSource::open(asked, None, Some(temperature), false).unwrap();
-        let load = |source: &LawSource| source.law.response(1e-3, 1.0, 1.0, 1e-5).unwrap().load.value;
-        let (at, between) = (open(400.0), open(450.0));
-        let (unstated, outside) = (refused(asked, None, None), refused(asked, None, Some(600.0)));
-        assert!((load(&at) / 400.0 - 1.0).abs() < 1e-12 && (load(&between) / 450.0 - 1.0).abs() < 1e-2);
-        assert_eq!(at.material.yield_strength, 6e8);
-        assert!(
-            unstated.contains("from 300 to 500 K") && unstated.contains("query.temperature"),
-            "{unstated}"
-        );
-        assert!(outside.contains("600 K is outside") && outside.contains("300 to 500 K"), "{outside}");
     }
 }

@@ -122,13 +122,6 @@ mod tests {
     }
 
     #[test]
-    fn a_periodic_map_is_recognised() {
-        let map = SelfAffine::default().map(1);
-        assert_eq!(seems_periodic(&map), None);
-        assert_eq!(seems_periodic(&Topography { periodic: false, ..map }), Some(Warning::SeemsPeriodic));
-    }
-
-    #[test]
     fn a_spike_on_a_profile() {
         let map = SelfAffine::default().map(2);
         let mut profile = Topography::profile(map.column_step, map.heights[..256].to_vec());

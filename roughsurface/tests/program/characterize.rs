@@ -1,7 +1,7 @@
 //! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
 //! from there to a prediction.
 
-use crate::folder::{Folder, data};
+use crate::folder::{Folder, data, stderr};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::Topography;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
@@ -130,6 +130,14 @@ fn a_topography_becomes_a_surface_file_that_predicts() {
     text.push_str("[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\n");
     folder.write("s.toml", text);
     folder.run_well("predict s.toml --table model:jackson-green -o f.nc -q");
+}
+
+#[test]
+fn micrometres_read_as_metres_are_noticed() {
+    let map = data("map-um.npy");
+    let output =
+        Folder::new().run_well(&format!("characterize {} --pixel 0.2um --cutoff 1.6um", map.display()));
+    assert_eq!(stderr(&output).matches("--unit um").count(), 1, "{}", stderr(&output));
 }
 
 #[test]

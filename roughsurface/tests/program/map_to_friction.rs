@@ -116,35 +116,3 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
         assert!(stderr(&output).contains(expected), "{arguments}: {}", stderr(&output));
     }
 }
-
-#[test]
-fn numpy_and_csv_maps_are_read() {
-    let folder = Folder::new();
-    let text = std::fs::read_to_string(map("map-um.txt")).unwrap();
-    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
-    let cells = |separator: &str| lines.iter().map(|line| line.join(separator) + "\n").collect::<String>();
-    folder.write("map.csv", cells(","));
-    // As a spreadsheet writes it where the comma is decimal.
-    folder.write("german.csv", format!("\u{feff}{}", cells(";").replace('.', ",")));
-    let numbers = lines.iter().flatten().flat_map(|word| word.parse::<f64>().unwrap().to_le_bytes());
-    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({0}, {0}), }}\n", lines.len());
-    let start =
-        [b"\x93NUMPY\x01\x00".as_slice(), &(header.len() as u16).to_le_bytes(), header.as_bytes()].concat();
-    folder.write("map.npy", start.into_iter().chain(numbers).collect::<Vec<u8>>());
-
-    let moments = |file: &str| {
-        let output =
-            folder.run_well(&format!("characterize {file} --unit um --pixel 0.2um --cutoff 1.6um --json"));
-        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        (found["moments"].clone(), stderr(&output))
-    };
-    let (expected, _) = moments(&map("map-um.txt"));
-    for file in ["map.csv", "german.csv", "map.npy"] {
-        let (found, messages) = moments(file);
-        assert_eq!(found, expected, "{file}");
-        assert_eq!(messages.contains("decimal commas"), file == "german.csv", "{messages}");
-    }
-    // Micrometres read as metres.
-    let output = folder.run_well("characterize map.npy --pixel 0.2um --cutoff 1.6um");
-    assert_eq!(stderr(&output).matches("--unit um").count(), 1, "{}", stderr(&output));
-}

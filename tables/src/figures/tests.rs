@@ -210,9 +210,3 @@ fn a_pdf_has_its_objects_where_its_table_says() {
         assert!(file[place..].starts_with(format!("{n} 0 obj").as_bytes()), "{n}");
     }
 }
-
-#[test]
-fn other_extensions_are_refused() {
-    let error = figure().save(Path::new("plot.gif")).unwrap_err();
-    assert_eq!(error.to_string(), "cannot draw plot.gif: the extension must be one of svg, png, pdf");
-}

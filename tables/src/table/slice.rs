@@ -139,19 +139,6 @@ mod tests {
     }
 
     #[test]
-    fn cells_come_back() {
-        let mut table = Slice::new(axes(), Metadata::default()).unwrap();
-        table.set_cell(1, 2, cell(0.3)).unwrap();
-        table.mark_failed(0, 0, "no convergence");
-        assert_eq!(table.cell(1, 2).unwrap()[Quantity::Mu].value, 0.3);
-        assert_eq!(table.cell(1, 2).unwrap().history(Quantity::Mu), [0.0, 0.3]);
-        assert!(table.cell(1, 2).unwrap()[Quantity::Load].value.is_nan());
-        assert_eq!(*table.status(0, 0), Status::Failed("no convergence".to_string()));
-        assert_eq!(table.missing(), [(0, 1), (0, 2), (1, 0), (1, 1)]);
-        assert_eq!(table, table.clone());
-    }
-
-    #[test]
     fn bad_axes_and_histories_are_named() {
         let mut bad = axes();
         bad.slip_rate[1] = 2.0;

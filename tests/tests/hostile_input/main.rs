@@ -175,7 +175,7 @@ fn no_foreign_file_crashes_a_program() {
 
 /// Readers of text: oversized input ends with a message of one line.
 #[test]
-#[ignore = "run by the next test, in a process of its own with little memory"]
+#[ignore = "run by the last test, in a process of its own with little memory"]
 fn reads_the_bombs() {
     let folder = tempfile::tempdir().unwrap();
     let short =
@@ -211,20 +211,9 @@ fn reads_the_bombs() {
     }
 }
 
-#[test]
-fn no_bomb_breaks_a_reader() {
-    let begun = std::time::Instant::now();
-    let output = in_little_memory("reads_the_bombs", &[]);
-    let said = stderr(&output);
-    let last: Vec<&str> = said.lines().rev().take(4).collect();
-    assert!(output.status.success(), "{}: {last:?}", output.status);
-    // None of them takes minutes.
-    assert!(begun.elapsed().as_secs() < 120, "{:?}", begun.elapsed());
-}
-
 /// What fuzzing has found (`tests/fuzz`), minimised: each is refused as damaged.
 #[test]
-#[ignore = "run by the next test, in a process of its own with little memory"]
+#[ignore = "run by the last test, in a process of its own with little memory"]
 fn reads_the_findings() {
     let findings = files(&root().join("tests/fuzz/findings/topography"), "");
     assert!(findings.len() >= 2);
@@ -235,9 +224,16 @@ fn reads_the_findings() {
 }
 
 #[test]
-fn findings_are_refused_in_little_memory() {
-    let output = in_little_memory("reads_the_findings", &[]);
-    assert!(output.status.success(), "{}: {}", output.status, stderr(&output));
+fn no_bomb_and_no_finding_breaks_a_reader() {
+    for name in ["reads_the_bombs", "reads_the_findings"] {
+        let begun = std::time::Instant::now();
+        let output = in_little_memory(name, &[]);
+        let said = stderr(&output);
+        let last: Vec<&str> = said.lines().rev().take(4).collect();
+        assert!(output.status.success(), "{name}: {}: {last:?}", output.status);
+        // None of them takes minutes.
+        assert!(begun.elapsed().as_secs() < 120, "{name}: {:?}", begun.elapsed());
+    }
 }
 
 fn survive(kinds: &[&str]) {

@@ -55,17 +55,9 @@ fn cells_come_back_bit_for_bit() {
 }
 
 #[test]
-fn a_cut_or_damaged_line_loses_only_its_cell() {
+fn a_damaged_line_loses_only_its_cell() {
     let (_directory, path) = journal_of_three();
     let whole = std::fs::read_to_string(&path).unwrap();
-    std::fs::write(&path, &whole[..whole.len() - 5]).unwrap();
-    let (mut journal, found) = open(&path, true).unwrap();
-    assert_eq!(found.len(), 2);
-    journal.record(at(2.0, 0.0), &Err("again".into())).unwrap();
-    drop(journal);
-    let (_, found) = open(&path, true).unwrap();
-    assert_eq!(found[2], (at(2.0, 0.0), Err("again".into())));
-
     std::fs::write(&path, whole.replace("reason 1", "reason 7")).unwrap();
     let (_, found) = open(&path, true).unwrap();
     let points: Vec<Point> = found.iter().map(|(point, _)| *point).collect();
@@ -109,13 +101,6 @@ fn a_journal_of_another_build_is_refused() {
     assert!(message.contains("another build") && message.contains(FINGERPRINT), "{message}");
     header.source = "asperity 0.0.9".into();
     assert!(refused(&header).contains("asperity 0.0.9"));
-}
-
-#[test]
-fn resuming_without_a_journal_starts_one() {
-    let (_directory, path) = place();
-    assert!(open(&path, true).unwrap().1.is_empty());
-    assert!(open(&path, true).unwrap().1.is_empty());
 }
 
 /// Files of others keep every byte, with --resume and without.
