@@ -165,20 +165,6 @@ impl Scene {
     /// properties with a table take their value there. Both softening factors must be above 0.
     ///
     /// Everything else is unchanged, including the fracture data and the strength of a film.
-    ///
-    /// ```
-    /// use asperity::scene::file::parse_scene;
-    ///
-    /// let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-    ///             [loading]\ninterference = 5\nslip_rate = 1\n";
-    /// let cold = parse_scene(text, "this example", &[])?;
-    /// let hot = cold.at_temperature(600.0);
-    /// assert_eq!(hot.loading.temperature, 600.0);
-    /// let factor = |temperature| cold.material.softening.factor(temperature);
-    /// let expected = cold.material.yield_strength * factor(600.0) / factor(298.0);
-    /// assert!((hot.material.yield_strength / expected - 1.0).abs() < 1e-12);
-    /// # Ok::<(), asperity::scene::file::SceneFileError>(())
-    /// ```
     pub fn at_temperature(&self, temperature: f64) -> Self {
         let mut scene = self.clone();
         let known = self.loading.temperature;

@@ -15,19 +15,6 @@ use tables::table::fracture::FractureEnergy;
 use crate::scene::{FractureData, Hardening, Material};
 
 /// G_IIc of the material over the contact radius, given or estimated.
-///
-/// ```
-/// use asperity::simulate::fracture::fracture_energy;
-/// use asperity::scene::file::parse_scene;
-/// use tables::quantity::Estimate;
-///
-/// let text = "[material]\npreset = \"copper\"\nshear_fracture_energy = 500.0\n\
-///             [asperity]\nradius = 1e-6\n[loading]\ninterference = 5\nslip_rate = 1\n";
-/// let scene = parse_scene(text, "this example", &[])?;
-/// let energy = fracture_energy(&scene.material);
-/// assert_eq!(energy.at(Estimate::exact(1e-7)).value, 500.0);
-/// # Ok::<(), asperity::scene::file::SceneFileError>(())
-/// ```
 pub fn fracture_energy(material: &Material) -> FractureEnergy {
     let modulus = material.youngs_modulus;
     let griffith =

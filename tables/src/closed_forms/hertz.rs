@@ -103,16 +103,6 @@ pub fn yield_coefficient(poisson_ratio: f64) -> f64 {
 }
 
 /// ω_c = (π C(ν) σ_Y / 2E*)² R, m: interference of first yield.
-///
-/// ```
-/// use tables::closed_forms::hertz::{contact_modulus, critical_interference, hertz_load};
-///
-/// let modulus = contact_modulus(205e9, 0.29);
-/// let first_yield = critical_interference(modulus, 0.29, 792e6, 1e-3);
-/// // 79 nm.
-/// assert!((first_yield / 7.9e-8 - 1.0).abs() < 0.01, "{first_yield:e}");
-/// assert!(hertz_load(modulus, 1e-3, first_yield) > 0.1);
-/// ```
 pub fn critical_interference(e_star: f64, poisson_ratio: f64, yield_strength: f64, radius: f64) -> f64 {
     let ratio = PI * yield_coefficient(poisson_ratio) * yield_strength / (2.0 * e_star);
     ratio * ratio * radius

@@ -6,14 +6,6 @@
 //! Symbols: ω* = ω/ω_c; P_c, A_c load and area of first yield, all three with the authors'
 //! C(ν); e_y = σ_Y/E*; a contact radius; R sphere radius; H hardness, Pa.
 //! The published pieces do not quite join: at ω* = 1.9 the load jumps by 0.5 %.
-//!
-//! ```
-//! use tables::closed_forms::jackson_green::{area, load};
-//!
-//! // At 10 ω_c, e_y = 0.001 and ν = 0.3, in units of the mean pressure of first yield.
-//! let mean_pressure = load(10.0, 1e-3, 0.3) / area(10.0, 1e-3);
-//! assert!((mean_pressure - 2.04).abs() < 0.01, "{mean_pressure}");
-//! ```
 
 /// ω* up to which the contact is taken as Hertzian.
 pub const ELASTIC_LIMIT: f64 = 1.9;

@@ -5,17 +5,6 @@
 //!
 //! Symbols: G* = G/(2−ν), Pa; a contact radius, m; u rigid tangential displacement of the flat
 //! relative to the far body, m; Q tangential force, N; c radius of the sticking core, m.
-//!
-//! ```
-//! use tables::closed_forms::partial_slip::{constant_shear, tangential_modulus};
-//!
-//! // Steel, a contact radius of 50 µm: it slides after a fraction of a micrometre.
-//! let g_star = tangential_modulus(205e9, 0.29);
-//! let slip = constant_shear::gross_slip_displacement(457e6, g_star, 50e-6);
-//! assert!((slip - 457e6 * 50e-6 / (2.0 * g_star)).abs() < 1e-15);
-//! // At half of that displacement the force exceeds half of its final value.
-//! assert!((constant_shear::force_fraction(0.5) - 0.608998).abs() < 1e-6);
-//! ```
 
 use std::f64::consts::{FRAC_2_PI, PI};
 

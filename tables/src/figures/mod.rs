@@ -26,16 +26,6 @@ pub use field::{Colors, Field, above};
 pub use table::PANELS as TABLE_PANELS;
 
 /// Panels in rows.
-///
-/// ```
-/// use tables::figures::{Axis, Curve, Figure, Panel};
-///
-/// let curve = Curve::new("a curve", vec![0.1, 1.0, 10.0], vec![0.3, 0.25, 0.2]).with_error(vec![0.01; 3]);
-/// let (x, y) = (Axis::logarithmic("slip rate V (m/s)"), Axis::linear("friction coefficient μ"));
-/// let panel = Panel::new("friction", "Sliding friction", x, y, vec![curve]);
-/// let svg = Figure::new("", vec![panel]).svg();
-/// assert!(svg.contains("slip rate V (m/s)"));
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// Above the panels; may be empty.

@@ -75,14 +75,6 @@ pub fn locate(x: &[f64], at: f64) -> Location {
 
 /// Interpolant through given points, held constant beyond both ends.
 #[derive(Clone, Debug, PartialEq)]
-/// ```
-/// use tables::interpolation::steffen::Steffen;
-///
-/// let rise = Steffen::new(vec![0.0, 1.0, 2.0, 3.0], vec![0.0, 0.0, 1.0, 1.0]);
-/// assert_eq!(rise.value(2.0), 1.0);
-/// // No overshoot.
-/// assert!(rise.resample(&[0.5, 1.5, 2.5]).iter().all(|value| (0.0..=1.0).contains(value)));
-/// ```
 pub struct Steffen {
     x: Vec<f64>,
     y: Vec<f64>,

@@ -7,18 +7,6 @@ use rustix::process::{Resource, getrlimit};
 
 /// Writes a file under a temporary name in the folder of `path`, and renames it once it is complete and on the disk.
 /// A file of that name is replaced; symbolic links are followed.
-///
-/// ```
-/// use tables::netcdf::write_atomically;
-///
-/// let path = std::env::temp_dir().join(format!("atomic-example-{}.txt", std::process::id()));
-/// write_atomically(&path, b"whole\n")?;
-/// assert_eq!(std::fs::read_to_string(&path)?, "whole\n");
-/// // A file that cannot be completed leaves nothing behind.
-/// assert!(write_atomically(&path.join("below-a-file"), b"text").is_err());
-/// # std::fs::remove_file(&path)?;
-/// # Ok::<(), std::io::Error>(())
-/// ```
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
     // The system ends a program that exceeds it, by a signal.
     let limit = getrlimit(Resource::Fsize).current;
@@ -65,20 +53,6 @@ pub fn in_words(error: io::Error) -> io::Error {
 ///
 /// A file gets its name by being renamed, which would put the file in place of the link, on the disk of
 /// the link, and leave the target of the link unchanged.
-///
-/// ```
-/// use tables::netcdf::destination;
-///
-/// let folder = std::env::temp_dir().join(format!("destination-example-{}", std::process::id()));
-/// std::fs::create_dir_all(&folder)?;
-/// # #[cfg(unix)] {
-/// std::os::unix::fs::symlink("large-disk.nc", folder.join("table.nc"))?;
-/// assert_eq!(destination(&folder.join("table.nc")), folder.join("large-disk.nc"));
-/// # }
-/// assert_eq!(destination(&folder.join("other.nc")), folder.join("other.nc"));
-/// # std::fs::remove_dir_all(&folder)?;
-/// # Ok::<(), std::io::Error>(())
-/// ```
 pub fn destination(path: &Path) -> PathBuf {
     let mut place = path.to_path_buf();
     // As many in a row as Linux follows.

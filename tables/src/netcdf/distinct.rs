@@ -21,16 +21,6 @@ pub struct SameFile {
 ///
 /// Files are compared by identity, through symbolic and hard links; a file that does not exist yet by its
 /// folder and its name.
-///
-/// ```
-/// use std::path::Path;
-/// use tables::netcdf::check_distinct;
-///
-/// let (table, same) = (Path::new("table.nc"), Path::new("./table.nc"));
-/// let error = check_distinct(&[("--table", table)], &[("--output", same)]).unwrap_err();
-/// assert!(error.to_string().starts_with("--output and --table are the same file, ./table.nc"));
-/// assert!(check_distinct(&[("--table", table)], &[("--output", Path::new("friction.nc"))]).is_ok());
-/// ```
 pub fn check_distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), SameFile> {
     let known = |(role, path): &(&str, &Path)| (identity(path), role.to_string());
     let mut files: Vec<(Identity, String)> = inputs.iter().map(known).collect();

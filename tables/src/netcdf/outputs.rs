@@ -25,16 +25,6 @@ pub enum OutputError {
 
 /// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is
 /// given with its role, which is named in the error.
-///
-/// ```
-/// use std::path::Path;
-/// use tables::netcdf::check_outputs;
-///
-/// let (table, result) = (Path::new("Cargo.toml"), Path::new("no-such-folder/friction.nc"));
-/// assert!(check_outputs(&[("--table", table)], &[("--output", table)]).is_err());
-/// let error = check_outputs(&[("--table", table)], &[("--output", result)]).unwrap_err();
-/// assert!(error.to_string().starts_with("no-such-folder/friction.nc: cannot be written"));
-/// ```
 pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     check_distinct(inputs, outputs)?;
     outputs.iter().try_for_each(|(_, output)| {

@@ -35,53 +35,6 @@ const NARROWEST: f64 = 1.02;
 
 /// Computes missing points of a table by `evaluate` and adds points, in turn, until every quantity of
 /// [`JUDGED`] interpolates within the tolerance, or the grid is full.
-///
-/// ```
-/// use tables::quantity::Quantity;
-/// use tables::refinement::{Goal, JUDGED, refine};
-/// use tables::table::{Axes, Cell, Metadata, Slice};
-///
-/// // Friction with a change of regime at first yield, in place of a simulation.
-/// let friction = |omega: f64| 0.2 + 0.3 / (1.0 + omega * omega);
-/// let mut runs = 0;
-/// let evaluate = |mut table: Slice| {
-///     for (i, j) in table.missing() {
-///         let omega = table.axes().interference[i];
-///         let mut cell = Cell::new();
-///         for quantity in Quantity::SCALARS {
-///             let value = if quantity == Quantity::Mu { friction(omega) } else { omega };
-///             cell = cell.with(quantity, value, 0.0);
-///         }
-///         for quantity in Quantity::TABLE_HISTORIES {
-///             cell = cell.with_history(quantity, vec![omega; 2]);
-///         }
-///         table.set_cell(i, j, cell)?;
-///         runs += 1;
-///     }
-///     Ok::<_, tables::table::TableError>(table)
-/// };
-/// let axes = Axes { interference: vec![0.1, 3.0, 100.0], slip_rate: vec![1.0], slip: vec![0.0, 2.0] };
-/// let metadata = Metadata {
-///     asperity_radius: 1e-3,
-///     critical_interference: 1e-7,
-///     contact_modulus: 2e11,
-///     poisson_ratio: 0.3,
-///     yield_strength: 4e8,
-///     strength_factor: Some(1.0),
-///     temperature: 298.0,
-///     ..Metadata::default()
-/// };
-/// let goal = Goal { tolerance: 0.05, most_cells: 40 };
-/// let table = refine(Slice::new(axes, metadata)?, &goal, evaluate)?;
-/// // Points were added, and more of them where the friction changes.
-/// let interference = &table.axes().interference;
-/// let among = |from: f64, to: f64| interference.iter().filter(|omega| (from..to).contains(*omega)).count();
-/// assert!(runs > 3 && runs < 40, "{interference:?}");
-/// assert!(among(0.3, 3.0) >= among(10.0, 100.0), "{interference:?}");
-/// let validation = table.cross_validation();
-/// assert!(JUDGED.iter().all(|quantity| validation.worst(*quantity).error < 0.05));
-/// # Ok::<(), tables::table::TableError>(())
-/// ```
 pub fn refine<E>(
     mut table: Slice,
     goal: &Goal,
@@ -101,20 +54,6 @@ type Wanted = (f64, Along, usize);
 
 impl Goal {
     /// Axes with more points, or none if the goal is reached or cannot be.
-    ///
-    /// ```
-    /// use tables::refinement::Goal;
-    /// use tables::shipped::table;
-    ///
-    /// let table = table("steel-304")?;
-    /// let asked = |tolerance| Goal { tolerance, most_cells: 400 }.next_axes(&table);
-    /// // Good to 20 %, G included; 2 % requires more points.
-    /// assert_eq!(asked(0.2), None);
-    /// let more = asked(0.02).unwrap();
-    /// let (rows, columns) = table.shape();
-    /// assert!(more.interference.len() * more.slip_rate.len() > rows * columns);
-    /// # Ok::<(), tables::shipped::TableSourceError>(())
-    /// ```
     pub fn next_axes(&self, table: &Slice) -> Option<Axes> {
         let mut wanted = self.wanted(table, &table.cross_validation());
         // The worst first: what does not fit any more is left out.

@@ -88,13 +88,6 @@ pub fn all() -> &'static [Preset] {
 }
 
 /// The preset called `name`.
-///
-/// ```
-/// let steel = asperity::scene::presets::find("steel-4340").unwrap();
-/// let strength = steel.constants.iter().find(|constant| constant.key == "yield_strength").unwrap();
-/// assert!(strength.source.contains("Johnson & Cook 1985"));
-/// assert!(asperity::scene::presets::find("unobtainium").is_none());
-/// ```
 pub fn find(name: &str) -> Option<&'static Preset> {
     all().iter().find(|preset| preset.name == name)
 }

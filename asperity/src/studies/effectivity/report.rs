@@ -16,15 +16,6 @@ pub const JUDGED: [Quantity; 7] = MAIN;
 pub const NEGLIGIBLE: f64 = 5e-4;
 
 /// One quantity of one scene.
-///
-/// ```
-/// use asperity::studies::effectivity::Judged;
-/// use tables::quantity::Quantity;
-///
-/// let judged = Judged { quantity: Quantity::Mu, value: 0.3, scale: 0.3, reference: 0.294, stated: 0.009 };
-/// assert!((judged.error() - 0.006).abs() < 1e-12 && (judged.ratio() - 2.0 / 3.0).abs() < 1e-12);
-/// assert!(judged.is_covered());
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
     pub quantity: Quantity,

@@ -150,18 +150,6 @@ pub struct RateLaws {
 ///
 /// The isothermal limit V = 0 is left out. The errors of the parameters are the standard errors from the
 /// scatter about the fit plus the effect of the errors of `mu`, which have one sign at all slip rates.
-///
-/// ```
-/// use roughsurface::friction::rate_law::choose;
-/// use tables::law::Estimate;
-///
-/// let rates = [0.1, 0.3, 1.0, 3.0, 10.0];
-/// let mu = rates.map(|rate: f64| 0.6 / (1.0 + (rate / 40.0).sqrt()));
-/// let law = choose(&rates, &mu.map(Estimate::exact)).chosen?;
-/// assert_eq!(law.form.name, "square-root");
-/// assert!((law.velocity.value - 40.0).abs() < 1e-3);
-/// # Ok::<(), roughsurface::friction::rate_law::NoFit>(())
-/// ```
 pub fn choose(slip_rates: &[f64], mu: &[Estimate]) -> RateLaws {
     let curve = match Curve::new(slip_rates, mu) {
         Ok(curve) => curve,

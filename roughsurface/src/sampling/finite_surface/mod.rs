@@ -67,29 +67,6 @@ impl Samples {
 /// Each surface has a seed of its own, drawn in order, so the result does not depend on the number of
 /// threads; the same surfaces are loaded with every pressure and slip rate. Under load control the
 /// separation is that of the slide; under displacement control that of the pressure before it.
-///
-/// ```
-/// use roughsurface::friction::Settings;
-/// use roughsurface::surface::heights::Gaussian;
-/// use roughsurface::sampling::finite_surface::{Sampling, sample};
-/// use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
-/// use tables::closed_forms::{ElasticPlastic, closed_form};
-///
-/// let steel = ElasticPlastic { youngs_modulus: 205e9, poisson_ratio: 0.29, yield_strength: 792e6 };
-/// let law = closed_form("jackson-green", &steel)?;
-/// let surface = Surface {
-///     asperity_density: 1e8,
-///     asperity_radius: 1e-3.into(),
-///     heights: Box::new(Gaussian::new(0.4e-6)),
-/// };
-/// let loading = NormalLoading::Pressure(vec![1e7]);
-/// let (control, contact_life, interaction) = (LoadingControl::Load, ContactLife::default(), Interaction::None);
-/// let query = Query { loading, slip_rates: vec![1.0], control, contact_life, interaction, rate_step: None };
-/// let sampling = Sampling { asperities: 300, realizations: 5, seed: 1, slip: None };
-/// let found = sample(law.as_ref(), &surface, &query, &sampling, &Settings::default(), &|_, _| ())?;
-/// assert!(found.scatter(0, 0, |one| one.state.mu.value).mean > 0.1);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub fn sample(
     law: &dyn AsperityLaw,
     surface: &Surface,

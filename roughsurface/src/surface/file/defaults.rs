@@ -13,17 +13,6 @@ fn at_default<T: Serialize + PartialEq>(key: &str, value: T, default: T) -> Opti
 
 impl SurfaceFile {
     /// Optional keys that have their default value, as in `query.hold = "load"`.
-    ///
-    /// ```
-    /// use roughsurface::surface::file::SurfaceFile;
-    ///
-    /// let text = "[surface]\nasperity_density = 1e10\nasperity_radius = 1e-4\n\
-    ///             heights = { distribution = \"gaussian\", std = 1e-6 }\n\
-    ///             [query]\npressure = 1e6\nslip_rate = 1\ncontact_life = \"steady\"\n";
-    /// let file = SurfaceFile::parse("surface.toml".as_ref(), text.into())?;
-    /// assert_eq!(file.defaults_in_effect(), ["query.hold = \"load\"", "query.interaction = \"none\""]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn defaults_in_effect(&self) -> Vec<String> {
         let query = &self.query;
         let defaults = [
