@@ -75,11 +75,19 @@ pub(super) fn slide_beside(
     elements: usize,
     watch: &dyn Watch,
 ) -> Result<Heated, SimulationError> {
-    let mut scene = scene(plain_material(0.499), FrictionLaw::ShearStrength, 1e-4, mesh(elements, 4));
+    let (mut scene, [strength, distance, time]) = source(softening, fourier, elements);
     if softens {
         scene.material.softening =
             Softening::JohnsonCook { reference: START, melting: START + RANGE, exponent: 1.0 };
     }
+    scene.counterface = counterface(&scene);
+    let outcome = simulate(&scene, watch)?;
+    Ok(Heated { outcome, strength, rise: softening * RANGE, time: time / fourier, distance })
+}
+
+/// The scene of such a slide at constant strength, τ₀ (Pa), and slip (m) and time (s) of the slide.
+pub(super) fn source(softening: f64, fourier: f64, elements: usize) -> (Scene, [f64; 3]) {
+    let mut scene = scene(plain_material(0.499), FrictionLaw::ShearStrength, 1e-4, mesh(elements, 4));
     scene.interface.strength_factor = 0.005;
     scene.model.heat = Switch::On;
     let strength = scene.interface.strength_factor * scene.material.yield_strength / 3f64.sqrt();
@@ -88,13 +96,11 @@ pub(super) fn slide_beside(
     let gross = strength / (2.0 * hertz.tangential_modulus);
     scene.loading.slip_distance = 2000.0 * gross;
     scene.loading.slip_rate = softening * k * RANGE / (strength * a);
-    let time = scene.loading.slip_distance * a / scene.loading.slip_rate;
+    let distance = scene.loading.slip_distance * a;
+    let time = distance / scene.loading.slip_rate;
     scene.material.density = 1.0;
     scene.material.specific_heat = k * time / (fourier * a * a);
-    scene.counterface = counterface(&scene);
-    let distance = scene.loading.slip_distance * a;
-    let outcome = simulate(&scene, watch)?;
-    Ok(Heated { outcome, strength, rise: softening * RANGE, time: time / fourier, distance })
+    (scene, [strength, distance, time])
 }
 
 /// A history at Fo, linear in √t.

@@ -10,8 +10,9 @@ use std::f64::consts::PI;
 use tables::closed_forms::partial_slip::mindlin;
 use tables::quantity::{Quantity, State};
 
+use super::heat_source::{RANGE, START, source};
 use super::partial_slip::{FRICTION, ON_8, scene_of};
-use super::setup::{Hertz, last, mesh, plain_material, pressed, scene, steel_4340};
+use super::setup::{last, mesh, pressed, scene, steel_4340};
 use super::strain_rate::{self, rated_material};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{FrictionLaw, LoadingStep, Scene, Switch};
@@ -47,34 +48,20 @@ fn hold(watch: &dyn Watch) -> Rows {
     /// Fo of the hold, mean rise over qa/k, and that of the centre.
     const RISES: [(f64, f64, f64); 3] =
         [(0.1, 0.304177, 0.387894), (0.25, 0.201357, 0.241837), (1.0, 0.069548, 0.075486)];
-    const STRENGTH_FACTOR: f64 = 0.005;
-    const RISE: f64 = 1000.0;
-    let mut scene = scene(plain_material(0.499), FrictionLaw::ShearStrength, 1e-4, mesh(8, 4));
-    scene.interface.strength_factor = STRENGTH_FACTOR;
-    scene.model.heat = Switch::On;
-    let strength = STRENGTH_FACTOR * scene.material.yield_strength / 3f64.sqrt();
-    let hertz = Hertz::of(&scene);
-    let (a, k) = (hertz.contact_radius, scene.material.thermal_conductivity);
-    // 2000 times as far as gross slip takes.
-    let distance = 1000.0 * strength / hertz.tangential_modulus;
-    let slip_rate = k * RISE / (strength * a);
-    let time = distance * a / slip_rate;
-    scene.material.density = 1.0;
-    scene.material.specific_heat = k * time / (a * a);
-    let mut steps = vec![slip(slip_rate, distance)];
+    let (scene, [.., time]) = source(1.0, 1.0, 8);
+    let mut steps = vec![slip(scene.loading.slip_rate, scene.loading.slip_distance)];
     let mut held = 0.0;
     for (fourier, ..) in RISES {
         steps.push(LoadingStep::Hold { hold: (fourier - held) * time });
         held = fourier;
     }
-    let initial = scene.loading.temperature;
     let outcome = run(scene, steps, watch)?;
     let mut rows = Vec::new();
     for ((fourier, mean, centre), state) in RISES.into_iter().zip(ends(&outcome).into_iter().skip(1)) {
         for (name, quantity, reference) in
             [("mean", Quantity::TemperatureMean, mean), ("largest", Quantity::TemperatureMax, centre)]
         {
-            let rise = (state[quantity] - initial) / RISE;
+            let rise = (state[quantity] - START) / RANGE;
             let name = format!("{name} rise over qa/k after Fo = 1 and a hold of Fo = {fourier}");
             let tolerance =
                 Tolerance::relative(0.044, "mesh, 0.5 n_c^-1.5, of the source and of the Fourier number");
