@@ -8,6 +8,7 @@ use asperity::tabulate::Shard;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use tables::figures::TABLE_PANELS;
+use tables::netcdf::input::number;
 use tables::netcdf::program::Printer;
 
 use super::{help, table};
@@ -222,10 +223,7 @@ pub(super) struct EffectivityArguments {
 }
 
 fn scene_number(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(number) if number >= 1 => Ok(number),
-        _ => Err("scenes are numbered from 1".into()),
-    }
+    number(text, |number| *number >= 1, "scenes are numbered from 1")
 }
 
 #[derive(Args)]
@@ -248,8 +246,6 @@ pub(super) struct MergeArguments {
 }
 
 fn parse_slip(text: &str) -> Result<f64, String> {
-    match text.trim().parse() {
-        Ok(slip) if slip >= 0.0 && f64::is_finite(slip) => Ok(slip),
-        _ => Err("must be slips of at least 0, in contact radii, separated by commas".into()),
-    }
+    let rule = "must be slips of at least 0, in contact radii, separated by commas";
+    number(text.trim(), |slip| *slip >= 0.0 && f64::is_finite(*slip), rule)
 }

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 use tables::closed_forms::NAMES;
 use tables::figures::Figure;
 use tables::law::AsperityLaw;
+use tables::netcdf::input::number;
 use tables::netcdf::streams::say;
 use tables::netcdf::{history, write_atomically};
 
@@ -97,10 +98,7 @@ fn models(asked: &[String]) -> Result<Vec<String>, Failure> {
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(tolerance) if (1e-12..=1e-3).contains(&tolerance) => Ok(tolerance),
-        _ => Err("must lie between 1e-12 and 1e-3".into()),
-    }
+    number(text, |tolerance| (1e-12..=1e-3).contains(tolerance), "must lie between 1e-12 and 1e-3")
 }
 
 /// Reads, predicts, writes.

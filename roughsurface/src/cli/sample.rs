@@ -8,7 +8,7 @@ use roughsurface::friction::Settings;
 use roughsurface::friction::warning::Warning;
 use roughsurface::output::{Origin, sample_file};
 use std::path::PathBuf;
-use tables::netcdf;
+use tables::netcdf::{self, input::number};
 
 pub const HELP: &str = "\
 Example:
@@ -39,10 +39,8 @@ pub struct Sample {
 }
 
 fn slip_length(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(slip) if slip >= 0.0 && slip.is_finite() => Ok(slip),
-        _ => Err("must be a length in metres, not negative".into()),
-    }
+    let rule = "must be a length in metres, not negative";
+    number(text, |slip| *slip >= 0.0 && f64::is_finite(*slip), rule)
 }
 
 /// Draws, slides, writes.

@@ -83,6 +83,11 @@ impl Override {
     }
 }
 
+/// A number of the command line that is `allowed`; the error is the `rule` that it breaks.
+pub fn number<T: FromStr>(text: &str, allowed: impl Fn(&T) -> bool, rule: &str) -> Result<T, String> {
+    text.parse().ok().filter(allowed).ok_or_else(|| rule.to_owned())
+}
+
 /// Spacing of the numbers of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]

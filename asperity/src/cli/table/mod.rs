@@ -13,6 +13,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
 use tables::figures::TABLE_PANELS;
 use tables::interpolation::InterpolatedTable;
+use tables::netcdf::input::number;
 use tables::netcdf::write_atomically;
 use tables::shipped;
 use tables::table::Table;
@@ -105,17 +106,11 @@ pub struct CheckArguments {
 }
 
 fn temperature(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
-        _ => Err("must be a positive number (K)".into()),
-    }
+    number(text, |value| *value > 0.0 && f64::is_finite(*value), "must be a positive number (K)")
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value >= 0.0 => Ok(value),
-        _ => Err("must be zero or a positive number".into()),
-    }
+    number(text, |value| *value >= 0.0, "must be zero or a positive number")
 }
 
 /// Run the subcommand.
