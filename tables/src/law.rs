@@ -70,6 +70,9 @@ pub enum AboveRange {
 /// Response at a fixed radius and slip rate against interference (ω/ω_c) and slip (m).
 pub type SlidingResponse<'a> = Box<dyn Fn(f64, f64) -> Result<Response, LookupError> + Send + Sync + 'a>;
 
+/// An estimate, or none if the law does not state it.
+pub type OptionalEstimate = Result<Option<Estimate>, LookupError>;
+
 /// Load, friction and area of one asperity of given radius.
 ///
 /// Interference is counted from first touch and given in units of the critical
@@ -181,33 +184,18 @@ pub trait AsperityLaw: Send + Sync {
     }
 
     /// Friction coefficient that the slide of one asperity tends to; none if the law does not state it.
-    fn steady_friction(
-        &self,
-        _radius: f64,
-        _interference: f64,
-        _slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn steady_friction(&self, _radius: f64, _interference: f64, _slip_rate: f64) -> OptionalEstimate {
         Ok(None)
     }
 
     /// Mean temperature of the contact at the end of the slide of the law, K; none if the law has no temperature.
-    fn temperature_mean(
-        &self,
-        _radius: f64,
-        _interference: f64,
-        _slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn temperature_mean(&self, _radius: f64, _interference: f64, _slip_rate: f64) -> OptionalEstimate {
         Ok(None)
     }
 
     /// Energy that one asperity releases from full stick to full slip, J: work of the flat less
     /// the change of elastic energy, up to sliding inception; none if the law does not define it.
-    fn energy_release(
-        &self,
-        _radius: f64,
-        _interference: f64,
-        _slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn energy_release(&self, _radius: f64, _interference: f64, _slip_rate: f64) -> OptionalEstimate {
         Ok(None)
     }
 }

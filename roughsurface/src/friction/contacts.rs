@@ -9,7 +9,7 @@ use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
 use std::convert::Infallible;
 use tables::closed_forms::kogut_etsion;
-use tables::law::{Estimate, LookupError};
+use tables::law::{Estimate, LookupError, OptionalEstimate};
 
 /// Interferences, in ω_c, of first yield and of the start of full plasticity (Kogut & Etsion 2002, doi
 /// 10.1115/1.1490373).
@@ -92,11 +92,7 @@ impl<'a> ContactsAtSlip<'a> {
     }
 
     /// ∫T̄Aφ dz/∫Aφ dz. Errors of the area, with one sign in all asperities, cancel.
-    fn temperature_mean(
-        &mut self,
-        separation: Estimate,
-        mut state: ContactState,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn temperature_mean(&mut self, separation: Estimate, mut state: ContactState) -> OptionalEstimate {
         let mean = |state: &ContactState| Some(state.additional?.value / state.area_fraction.value);
         self.above[0].complete_errors(separation.value, &mut state)?;
         let closer = self.above[0].at(separation.value - separation.error)?;
@@ -110,7 +106,7 @@ impl<'a> ContactsAtSlip<'a> {
         Ok(Some(Estimate::with_errors(initial + value, errors.into_iter().chain([moved - value]))))
     }
 
-    fn temperature_max(&self, separation: Estimate) -> Result<Option<Estimate>, LookupError> {
+    fn temperature_max(&self, separation: Estimate) -> OptionalEstimate {
         let tail = |share: f64, height: f64| share * self.heights.tail(height);
         let touching: f64 =
             self.asperities.classes().iter().map(|(share, _)| tail(*share, separation.value)).sum();

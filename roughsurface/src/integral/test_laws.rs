@@ -3,7 +3,7 @@
 use crate::surface::heights::Heights;
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::ElasticPlastic;
-use tables::law::{AsperityLaw, Estimate, LookupError, Response};
+use tables::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response};
 
 pub const STEEL: ElasticPlastic =
     ElasticPlastic { youngs_modulus: 200e9, poisson_ratio: 0.3, yield_strength: 400e6 };
@@ -113,20 +113,10 @@ impl AsperityLaw for PowerLaw {
     fn last_slip(&self) -> f64 {
         self.last_slip
     }
-    fn steady_friction(
-        &self,
-        _radius: f64,
-        _interference: f64,
-        _slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn steady_friction(&self, _radius: f64, _interference: f64, _slip_rate: f64) -> OptionalEstimate {
         Ok(self.steady)
     }
-    fn temperature_mean(
-        &self,
-        _radius: f64,
-        interference: f64,
-        _slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn temperature_mean(&self, _radius: f64, interference: f64, _slip_rate: f64) -> OptionalEstimate {
         let initial = (self.temperature)(0.0);
         let rise = self.mean_rise.map(|share| share * ((self.temperature)(interference) - initial));
         Ok(rise.map(|rise| Estimate { value: initial + rise, error: self.relative_error * rise }))

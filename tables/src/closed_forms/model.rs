@@ -3,7 +3,9 @@
 use super::crossings::where_equal;
 use super::partial_slip::constant_shear;
 use super::{ElasticPlastic, brizmer, chang_etsion_bogy, hertz, jackson_green, kogut_etsion};
-use crate::law::{AboveRange, AsperityLaw, Estimate, LARGEST_CONTACT, LookupError, Response};
+use crate::law::{
+    AboveRange, AsperityLaw, Estimate, LARGEST_CONTACT, LookupError, OptionalEstimate, Response,
+};
 
 /// Load and area against interference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -305,12 +307,7 @@ impl AsperityLaw for ClosedForm {
     }
 
     /// The dissipation of elastic partial slip up to gross slip.
-    fn energy_release(
-        &self,
-        radius: f64,
-        interference: f64,
-        _slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn energy_release(&self, radius: f64, interference: f64, _slip_rate: f64) -> OptionalEstimate {
         if interference <= 0.0 {
             return Ok(Some(Estimate::exact(0.0)));
         }

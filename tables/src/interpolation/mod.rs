@@ -37,7 +37,7 @@ use interpolant::Interpolant;
 pub(crate) use interpolant::coordinates;
 pub(crate) use nodes::{blend_one, cubic};
 
-use crate::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
+use crate::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
 use crate::quantity::Quantity;
 use crate::table::{Metadata, Slice};
 use nodes::{Absent, COEFFICIENT, Errors, Field, Values};
@@ -262,12 +262,7 @@ impl AsperityLaw for InterpolatedTable {
         self.interpolant.nodes.last_slip()
     }
 
-    fn steady_friction(
-        &self,
-        radius: f64,
-        interference: f64,
-        slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn steady_friction(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
         if !self.holds(Quantity::MuSteady) {
             return Ok(None);
         }
@@ -277,12 +272,7 @@ impl AsperityLaw for InterpolatedTable {
         self.estimate(Quantity::MuSteady, radius, interference, slip_rate).map(Some)
     }
 
-    fn temperature_mean(
-        &self,
-        radius: f64,
-        interference: f64,
-        slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn temperature_mean(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
         if interference <= 0.0 {
             return Ok(Some(Estimate::exact(self.metadata().temperature)));
         }
@@ -290,12 +280,7 @@ impl AsperityLaw for InterpolatedTable {
     }
 
     /// G times the area at inception.
-    fn energy_release(
-        &self,
-        radius: f64,
-        interference: f64,
-        slip_rate: f64,
-    ) -> Result<Option<Estimate>, LookupError> {
+    fn energy_release(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
         if interference <= 0.0 {
             return Ok(Some(Estimate::default()));
         }
