@@ -110,16 +110,6 @@ mod tests {
         assert!((circle / square() - 1.012).abs() < 1e-3);
     }
 
-    /// W(x), the principal branch of Lambert's function at x > 0, by Halley's method.
-    fn lambert(x: f64) -> f64 {
-        let mut w = x.ln_1p();
-        for _ in 0..50 {
-            let (e, f) = (w.exp(), w * w.exp() - x);
-            w -= f / (e * (w + 1.0) - (w + 2.0) * f / (2.0 * w + 2.0));
-        }
-        w
-    }
-
     #[test]
     fn elastic_spheres_of_exponential_heights_have_the_effective_separation_of_lamberts_function() {
         // p = p₀ exp(−d_eff/σ), p₀ = η √π E* √R σ^(3/2) after Greenwood & Williamson:
@@ -137,7 +127,7 @@ mod tests {
             for place in [0.0, 1.0, 4.0] {
                 let separation = place * sigma;
                 let at = zero * (-place).exp() * square() * nominal_size / (STEEL.contact_modulus() * sigma);
-                let exact = separation + sigma * lambert(at);
+                let exact = separation + sigma * puruspe::lambert_w0(at);
                 let found = plane.effective_separation(&mut integral, &heights, separation, 1e-12).unwrap();
                 assert!((found - exact).abs() < 1e-9 * sigma, "{nominal_size} {place}: {found:e} {exact:e}");
             }

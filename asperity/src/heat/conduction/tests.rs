@@ -5,15 +5,29 @@ use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::scene::curve::Curve;
 
-#[derive(Clone)]
-struct Uniform<'a> {
-    areas: &'a [f64],
+/// Flux over the points inside a radius.
+struct Uniform {
+    areas: Vec<f64>,
     radius: f64,
     radii: Vec<f64>,
     columns: usize,
     flux: f64,
 }
-impl ContactHeat for Uniform<'_> {
+
+impl Uniform {
+    fn new(mesh: &RevolvedMesh, radius: f64) -> Self {
+        let (areas, radii) = (mesh.contact_areas(), mesh.meridian.contact_radii());
+        Self { areas, radius, radii, columns: mesh.sectors.columns(), flux: 1.0 }
+    }
+
+    /// The heated disc ends between two rings: its radius from its discrete area.
+    fn disc_radius(&self) -> f64 {
+        let total: f64 = (0..self.areas.len()).map(|i| self.flow(i, 0.0).0).sum();
+        (2.0 * total / self.flux / std::f64::consts::PI).sqrt()
+    }
+}
+
+impl ContactHeat for Uniform {
     fn flow(&self, point: usize, _rise: f64) -> (f64, f64) {
         let inside = self.radii[point / self.columns] < self.radius;
         (if inside { self.flux * self.areas[point] } else { 0.0 }, 0.0)
@@ -34,13 +48,8 @@ fn disc_source(
 ) {
     let size = MeshSize::new(0.01, 16);
     let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
-    let areas = mesh.contact_areas();
-    // The heated disc ends between two rings: its radius from its discrete area.
-    let radii = mesh.meridian.contact_radii();
-    let columns = mesh.sectors.columns();
-    let mut source = Uniform { areas: &areas, radius: size.contact_radius, radii, columns, flux: 1.0 };
-    let total: f64 = (0..areas.len()).map(|i| source.flow(i, 0.0).0).sum();
-    let a = (2.0 * total / std::f64::consts::PI).sqrt();
+    let mut source = Uniform::new(&mesh, size.contact_radius);
+    let a = source.disc_radius();
     source.flux = 1.0 / a;
     let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
     let none = vec![0.0; mesh.field_length(1)];
@@ -258,8 +267,8 @@ fn volume_heating_follows_the_enthalpy() {
 /// at 1 K by a large conductance to a flat at 1 K.
 #[test]
 fn isothermal_disc_conducts_four_k_a() {
-    struct Held<'a>(Uniform<'a>);
-    impl ContactHeat for Held<'_> {
+    struct Held(Uniform);
+    impl ContactHeat for Held {
         fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
             let conductance = 1e5 * self.0.flow(point, 0.0).0;
             (conductance * (1.0 - rise), -conductance)
@@ -269,22 +278,18 @@ fn isothermal_disc_conducts_four_k_a() {
     for (properties, potential) in [(None, 1.0), (Some(varying), 1.5)] {
         let size = MeshSize::new(0.01, 16);
         let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::axisymmetric());
-        let areas = mesh.contact_areas();
-        let radii = mesh.meridian.contact_radii();
-        let source = Uniform { areas: &areas, radius: size.contact_radius, radii, columns: 1, flux: 1.0 };
-        let total: f64 = (0..areas.len()).map(|i| source.flow(i, 0.0).0).sum();
-        let a = (2.0 * total / std::f64::consts::PI).sqrt();
+        let held = Held(Uniform::new(&mesh, size.contact_radius));
         let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
         let none = vec![0.0; mesh.field_length(1)];
         let mut flow = 0.0;
         for _ in 0..12 {
             // L-stable: steps far longer than the diffusion time of the body end in its steady state.
-            let (rise, balance) = conduction.advance(1e4, &none, &Held(source.clone())).unwrap();
+            let (rise, balance) = conduction.advance(1e4, &none, &held).unwrap();
             conduction.committed = rise;
             flow = balance.base / 1e4;
         }
         // Half a disc; the body is a hemisphere 100 times as large, which conducts 1 % better.
-        let exact = 0.5 * 4.0 * a * potential;
+        let exact = 0.5 * 4.0 * held.0.disc_radius() * potential;
         assert!((flow / exact - 1.0).abs() < 0.03, "{flow} {exact}");
     }
 }
@@ -295,9 +300,7 @@ fn isothermal_disc_conducts_four_k_a() {
 fn thin_layers_have_no_temperatures_outside_those_around() {
     let size = MeshSize::new(0.01, 8);
     let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(4));
-    let (areas, radii, columns) = (mesh.contact_areas(), mesh.meridian.contact_radii(), 4);
-    let source =
-        Uniform { areas: &areas, radius: size.contact_radius, radii: radii.clone(), columns, flux: 1.0 };
+    let source = Uniform::new(&mesh, size.contact_radius);
     let mut conduction = Conduction::new(&mesh, 1.0, 8).unwrap();
     let none = vec![0.0; mesh.field_length(1)];
     let depth = 0.01 * size.contact_radius;
@@ -309,8 +312,8 @@ fn thin_layers_have_no_temperatures_outside_those_around() {
     let exact = 2.0 * depth / std::f64::consts::PI.sqrt();
     let least = conduction.committed.iter().fold(0.0, |least: f64, rise| least.min(*rise));
     assert!(least > -1e-6 * exact, "{least} of {exact}");
-    for (ring, &radius) in radii.iter().enumerate() {
-        let rise = conduction.committed[conduction.contact_places[ring * columns]] / exact;
+    for (ring, &radius) in source.radii.iter().enumerate() {
+        let rise = conduction.committed[conduction.contact_places[ring * source.columns]] / exact;
         if radius < size.contact_radius {
             assert!((rise - 1.0).abs() < 0.05, "{radius}: {rise}");
         } else {
