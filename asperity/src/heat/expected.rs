@@ -129,20 +129,12 @@ pub fn choose_heat(scene: &Scene, slip_rate: f64, effect: &HeatEffect) -> HeatCh
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::file::parse_scene;
-
-    fn scene(preset: &str, interference: f64, slip_rate: f64) -> Scene {
-        let text = format!(
-            "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
-             [loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n"
-        );
-        parse_scene(&text, "this test", &[]).unwrap()
-    }
+    use crate::scene::tests::of_preset;
 
     /// The loss of strength is that of the softening law, also where its initial slope is infinite.
     #[test]
     fn softening_is_that_of_the_law() {
-        let mut scene = scene("steel-4340", 20.0, 1.0);
+        let mut scene = of_preset("steel-4340", &[]);
         let crate::scene::Softening::JohnsonCook { melting, exponent, .. } = &mut scene.material.softening
         else {
             panic!("a preset of Johnson and Cook")
@@ -160,7 +152,8 @@ mod tests {
     #[test]
     fn heat_is_coupled_unless_negligible() {
         let choice = |slip_rate: f64, change: &dyn Fn(&mut Scene)| {
-            let mut scene = scene("steel-4340", 2.0, slip_rate);
+            let mut scene = of_preset("steel-4340", &["loading.interference=2"]);
+            scene.loading.slip_rate = slip_rate;
             change(&mut scene);
             choose_heat(&scene, slip_rate, &HeatEffect::expected(&scene, slip_rate, 2e-5))
         };
@@ -181,7 +174,7 @@ mod tests {
     /// 1000 K to melting.
     #[test]
     fn softening_before_sliding_is_that_worked_by_hand() {
-        let mut scene = scene("steel-4340", 20.0, 10.0);
+        let mut scene = of_preset("steel-4340", &["loading.slip_rate=10"]);
         let material = &mut scene.material;
         (material.youngs_modulus, material.poisson_ratio) = (200e9, 0.25);
         material.yield_strength = 400e6 * 3f64.sqrt();

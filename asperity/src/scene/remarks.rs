@@ -137,6 +137,7 @@ fn common_leaves(path: &str, here: &Value, default: &Value, equal: &mut Vec<Stri
 #[cfg(test)]
 mod tests {
     use crate::scene::file::parse_scene;
+    use crate::scene::tests::of_preset;
 
     /// Brass from seven constants.
     const BRASS: &str = "[material]\nyoungs_modulus = 105e9\npoisson_ratio = 0.34\nyield_strength = 300e6\n\
@@ -176,10 +177,7 @@ mod tests {
     fn presets_are_plausible_and_their_hardening_spans_the_suggested_one() {
         let mut ratios = Vec::new();
         for name in crate::scene::presets::names() {
-            let text = format!(
-                "[material]\npreset = \"{name}\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 20\nslip_rate = 1\n"
-            );
-            let scene = parse_scene(&text, name, &[]).unwrap();
+            let scene = of_preset(name, &[]);
             let said = scene.remarks();
             assert!(!said.iter().any(|said| said.contains("implausible")), "{name}: {said:?}");
             if let super::Hardening::JohnsonCook { modulus, .. } = scene.material.hardening {

@@ -3,6 +3,16 @@
 use super::*;
 use crate::scene::file::parse_scene;
 
+/// A shipped material on a sphere of 1 mm at 20 ω_c and 1 m/s, with other values by key.
+pub(crate) fn of_preset(preset: &str, changes: &[&str]) -> Scene {
+    let text = format!(
+        "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
+         [loading]\ninterference = 20\nslip_rate = 1\n"
+    );
+    let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
+    parse_scene(&text, "this test", &changes).unwrap()
+}
+
 /// At 300 K, with properties over temperature.
 fn scene(softening: &str, hardening: &str) -> Scene {
     let text = format!(

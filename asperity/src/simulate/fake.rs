@@ -5,18 +5,15 @@ use std::f64::consts::PI;
 use tables::quantity::{Estimate, History, Quantity, Scalars};
 
 use crate::scene::Scene;
-use crate::scene::file::parse_scene;
+use crate::scene::tests::of_preset;
 use crate::simulate::outcome::{
     Account, ContactGrid, ContactStatus, ErrorBudget, InceptionCriterion, Note, Outcome, Snapshot, Warning,
 };
 
 /// A valid scene.
 pub fn scene(interference: f64, slip_rate: f64) -> Scene {
-    let text = format!(
-        "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-         [loading]\ninterference = {interference}\nslip_rate = {slip_rate}\n"
-    );
-    parse_scene(&text, "fake", &[]).unwrap()
+    let changes = [format!("loading.interference={interference}"), format!("loading.slip_rate={slip_rate}")];
+    of_preset("steel-4340", &changes.each_ref().map(String::as_str))
 }
 
 fn estimate(value: f64) -> Estimate {

@@ -11,20 +11,22 @@ use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
 use crate::scene::Scene;
 use crate::scene::file::parse_scene;
+use crate::scene::tests::of_preset;
 
 /// A point that lifts off with friction and touches without it has no equilibrium for any increment. Without removal of
 /// its friction two steps here are cut back; at 0.01 ω_c the slide fails.
 #[test]
 fn chattering_points_do_not_cut_steps_back() {
-    let text = "[material]\npreset = \"steel-304\"\n[asperity]\nradius = 1e-3\n\
-                [loading]\ninterference = 0.02\nslip_rate = 0\n[model]\nkinematics = \"small\"\n\
-                [numerics]\nelements_per_radius = 8\nsectors = 8\naccuracy = 0.5\n";
-    let scene = parse_scene(text, "this test", &[]).unwrap();
-    let outcome = simulate(&scene, &Unwatched).unwrap();
+    let run = |elements: usize| {
+        let mut scene = of_preset("steel-304", &["model.kinematics=small", "numerics.accuracy=0.5"]);
+        (scene.loading.interference, scene.loading.slip_rate) = (0.02, 0.0);
+        (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(elements), Some(8));
+        simulate(&scene, &Unwatched).unwrap()
+    };
+    let outcome = run(8);
     assert_eq!(outcome.account.cutbacks, 0);
     // The friction of such a point is far below the mesh error.
-    let finer = parse_scene(text, "this test", &["numerics.elements_per_radius=12".into()]).unwrap();
-    let finer = simulate(&finer, &Unwatched).unwrap().scalars[Quantity::Mu];
+    let finer = run(12).scalars[Quantity::Mu];
     let mu = outcome.scalars[Quantity::Mu];
     assert!((mu.value - finer.value).abs() < mu.error, "{mu:?} {finer:?}");
 }
@@ -34,11 +36,9 @@ fn chattering_points_do_not_cut_steps_back() {
 #[test]
 fn friction_of_a_light_contact_is_that_of_a_fine_mesh() {
     let friction = |elements: usize| {
-        let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-                    [loading]\ninterference = 0.7\nslip_rate = 0\nslip_distance = 0.15\n\
-                    [model]\nkinematics = \"small\"\n[numerics]\nsectors = 4\n";
-        let elements = format!("numerics.elements_per_radius={elements}");
-        let scene = parse_scene(text, "this test", &[elements]).unwrap();
+        let mut scene = of_preset("steel-4340", &["model.kinematics=small", "loading.slip_distance=0.15"]);
+        (scene.loading.interference, scene.loading.slip_rate) = (0.7, 0.0);
+        (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(elements), Some(4));
         let slide = sample(&scene, 0.0, &Resolution::choose(&scene.numerics), &Unwatched).unwrap();
         slide.history.last().unwrap().friction
     };
@@ -64,13 +64,11 @@ fn an_ended_run_is_ahead_of_a_longer_one() {
 }
 
 fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {
-    let text = format!(
-        "[material]\npreset = \"{preset}\"\n[asperity]\nradius = 1e-3\n\
-         [loading]\ninterference = {interference:?}\nslip_rate = {slip_rate:?}\n\
-         [model]\nheat = \"{heat}\"\nkinematics = \"small\"\n\
-         [numerics]\naccuracy = 0.5\nelements_per_radius = 6\nsectors = 4\n"
-    );
-    parse_scene(&text, "this test", &[]).unwrap()
+    let heat = format!("model.heat={heat}");
+    let mut scene = of_preset(preset, &["model.kinematics=small", "numerics.accuracy=0.5", &heat]);
+    (scene.loading.interference, scene.loading.slip_rate) = (interference, slip_rate);
+    (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(6), Some(4));
+    scene
 }
 
 /// Requests a stop from its n-th question on, and counts the questions after it.

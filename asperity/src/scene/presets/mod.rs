@@ -163,7 +163,8 @@ fn constant(key: String, value: Value) -> Result<Constant, toml::de::Error> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::scene::{Rate, file};
+    use crate::scene::Rate;
+    use crate::scene::tests::of_preset;
 
     #[test]
     fn every_constant_has_a_unit_and_a_source() {
@@ -193,17 +194,11 @@ pub(crate) mod tests {
 
     #[test]
     fn a_preset_lends_its_rate_law_to_a_scene_that_names_it() {
-        let material = |line: &str| {
-            let text = format!(
-                "[material]\npreset = \"copper\"\n{line}\n[asperity]\nradius = 1e-3\n\
-                 [loading]\ninterference = 20\nslip_rate = 1\n"
-            );
-            file::parse_scene(&text, "scene.toml", &[]).unwrap().material
-        };
+        let rate = |changes: &[&str]| of_preset("copper", changes).material.rate;
         let law = |coefficient| Rate::JohnsonCook { coefficient, reference: 1.0 };
-        assert_eq!(material("").rate, Rate::None);
-        assert_eq!(material("rate = { law = \"johnson-cook\" }").rate, law(0.025));
-        assert_eq!(material("rate = { law = \"johnson-cook\", coefficient = 0.01 }").rate, law(0.01));
+        assert_eq!(rate(&[]), Rate::None);
+        assert_eq!(rate(&["material.rate={ law = \"johnson-cook\" }"]), law(0.025));
+        assert_eq!(rate(&["material.rate={ law = \"johnson-cook\", coefficient = 0.01 }"]), law(0.01));
     }
 
     #[test]
@@ -219,9 +214,7 @@ pub(crate) mod tests {
 
     /// At 20 °C.
     pub fn carbon_steel() -> crate::scene::Material {
-        let text = "[material]\npreset = \"carbon-steel-en1993\"\n[asperity]\nradius = 1e-3\n\
-                    [loading]\ninterference = 20\nslip_rate = 1\ntemperature = 293.15\n";
-        file::parse_scene(text, "scene.toml", &[]).unwrap().material
+        of_preset("carbon-steel-en1993", &["loading.temperature=293.15"]).material
     }
 
     /// Worked values of EN 1993-1-2: c(20 °C) = 440, k(20 °C) = 53.3, α of 3.4.1.1 and Table 3.1.
