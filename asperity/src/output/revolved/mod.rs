@@ -8,6 +8,7 @@
 
 use std::f64::consts::PI;
 
+use crate::discretisation::body::mises;
 use crate::loading::body_fields::{BodyFields, BodySnapshot};
 
 /// How much of the body is shown.
@@ -131,7 +132,7 @@ impl RevolvedBody {
                 }
             }
         }
-        fields.von_mises = fields.stress.iter().map(von_mises).collect();
+        fields.von_mises = fields.stress.iter().map(mises).collect();
         fields
     }
 }
@@ -215,11 +216,6 @@ fn over_angles<const N: usize>(
         }
     }
     mean
-}
-
-fn von_mises(&[xx, yy, zz, xy, yz, xz]: &[f64; 6]) -> f64 {
-    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
-    (0.5 * normal + 3.0 * (xy * xy + yz * yz + xz * xz)).sqrt()
 }
 
 fn dot(weights: &[f64], values: &[f64]) -> f64 {
