@@ -73,16 +73,6 @@ impl Scene {
     }
 
     /// Optional keys that have their default value, as in `material.softening.law = "none"`.
-    ///
-    /// ```
-    /// # let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n\
-    /// #             [loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 3\n";
-    /// let scene = asperity::scene::file::parse_scene(text, "this example", &[])?;
-    /// let defaults = scene.defaults_in_effect();
-    /// assert!(defaults.contains(&"interface.taylor_quinney = 0.9".to_owned()));
-    /// assert!(!defaults.iter().any(|default| default.contains("slip_distance") || default.contains("hardening")));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn defaults_in_effect(&self) -> Vec<String> {
         let (material, loading) = (self.material.clone(), self.loading.clone());
         let default = Scene {

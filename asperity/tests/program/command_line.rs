@@ -83,7 +83,8 @@ fn a_scene_with_the_name_of_a_file_of_vtu_is_kept() {
 fn usage_errors_have_status_2_and_help_has_0() {
     let _alone = alone();
     let here = Path::new(".");
-    for line in ["", "run", "run scene.toml", "fly"] {
+    let both = "run scene.toml -o run.nc --quiet -v";
+    for line in ["", "run", "run scene.toml", "fly", "tabulate r.toml -o t.nc --jobs 0", both] {
         assert_eq!(asperity(here, line).status.code(), Some(2), "{line}");
     }
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {

@@ -21,23 +21,6 @@ pub fn described(unit: &str, long_name: &str) -> Vec<(&'static str, AttributeVal
 }
 
 /// A netCDF-4 file being built in memory; [`finish`](Self::finish) writes it.
-///
-/// ```
-/// use tables::netcdf::{DatasetReader, DatasetWriter};
-///
-/// let path = std::env::temp_dir().join(format!("dataset-example-{}.nc", std::process::id()));
-/// let mut file = DatasetWriter::create(&path, "an example")?;
-/// file.coordinate("x", &[0.0, 1.0], &[("units", "m".into())])?;
-/// file.reals("y", &["x"], &[2.0, f64::NAN], &[("units", "1".into())])?;
-/// file.finish()?;
-///
-/// let file = DatasetReader::open(&path)?;
-/// let y = file.reals("y", &[2])?;
-/// assert!(y[0] == 2.0 && y[1].is_nan());
-/// assert_eq!(file.attribute_text("title")?, "an example");
-/// # std::fs::remove_file(&path)?;
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub struct DatasetWriter {
     /// Path as given.
     path: PathBuf,

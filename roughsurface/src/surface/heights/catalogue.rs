@@ -111,15 +111,6 @@ fn truncated_gaussian(keys: &HeightsKeys, _folder: &Path) -> Built {
 
 /// Builds the distribution that the keys describe; a relative `file` is looked
 /// for in `folder`.
-///
-/// ```
-/// use roughsurface::surface::heights::{HeightsKeys, build};
-///
-/// let keys = HeightsKeys { distribution: "weibull".into(), std: Some(1e-6), shape: Some(10.0), ..Default::default() };
-/// let heights = build(&keys, ".".as_ref())?;
-/// assert_eq!(heights.standard_deviation(), 1e-6);
-/// # Ok::<(), roughsurface::surface::heights::HeightsError>(())
-/// ```
 pub fn build(keys: &HeightsKeys, folder: &Path) -> Built {
     let names: Vec<&str> = DISTRIBUTIONS.iter().map(|entry| entry.name).collect();
     let Some(entry) = DISTRIBUTIONS.iter().find(|entry| entry.name == keys.distribution) else {

@@ -102,12 +102,6 @@ fn nothing_without_contact() {
 }
 
 #[test]
-fn unknown_name_lists_the_known_ones() {
-    let message = ClosedForm::new("herz", &STEEL).unwrap_err().to_string();
-    assert!(message.contains("\"herz\"") && message.contains("kogut-etsion, jackson-green"));
-}
-
-#[test]
 fn units_of_first_yield_are_those_of_the_authors() {
     // Kogut & Etsion, Chang et al.: KH with K = 0.454 + 0.41ν and H = 2.8 σ_Y.
     let ratio: f64 = 2.8 * (0.454 + 0.41 * 0.3) / hertz::yield_coefficient(0.3);
