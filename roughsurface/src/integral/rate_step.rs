@@ -190,38 +190,12 @@ mod tests {
         }
     }
 
-    /// A strength that grows with the strain rate, and slides from 0.01 m/s on.
-    struct Rated(PowerLaw);
-
-    impl AsperityLaw for Rated {
-        fn name(&self) -> String {
-            self.0.name()
-        }
-        fn critical_interference(&self, radius: f64) -> f64 {
-            self.0.critical_interference(radius)
-        }
-        fn interference_limit(&self) -> f64 {
-            self.0.interference_limit()
-        }
-        fn breaks(&self) -> Vec<f64> {
-            self.0.breaks()
-        }
-        fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
-            (0.01, 100.0)
-        }
-        fn rate_factor(&self, _radius: f64, _interference: f64, rate: f64) -> Result<f64, LookupError> {
-            Ok(1.0 + 0.02 * (rate / 1e-3).ln())
-        }
-        fn response(&self, radius: f64, omega: f64, rate: f64, slip: f64) -> Result<Response, LookupError> {
-            let state = self.0.response(radius, omega, rate, slip)?;
-            Ok(Response { friction: state.friction.scaled(self.rate_factor(radius, omega, rate)?), ..state })
-        }
-    }
-
     /// ln 1e3 and ln 1e4 over 1e-3 m/s: factors of 1.13816 and 1.18421 at 1 and 10 m/s.
     #[test]
     fn the_direct_effect_is_that_of_the_rate_law() {
-        let law = Rated(PowerLaw { history: softened, ..PowerLaw::hertz() });
+        // A strength that grows with the strain rate, and slides from 0.01 m/s on.
+        let rate_factor = |rate: f64| 1.0 + 0.02 * (rate / 1e-3).ln();
+        let law = PowerLaw { history: softened, rate_factor, slowest: 0.01, ..PowerLaw::hertz() };
         let friction = |before: f64, after: f64| {
             let step = RateStep::new(&law, 1e-4, [1.0, 10.0]).unwrap();
             step.contact(1.0).unwrap().response(before, after).unwrap().friction.value

@@ -46,6 +46,9 @@ pub struct PowerLaw {
     pub mean_rise: Option<f64>,
     /// Friction as a factor of slip rate (m/s), slip (m) and contact radius (m).
     pub history: fn(f64, f64, f64) -> f64,
+    /// Strength at a slip rate (m/s) over that at rest, and the smallest slip rate.
+    pub rate_factor: fn(f64) -> f64,
+    pub slowest: f64,
     /// Slip over contact radius at which the history ends, and the friction coefficient that it tends to.
     pub last_slip: f64,
     pub steady: Option<Estimate>,
@@ -64,6 +67,8 @@ impl PowerLaw {
             temperature: |_| 0.0,
             mean_rise: None,
             history: |_, _, _| 1.0,
+            rate_factor: |_| 1.0,
+            slowest: 0.0,
             last_slip: f64::INFINITY,
             steady: None,
         }
@@ -87,7 +92,10 @@ impl AsperityLaw for PowerLaw {
         Vec::new()
     }
     fn slip_rate_range(&self, _radius: f64) -> (f64, f64) {
-        (0.0, 100.0)
+        (self.slowest, 100.0)
+    }
+    fn rate_factor(&self, _radius: f64, _interference: f64, slip_rate: f64) -> Result<f64, LookupError> {
+        Ok((self.rate_factor)(slip_rate))
     }
     fn response(
         &self,
@@ -106,7 +114,7 @@ impl AsperityLaw for PowerLaw {
         let area = estimate(self.area);
         let contact_radius = (area.value / std::f64::consts::PI).sqrt();
         let history = (self.history)(slip_rate, slip.min(self.last_slip * contact_radius), contact_radius);
-        let friction = estimate((self.friction.0 * history, self.friction.1));
+        let friction = estimate((self.friction.0 * history * (self.rate_factor)(slip_rate), self.friction.1));
         let temperature_max = Estimate::exact((self.temperature)(interference));
         Ok(Response::new(estimate(self.load), friction, area, temperature_max))
     }
