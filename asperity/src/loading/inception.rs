@@ -2,7 +2,7 @@
 //! dQ/ds is below 1 % of its first value, whichever comes first.
 //!
 //! Friction and load are those of that state. By the first criterion slip and G are those of full mobilisation of the
-//! shear strength ([`super::mobilisation`]): G changes by up to six times as much as the slip, and the slip at which the last
+//! shear strength ([`super::mobilisation`]): an error of the slip appears in G up to 6.6 times, and the slip at which the last
 //! points stick depends on mesh and angles.
 //!
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
@@ -17,13 +17,13 @@ use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
 
 /// Sliding has begun when dQ/ds is below this share of its first value.
 const STIFFNESS_SHARE: f64 = 0.01;
-/// Other shares, as good a definition.
+/// Other thresholds; the spread is a part of the error.
 const OTHER_STIFFNESS_SHARES: [f64; 3] = [0.1, 0.05, 0.02];
 
 /// Which of the two criteria of sliding inception was met first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InceptionCriterion {
-    /// No contact point sticks.
+    /// Less than 1 % of the contact area sticks.
     FullSlip,
     /// dQ/ds fell below 1 % of its initial value.
     Stiffness,
@@ -41,8 +41,7 @@ pub struct Inception {
     pub load: f64,
     /// (work of the flat − change of elastic energy)/A.
     pub energy_release: f64,
-    /// Uncertainty of friction between the two states around inception; of slip and G, 0 where they are extrapolated from the
-    /// mobilised strength.
+    /// Uncertainty of friction between the two states around inception; of slip and G, 0 at full mobilisation.
     pub friction_bracket: f64,
     pub slip_bracket: f64,
     pub energy_bracket: f64,

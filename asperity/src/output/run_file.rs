@@ -128,7 +128,7 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
     }
     for (name, unit, long_name, estimate) in derived::of_run(scene, outcome) {
         let error_name = format!("{name}_error");
-        let origin = "from the other scalars of the run";
+        let origin = "from other results of the run";
         scalar(file, (name, &error_name, &error_name), unit, long_name, estimate, origin)?;
     }
     Ok(())

@@ -43,8 +43,8 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
 }
 
 /// Highest temperature of the surface of a conducting counterface within the contact at the end of the slide, K: the
-/// response of a half-space to the heat that it took up in each increment, uniform over the contact. Its error relative to the
-/// rise is that of the mean rise of the contact. Without heat there is none.
+/// response of a half-space to the heat that it took up in each increment, uniform over the contact. Its relative error is
+/// that of the mean rise of the contact. None without heat or contact.
 fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate> {
     let [conductivity, capacity] = scene.counterface.conduction().filter(|_| outcome.account.heat)?;
     let mut half_space = HalfSpace::new(conductivity / capacity, (conductivity * capacity).sqrt());
@@ -55,12 +55,15 @@ fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate>
         if let Some(before) = before {
             let change = |quantity| now[quantity] - before[quantity];
             let (time, heat) = (change(Quantity::Time), change(Quantity::HeatCounterface));
-            if time > 0.0 && radius > 0.0 {
-                let flux = heat / (time * now[Quantity::Area]);
+            if time > 0.0 {
+                let flux = if radius > 0.0 { heat / (time * now[Quantity::Area]) } else { 0.0 };
                 half_space.heat(time, change(Quantity::Slip), radius, flux);
             }
         }
         before = Some(now);
+    }
+    if radius <= 0.0 {
+        return None;
     }
     let rise = half_space.highest_rise(radius);
     let mean = outcome.scalars[Quantity::TemperatureMean];

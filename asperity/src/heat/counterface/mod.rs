@@ -22,12 +22,12 @@ use overlap::Overlap;
 const POINTS: usize = 6;
 /// Panels of the convolution per contact radius of motion.
 const PANELS_PER_RADIUS: f64 = 1.0;
-/// The same at a point, which the edge of the source passes at once.
+/// The same at a point, at which the heat begins and ends abruptly.
 const PANELS_AT_A_POINT: f64 = 4.0;
 /// Radius over that of the contact of a disc that stands for a point.
 const POINT: f64 = 1e-3;
 /// Places between the middle of the contact and its edge at which the highest rise is sought.
-const PLACES: usize = 16;
+const PLACES: i32 = 16;
 /// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
 const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
@@ -76,12 +76,12 @@ pub struct HalfSpace {
     overlap: Overlap,
 }
 
-/// The disc over which the mean of a rise is taken: its radius, and how far its centre is ahead of that of the contact in the
-/// direction of motion.
+/// The disc over which the mean of a rise is taken: its radius, and how far its centre is downstream of that of the contact, in
+/// the direction of motion of the half-space.
 #[derive(Clone, Copy, Debug)]
 struct Disc {
     radius: f64,
-    ahead: f64,
+    downstream: f64,
     /// Motion per panel of the convolution.
     panel: f64,
 }
@@ -145,7 +145,7 @@ impl HalfSpace {
         let (from, to) = (self.now, Moment { time: self.now.time + dt, slip: self.now.slip + slip });
         let stage = from.towards(to, 1.0 - FIRST_PART);
         let unit = |from: Moment, to: Moment| Interval { from, to, flux: 1.0, radius };
-        let contact = Disc { radius, ahead: 0.0, panel: radius / PANELS_PER_RADIUS };
+        let contact = Disc { radius, downstream: 0.0, panel: radius / PANELS_PER_RADIUS };
         let free = [stage, to].map(|at| self.history.iter().map(|heat| self.rise(heat, at, contact)).sum());
         let first = self.rise(&unit(from, from.towards(to, FIRST_PART)), to, contact);
         let own = self.rise(&unit(from, stage), stage, contact);
@@ -174,18 +174,17 @@ impl HalfSpace {
         self.now = to;
     }
 
-    /// Highest rise within a contact of this radius: on its diameter along the motion, behind the middle, where the surface has
-    /// passed the most of the contact. Places are denser towards the edge, near which it is at large Péclet numbers.
+    /// Highest rise within a contact of this radius: on its diameter along the motion, downstream of the middle, where the
+    /// surface has been heated longest. Places are denser towards the edge, near which it is at large Péclet numbers.
     pub fn highest_rise(&self, radius: f64) -> f64 {
-        let Some(last) = self.history.last() else { return 0.0 };
-        let direction = if last.to.slip < last.from.slip { -1.0 } else { 1.0 };
-        let rise = |place: usize| {
-            let share = 1.0 - (1.0 - place as f64 / PLACES as f64).powi(2);
-            let ahead = direction * share * radius;
-            let point = Disc { radius: POINT * radius, ahead, panel: radius / PANELS_AT_A_POINT };
+        let rise = |place: i32| {
+            let from_edge = 1.0 - f64::from(place.abs()) / f64::from(PLACES);
+            let downstream = f64::from(place.signum()) * (1.0 - from_edge * from_edge) * radius;
+            let point = Disc { radius: POINT * radius, downstream, panel: radius / PANELS_AT_A_POINT };
             self.history.iter().map(|heat| self.rise(heat, self.now, point)).sum()
         };
-        (0..=PLACES).map(rise).fold(0.0, f64::max)
+        // On both sides: after a reversal the hotter one may be upstream.
+        (-PLACES..=PLACES).map(rise).fold(0.0, f64::max)
     }
 
     /// Fluxes of the stages to start from: those of the increment tried last or, without one, the last flux.
@@ -195,7 +194,7 @@ impl HalfSpace {
     }
 
     /// Mean rise over a disc at `at` from the heat of an interval before.
-    fn rise(&self, heat: &Interval, at: Moment, Disc { radius, ahead, panel }: Disc) -> f64 {
+    fn rise(&self, heat: &Interval, at: Moment, Disc { radius, downstream, panel }: Disc) -> f64 {
         let [near, far] = [heat.to, heat.from].map(|then| at.time - then.time);
         let [here, there] = [heat.to, heat.from].map(|then| at.slip - then.slip);
         if far <= near.max(0.0) || radius <= 0.0 {
@@ -206,7 +205,7 @@ impl HalfSpace {
         let width = (end - start) / panels as f64;
         let share = |root: f64| {
             let distance = here + (there - here) * (root * root - near) / (far - near);
-            self.overlap.share([radius, heat.radius], self.spreading * root, (distance - ahead).abs())
+            self.overlap.share([radius, heat.radius], self.spreading * root, (distance - downstream).abs())
         };
         let integral: f64 = (0..panels)
             .map(|panel| {
@@ -215,5 +214,31 @@ impl HalfSpace {
             })
             .sum();
         2.0 * heat.flux * integral / (self.effusivity * std::f64::consts::PI.sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Steady sliding at Pe = 10 in either direction, then a hold: the mirror image has the same highest rise, before the hold
+    /// that of Carslaw & Jaeger 1959, §10.7 (0.338382 qa/k).
+    #[test]
+    fn the_highest_rise_is_found_downstream_in_either_direction() {
+        let after = |direction: f64, hold: f64| {
+            let mut half_space = HalfSpace::new(1.0, 1.0);
+            let mut dt = 1e-4;
+            for _ in 0..35 {
+                half_space.heat(dt, direction * 20.0 * dt, 1.0, 1.0);
+                dt *= 1.3;
+            }
+            half_space.heat(hold, 0.0, 1.0, 0.0);
+            half_space.highest_rise(1.0)
+        };
+        assert!((after(1.0, 1e-9) / 0.338382 - 1.0).abs() < 2e-3, "{}", after(1.0, 1e-9));
+        for hold in [1e-9, 1e-3] {
+            let [forwards, backwards] = [1.0, -1.0].map(|direction| after(direction, hold));
+            assert!((forwards / backwards - 1.0).abs() < 1e-12, "{forwards} {backwards}");
+        }
     }
 }

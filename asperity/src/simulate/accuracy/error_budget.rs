@@ -238,7 +238,7 @@ fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
         }
         // The rise is proportional to the radius of the source.
         ContactRadius | InceptionSlip | EnergyWeakening | TemperatureMax | TemperatureMean => edge,
-        // Changes by one (plastic contacts) to six times (elastic ones) as much as the slip at inception.
+        // An error of the slip at inception appears in G one (plastic contacts) to 6.6 times (elastic ones).
         EnergyRelease => EDGE_OF_ENERGY * edge,
         // The pressure vanishes at the edge.
         Load => EDGE_OF_LOAD * edge,

@@ -75,7 +75,7 @@ fn half_space() -> Vec<Row> {
         (100.0, 0.068698, 0.112151),
         (500.0, 0.030778, 0.050392),
     ] {
-        // What is older adds exp(−Pe²Fo).
+        // The neglected earlier heat is of relative order exp(−Pe²Fo).
         let (rise, most) = rises(peclet, 20.0 / (peclet * peclet) + 20.0 / peclet);
         let name = |which| format!("steady {which} rise of the moving counterface over qa/k, Pe = {peclet}");
         rows.push(row(name("mean"), rise, mean, MOVING, exact));

@@ -24,7 +24,7 @@ const POISSON: f64 = 0.499;
 /// τ₀ = f_τ σ_Y/√3 low enough that the body stays elastic.
 const STRENGTH_FACTOR: f64 = 0.1;
 pub(super) const FRICTION: f64 = 0.05;
-/// Mesh and angles are given: only the increments, a fifth of the slip, follow the accuracy. The curves are read between
+/// Mesh and angles are given: only the increments, a seventh of the slip, follow the accuracy. The curves are read between
 /// them along straight lines.
 const ACCURACY: f64 = 0.009;
 /// Relative, of forces: the direction of slip.

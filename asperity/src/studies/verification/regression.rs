@@ -2,7 +2,8 @@
 //!
 //! From runs at small strain with 16, 24, 32 and 48 elements per radius, 8 angles and increments of
 //! 0.075 of the slip (0.15 with 48), extrapolated with order 1.5; at 16 and 24 elements also with 16 angles, and at 16
-//! with increments of 0.02, the effects of which are added; G by least squares over 16, 24 and 32 elements. The uncertainty
+//! with increments of 0.02, the effects of which are added; G, whose differences between meshes are not monotonic, by
+//! least squares over 16, 24 and 32 elements. The uncertainty
 //! of a limit is by how much limits from different meshes, angles and increments differ.
 
 use tables::law::Estimate;
