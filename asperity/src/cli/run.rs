@@ -143,7 +143,7 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{name:18}{value}");
+        let _ = writeln!(text, "{name:17} {value}");
     };
     line("interference", format!("{} omega_c", numbers::plain(scene.loading.interference)));
     match &scene.loading.steps[..] {

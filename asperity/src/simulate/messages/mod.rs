@@ -191,7 +191,7 @@ impl Display for HeatEffect {
 impl Display for InceptionCriterion {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::FullSlip => "no contact point sticks",
+            Self::FullSlip => "less than 1 % of the contact area sticks",
             Self::Stiffness => "dQ/ds below 1 % of its initial value",
             Self::None => "not reached",
         })
