@@ -44,7 +44,7 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
 
 /// Highest temperature of the surface of a conducting counterface within the contact at the end of the slide, K: the
 /// response of a half-space to the heat that it took up in each increment, uniform over the contact. Its relative error is
-/// that of the mean rise of the contact. None without heat or contact.
+/// that of the mean rise of the contact, or all of it where that did not rise. None without heat or contact.
 fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate> {
     let [conductivity, capacity] = scene.counterface.conduction().filter(|_| outcome.account.heat)?;
     let mut half_space = HalfSpace::new(conductivity / capacity, (conductivity * capacity).sqrt());
@@ -68,7 +68,7 @@ fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate>
     let rise = half_space.highest_rise(radius);
     let mean = outcome.scalars[Quantity::TemperatureMean];
     let mean_rise = mean.value - scene.loading.temperature;
-    let error = if mean_rise > 0.0 { rise * mean.error / mean_rise } else { 0.0 };
+    let error = if mean_rise > 0.0 { rise * mean.error / mean_rise } else { rise };
     Some(Estimate { value: scene.loading.temperature + rise, error })
 }
 

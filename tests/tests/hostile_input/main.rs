@@ -175,7 +175,7 @@ fn no_foreign_file_crashes_a_program() {
 
 /// Readers of text: oversized input ends with a message of one line.
 #[test]
-#[ignore = "run by the last test, in a process of its own with little memory"]
+#[ignore = "run by no_bomb_and_no_finding_breaks_a_reader, in a process of its own with little memory"]
 fn reads_the_bombs() {
     let folder = tempfile::tempdir().unwrap();
     let short =
@@ -213,7 +213,7 @@ fn reads_the_bombs() {
 
 /// What fuzzing has found (`tests/fuzz`), minimised: each is refused as damaged.
 #[test]
-#[ignore = "run by the last test, in a process of its own with little memory"]
+#[ignore = "run by no_bomb_and_no_finding_breaks_a_reader, in a process of its own with little memory"]
 fn reads_the_findings() {
     let findings = files(&root().join("tests/fuzz/findings/topography"), "");
     assert!(findings.len() >= 2);

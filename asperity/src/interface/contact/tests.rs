@@ -80,11 +80,13 @@ fn points_that_touch_during_a_motion_do_not_count_as_stick() {
     assert!((new - (1.0 - before / contact.area(&contact.committed))).abs() < 1e-12, "{new}");
 }
 
-/// In stick the sum of the forces over that of the limits, 1 in slip; an infinite strength and none are not mobilised.
+/// In stick the sum of the forces over that of the limits, 1 in slip; an infinite strength and none are not mobilised. The
+/// forces of partly covered cells contain their coverage already.
 #[test]
 fn the_mobilised_strength_is_a_ratio_of_forces() {
     let (mesh, mut contact) = contact();
     let u = vec![0.0; mesh.field_length(3)];
+    contact.contact_fraction.iter_mut().enumerate().for_each(|(i, share)| *share = 1.0 / (1 + i % 3) as f64);
     let mut at = |displacement: f64, limit: f64| {
         let flat = FlatPosition { interference: 1e-3, displacement };
         let limit = where_it_touches(&mut contact, &u, flat, limit);
