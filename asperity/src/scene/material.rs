@@ -19,6 +19,26 @@ pub enum Hardening {
     Table { plastic_strain: Vec<f64>, factor: Vec<f64> },
 }
 
+impl Hardening {
+    /// Plastic strain up to which the strength does not rise.
+    pub fn plateau(&self) -> f64 {
+        match self {
+            Self::None => f64::INFINITY,
+            Self::Linear { modulus } | Self::JohnsonCook { modulus, .. } => {
+                if *modulus > 0.0 {
+                    0.0
+                } else {
+                    f64::INFINITY
+                }
+            }
+            Self::Table { plastic_strain, factor } => {
+                let rises = factor.windows(2).position(|pair| pair[1] > pair[0]);
+                rises.map_or(f64::INFINITY, |last| plastic_strain[last])
+            }
+        }
+    }
+}
+
 /// Loss of yield strength with temperature, as a factor on the strength at the initial temperature.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]

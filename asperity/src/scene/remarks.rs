@@ -6,7 +6,9 @@ use tables::quantity::plausible;
 use toml::{Table, Value};
 
 use crate::scene::loading::{default_slip_distance, default_temperature};
-use crate::scene::{Hardening, Interface, Loading, Material, Model, Numerics, Rate, Scene, Softening};
+use crate::scene::{
+    Hardening, Interface, InterfaceStrength, Loading, Material, Model, Numerics, Rate, Scene, Softening,
+};
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
 /// B/A of Johnson and Cook's law for the metals among the presets.
@@ -40,13 +42,8 @@ impl Scene {
 
     /// Body and interface are equally strong, and the body does not harden.
     fn equal_strength(&self) -> Option<String> {
-        let perfect = match self.material.hardening {
-            Hardening::None => true,
-            Hardening::Linear { modulus } | Hardening::JohnsonCook { modulus, .. } => modulus == 0.0,
-            Hardening::Table { .. } => false,
-        };
-        let strong = self.interface.law.as_strong_as_bulk() && self.interface.strength_factor >= 1.0;
-        (perfect && strong).then(|| {
+        let perfect = self.material.hardening.plateau() == f64::INFINITY;
+        (perfect && self.interface_as_strong()).then(|| {
             let modulus = digits(MODULUS_SUGGESTED * self.material.yield_strength, 1);
             format!(
                 "the material does not harden and the interface is as strong as the material: shear may localise in \
@@ -55,6 +52,19 @@ impl Scene {
                  strength), or [interface] strength_factor below 1"
             )
         })
+    }
+
+    /// Whether the interface is as strong as the body below it, which then shears.
+    pub(crate) fn interface_as_strong(&self) -> bool {
+        self.interface.law.as_strong_as_bulk() && self.interface.strength_factor >= 1.0
+    }
+
+    /// Whether shear localises in one layer of elements under the interface, up to the plastic strain of a run: the body
+    /// yields, does not harden beyond the strength of the interface, and is no stronger than that.
+    pub(crate) fn shear_localises(&self, plastic_strain: f64) -> bool {
+        let grows_with_body = self.interface.strength == InterfaceStrength::Current;
+        let weak = plastic_strain <= self.material.hardening.plateau() || grows_with_body;
+        plastic_strain > 0.0 && self.interface_as_strong() && weak
     }
 
     /// The initial temperature is not the one at which the softening factor is 1, since the constants of the material

@@ -101,6 +101,7 @@ impl Conditions {
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
             strain: if small { strain } else { 0.0 },
+            localises: pressed.scene.shear_localises(strain),
         }
     }
 

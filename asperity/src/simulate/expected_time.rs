@@ -4,11 +4,11 @@
 //! n in proportion to ε^(−0.9), and contacts below ω_c, where friction converges in first order, finer meshes than
 //! deeper ones. Each step of a programme takes as long as a slide.
 
+use crate::scene::Scene;
 use crate::scene::fitted_constants::processor_time::{
     AT_FIRST_YIELD, COARSE_SHARE, DEEP, LEAST, LIGHT_POWER, MESH_POWER, MOST, MOST_SHEAR, NEWTON_ITERATION,
     REFERENCE_ACCURACY, REFERENCE_ELEMENTS, REFERENCE_SECTORS, SHEAR_DEPTH, SHEAR_POWER, UNLIMITED_SHEAR,
 };
-use crate::scene::{Hardening, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
 
 /// Factor within which the expected time holds on the machine of the fit.
@@ -50,9 +50,8 @@ pub fn time_ratio(finer: &Resolution, now: &Resolution) -> f64 {
 
 /// Whether the body yields, does not harden, and is no stronger than the interface; decided again after the press.
 fn may_shear_without_limit(scene: &Scene) -> bool {
-    scene.material.hardening == Hardening::None
-        && scene.interface.law.as_strong_as_bulk()
-        && scene.interface.strength_factor >= 1.0
+    scene.material.hardening.plateau() == f64::INFINITY
+        && scene.interface_as_strong()
         && scene.loading.interference > 2.0
 }
 

@@ -8,7 +8,7 @@ use crate::loading::state::SlideState;
 pub use crate::interface::contact::Status as ContactStatus;
 pub use crate::loading::body_fields::{BodyFields, BodySnapshot};
 pub use crate::loading::inception::InceptionCriterion;
-pub use crate::scene::fitted_constants::error_estimates::COVERAGE_FACTOR;
+pub use crate::simulate::accuracy::COVERAGE_FACTOR;
 pub use crate::simulate::accuracy::error_budget::{ErrorBudget, ErrorSource};
 pub use crate::simulate::messages::{Note, Warning};
 pub use crate::solver::timings::{Kernel, Timings};
@@ -81,7 +81,7 @@ impl Account {
     pub fn add_remarks(&mut self, remarks: Vec<String>) {
         if !remarks.is_empty() {
             // Its condition is among those of a remark.
-            self.warnings.retain(|warning| *warning != Warning::EqualStrength);
+            self.warnings.retain(|warning| *warning != Warning::EqualStrength { plateau: f64::INFINITY });
         }
         self.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
     }

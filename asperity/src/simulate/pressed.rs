@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 use tables::numbers::{digits, plain};
-use tables::quantity::Estimate;
+use tables::quantity::{Estimate, Quantity};
 
 use super::messages::StrainChoice;
 use super::strain::{choose_strain, shears_without_limit};
@@ -20,6 +20,7 @@ use crate::loading::recording::Recording;
 use crate::scene::{Kinematics, Numerics, Scene};
 use crate::simulate::accuracy::error_budget;
 use crate::simulate::accuracy::resolution::Resolution;
+use crate::simulate::accuracy::scatter::scatter;
 use crate::solver::newton::Effort;
 
 /// The pressed asperity on one mesh.
@@ -98,7 +99,9 @@ pub(super) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
     let scene = &scene.with_combined_modulus();
     let mut problem = Problem::new(scene);
     let mut numerics = scene.numerics.clone();
-    let mut resolution = Resolution::choose(&numerics);
+    let choose =
+        |numerics: &Numerics| Resolution::choose(numerics).for_scatter(numerics, scene.loading.interference);
+    let mut resolution = choose(&numerics);
     let expected = problem.expected_contact_radius();
     watch.progress("press", 0.0, "coarse mesh");
     let mut mesh = press_mesh(&problem, &resolution.coarse(), expected, watch)?;
@@ -107,7 +110,7 @@ pub(super) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed
     let shears_without_limit = shears_without_limit(scene, &problem, &mesh.body, &mesh.contact);
     if shears_without_limit {
         numerics.accuracy = numerics.accuracy.max(ACCURACY_OF_UNLIMITED_SHEAR);
-        resolution = Resolution::choose(&numerics);
+        resolution = choose(&numerics);
     }
     let to_finite_strain = strain.is_some_and(|choice| choice.finite);
     problem.finite_strain |= to_finite_strain;
@@ -192,15 +195,16 @@ impl Pressed {
         let [coarse, fine, longer] = [0, 1, 2].map(|i| &self.meshes[i]);
         let (run, coarser) = (&self.resolution, &self.resolution.coarse());
         let units = self.problem.units;
-        let estimate = |unit: f64, edge_power: f64, of: fn(&Contact) -> f64| {
+        let estimate = |quantity, unit: f64, of: fn(&Contact) -> f64| {
             let values = [fine, coarse, longer].map(|mesh| unit * of(&mesh.contact));
-            let [mesh, steps] = error_budget::of_press(values, run, coarser, edge_power);
-            Estimate { value: values[0], error: mesh + steps }
+            let scatter = scatter(quantity, self.scene.loading.interference, run.elements_per_radius);
+            Estimate { value: values[0], error: error_budget::of_press(values, run, coarser, scatter) }
         };
         PressedContact {
-            load: estimate(units.force(), 0.0, |contact| contact.load(&contact.committed)),
-            area: estimate(units.area(), 2.0, |contact| contact.area(&contact.committed)),
-            peak_pressure: estimate(units.stress, 0.0, peak_pressure),
+            load: estimate(Quantity::LoadPress, units.force(), |contact| contact.load(&contact.committed)),
+            area: estimate(Quantity::AreaPress, units.area(), |contact| contact.area(&contact.committed)),
+            // Follows the load over a fixed area.
+            peak_pressure: estimate(Quantity::LoadPress, units.stress, peak_pressure),
             plastic_strain_max: fine.body.committed.largest_plastic_strain(),
         }
     }

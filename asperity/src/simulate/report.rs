@@ -14,7 +14,7 @@ use crate::loading::problem::{Problem, Units};
 use crate::loading::recording::Fields;
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
-use crate::scene::{Hardening, InterfaceStrength, LoadingStep, Scene};
+use crate::scene::{InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
@@ -131,7 +131,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     let is_unsure = inception == InceptionCriterion::Stiffness && spread > scene.numerics.accuracy;
     warnings.extend(is_unsure.then_some(Warning::InceptionByStiffness { spread }));
     let strain = run.plastic_strain();
-    warnings.extend(warnings_of_strength(scene, strain));
+    warnings.extend(warning_of_strength(scene, strain));
     if strain > LARGE_STRAIN && !runner.pressed.problem.finite_strain {
         warnings.push(Warning::LargeStrain { strain, limit: LARGE_STRAIN });
     }
@@ -172,15 +172,12 @@ fn warnings_of_balances(problem: &Problem, history: &[SlideState]) -> Option<War
 }
 
 /// An interface as strong as a body that flows.
-fn warnings_of_strength(scene: &Scene, plastic_strain: f64) -> Vec<Warning> {
-    let equal = scene.interface.strength_factor >= 1.0 && scene.interface.law.as_strong_as_bulk();
-    if !equal || plastic_strain <= 0.0 {
-        return Vec::new();
-    }
-    let perfect = scene.material.hardening == Hardening::None;
-    let hardened = scene.interface.strength == InterfaceStrength::Current;
-    let equal_strength = perfect.then_some(Warning::EqualStrength);
-    equal_strength.into_iter().chain(hardened.then_some(Warning::HardenedInterface)).collect()
+fn warning_of_strength(scene: &Scene, plastic_strain: f64) -> Option<Warning> {
+    let grows_with_body = scene.interface.strength == InterfaceStrength::Current;
+    scene.shear_localises(plastic_strain).then_some(match grows_with_body {
+        true => Warning::HardenedInterface,
+        false => Warning::EqualStrength { plateau: scene.material.hardening.plateau() },
+    })
 }
 
 /// The whole outcome in SI units.

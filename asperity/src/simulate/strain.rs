@@ -16,7 +16,7 @@ use crate::interface::contact::Contact;
 use crate::interface::friction_law::{ContactPoint, shear_limit};
 use crate::loading::problem::{Problem, SHEAR_RATIO};
 use crate::scene::fitted_constants::plastic_strain_of_slide::{ADDED, GROWTH};
-use crate::scene::{Hardening, InterfaceStrength, Scene};
+use crate::scene::{InterfaceStrength, Scene};
 use crate::simulate::messages::StrainChoice;
 
 /// Plastic strain over the required accuracy up to which strain is taken to be small. At twice or four times this a
@@ -26,9 +26,14 @@ const SMALL_SHARE: f64 = 0.05;
 /// The choice for a scene with `kinematics = "auto"`, from the press on the coarse mesh at small strain.
 pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Contact) -> StrainChoice {
     let strength = strength_ratio(scene, problem, contact);
-    let equal = problem.strength == InterfaceStrength::Current || scene.material.hardening == Hardening::None;
+    // Plastic strain that an equally strong body takes without hardening beyond the interface.
+    let free = match problem.strength {
+        InterfaceStrength::Current => f64::INFINITY,
+        InterfaceStrength::Initial => scene.material.hardening.plateau(),
+    };
     let added = match strength {
-        ratio if ratio > 1.0 || (ratio == 1.0 && equal) => f64::INFINITY,
+        ratio if ratio > 1.0 => f64::INFINITY,
+        1.0 if free > 0.0 => free,
         ratio => {
             let yield_strain = scene.material.yield_strength / scene.material.youngs_modulus;
             yield_strain * added_by_slide(ratio, problem.interference / problem.critical_interference)
@@ -42,7 +47,7 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
 /// Whether the body may shear without limit under the interface: it has yielded, does not harden, and is no stronger
 /// than the interface.
 pub fn shears_without_limit(scene: &Scene, problem: &Problem, body: &Body, contact: &Contact) -> bool {
-    scene.material.hardening == Hardening::None
+    scene.material.hardening.plateau() == f64::INFINITY
         && body.committed.largest_plastic_strain() > 0.0
         && strength_ratio(scene, problem, contact) >= 1.0
 }

@@ -116,7 +116,8 @@ impl Nodes {
         Some(std::array::from_fn(|f| hermite(h, t, start[f], end[f], start_slope[f], end_slope[f])))
     }
 
-    /// Relative error at a place: that of the results, linearly, and that of interpolation.
+    /// Relative error at a place: the root of the squares of that of the results, linearly, and of those of interpolation
+    /// along each axis.
     pub(super) fn relative_error(&self, place: Location, rate: Location, slip: Location) -> Errors {
         let mut error = Errors::default();
         let corner = |i: usize, j: usize, k: usize| (i * self.rates + j) * self.slip.len() + k;
@@ -142,7 +143,7 @@ impl Nodes {
             }
             let (one, other) = (&misfit[position], &misfit[position + stride]);
             for (field, error) in error.iter_mut().enumerate() {
-                *error += bump * one[field].max(other[field]);
+                *error = error.hypot(bump * one[field].max(other[field]));
             }
         }
         error

@@ -95,7 +95,7 @@ impl InterpolatedTable {
         let included = self.metadata().interpolation_tolerance.is_some();
         let straight = if logarithm.is_finite() { logarithm.exp() } else { linear };
         let interpolation = if included { 0.0 } else { 0.5 * (value - straight).abs() };
-        Ok((value, error + interpolation))
+        Ok((value, error.hypot(interpolation)))
     }
 }
 

@@ -173,7 +173,7 @@ impl Slice {
                 let shift = quantity.origin(base);
                 let added = relative * (cell[quantity].value - shift).abs();
                 if added > 0.0 {
-                    cell[quantity].error += added;
+                    cell[quantity].error = cell[quantity].error.hypot(added);
                 }
             }
             self.set_cell(i, j, cell).expect("its histories were as long as the slip axis before");

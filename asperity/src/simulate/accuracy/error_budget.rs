@@ -2,24 +2,28 @@
 //!
 //! Every run has auxiliary runs on a mesh half as fine: one unchanged, and one each with another N_θ, with increments
 //! twice as large and with a larger solver tolerance; a run refined by itself has a further one, on the mesh half as
-//! fine as its own. The mesh error follows from the difference between the run and that on the mesh half as fine by the
-//! order of convergence, 1.5 for the square-root edge of the pressure; quantities that depend on the position of that
-//! edge also have a lower bound of the error, since two meshes may misplace it by the same amount. The differences
-//! among the auxiliary runs are the errors of the other three sources, less where the run is finer than they are. All
-//! of this is a function of the values of the runs: [`estimate`].
+//! fine as its own. The difference between the run and that on the mesh half as fine, by the order of convergence (1.5
+//! for the square-root edge of the pressure), bounds its mesh error; the differences among the auxiliary runs bound the
+//! errors of the other three sources, less where the run is finer than they are. A bound ±d is taken as the standard
+//! uncertainty d/√3 of a rectangular distribution. One difference of two meshes may be small by chance; the mesh has a
+//! standard uncertainty of its own beside it, the scatter of such runs about their limits. All of this is a function of the
+//! values of the runs: [`estimate`].
 //!
-//! The accuracy of a scene is compared with the estimates. The reported errors are half-widths of 95 % intervals, the
-//! estimates times a coverage factor. `asperity effectivity` compares them with true errors.
+//! The sources are independent: their standard uncertainties u add as squares, and the reported error is the half-width
+//! k u of a 95 % interval (JCGM 100:2008, Guide to the expression of uncertainty in measurement, 4.3.7, 5.1.2 and 6.2.1).
+//! The accuracy of a scene is asked of the reported errors. `asperity effectivity` compares them with true errors.
 
 use tables::quantity::Quantity;
 
-use crate::discretisation::mesh::EDGE_SIZE;
-use crate::scene::fitted_constants::error_estimates::{
-    COVERAGE_FACTOR, EDGE_OF_ENERGY, EDGE_OF_LOAD, EDGE_OF_SPACING, ORDER,
-};
+use crate::scene::fitted_constants::error_estimates::ORDER;
+use crate::simulate::accuracy::COVERAGE_FACTOR;
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{RelativeParts, Resolution};
+use crate::simulate::accuracy::scatter::scatter;
 use crate::simulate::values::Values;
+
+/// Standard uncertainty over the bound of an error, 1/√3.
+const OF_BOUND: f64 = 0.577_350_269_189_625_8;
 
 /// Where an error comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,12 +62,12 @@ impl ErrorSource {
 
 const QUANTITIES: usize = Quantity::SCALARS.len();
 
-/// Absolute errors of all quantities, SI, by source.
+/// Standard uncertainties of all quantities, SI, by source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorBudget {
     parts: [[f64; QUANTITIES]; 5],
-    /// Uncertainty by the width of the inception bracket, by the threshold of the stiffness, and of the steady value by
-    /// the length of the slide: a part of the error of the increments.
+    /// By the width of the inception bracket, by the threshold of the stiffness, and of the steady value by the length of
+    /// the slide: with the increments.
     brackets: [f64; QUANTITIES],
 }
 
@@ -92,15 +96,17 @@ pub struct RunValues<'a> {
     pub values: &'a Values,
 }
 
-/// Errors of a main run, from it, a run on its coarse mesh, and the auxiliary runs of the resolution `start`.
+/// Uncertainties of a main run, from it, a run on its coarse mesh, and the auxiliary runs of the resolution `start`;
+/// `interference` is ω₀/ω_c.
 pub fn estimate(
     start: &Resolution,
     auxiliary: &AuxiliaryRuns<'_>,
     [run, coarse]: [RunValues<'_>; 2],
     modelling_error: &ModellingError,
+    interference: f64,
 ) -> ErrorBudget {
     let mut budget = ErrorBudget::other_than_mesh(auxiliary, start).refined(start, run.resolution);
-    budget.set_mesh(run, coarse);
+    budget.set_mesh(run, coarse, interference);
     budget.add_residual(run.values);
     budget.set_model(modelling_error, run.values);
     budget
@@ -110,17 +116,17 @@ impl ErrorBudget {
     /// All but the mesh's part, of a run at the resolution `start`.
     pub fn other_than_mesh(auxiliary: &AuxiliaryRuns<'_>, start: &Resolution) -> Self {
         let AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver } = *auxiliary;
-        let difference = |other: &Values, share: &dyn Fn(Quantity) -> f64| {
-            Quantity::SCALARS.map(|q| share(q) * (coarse.value(q) - other.value(q)).abs())
+        let difference = |other: &Values, share: f64| {
+            Quantity::SCALARS.map(|q| OF_BOUND * share * (coarse.value(q) - other.value(q)).abs())
         };
         let sectors = sectors_share(start.sectors, start.coarse().other_sectors().sectors);
         Self {
             parts: [
                 [0.0; QUANTITIES],
-                difference(other_sectors, &|_| sectors),
+                difference(other_sectors, sectors),
                 // First order in the increments.
-                difference(longer_steps, &|_| 1.0),
-                difference(looser_solver, &|_| 1.0),
+                difference(longer_steps, 1.0),
+                difference(looser_solver, 1.0),
                 [0.0; QUANTITIES],
             ],
             ..Self::default()
@@ -128,15 +134,16 @@ impl ErrorBudget {
     }
 
     /// The mesh's part, from a run and one on a coarser mesh with as many sectors.
-    fn set_mesh(&mut self, run: RunValues<'_>, coarser: RunValues<'_>) {
+    fn set_mesh(&mut self, run: RunValues<'_>, coarser: RunValues<'_>, interference: f64) {
         let (fine, coarse) = (run.values, coarser.values);
-        let elements = run.resolution.elements_per_radius as f64;
-        let refinement = elements / coarser.resolution.elements_per_radius as f64;
+        let elements = run.resolution.elements_per_radius;
+        let refinement = elements as f64 / coarser.resolution.elements_per_radius as f64;
         self.parts[ErrorSource::Mesh as usize] = Quantity::SCALARS.map(|quantity| {
-            let floor = edge_floor(quantity, elements) * fine.magnitude(quantity);
-            mesh_share(refinement) * (fine.value(quantity) - coarse.value(quantity)).abs() + floor
+            let pair = [fine.value(quantity), coarse.value(quantity)];
+            let scatter = scatter(quantity, interference, elements) * fine.magnitude(quantity);
+            mesh_uncertainty(pair, refinement, scatter)
         });
-        self.brackets = Quantity::SCALARS.map(|quantity| fine.bracket(quantity));
+        self.brackets = Quantity::SCALARS.map(|quantity| OF_BOUND * fine.bracket(quantity));
     }
 
     /// After a refinement in sectors and increments: second order in θ at least, first in the
@@ -154,14 +161,14 @@ impl ErrorBudget {
     fn add_residual(&mut self, values: &Values) {
         for quantity in Quantity::SCALARS {
             self.parts[ErrorSource::Solver as usize][quantity as usize] +=
-                values.residual * values.magnitude(quantity);
+                OF_BOUND * values.residual * values.magnitude(quantity);
         }
     }
 
     /// The model's part.
     fn set_model(&mut self, modelling_error: &ModellingError, values: &Values) {
-        self.parts[ErrorSource::Model as usize] =
-            Quantity::SCALARS.map(|quantity| modelling_error.share(quantity) * values.magnitude(quantity));
+        self.parts[ErrorSource::Model as usize] = Quantity::SCALARS
+            .map(|quantity| OF_BOUND * modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
     /// Unknown errors: as large as the values.
@@ -176,20 +183,20 @@ impl ErrorBudget {
     /// Of the reported error.
     pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
         let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
-        COVERAGE_FACTOR * (self.parts[source as usize][quantity as usize] + bracket)
+        COVERAGE_FACTOR * self.parts[source as usize][quantity as usize].hypot(bracket)
     }
 
     /// The reported error: the half-width of a 95 % interval.
     pub fn total(&self, quantity: Quantity) -> f64 {
-        ErrorSource::ALL.iter().map(|&source| self.part(source, quantity)).sum()
+        root_of_squares(ErrorSource::ALL.map(|source| self.part(source, quantity)))
     }
 
-    /// The worst of the controlled quantities, and the parts of its estimate relative to its value that a finer resolution
-    /// reduces.
+    /// The worst of the controlled quantities, and the parts of its reported error relative to its value that a finer
+    /// resolution reduces.
     pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
         let relative = |quantity: Quantity| {
             let value = values.value(quantity).abs();
-            let part = |source: ErrorSource| self.parts[source as usize][quantity as usize];
+            let part = |source: ErrorSource| COVERAGE_FACTOR * self.parts[source as usize][quantity as usize];
             let of = |source| if value > 0.0 { part(source) / value } else { 0.0 };
             RelativeParts {
                 mesh: of(ErrorSource::Mesh),
@@ -207,43 +214,27 @@ impl ErrorBudget {
     }
 }
 
-/// Reported errors of a number of the press from mesh and increments, from its values on the mesh, on a coarser
-/// one, and on that in increments twice as large; `power` of the contact radius it depends on.
+/// Reported error of a number of the press with the relative `scatter`, from its values on the mesh, on a coarser one, and on
+/// that in increments twice as large.
 pub fn of_press(
     [fine, coarse, longer_steps]: [f64; 3],
     run: &Resolution,
     coarser: &Resolution,
-    power: f64,
-) -> [f64; 2] {
-    let elements = run.elements_per_radius as f64;
-    let mesh = mesh_share(elements / coarser.elements_per_radius as f64) * (fine - coarse).abs();
-    let steps = (coarse - longer_steps).abs();
-    [mesh + power * edge_share(elements) * fine.abs(), steps].map(|part| COVERAGE_FACTOR * part)
+    scatter: f64,
+) -> f64 {
+    let refinement = run.elements_per_radius as f64 / coarser.elements_per_radius as f64;
+    let mesh = mesh_uncertainty([fine, coarse], refinement, scatter * fine.abs());
+    let steps = OF_BOUND * (coarse - longer_steps).abs();
+    COVERAGE_FACTOR * mesh.hypot(steps)
 }
 
-/// Uncertainty of the contact radius after the press, relative, as the edge lies between two rings of
-/// nodes: a share of the ring spacing.
-pub fn edge_share(elements_per_radius: f64) -> f64 {
-    EDGE_OF_SPACING * EDGE_SIZE / elements_per_radius
+/// Standard uncertainty of the finer of two values by the mesh: the bound from their difference and the scatter.
+fn mesh_uncertainty([fine, coarse]: [f64; 2], refinement: f64, scatter: f64) -> f64 {
+    (OF_BOUND * mesh_share(refinement) * (fine - coarse).abs()).hypot(scatter)
 }
 
-/// Of a quantity, relative: the place of the edge is as uncertain after the slide as after the press.
-fn edge_floor(quantity: Quantity, elements_per_radius: f64) -> f64 {
-    use Quantity::*;
-    let edge = edge_share(elements_per_radius);
-    match quantity {
-        // Friction is strength times area.
-        Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area | AreaPress => {
-            2.0 * edge
-        }
-        // The rise is proportional to the radius of the source.
-        ContactRadius | InceptionSlip | EnergyWeakening | TemperatureMax | TemperatureMean => edge,
-        // An error of the slip at inception appears in G one (plastic contacts) to 6.6 times (elastic ones).
-        EnergyRelease => EDGE_OF_ENERGY * edge,
-        // The pressure vanishes at the edge.
-        Load => EDGE_OF_LOAD * edge,
-        _ => 0.0,
-    }
+fn root_of_squares<const N: usize>(parts: [f64; N]) -> f64 {
+    parts.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
 /// Error with N_θ sectors over the difference to that with others: second order.
@@ -265,27 +256,22 @@ mod tests {
         Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None }
     }
 
-    /// 3 + 2 n^-1.5 on n elements, and first order in the increments of the press.
+    /// 3 + 2 n^-1.5 on n elements, and first order in the increments of the press: both bounds, and the scatter.
     #[test]
     fn errors_of_a_press_of_known_orders_are_found() {
         let run = Resolution::choose(&numerics());
         let coarser = run.coarse();
-        let value =
-            |elements: usize, increments: f64| 3.0 + 2.0 * (elements as f64).powf(-1.5) + 0.4 / increments;
-        let of = |r: &Resolution| value(r.elements_per_radius, r.press_increments as f64);
         let longer = coarser.longer_steps();
-        let [_, steps] = of_press([of(&run), of(&coarser), of(&longer)], &run, &coarser, 0.0);
-        let change = 0.4 / longer.press_increments as f64 - 0.4 / coarser.press_increments as f64;
-        assert!((steps - COVERAGE_FACTOR * change).abs() < 1e-12);
-        let elements = |r: &Resolution| value(r.elements_per_radius, f64::INFINITY);
-        let values = [elements(&run), elements(&coarser), elements(&coarser)];
-        let [mesh, steps] = of_press(values, &run, &coarser, 0.0);
-        assert_eq!(steps, 0.0);
-        assert!((mesh / (values[0] - 3.0) - COVERAGE_FACTOR).abs() < 1e-9, "{mesh}");
-        // The place of the edge adds its own to what depends on the radius.
-        let [with_edge, _] = of_press(values, &run, &coarser, 2.0);
-        let edge = 2.0 * edge_share(run.elements_per_radius as f64) * values[0];
-        assert!((with_edge - mesh - COVERAGE_FACTOR * edge).abs() < 1e-12);
+        let part = |r: &Resolution| {
+            [2.0 * (r.elements_per_radius as f64).powf(-1.5), 0.4 / r.press_increments as f64]
+        };
+        let of = |r: &Resolution| 3.0 + part(r).iter().sum::<f64>();
+        let scatter = 0.003;
+        let found = of_press([&run, &coarser, &longer].map(of), &run, &coarser, scatter);
+        let [mesh, _] = part(&run);
+        let steps = part(&longer)[1] - part(&coarser)[1];
+        let exact = 4.0 * ((mesh * mesh + steps * steps) / 3.0 + (scatter * of(&run)).powi(2));
+        assert!((found * found / exact - 1.0).abs() < 1e-9, "{found}");
     }
 
     /// 3 + 2 n^-1.5 + 0.4 g + 0.5/N_θ² with n elements, slip increments g and N_θ angles: each part of the error is
@@ -314,15 +300,17 @@ mod tests {
                 RunValues { resolution, values: values_here },
                 RunValues { resolution: &coarser, values: &values(&coarser) },
             ];
-            let budget = estimate(&start, &auxiliary, pair, &ModellingError::default());
+            let budget = estimate(&start, &auxiliary, pair, &ModellingError::default(), 1.0);
             let exact = parts(resolution);
             let sources = [ErrorSource::Mesh, ErrorSource::Collocation, ErrorSource::Steps];
             for (source, exact) in sources.into_iter().zip(exact) {
-                // The load of the press has no part by the place of the edge.
-                let found = budget.part(source, Quantity::LoadPress);
-                assert!((found / exact - COVERAGE_FACTOR).abs() < 1e-9, "{source:?}: {found} {exact}");
+                // The heat partition has no scatter.
+                let found = budget.part(source, Quantity::HeatPartition);
+                assert!((found / exact - 2.0 / 3f64.sqrt()).abs() < 1e-9, "{source:?}: {found} {exact}");
             }
-            assert_eq!(budget.part(ErrorSource::Model, Quantity::LoadPress), 0.0);
+            let total = 2.0 * (exact.iter().map(|part| part * part).sum::<f64>() / 3.0).sqrt();
+            assert!((budget.total(Quantity::HeatPartition) / total - 1.0).abs() < 1e-9);
+            assert_eq!(budget.part(ErrorSource::Model, Quantity::HeatPartition), 0.0);
         }
     }
 

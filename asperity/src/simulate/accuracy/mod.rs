@@ -1,8 +1,12 @@
 //! Resolutions and errors: the ladder of resolutions of a run (`resolution`), and the error of every
-//! quantity as a function of the values of its runs (`error_budget`, `modelling_error`).
+//! quantity as a function of the values of its runs (`error_budget`, `scatter`, `modelling_error`).
 //!
 //! Does not depend on the computation of the runs. Chapter "Errors of a run" of the book.
 
 pub(crate) mod error_budget;
 pub(crate) mod modelling_error;
 pub(crate) mod resolution;
+pub(crate) mod scatter;
+
+/// Reported errors over the standard uncertainties: of 95 % intervals.
+pub const COVERAGE_FACTOR: f64 = 2.0;

@@ -1,8 +1,9 @@
-//! Modelling error: effects that the model of a run neglects, and bounds of their influence on its results.
+//! Modelling error: effects that the model of a run neglects or no mesh resolves, and bounds of their influence on its results.
 
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
+use crate::scene::fitted_constants::localisation;
 
 /// Effects neglected in a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -11,6 +12,8 @@ pub struct ModellingError {
     pub heat: Option<HeatEffect>,
     /// Largest plastic strain of a slide at small strain.
     pub strain: f64,
+    /// Whether shear localises in one layer of elements: values follow the mesh.
+    pub localises: bool,
 }
 
 impl ModellingError {
@@ -23,16 +26,25 @@ impl ModellingError {
     pub fn share(&self, quantity: Quantity) -> f64 {
         use Quantity::*;
         let (softening, load) = self.heat.map_or((0.0, 0.0), |effect| (effect.softening, effect.load));
-        match quantity {
-            Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
-            MuStatic | FrictionStatic | EnergyRelease => self.strain,
-            Friction | EnergyWeakening => softening + self.strain,
-            Area => load + self.strain,
-            Load => load,
-            // The whole rise is an expected one.
-            TemperatureMax | TemperatureMean if self.heat.is_some() => 1.0,
-            TemperatureMax | TemperatureMean => self.strain,
+        let localisation = match quantity {
+            _ if !self.localises => 0.0,
+            Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic => localisation::FRICTION,
+            Load | Area => localisation::LOAD,
+            InceptionSlip => localisation::INCEPTION_SLIP,
+            EnergyRelease | EnergyWeakening => localisation::ENERGY,
             _ => 0.0,
-        }
+        };
+        localisation
+            + match quantity {
+                Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
+                MuStatic | FrictionStatic | EnergyRelease => self.strain,
+                Friction | EnergyWeakening => softening + self.strain,
+                Area => load + self.strain,
+                Load => load,
+                // The whole rise is an expected one.
+                TemperatureMax | TemperatureMean if self.heat.is_some() => 1.0,
+                TemperatureMax | TemperatureMean => self.strain,
+                _ => 0.0,
+            }
     }
 }

@@ -1,10 +1,14 @@
 //! Resolutions: mesh, collocation angles and increments by the accuracy of the scene, and those of the
 //! auxiliary runs.
 
+use tables::quantity::Quantity;
+
 use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize, SURFACE_LAYER};
 use crate::heat::conduction::sublayers::thickness_ratio;
 use crate::loading::NEWTON_TOLERANCE;
 use crate::scene::Numerics;
+use crate::simulate::accuracy::COVERAGE_FACTOR;
+use crate::simulate::accuracy::scatter::scatter;
 
 /// Increments of the press times the growth of those of the slide. From growths of 0.3 to 0.6 friction changes by 0.03
 /// and 0.06 per cent at 2 and 20 omega_c, and by 0.15 to 0.3 at 50 and 100 (8 elements, slip rate 0).
@@ -16,7 +20,7 @@ const LEAST_GROWTH: f64 = 0.05;
 /// Factor of the room for a contact that outgrows its mesh.
 const WIDER: f64 = 1.5;
 
-/// Relative parts of the error of the worst of the quantities controlled by the accuracy.
+/// Relative parts of the reported error of the worst of the quantities controlled by the accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RelativeParts {
     pub mesh: f64,
@@ -28,7 +32,12 @@ pub struct RelativeParts {
 
 impl RelativeParts {
     pub fn total(&self) -> f64 {
-        self.mesh + self.sectors + self.steps + self.solver + self.model
+        self.mesh.hypot(self.others())
+    }
+
+    /// All but the mesh's.
+    fn others(&self) -> f64 {
+        self.sectors.hypot(self.steps).hypot(self.solver).hypot(self.model)
     }
 
     /// Whether the accuracy is out of reach of a finer resolution: the solver's part alone is above it. Such a quantity
@@ -65,6 +74,21 @@ impl Resolution {
         let sectors = numerics.sectors.unwrap_or(if accuracy >= 0.01 { 4 } else { 8 });
         let growth = 0.3 * (accuracy / 0.02).sqrt().clamp(0.3, 1.5);
         Self::new(elements, sectors, growth)
+    }
+
+    /// On a mesh as fine as the scatter of friction alone requires, which is large in light contacts; what the scene gives
+    /// stays.
+    pub fn for_scatter(self, numerics: &Numerics, interference: f64) -> Self {
+        /// Of the accuracy that the scatter may take.
+        const SHARE: f64 = 0.85;
+        let elements = self.elements_per_radius;
+        let error = COVERAGE_FACTOR * scatter(Quantity::Mu, interference, elements);
+        let allowed = SHARE * numerics.accuracy;
+        if error <= allowed || numerics.elements_per_radius.is_some() {
+            return self;
+        }
+        let wanted = (elements as f64 * error / allowed).ceil() as usize;
+        Self::new(wanted.next_multiple_of(2).min(MOST_ELEMENTS), self.sectors, self.growth)
     }
 
     fn new(elements_per_radius: usize, sectors: usize, growth: f64) -> Self {
@@ -150,7 +174,7 @@ impl Resolution {
     /// With more sectors and shorter increments where those alone would make too large a part
     /// (relative) of the error.
     pub fn refine_other_than_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {
-        const SHARE: f64 = 0.4;
+        const SHARE: f64 = 0.6;
         if parts.solver_exceeds(numerics.accuracy) {
             return *self;
         }
@@ -167,25 +191,26 @@ impl Resolution {
     /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
     /// none if that is met, or fixed by the scene or the limits.
     pub fn refine(&self, numerics: &Numerics, parts: &RelativeParts) -> Option<Self> {
+        const SHARE: f64 = 0.4;
         let accuracy = numerics.accuracy;
         if parts.total() <= accuracy || parts.solver_exceeds(accuracy) {
             return None;
         }
         let (mut sectors, mut growth) = (self.sectors, self.growth);
-        let mut others = parts.sectors + parts.steps + parts.solver + parts.model;
-        if parts.sectors > 0.25 * accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
+        let mut after = *parts;
+        if parts.sectors > SHARE * accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
             sectors *= 2;
-            others -= 0.75 * parts.sectors;
+            after.sectors *= 0.25;
         }
-        if parts.steps > 0.25 * accuracy && growth > LEAST_GROWTH {
+        if parts.steps > SHARE * accuracy && growth > LEAST_GROWTH {
             growth *= 0.5;
-            others -= 0.5 * parts.steps;
+            after.steps *= 0.5;
         }
         let mut elements = self.elements_per_radius;
-        let allowed = (accuracy - others).max(0.4 * accuracy);
+        let allowed = (accuracy.powi(2) - after.others().powi(2)).max(0.0).sqrt().max(0.6 * accuracy);
         if parts.mesh > allowed && numerics.elements_per_radius.is_none() {
-            // Slightly finer than order 1.5 requires, as a margin.
-            let wanted = 1.1 * elements as f64 * (parts.mesh / allowed).powf(1.0 / 1.5);
+            // Slightly finer than order 1, that of the scatter, requires.
+            let wanted = 1.1 * elements as f64 * parts.mesh / allowed;
             elements = (wanted.ceil() as usize).clamp(elements + 2, 2 * elements).next_multiple_of(2);
             elements = elements.min(MOST_ELEMENTS).max(self.elements_per_radius);
         }
@@ -214,6 +239,8 @@ pub fn thermal_sublayers(depth: f64, refinements: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tables::quantity::Quantity;
+
     use crate::discretisation::mesh::MeridianMesh;
 
     /// The first layer under the surface is thinner than the heated one, and no thinner than needed.
@@ -240,6 +267,19 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn light_contacts_begin_on_a_finer_mesh() {
+        let numerics = Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None };
+        let start = Resolution::choose(&numerics);
+        let elements = |interference| start.for_scatter(&numerics, interference).elements_per_radius;
+        assert_eq!(elements(10.0), start.elements_per_radius);
+        let [fine, coarse] = [elements(0.1), elements(0.2)];
+        assert!(fine > coarse && coarse > start.elements_per_radius, "{fine} {coarse}");
+        assert!(COVERAGE_FACTOR * scatter(Quantity::Mu, 0.1, fine) < 0.85 * numerics.accuracy);
+        let fixed = Numerics { elements_per_radius: Some(8), ..numerics };
+        assert_eq!(Resolution::choose(&fixed).for_scatter(&fixed, 0.1).elements_per_radius, 8);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use tables::numbers::plain;
 use tables::quantity::Quantity;
 
 /// Limitations of the results.
@@ -32,7 +33,10 @@ pub enum Warning {
         spread: f64,
     },
     /// Body and interface are equally strong and the body does not harden.
-    EqualStrength,
+    /// Up to this plastic strain the body does not harden.
+    EqualStrength {
+        plateau: f64,
+    },
     /// The interface is as strong as the hardened body.
     HardenedInterface,
     /// Plastic strain beyond small-strain kinematics.
@@ -86,10 +90,6 @@ impl Warning {
                 "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are \
                  those of its end; a longer slip_distance lets it begin"
             }
-            Self::EqualStrength => {
-                "body and interface are equally strong and the body does not harden: shear may localise in one \
-                 layer of elements, and mu then follows the mesh"
-            }
             Self::HardenedInterface => {
                 "the interface is as strong as the hardened body: the top layer of elements shears before the \
                  contact slips, and mu then follows the mesh; a strength_factor below 1 lets it slip"
@@ -116,6 +116,16 @@ impl Display for Warning {
                  smaller strength_factor or slip_distance avoids it",
                 quantity.descriptor().name
             ),
+            Self::EqualStrength { plateau } => {
+                f.write_str("body and interface are equally strong and the body does not harden")?;
+                if plateau.is_finite() {
+                    write!(f, " up to a plastic strain of {}", plain(*plateau))?;
+                }
+                f.write_str(
+                    ": shear may localise in one layer of elements, and mu_static, inception_slip and above all G then \
+                     follow the mesh, as their errors contain",
+                )
+            }
             Self::NoMainRun { elements_per_radius, sectors } => write!(
                 f,
                 "the main run on the mesh that is required did not begin or was given up: the results are those of \

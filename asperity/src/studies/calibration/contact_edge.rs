@@ -7,7 +7,6 @@
 use super::{Fit, FittedConstant, Residual, pressed, rms, through_origin, two_terms};
 use crate::interface::contact::Contact;
 use crate::interface::contact_edge::{EdgeConstants, EdgeRatios, FITTED, shear_number};
-use crate::scene::fitted_constants::error_estimates::EDGE_OF_SPACING;
 use crate::scene::{FrictionLaw, Material, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::{SimulationError, Watch, contact_after_slide};
@@ -225,7 +224,7 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         stored: of(&FITTED),
         fitted: of(&fitted),
     };
-    let mut constants = vec![
+    let constants = vec![
         constant("FIRST_PLACE", |c| c.first_place),
         constant("FULL_LOAD", |c| c.full_load[0]),
         constant("FULL_LOAD, change", |c| c.full_load[1]),
@@ -235,12 +234,6 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         constant("GAP_CURVATURE", |c| c.gap_curvature),
         constant("SHEAR_SHIFT", |c| c.shear_shift),
     ];
-    let all: Vec<Edge> = elastic.iter().chain(&blunt).chain(&sheared).copied().collect();
-    constants.push(FittedConstant {
-        name: "EDGE_OF_SPACING",
-        stored: EDGE_OF_SPACING,
-        fitted: error_of_places(&FITTED, &all),
-    });
     let mut residuals = vec![Residual {
         of: "ratios of pressures and gaps, elastic".to_owned(),
         points: 2 * elastic.len(),
@@ -260,8 +253,7 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         method: "Bluntness 0: least squares of the ratios of pressures and gaps of elastic presses on 6, 8 and 12 elements, \
                  whose edges are Hertz's. Changes to bluntness 1: least squares of the places of edges of plastic presses \
                  on 8 elements against 32 and of slides on 8 against 24. SHEAR_SHIFT: least squares of the places of edges \
-                 of slides of light contacts on 8 elements against 32. EDGE_OF_SPACING against the rms error of all \
-                 places.",
+                 of slides of light contacts on 8 elements against 32.",
         constants,
         residuals,
     })

@@ -4,7 +4,7 @@ use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 
 /// The first scenes, used for constants of the error estimates.
-pub const USED: usize = 21;
+pub const USED: usize = 149;
 /// All scenes.
 pub const COUNT: usize = USED + 64;
 
@@ -34,7 +34,9 @@ pub struct StudyScene {
 }
 
 /// The scene at a position. Each property takes its values in turn, with periods (8, 7, 9 and 5) that have no common factor;
-/// the interferences from 0.1 to 100 ω_c are an additive sequence of the golden ratio.
+/// the interferences from 0.1 to 100 ω_c are an additive sequence of the golden ratio. Of one material neighbouring
+/// interferences follow each other, so that only many scenes have all interferences of it; the scenes used for no constant
+/// have a stride with which 64 do.
 ///
 /// ```
 /// use asperity::studies::effectivity::scenes::{COUNT, study_scene};
@@ -45,6 +47,8 @@ pub struct StudyScene {
 /// ```
 pub fn study_scene(position: usize) -> StudyScene {
     const GOLDEN_RATIO: f64 = 0.618_033_988_749_895;
+    const STRIDE: usize = 11;
+    let position = if position < USED { position } else { USED + STRIDE * (position - USED) };
     let place = (GOLDEN_RATIO * (position + 1) as f64).fract();
     let interference = 0.1 * 1000f64.powf(place);
     let digits = 10f64.powf(1.0 - interference.log10().floor());

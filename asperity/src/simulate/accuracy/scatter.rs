@@ -1,0 +1,47 @@
+//! Scatter of runs about their limits: the contact edge lies between two rings of nodes, and the front between stick and slip
+//! between two angles, wherever the mesh puts these. It depends on the interference: in light contacts the edge moves
+//! during the slide, in deep ones the body shears beside it.
+
+use tables::quantity::Quantity;
+
+use crate::scene::curve::interpolate;
+use crate::scene::fitted_constants::error_estimates::{
+    AREA_OF_PRESS, ELEMENTS, ENERGY, FRICTION, HIGHEST_RISE, INCEPTION_SLIP, INTERFERENCES, LOAD,
+    LOAD_OF_PRESS, MEAN_RISE,
+};
+
+/// Relative standard uncertainty of a quantity by the mesh, at ω₀/ω_c and n_c.
+pub fn scatter(quantity: Quantity, interference: f64, elements_per_radius: usize) -> f64 {
+    use Quantity::*;
+    let (share, of) = match quantity {
+        // Friction is strength times area.
+        Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area => (1.0, FRICTION),
+        Load => (1.0, LOAD),
+        EnergyRelease | EnergyWeakening => (1.0, ENERGY),
+        InceptionSlip => (1.0, INCEPTION_SLIP),
+        TemperatureMax => (1.0, HIGHEST_RISE),
+        TemperatureMean => (1.0, MEAN_RISE),
+        AreaPress => (1.0, AREA_OF_PRESS),
+        ContactRadius => (0.5, AREA_OF_PRESS),
+        LoadPress => (1.0, LOAD_OF_PRESS),
+        HeatPartition => return 0.0,
+        _ => unreachable!("{quantity:?} is not a scalar"),
+    };
+    let (logarithm, _) = interpolate(&INTERFERENCES.map(f64::ln), &of.map(f64::ln), interference.ln());
+    share * logarithm.exp() * ELEMENTS / elements_per_radius as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scatter_is_linear_in_the_logarithms() {
+        for (interference, exact) in [(0.01, FRICTION[0]), (1.0, FRICTION[1]), (500.0, FRICTION[3])] {
+            let found = scatter(Quantity::Mu, interference, 20);
+            assert!((found / (0.5 * exact) - 1.0).abs() < 1e-12, "{interference}: {found}");
+        }
+        let between = scatter(Quantity::ContactRadius, 10f64.sqrt(), 10);
+        assert!((between / (0.5 * (AREA_OF_PRESS[1] * AREA_OF_PRESS[2]).sqrt()) - 1.0).abs() < 1e-12);
+    }
+}
