@@ -70,7 +70,10 @@ fn what_small_strain_leaves_out_is_in_the_error() {
     // The expected strain is an upper bound.
     let (small, large) = (auto(6.0), auto(0.5));
     assert!(!small.account.finite_strain && large.account.finite_strain);
-    let part = |outcome: &Outcome| outcome.budget.part(ErrorSource::Model, Quantity::Mu) / COVERAGE_FACTOR;
+    // The bound of a rectangular distribution.
+    let part = |outcome: &Outcome| {
+        3f64.sqrt() * outcome.budget.part(ErrorSource::Model, Quantity::Mu) / COVERAGE_FACTOR
+    };
     let change = (small.scalars[Quantity::Mu].value - finite.scalars[Quantity::Mu].value).abs();
     assert!(change < part(&small) && change > 0.5 * part(&small), "{change} {}", part(&small));
     assert_eq!(part(&large), 0.0);

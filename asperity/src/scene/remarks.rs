@@ -59,8 +59,8 @@ impl Scene {
         self.interface.law.as_strong_as_bulk() && self.interface.strength_factor >= 1.0
     }
 
-    /// Whether shear localises in one layer of elements under the interface, up to the plastic strain of a run: the body
-    /// yields, does not harden beyond the strength of the interface, and is no stronger than that.
+    /// Whether shear localises in one layer of elements under the interface at the plastic strain of a contact that sticks: the
+    /// body yields, does not harden beyond the strength of the interface, and is no stronger than that.
     pub(crate) fn shear_localises(&self, plastic_strain: f64) -> bool {
         let grows_with_body = self.interface.strength == InterfaceStrength::Current;
         let weak = plastic_strain <= self.material.hardening.plateau() || grows_with_body;
@@ -144,9 +144,13 @@ mod tests {
                          thermal_conductivity = 120\nspecific_heat = 380\ndensity = 8500\nthermal_expansion = 2e-5\n\
                          [asperity]\nradius = 50e-6\n[loading]\ninterference = 10\nslip_rate = 2\n";
 
-    fn remarks(overrides: &[&str]) -> Vec<String> {
+    fn scene_with(overrides: &[&str]) -> super::Scene {
         let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
-        parse_scene(BRASS, "brass", &overrides).unwrap().remarks()
+        parse_scene(BRASS, "brass", &overrides).unwrap()
+    }
+
+    fn remarks(overrides: &[&str]) -> Vec<String> {
+        scene_with(overrides).remarks()
     }
 
     #[test]
@@ -163,6 +167,31 @@ mod tests {
             assert_eq!(remarks(&[cure]), Vec::<String>::new(), "{cure}");
         }
         assert_eq!(remarks(&["interface.law=full-stick"]).len(), 1);
+    }
+
+    /// Plateau of the hardening, and plastic strains up to which shear localises.
+    #[test]
+    fn shear_localises_where_the_body_does_not_harden() {
+        let table = "material.hardening={ law = \"table\", plastic_strain = [0, 0.01, 0.02, 0.1], factor = [1, 1, 1, 1.2] }";
+        for (set, plateau) in [
+            (vec![], f64::INFINITY),
+            (vec![table], 0.02),
+            (vec!["material.hardening={ law = \"linear\", modulus = 1e9 }"], 0.0),
+            (
+                vec!["material.hardening={ law = \"linear\", modulus = 1e9 }", "interface.strength=current"],
+                0.0,
+            ),
+        ] {
+            let scene = scene_with(&set);
+            assert_eq!(scene.material.hardening.plateau(), plateau, "{set:?}");
+            let localises = |strain| scene.shear_localises(strain);
+            let grows = set.len() == 2;
+            assert_eq!(
+                [0.0, 0.015, 0.5].map(localises),
+                [false, plateau > 0.015 || grows, plateau > 0.5 || grows]
+            );
+        }
+        assert!(!scene_with(&["interface.strength_factor=0.9"]).shear_localises(0.01));
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements, thermal_sublayers};
 use crate::simulate::messages::Warning;
 use crate::simulate::pressed::Pressed;
+use crate::simulate::run::Run;
 
 /// Expected softening before sliding, over the required accuracy, below which the mesh of conduction is not divided.
 const NEGLIGIBLE_AT_INCEPTION: f64 = 0.01;
@@ -95,13 +96,13 @@ impl Conditions {
         if self.heat == HeatChoice::Off(NoHeat::Negligible) { self.effect.rise } else { 0.0 }
     }
 
-    /// Effects neglected other than by choice of the scene; `strain` is the largest plastic strain of the run.
-    pub fn modelling_error(&self, pressed: &Pressed, strain: f64) -> ModellingError {
+    /// Effects that a run neglects other than by choice of the scene, or does not resolve.
+    pub fn modelling_error(&self, pressed: &Pressed, run: &Run) -> ModellingError {
         let small = pressed.scene.model.kinematics == Kinematics::Auto && !pressed.problem.finite_strain;
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
-            strain: if small { strain } else { 0.0 },
-            localises: pressed.scene.shear_localises(strain),
+            strain: if small { run.plastic_strain() } else { 0.0 },
+            localises: pressed.scene.shear_localises(run.plastic_strain_in_stick()),
         }
     }
 

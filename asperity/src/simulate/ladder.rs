@@ -4,7 +4,7 @@ use super::SimulationError;
 use super::messages::Note;
 use super::run::Run;
 use crate::scene::Numerics;
-use crate::simulate::accuracy::error_budget::ErrorBudget;
+use crate::simulate::accuracy::error_budget::{ErrorBudget, allowance};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
 
@@ -28,7 +28,7 @@ pub(super) struct Ladder {
     pub obstacle: Option<SimulationError>,
     /// Time of a main run that was begun and given up, s.
     pub given_up: f64,
-    /// Largest relative error of the quantities controlled by the accuracy, of each main run.
+    /// Largest relative error of the quantities controlled by the accuracy, over its allowance, of each main run.
     errors: Vec<f64>,
     pub notes: Vec<Note>,
 }
@@ -68,8 +68,8 @@ impl Ladder {
     pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics, expected: f64) -> Option<Resolution> {
         let (quantity, parts) = budget.worst(&self.result().values);
         if parts.solver_exceeds(numerics.accuracy) {
-            let solver = parts.solver;
-            self.notes.push(Note::AccuracyOutOfReach { quantity, solver, accuracy: numerics.accuracy });
+            let [solver, accuracy] = [parts.solver, numerics.accuracy].map(|part| allowance(quantity) * part);
+            self.notes.push(Note::AccuracyOutOfReach { quantity, solver, accuracy });
             return None;
         }
         let finer = self.result().resolution.refine(numerics, &parts)?;

@@ -15,7 +15,7 @@ use crate::loading::recording::Fields;
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{InterfaceStrength, LoadingStep, Scene};
-use crate::simulate::accuracy::error_budget::ErrorBudget;
+use crate::simulate::accuracy::error_budget::{ErrorBudget, allowance};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
@@ -44,7 +44,7 @@ pub(super) fn report(
     let account = account(runner, &ladder, warnings, wall_time);
     let mut run = ladder.main.pop().expect("there is a main run");
     let budget = budget.unwrap_or_else(|| {
-        let modelling_error = runner.conditions.modelling_error(runner.pressed, run.plastic_strain());
+        let modelling_error = runner.conditions.modelling_error(runner.pressed, &run);
         ErrorBudget::unknown(&run.values, &modelling_error)
     });
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
@@ -119,7 +119,12 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     match budget.map(|budget| budget.worst(&run.values)) {
         None => warnings.push(Warning::ErrorsUnknown),
         Some((quantity, parts)) => {
-            warnings.extend(Warning::of_error(quantity, parts.total(), scene.numerics.accuracy));
+            let times = allowance(quantity);
+            warnings.extend(Warning::of_error(
+                quantity,
+                times * parts.total(),
+                times * scene.numerics.accuracy,
+            ));
         }
     }
     let inception = run.values.inception;
@@ -131,7 +136,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     let is_unsure = inception == InceptionCriterion::Stiffness && spread > scene.numerics.accuracy;
     warnings.extend(is_unsure.then_some(Warning::InceptionByStiffness { spread }));
     let strain = run.plastic_strain();
-    warnings.extend(warning_of_strength(scene, strain));
+    warnings.extend(warning_of_strength(scene, run.plastic_strain_in_stick()));
     if strain > LARGE_STRAIN && !runner.pressed.problem.finite_strain {
         warnings.push(Warning::LargeStrain { strain, limit: LARGE_STRAIN });
     }

@@ -47,6 +47,12 @@ impl Run {
         self.history.last().map_or(0.0, |state| state.plastic_strain_max)
     }
 
+    /// The same in the last state in which contact points stick.
+    pub fn plastic_strain_in_stick(&self) -> f64 {
+        let sticking = self.history.iter().take_while(|state| state.stick_fraction > 0.0);
+        sticking.last().map_or(0.0, |state| state.plastic_strain_max)
+    }
+
     /// Processor time of the slide by its counts, s.
     pub fn expected_time(&self) -> f64 {
         time_of(self.effort.newton, self.unknowns)

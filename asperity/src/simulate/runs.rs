@@ -162,7 +162,7 @@ impl<'a> Runner<'a> {
         };
         let pair = [run, ladder.coarse.as_ref().unwrap_or(alike)]
             .map(|run| RunValues { resolution: &run.resolution, values: &run.values });
-        let modelling_error = self.conditions.modelling_error(self.pressed, run.plastic_strain());
+        let modelling_error = self.conditions.modelling_error(self.pressed, run);
         let interference = self.pressed.scene.loading.interference;
         Some(estimate(&ladder.start, &auxiliary, pair, &modelling_error, interference))
     }

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::accuracy::resolution::Resolution;
 use super::messages::{Note, Warning};
+use super::outcome::ErrorSource;
 use super::{SimulationError, Unwatched, Watch, press, run_alone, sample, simulate, slide};
 use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
@@ -164,6 +165,29 @@ fn unlimited_shear_is_not_refined() {
         "loading.interference=0.5",
     ] {
         assert!(!limited(&[other]), "{other}");
+    }
+}
+
+/// On its yield plateau a body as strong as the interface shears in the layer of elements below it: the slip at inception
+/// and G follow the mesh, and their errors contain that.
+#[test]
+fn shear_on_a_yield_plateau_is_in_the_error() {
+    let run = |elements: usize| {
+        let set = format!("numerics.elements_per_radius={elements}");
+        let scene =
+            of_preset("carbon-steel-en1993", &["loading.interference=0.3", "numerics.sectors=4", &set]);
+        simulate(&scene, &Unwatched).unwrap()
+    };
+    let (coarse, fine) = (run(8), run(20));
+    let warned =
+        coarse.account.warnings.iter().find(|warning| matches!(warning, Warning::EqualStrength { .. }));
+    assert!(warned.unwrap().to_string().contains("up to a plastic strain of 0.0183"));
+    for quantity in [Quantity::EnergyRelease, Quantity::InceptionSlip] {
+        let (stated, finer) = (coarse.scalars[quantity], fine.scalars[quantity].value);
+        let without =
+            (stated.error.powi(2) - coarse.budget.part(ErrorSource::Model, quantity).powi(2)).sqrt();
+        let change = (finer - stated.value).abs();
+        assert!(without < change && change < stated.error, "{quantity:?} {stated:?} {finer}");
     }
 }
 

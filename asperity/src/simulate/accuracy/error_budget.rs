@@ -78,8 +78,21 @@ impl Default for ErrorBudget {
 }
 
 /// Quantities controlled by the accuracy of the scene.
-pub const CONTROLLED: [Quantity; 5] =
-    [Quantity::Mu, Quantity::MuStatic, Quantity::Friction, Quantity::Load, Quantity::Area];
+pub const CONTROLLED: [Quantity; 6] = [
+    Quantity::Mu,
+    Quantity::MuStatic,
+    Quantity::Friction,
+    Quantity::Load,
+    Quantity::Area,
+    Quantity::EnergyRelease,
+];
+
+/// Multiple of the accuracy that is asked of a quantity: G changes by up to 6.6 times as much as the slip at inception.
+pub fn allowance(quantity: Quantity) -> f64 {
+    if quantity == Quantity::EnergyRelease { ALLOWANCE_OF_ENERGY } else { 1.0 }
+}
+
+const ALLOWANCE_OF_ENERGY: f64 = 5.0;
 
 /// The auxiliary runs of a main run, all on the coarse mesh.
 pub struct AuxiliaryRuns<'a> {
@@ -192,10 +205,10 @@ impl ErrorBudget {
     }
 
     /// The worst of the controlled quantities, and the parts of its reported error relative to its value that a finer
-    /// resolution reduces.
+    /// resolution reduces, over its [`allowance`].
     pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
         let relative = |quantity: Quantity| {
-            let value = values.value(quantity).abs();
+            let value = allowance(quantity) * values.value(quantity).abs();
             let part = |source: ErrorSource| COVERAGE_FACTOR * self.parts[source as usize][quantity as usize];
             let of = |source| if value > 0.0 { part(source) / value } else { 0.0 };
             RelativeParts {

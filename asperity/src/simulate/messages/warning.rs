@@ -116,16 +116,7 @@ impl Display for Warning {
                  smaller strength_factor or slip_distance avoids it",
                 quantity.descriptor().name
             ),
-            Self::EqualStrength { plateau } => {
-                f.write_str("body and interface are equally strong and the body does not harden")?;
-                if plateau.is_finite() {
-                    write!(f, " up to a plastic strain of {}", plain(*plateau))?;
-                }
-                f.write_str(
-                    ": shear may localise in one layer of elements, and mu_static, inception_slip and above all G then \
-                     follow the mesh, as their errors contain",
-                )
-            }
+            Self::EqualStrength { plateau } => equal_strength(f, *plateau),
             Self::NoMainRun { elements_per_radius, sectors } => write!(
                 f,
                 "the main run on the mesh that is required did not begin or was given up: the results are those of \
@@ -177,6 +168,17 @@ impl serde::Serialize for Warning {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
+}
+
+fn equal_strength(f: &mut Formatter<'_>, plateau: f64) -> fmt::Result {
+    f.write_str("body and interface are equally strong and the body does not harden")?;
+    if plateau.is_finite() {
+        write!(f, " up to a plastic strain of {}", plain(plateau))?;
+    }
+    f.write_str(
+        ": shear may localise in one layer of elements, and mu_static, inception_slip and above all G then follow the \
+         mesh, as their errors contain",
+    )
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ pub use report_file::write;
 pub use words::{in_words, table};
 
 use crate::scene::{Kinematics, Scene};
-use crate::simulate::accuracy::error_budget::CONTROLLED;
+use crate::simulate::accuracy::error_budget::{CONTROLLED, allowance};
 use crate::simulate::outcome::MAIN;
 use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined};
 
@@ -124,9 +124,12 @@ impl Convergence {
         (relative((value - limit).abs()), relative(error))
     }
 
-    /// Largest error of the quantities controlled by the accuracy.
+    /// Largest error of the quantities controlled by the accuracy, over its allowance.
     pub fn worst_error(&self, run: &Run) -> f64 {
-        CONTROLLED.iter().map(|&quantity| self.errors(run, quantity).0).fold(0.0, f64::max)
+        CONTROLLED
+            .iter()
+            .map(|&quantity| self.errors(run, quantity).0 / allowance(quantity))
+            .fold(0.0, f64::max)
     }
 
     /// The run as the scene chooses it.

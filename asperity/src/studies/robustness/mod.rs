@@ -12,7 +12,7 @@ use tables::quantity::Quantity;
 use crate::loading::slide::invariants::MELTING_OVERSHOOT;
 use crate::scene::Scene;
 use crate::scene::file::{SceneFileError, parse_scene};
-use crate::simulate::accuracy::error_budget::CONTROLLED;
+use crate::simulate::accuracy::error_budget::{CONTROLLED, allowance};
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
 use crate::studies::verification::ledgers::{energy_missing, heat_missing};
@@ -142,15 +142,19 @@ impl Watch for Limited<'_> {
 }
 
 impl CaseResult {
-    /// The largest relative error of the quantities controlled by the accuracy, but for the
+    /// The largest relative error of the quantities controlled by the accuracy, over its allowance, but for the
     /// friction where there is none.
     pub fn error(&self) -> f64 {
         let Some(outcome) = &self.outcome else { return 0.0 };
         let none = outcome.scalars[Quantity::MuPeak].value < 1e-9;
-        let frictional = [Quantity::Mu, Quantity::MuStatic, Quantity::Friction];
+        let frictional = [Quantity::Mu, Quantity::MuStatic, Quantity::Friction, Quantity::EnergyRelease];
         let relative = |quantity: &Quantity| {
             let estimate = outcome.scalars[*quantity];
-            if estimate.value == 0.0 { 0.0 } else { (estimate.error / estimate.value).abs() }
+            if estimate.value == 0.0 {
+                0.0
+            } else {
+                (estimate.error / estimate.value).abs() / allowance(*quantity)
+            }
         };
         let counted = CONTROLLED.iter().filter(|quantity| !none || !frictional.contains(quantity));
         counted.map(relative).fold(0.0, f64::max)
