@@ -122,7 +122,8 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
             _ => "of the finest mesh, not extrapolated",
         };
         scalar(file, (&name, &error_name, &ancillary), descriptor.units, &long_name, estimate, origin)?;
-        let attributes = described(descriptor.units, &format!("parts of {error_name}, by source"));
+        let attributes =
+            described(descriptor.units, &format!("parts of {error_name} by source, whose squares add up"));
         let parts = ErrorSource::ALL.map(|source| outcome.budget.part(source, quantity));
         file.reals(&by_source, &[ERROR_SOURCE], &parts, &attributes)?;
     }

@@ -20,8 +20,9 @@ pub enum Hardening {
 }
 
 impl Hardening {
-    /// Plastic strain up to which the strength does not rise.
+    /// Plastic strain up to which the strength does not exceed the initial one; in a table, by more than 1 %.
     pub fn plateau(&self) -> f64 {
+        const NO_RISE: f64 = 1.01;
         match self {
             Self::None => f64::INFINITY,
             Self::Linear { modulus } | Self::JohnsonCook { modulus, .. } => {
@@ -32,8 +33,11 @@ impl Hardening {
                 }
             }
             Self::Table { plastic_strain, factor } => {
-                let rises = factor.windows(2).position(|pair| pair[1] > pair[0]);
-                rises.map_or(f64::INFINITY, |last| plastic_strain[last])
+                match factor.iter().rposition(|factor| *factor <= NO_RISE) {
+                    Some(last) if last + 1 == factor.len() => f64::INFINITY,
+                    Some(last) => plastic_strain[last],
+                    None => 0.0,
+                }
             }
         }
     }

@@ -5,6 +5,7 @@ use tables::numbers::digits;
 use tables::quantity::plausible;
 use toml::{Table, Value};
 
+use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::{
     Hardening, Interface, InterfaceStrength, Loading, Material, Model, Numerics, Rate, Scene, Softening,
@@ -59,12 +60,18 @@ impl Scene {
         self.interface.law.as_strong_as_bulk() && self.interface.strength_factor >= 1.0
     }
 
-    /// Whether shear localises in one layer of elements under the interface at the plastic strain of a contact that sticks: the
-    /// body yields, does not harden beyond the strength of the interface, and is no stronger than that.
-    pub(crate) fn shear_localises(&self, plastic_strain: f64) -> bool {
-        let grows_with_body = self.interface.strength == InterfaceStrength::Current;
-        let weak = plastic_strain <= self.material.hardening.plateau() || grows_with_body;
-        plastic_strain > 0.0 && self.interface_as_strong() && weak
+    /// Bounds of the errors where shear localises in one layer of elements under the interface at the plastic strain of a contact
+    /// that sticks: the body yields, does not harden beyond the strength of the interface, and is no stronger than that.
+    pub(crate) fn localised_shear(&self, plastic_strain: f64) -> Option<&'static localised_shear::Bounds> {
+        let plateau = match self.interface.strength {
+            InterfaceStrength::Initial => self.material.hardening.plateau(),
+            InterfaceStrength::Current => f64::INFINITY,
+        };
+        let localises = self.interface_as_strong() && plastic_strain > 0.0 && plastic_strain <= plateau;
+        localises.then_some(match plateau.is_finite() {
+            true => &localised_shear::ON_PLATEAU,
+            false => &localised_shear::WITHOUT_LIMIT,
+        })
     }
 
     /// The initial temperature is not the one at which the softening factor is 1, since the constants of the material
@@ -176,6 +183,13 @@ mod tests {
         for (set, plateau) in [
             (vec![], f64::INFINITY),
             (vec![table], 0.02),
+            // It falls and recovers; 1 % is no hardening.
+            (
+                vec![
+                    "material.hardening={ law = \"table\", plastic_strain = [0, 0.01, 0.03, 0.1], factor = [1, 0.9, 1.01, 1.2] }",
+                ],
+                0.03,
+            ),
             (vec!["material.hardening={ law = \"linear\", modulus = 1e9 }"], 0.0),
             (
                 vec!["material.hardening={ law = \"linear\", modulus = 1e9 }", "interface.strength=current"],
@@ -184,14 +198,14 @@ mod tests {
         ] {
             let scene = scene_with(&set);
             assert_eq!(scene.material.hardening.plateau(), plateau, "{set:?}");
-            let localises = |strain| scene.shear_localises(strain);
+            let localises = |strain| scene.localised_shear(strain).is_some();
             let grows = set.len() == 2;
             assert_eq!(
                 [0.0, 0.015, 0.5].map(localises),
                 [false, plateau > 0.015 || grows, plateau > 0.5 || grows]
             );
         }
-        assert!(!scene_with(&["interface.strength_factor=0.9"]).shear_localises(0.01));
+        assert!(scene_with(&["interface.strength_factor=0.9"]).localised_shear(0.01).is_none());
     }
 
     #[test]

@@ -102,7 +102,7 @@ impl Conditions {
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
             strain: if small { run.plastic_strain() } else { 0.0 },
-            localises: pressed.scene.shear_localises(run.plastic_strain_in_stick()),
+            localised_shear: pressed.scene.localised_shear(run.plastic_strain_in_stick()),
         }
     }
 

@@ -8,8 +8,8 @@ use crate::simulate::accuracy::error_budget::{ErrorBudget, allowance};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
 
-/// Share of the error that a refinement leaves at which it has gained nothing; by the order of convergence a refinement
-/// leaves half or less.
+/// Share of the error that a refinement leaves at which it has gained nothing; a
+/// refinement by its whole step leaves half or less.
 const STAGNATION: f64 = 0.8;
 
 /// The main run and the auxiliary runs of the resolution `start`.
@@ -77,6 +77,7 @@ impl Ladder {
         if let Some(&before) = self.errors.last()
             && after > STAGNATION * before
         {
+            let [before, after] = [before, after].map(|error| error / numerics.accuracy);
             self.notes.push(Note::RefinementStopped { before, after });
             return None;
         }

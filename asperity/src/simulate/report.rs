@@ -15,7 +15,7 @@ use crate::loading::recording::Fields;
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{InterfaceStrength, LoadingStep, Scene};
-use crate::simulate::accuracy::error_budget::{ErrorBudget, allowance};
+use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget, allowance};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
@@ -116,16 +116,9 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
 fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stopped: bool) -> Vec<Warning> {
     let scene = &runner.pressed.scene;
     let mut warnings = Vec::new();
-    match budget.map(|budget| budget.worst(&run.values)) {
+    match budget {
         None => warnings.push(Warning::ErrorsUnknown),
-        Some((quantity, parts)) => {
-            let times = allowance(quantity);
-            warnings.extend(Warning::of_error(
-                quantity,
-                times * parts.total(),
-                times * scene.numerics.accuracy,
-            ));
-        }
+        Some(budget) => warnings.extend(warning_of_errors(budget, run, scene.numerics.accuracy)),
     }
     let inception = run.values.inception;
     if inception == InceptionCriterion::None && run.history.len() > 1 && scene.interface.law.has_friction() {
@@ -154,6 +147,19 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     warnings
 }
 
+/// The controlled quantity that misses its accuracy most, and whatever is undetermined.
+fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warning> {
+    let of = |quantity: Quantity| (quantity, budget.relative(quantity, &run.values));
+    let over = |quantity: Quantity, error: f64| error / allowance(quantity);
+    let mut errors = CONTROLLED.map(of);
+    errors.sort_by(|a, b| over(b.0, b.1).total_cmp(&over(a.0, a.1)));
+    let above = errors.into_iter().filter(|(quantity, error)| over(*quantity, *error) > accuracy);
+    let warning = |(quantity, error)| Warning::of_error(quantity, error, allowance(quantity), accuracy);
+    let (undetermined, inexact): (Vec<_>, Vec<_>) =
+        above.map(warning).partition(|warning| matches!(warning, Warning::ErrorAboveValue { .. }));
+    inexact.into_iter().take(1).chain(undetermined).collect()
+}
+
 /// Sliding inception so fast that inertia counts.
 fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     let exact = |quantity| Estimate::exact(run.values.value(quantity));
@@ -179,7 +185,7 @@ fn warnings_of_balances(problem: &Problem, history: &[SlideState]) -> Option<War
 /// An interface as strong as a body that flows.
 fn warning_of_strength(scene: &Scene, plastic_strain: f64) -> Option<Warning> {
     let grows_with_body = scene.interface.strength == InterfaceStrength::Current;
-    scene.shear_localises(plastic_strain).then_some(match grows_with_body {
+    scene.localised_shear(plastic_strain).map(|_| match grows_with_body {
         true => Warning::HardenedInterface,
         false => Warning::EqualStrength { plateau: scene.material.hardening.plateau() },
     })

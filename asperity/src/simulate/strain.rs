@@ -33,10 +33,11 @@ pub fn choose_strain(scene: &Scene, problem: &Problem, body: &Body, contact: &Co
     };
     let added = match strength {
         ratio if ratio > 1.0 => f64::INFINITY,
-        1.0 if free > 0.0 => free,
         ratio => {
             let yield_strain = scene.material.yield_strength / scene.material.youngs_modulus;
-            yield_strain * added_by_slide(ratio, problem.interference / problem.critical_interference)
+            let added =
+                yield_strain * added_by_slide(ratio, problem.interference / problem.critical_interference);
+            if ratio == 1.0 { free + added } else { added }
         }
     };
     let expected = body.committed.largest_plastic_strain() + added;

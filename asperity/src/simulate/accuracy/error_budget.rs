@@ -9,7 +9,7 @@
 //! standard uncertainty of its own beside it, the scatter of such runs about their limits. All of this is a function of the
 //! values of the runs: [`estimate`].
 //!
-//! The sources are independent: their standard uncertainties u add as squares, and the reported error is the half-width
+//! The sources are taken as independent: their standard uncertainties u add as squares, and the reported error is the half-width
 //! k u of a 95 % interval (JCGM 100:2008, Guide to the expression of uncertainty in measurement, 4.3.7, 5.1.2 and 6.2.1).
 //! The accuracy of a scene is asked of the reported errors. `asperity effectivity` compares them with true errors.
 
@@ -36,7 +36,7 @@ pub enum ErrorSource {
     Steps,
     /// Residual of equilibrium, and of the coupling with heat and contact edge.
     Solver,
-    /// Modelling error: negligible heat, finite strain.
+    /// Modelling error: negligible heat, finite strain, localised shear.
     Model,
 }
 
@@ -204,6 +204,13 @@ impl ErrorBudget {
         root_of_squares(ErrorSource::ALL.map(|source| self.part(source, quantity)))
     }
 
+    /// Relative error of a quantity without the brackets, which no finer resolution removes.
+    pub fn relative(&self, quantity: Quantity, values: &Values) -> f64 {
+        let uncertainty = root_of_squares(self.parts.map(|part| part[quantity as usize]));
+        let value = values.value(quantity).abs();
+        if value > 0.0 { COVERAGE_FACTOR * uncertainty / value } else { 0.0 }
+    }
+
     /// The worst of the controlled quantities, and the parts of its reported error relative to its value that a finer
     /// resolution reduces, over its [`allowance`].
     pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
@@ -216,7 +223,6 @@ impl ErrorBudget {
                 sectors: of(ErrorSource::Collocation),
                 steps: of(ErrorSource::Steps),
                 solver: of(ErrorSource::Solver),
-                model: of(ErrorSource::Model),
             }
         };
         CONTROLLED
@@ -264,6 +270,7 @@ fn mesh_share(refinement: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::scene::Numerics;
+    use crate::scene::fitted_constants::localised_shear;
 
     fn numerics() -> Numerics {
         Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None }
@@ -327,6 +334,47 @@ mod tests {
         }
     }
 
+    /// Equal values on all runs: what is left is the scatter of the quantity at its interference.
+    #[test]
+    fn meshes_that_agree_leave_the_scatter() {
+        let start = Resolution::choose(&numerics());
+        let coarser = start.coarse();
+        let values = Values::all(2.0);
+        let alike = AuxiliaryRuns {
+            coarse: &values,
+            other_sectors: &values,
+            longer_steps: &values,
+            looser_solver: &values,
+        };
+        let pair = [&start, &coarser].map(|resolution| RunValues { resolution, values: &values });
+        for interference in [0.2, 20.0] {
+            let budget = estimate(&start, &alike, pair, &ModellingError::default(), interference);
+            for quantity in [Quantity::Mu, Quantity::EnergyRelease] {
+                let exact = 2.0 * scatter(quantity, interference, start.elements_per_radius);
+                assert!((budget.relative(quantity, &values) / exact - 1.0).abs() < 1e-12);
+                assert!((budget.total(quantity) / (2.0 * exact) - 1.0).abs() < 1e-12);
+            }
+            // Of G five times as much is allowed.
+            let (worst, parts) = budget.worst(&values);
+            let of = |quantity| budget.relative(quantity, &values) / allowance(quantity);
+            assert!(CONTROLLED.iter().all(|&quantity| of(quantity) <= of(worst)));
+            assert!((parts.total() / of(worst) - 1.0).abs() < 1e-12);
+        }
+    }
+
+    /// What no finer mesh removes is in the error, and asks for no refinement.
+    #[test]
+    fn localised_shear_is_no_reason_for_a_finer_mesh() {
+        let start = Resolution::choose(&numerics());
+        let values = Values::all(2.0);
+        let mut budget = ErrorBudget::default();
+        let bounds = Some(&localised_shear::ON_PLATEAU);
+        budget.set_model(&ModellingError { localised_shear: bounds, ..Default::default() }, &values);
+        let exact = 2.0 / 3f64.sqrt() * localised_shear::ON_PLATEAU.energy;
+        assert!((budget.relative(Quantity::EnergyRelease, &values) / exact - 1.0).abs() < 1e-12);
+        assert_eq!(start.refine(&numerics(), &budget.worst(&values).1), None);
+    }
+
     /// 3 + 2 n^-1.5 on every mesh in the range of n_c: the estimate is exact whichever of the two meshes is the finer.
     #[test]
     fn every_mesh_has_an_auxiliary_one() {
@@ -339,26 +387,5 @@ mod tests {
             let ratio = mesh_share(refinement) * change / (value(elements) - 3.0);
             assert!((ratio - 1.0).abs() < 1e-9, "{elements}: {ratio}");
         }
-    }
-
-    #[test]
-    fn a_run_is_refined_in_what_it_lacks() {
-        let run = Resolution::choose(&numerics());
-        let with = |mesh: f64, sectors: f64, steps: f64| {
-            run.refine(&numerics(), &RelativeParts { mesh, sectors, steps, ..Default::default() })
-        };
-        assert!(with(0.01, 0.005, 0.004).is_none());
-        let finer = with(0.04, 0.0, 0.0).unwrap();
-        assert!(finer.elements_per_radius as f64 >= run.elements_per_radius as f64 * 2f64.powf(1.0 / 1.5));
-        assert_eq!((finer.sectors, finer.growth), (run.sectors, run.growth));
-        let finer = with(0.0, 0.03, 0.0).unwrap();
-        assert_eq!((finer.sectors, finer.elements_per_radius), (2 * run.sectors, run.elements_per_radius));
-        let finer = with(0.0, 0.0, 0.03).unwrap();
-        assert_eq!((finer.growth, finer.sectors), (0.5 * run.growth, run.sectors));
-        // What the scene fixes stays.
-        let fixed = Numerics { elements_per_radius: Some(8), ..numerics() };
-        let run = Resolution::choose(&fixed);
-        let parts = RelativeParts { mesh: 0.04, ..Default::default() };
-        assert!(run.refine(&fixed, &parts).is_none());
     }
 }

@@ -3,17 +3,17 @@
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
-use crate::scene::fitted_constants::localisation;
+use crate::scene::fitted_constants::localised_shear;
 
 /// Effects neglected in a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Default)]
 pub struct ModellingError {
     /// Heat, where its effect is negligible.
     pub heat: Option<HeatEffect>,
     /// Largest plastic strain of a slide at small strain.
     pub strain: f64,
-    /// Whether shear localises in one layer of elements: values follow the mesh.
-    pub localises: bool,
+    /// Bounds where shear localises in one layer of elements: values follow the mesh.
+    pub localised_shear: Option<&'static localised_shear::Bounds>,
 }
 
 impl ModellingError {
@@ -26,15 +26,14 @@ impl ModellingError {
     pub fn share(&self, quantity: Quantity) -> f64 {
         use Quantity::*;
         let (softening, load) = self.heat.map_or((0.0, 0.0), |effect| (effect.softening, effect.load));
-        let localisation = match quantity {
-            _ if !self.localises => 0.0,
-            Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic => localisation::FRICTION,
-            Load | Area => localisation::LOAD,
-            InceptionSlip => localisation::INCEPTION_SLIP,
-            EnergyRelease | EnergyWeakening => localisation::ENERGY,
+        let localised = self.localised_shear.map_or(0.0, |bounds| match quantity {
+            Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic => bounds.friction,
+            Load | Area => bounds.load,
+            InceptionSlip => bounds.inception_slip,
+            EnergyRelease | EnergyWeakening => bounds.energy,
             _ => 0.0,
-        };
-        localisation
+        });
+        localised
             + match quantity {
                 Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
                 MuStatic | FrictionStatic | EnergyRelease => self.strain,

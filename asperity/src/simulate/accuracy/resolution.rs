@@ -20,14 +20,14 @@ const LEAST_GROWTH: f64 = 0.05;
 /// Factor of the room for a contact that outgrows its mesh.
 const WIDER: f64 = 1.5;
 
-/// Relative parts of the reported error of the worst of the quantities controlled by the accuracy.
+/// Relative parts of the reported error that a finer resolution or a smaller tolerance reduces, of the worst of the quantities
+/// controlled by the accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RelativeParts {
     pub mesh: f64,
     pub sectors: f64,
     pub steps: f64,
     pub solver: f64,
-    pub model: f64,
 }
 
 impl RelativeParts {
@@ -37,7 +37,7 @@ impl RelativeParts {
 
     /// All but the mesh's.
     fn others(&self) -> f64 {
-        self.sectors.hypot(self.steps).hypot(self.solver).hypot(self.model)
+        self.sectors.hypot(self.steps).hypot(self.solver)
     }
 
     /// Whether the accuracy is out of reach of a finer resolution: the solver's part alone is above it. Such a quantity
@@ -243,6 +243,8 @@ mod tests {
 
     use crate::discretisation::mesh::MeridianMesh;
 
+    const NUMERICS: Numerics = Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None };
+
     /// The first layer under the surface is thinner than the heated one, and no thinner than needed.
     #[test]
     fn layers_at_the_surface_follow_the_heat() {
@@ -271,7 +273,7 @@ mod tests {
 
     #[test]
     fn light_contacts_begin_on_a_finer_mesh() {
-        let numerics = Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None };
+        let numerics = NUMERICS;
         let start = Resolution::choose(&numerics);
         let elements = |interference| start.for_scatter(&numerics, interference).elements_per_radius;
         assert_eq!(elements(10.0), start.elements_per_radius);
@@ -284,9 +286,9 @@ mod tests {
 
     #[test]
     fn nothing_is_refined_where_the_solver_decides() {
-        let numerics = Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None };
+        let numerics = NUMERICS;
         let start = Resolution::choose(&numerics);
-        let parts = |solver| RelativeParts { mesh: 0.05, sectors: 0.02, steps: 0.02, solver, model: 0.0 };
+        let parts = |solver| RelativeParts { mesh: 0.05, sectors: 0.02, steps: 0.02, solver };
         assert!(start.refine(&numerics, &parts(0.01)).is_some());
         assert_ne!(start.refine_other_than_mesh(&numerics, &parts(0.01)), start);
         assert_eq!(start.refine(&numerics, &parts(0.03)), None);
@@ -302,5 +304,26 @@ mod tests {
             let thinnest = |count: u32| 0.5f64.powi(refinements as i32 + 1) / thickness_ratio(count);
             assert!(thinnest(count) <= 2.0 * depth && thinnest(count - 1) > 2.0 * depth, "{depth} {count}");
         }
+    }
+
+    #[test]
+    fn a_run_is_refined_in_what_it_lacks() {
+        let run = Resolution::choose(&NUMERICS);
+        let with = |mesh: f64, sectors: f64, steps: f64| {
+            run.refine(&NUMERICS, &RelativeParts { mesh, sectors, steps, ..Default::default() })
+        };
+        assert!(with(0.01, 0.005, 0.004).is_none());
+        let finer = with(0.04, 0.0, 0.0).unwrap();
+        assert!(finer.elements_per_radius as f64 >= run.elements_per_radius as f64 * 2.0);
+        assert_eq!((finer.sectors, finer.growth), (run.sectors, run.growth));
+        let finer = with(0.0, 0.03, 0.0).unwrap();
+        assert_eq!((finer.sectors, finer.elements_per_radius), (2 * run.sectors, run.elements_per_radius));
+        let finer = with(0.0, 0.0, 0.03).unwrap();
+        assert_eq!((finer.growth, finer.sectors), (0.5 * run.growth, run.sectors));
+        // What the scene fixes stays.
+        let fixed = Numerics { elements_per_radius: Some(8), ..NUMERICS };
+        let run = Resolution::choose(&fixed);
+        let parts = RelativeParts { mesh: 0.04, ..Default::default() };
+        assert!(run.refine(&fixed, &parts).is_none());
     }
 }

@@ -133,9 +133,8 @@ impl Display for Note {
             ),
             Self::RefinementStopped { before, after } => write!(
                 f,
-                "not refined further: the last refinement changed the largest error from {:.1} to {:.1} %",
-                100.0 * before,
-                100.0 * after
+                "not refined further: the last refinement changed the largest error from {:.1} to {:.1} times what is asked",
+                before, after
             ),
             Self::Defaults(keys) => write!(f, "at their defaults: {}", keys.join(", ")),
             Self::Remeshed { growth, room } => write!(

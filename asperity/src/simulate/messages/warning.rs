@@ -2,16 +2,17 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use tables::numbers::plain;
+use tables::numbers::{digits, plain};
 use tables::quantity::Quantity;
 
 /// Limitations of the results.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
-    /// Relative error of a quantity above the accuracy of the scene.
+    /// Relative error of a quantity above its multiple (`times`) of the accuracy of the scene.
     ErrorAboveAccuracy {
         quantity: Quantity,
         error: f64,
+        times: f64,
         accuracy: f64,
     },
     /// The error of a quantity is as large as the quantity.
@@ -33,7 +34,7 @@ pub enum Warning {
         spread: f64,
     },
     /// Body and interface are equally strong and the body does not harden.
-    /// Up to this plastic strain the body does not harden.
+    /// Body and interface are equally strong, and the body does not harden up to a plastic strain.
     EqualStrength {
         plateau: f64,
     },
@@ -70,12 +71,11 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// Of a relative error, where the accuracy of the scene asks for less.
-    pub fn of_error(quantity: Quantity, error: f64, accuracy: f64) -> Option<Self> {
-        match error {
-            error if error >= 1.0 => Some(Self::ErrorAboveValue { quantity }),
-            error if error > accuracy => Some(Self::ErrorAboveAccuracy { quantity, error, accuracy }),
-            _ => None,
+    /// Of a relative error that is above `times` the accuracy.
+    pub fn of_error(quantity: Quantity, error: f64, times: f64, accuracy: f64) -> Self {
+        match error < 1.0 {
+            true => Self::ErrorAboveAccuracy { quantity, error, times, accuracy },
+            false => Self::ErrorAboveValue { quantity },
         }
     }
 
@@ -92,7 +92,8 @@ impl Warning {
             }
             Self::HardenedInterface => {
                 "the interface is as strong as the hardened body: the top layer of elements shears before the \
-                 contact slips, and mu then follows the mesh; a strength_factor below 1 lets it slip"
+                 contact slips, and mu then follows the mesh; its error contains a bound of this, and a strength_factor below 1 lets the \
+                 contact slip"
             }
             _ => return None,
         })
@@ -102,16 +103,12 @@ impl Warning {
 impl Display for Warning {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Self::ErrorAboveAccuracy { quantity, error, accuracy } => write!(
-                f,
-                "the estimated error of {} is {:.1} %, above the accuracy of {:.1} %",
-                quantity.descriptor().name,
-                100.0 * error,
-                100.0 * accuracy
-            ),
+            Self::ErrorAboveAccuracy { quantity, error, times, accuracy } => {
+                above_accuracy(f, *quantity, [100.0 * error, 100.0 * accuracy], *times)
+            }
             Self::ErrorAboveValue { quantity } => write!(
                 f,
-                "{} is undetermined: its estimated error is larger than its value, as the meshes disagree; where the \
+                "{} is undetermined: its estimated error is larger than its value; where the \
                  body softens or shears below the interface the deformation localises and no mesh converges, and a \
                  smaller strength_factor or slip_distance avoids it",
                 quantity.descriptor().name
@@ -145,8 +142,9 @@ impl Display for Warning {
             }
             Self::FastInception { time, limit } => write!(
                 f,
-                "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
-                 {limit}, inertia changes mu_static and G, which are those of a slow onset"
+                "sliding begins within {} times the time of a shear wave across the contact radius: below \
+                 {limit}, inertia changes mu_static and G, which are those of a slow onset",
+                digits(*time, 1)
             ),
             Self::Unbalanced { energy, heat } => write!(
                 f,
@@ -170,6 +168,18 @@ impl serde::Serialize for Warning {
     }
 }
 
+/// Error and accuracy in %.
+fn above_accuracy(
+    f: &mut Formatter<'_>,
+    quantity: Quantity,
+    [error, accuracy]: [f64; 2],
+    times: f64,
+) -> fmt::Result {
+    let times = if times == 1.0 { String::new() } else { format!("{times} times ") };
+    let name = quantity.descriptor().name;
+    write!(f, "the estimated error of {name} is {error:.1} %, above {times}the accuracy of {accuracy:.1} %")
+}
+
 fn equal_strength(f: &mut Formatter<'_>, plateau: f64) -> fmt::Result {
     f.write_str("body and interface are equally strong and the body does not harden")?;
     if plateau.is_finite() {
@@ -177,7 +187,7 @@ fn equal_strength(f: &mut Formatter<'_>, plateau: f64) -> fmt::Result {
     }
     f.write_str(
         ": shear may localise in one layer of elements, and mu_static, inception_slip and above all G then follow the \
-         mesh, as their errors contain",
+         mesh; their errors contain a bound of this",
     )
 }
 
@@ -187,9 +197,9 @@ mod tests {
 
     #[test]
     fn a_value_whose_error_is_larger_is_undetermined() {
-        let text = |error| Warning::of_error(Quantity::Mu, error, 0.02).map(|warning| warning.to_string());
-        assert_eq!(text(0.02), None);
-        assert_eq!(text(0.5).unwrap(), "the estimated error of mu is 50.0 %, above the accuracy of 2.0 %");
-        assert!(text(1.5).unwrap().starts_with("mu is undetermined: its estimated error is larger than"));
+        let text = |error, times| Warning::of_error(Quantity::EnergyRelease, error, times, 0.02).to_string();
+        assert_eq!(text(0.5, 1.0), "the estimated error of G is 50.0 %, above the accuracy of 2.0 %");
+        assert_eq!(text(0.5, 5.0), "the estimated error of G is 50.0 %, above 5 times the accuracy of 2.0 %");
+        assert!(text(1.5, 5.0).starts_with("G is undetermined: its estimated error is larger than"));
     }
 }
