@@ -1,13 +1,13 @@
 //! Processor time to expect of a run, from its scene alone, and of a refinement, from the run before it.
 //!
 //! A mesh of n elements per contact radius costs time in proportion to n^2.3; the accuracy ε of the scene requires
-//! n in proportion to ε^(−0.9), and contacts below ω_c, where friction converges in first order, finer meshes than
+//! n in proportion to ε^(−0.9), and light contacts, whose friction scatters more, finer meshes than
 //! deeper ones. Each step of a programme takes as long as a slide.
 
 use crate::scene::Scene;
 use crate::scene::fitted_constants::processor_time::{
-    AT_FIRST_YIELD, COARSE_SHARE, DEEP, LEAST, LIGHT_POWER, MESH_POWER, MOST, MOST_SHEAR, NEWTON_ITERATION,
-    REFERENCE_ACCURACY, REFERENCE_ELEMENTS, REFERENCE_SECTORS, SHEAR_DEPTH, SHEAR_POWER, UNLIMITED_SHEAR,
+    COARSE_SHARE, LEAST, LIGHT, MESH_POWER, MOST, MOST_SHEAR, NEWTON_ITERATION, REFERENCE_ACCURACY,
+    REFERENCE_ELEMENTS, REFERENCE_SECTORS, SECONDS, SHEAR_DEPTH, SHEAR_POWER, UNLIMITED_SHEAR,
 };
 use crate::simulate::accuracy::resolution::Resolution;
 
@@ -20,15 +20,16 @@ pub fn expected_time(scene: &Scene) -> f64 {
     let interference = scene.loading.interference;
     let sectors = numerics.sectors.map_or(1.0, |sectors| (sectors as f64 / REFERENCE_SECTORS).max(1.0));
     let seconds = match numerics.elements_per_radius {
-        Some(elements) => DEEP * (elements as f64 / REFERENCE_ELEMENTS).powf(MESH_POWER),
+        Some(elements) => SECONDS * (elements as f64 / REFERENCE_ELEMENTS).powf(MESH_POWER),
         None if may_shear_without_limit(scene) => {
             let deeper = (interference / SHEAR_DEPTH).powf(SHEAR_POWER);
             return (UNLIMITED_SHEAR * deeper).clamp(UNLIMITED_SHEAR, MOST_SHEAR);
         }
         None => {
-            let base =
-                if interference < 1.0 { AT_FIRST_YIELD * interference.powf(-LIGHT_POWER) } else { DEEP };
-            base * (REFERENCE_ACCURACY / numerics.accuracy).powi(2)
+            let chosen = Resolution::choose(numerics);
+            let finer = time_ratio(&chosen.for_scatter(numerics, interference), &chosen);
+            let lighter = (LIGHT / interference).max(1.0);
+            SECONDS * (REFERENCE_ACCURACY / numerics.accuracy).powi(2) * finer * lighter
         }
     };
     let steps = scene.loading.steps.len().max(1) as f64;
@@ -63,18 +64,23 @@ mod tests {
     use crate::scene::tests::of_preset;
 
     /// Preset, ω₀/ω_c, V in m/s, accuracy, and processor time in s.
-    const MEASURED: [(&str, f64, f64, f64, f64); 34] = [
+    const MEASURED: [(&str, f64, f64, f64, f64); 39] = [
         ("steel-4340", 3.0, 0.3, 0.02, 0.83),
         ("steel-4340", 60.0, 7.0, 0.02, 1.2),
         ("steel-1045", 0.5, 2.0, 0.02, 0.84),
         ("steel-1045", 35.0, 0.0, 0.02, 0.75),
         ("steel-304", 8.0, 5.0, 0.02, 1.1),
-        ("steel-304", 0.2, 1.0, 0.02, 1.1),
+        ("steel-304", 0.2, 1.0, 0.02, 1.6),
         ("aluminium-6061", 15.0, 3.0, 0.02, 1.2),
         ("aluminium-6061", 1.5, 10.0, 0.02, 0.99),
         ("copper", 25.0, 1.0, 0.02, 0.88),
         ("copper", 200.0, 6.0, 0.02, 1.1),
-        ("steel-4340", 0.1, 0.5, 0.02, 1.1),
+        ("steel-4340", 0.1, 0.5, 0.02, 2.8),
+        ("steel-4340", 0.1, 0.5, 0.01, 53.0),
+        ("steel-4340", 0.05, 0.5, 0.02, 10.0),
+        ("steel-4340", 0.02, 0.5, 0.02, 31.0),
+        ("steel-4340", 0.01, 0.5, 0.02, 44.0),
+        ("copper", 0.03, 0.5, 0.02, 6.7),
         ("titanium-6al4v", 12.0, 0.7, 0.02, 1.2),
         ("titanium-6al4v", 45.0, 10.0, 0.02, 3.1),
         ("titanium-6al4v", 0.8, 8.0, 0.02, 0.75),

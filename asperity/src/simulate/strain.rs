@@ -8,8 +8,8 @@
 //!
 //! ε = ε_press + 0.8 (1 + ω₀/ω_c)^1.1 (2f − 1)³ σ_Y/E for ½ < f ≤ 1, ε_press below.
 //!
-//! Above f = 1, and at f = 1 where body and interface remain equally strong, the body may shear
-//! without limit.
+//! At f = 1 on a yield plateau its length is added. Above f = 1, and at f = 1 where body and interface remain equally
+//! strong, the body may shear without limit.
 
 use crate::discretisation::body::Body;
 use crate::interface::contact::Contact;

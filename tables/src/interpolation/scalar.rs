@@ -11,7 +11,7 @@ use crate::quantity::{ElasticLimit, Quantity};
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
     /// sliding at `slip_rate` (m/s); interpolated as the response is, with the error of the
-    /// points (interpolated linearly) and, unless that includes it, half the difference to linear
+    /// points (interpolated linearly) and, added as a square unless that includes it, half the difference to linear
     /// interpolation, of the logarithm where the corners are positive.
     pub fn estimate(
         &self,

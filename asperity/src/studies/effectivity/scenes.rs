@@ -34,9 +34,9 @@ pub struct StudyScene {
 }
 
 /// The scene at a position. Each property takes its values in turn, with periods (8, 7, 9 and 5) that have no common factor;
-/// the interferences from 0.1 to 100 ω_c are an additive sequence of the golden ratio. Of one material neighbouring
-/// interferences follow each other, so that only many scenes have all interferences of it; the scenes used for no constant
-/// have a stride with which 64 do.
+/// the interferences from 0.1 to 100 ω_c are an additive sequence of the golden ratio. The interferences of one
+/// material follow each other closely, and 18 scenes of it go once through the range. The scenes used for no constant are 11
+/// positions apart, so that eight of a material do.
 ///
 /// ```
 /// use asperity::studies::effectivity::scenes::{COUNT, study_scene};
