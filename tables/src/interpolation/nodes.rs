@@ -54,6 +54,8 @@ const LEAST_EXPONENT: f64 = 0.25;
 
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
+/// Half-width of a 95 % interval over the bound of a rectangular distribution, 2/√3: that of a misfit.
+pub(super) const OF_BOUND: f64 = 1.154_700_538_379_251_5;
 
 #[derive(Clone, Debug)]
 pub(super) struct Nodes {
@@ -137,7 +139,7 @@ impl Nodes {
             (slip, corner(i, j, slip.index), 1),
         ];
         for (misfit, (at, position, stride)) in self.misfit.iter().zip(along) {
-            let bump = 4.0 * at.t * (1.0 - at.t) * REFINEMENT;
+            let bump = OF_BOUND * 4.0 * at.t * (1.0 - at.t) * REFINEMENT;
             if bump <= 0.0 || misfit.is_empty() {
                 continue;
             }

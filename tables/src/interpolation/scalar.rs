@@ -2,7 +2,7 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::interpolant::Place;
-use super::nodes::{Absent, FIELDS, blend};
+use super::nodes::{Absent, FIELDS, OF_BOUND, blend};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
@@ -11,8 +11,8 @@ use crate::quantity::{ElasticLimit, Quantity};
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
     /// sliding at `slip_rate` (m/s); interpolated as the response is, with the error of the
-    /// points (interpolated linearly) and, added as a square unless that includes it, half the difference to linear
-    /// interpolation, of the logarithm where the corners are positive.
+    /// points (interpolated linearly) and, added as a square unless that includes it, the difference to linear
+    /// interpolation as its bound, of the logarithm where the corners are positive.
     pub fn estimate(
         &self,
         quantity: Quantity,
@@ -94,7 +94,7 @@ impl InterpolatedTable {
         }
         let included = self.metadata().interpolation_tolerance.is_some();
         let straight = if logarithm.is_finite() { logarithm.exp() } else { linear };
-        let interpolation = if included { 0.0 } else { 0.5 * (value - straight).abs() };
+        let interpolation = if included { 0.0 } else { OF_BOUND * (value - straight).abs() };
         Ok((value, error.hypot(interpolation)))
     }
 }
