@@ -212,7 +212,7 @@ impl ErrorBudget {
     }
 
     /// The worst of the controlled quantities, and the parts of its reported error relative to its value that a finer
-    /// resolution reduces, over its [`allowance`].
+    /// resolution reduces, over the multiple of the accuracy that is allowed.
     pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
         let relative = |quantity: Quantity| {
             let value = allowance(quantity) * values.value(quantity).abs();
