@@ -4,8 +4,8 @@
 //! the element are verified next to their code: closed forms of Hencky's law, rotation, an expanding tube.
 
 use asperity::scene::{FrictionLaw, Hardening, Kinematics, Scene};
-use asperity::simulate::outcome::{COVERAGE_FACTOR, ErrorSource, Outcome, Warning};
-use tables::quantity::Quantity;
+use asperity::simulate::outcome::{ErrorSource, Outcome, Warning};
+use tables::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use tests::{last, mesh, plain_material, run, scene, steel_4340};
 
 fn run_with(scene: &Scene, kinematics: Kinematics) -> Outcome {
@@ -70,9 +70,8 @@ fn what_small_strain_leaves_out_is_in_the_error() {
     // The expected strain is an upper bound.
     let (small, large) = (auto(6.0), auto(0.5));
     assert!(!small.account.finite_strain && large.account.finite_strain);
-    // The bound of a rectangular distribution.
     let part = |outcome: &Outcome| {
-        3f64.sqrt() * outcome.budget.part(ErrorSource::Model, Quantity::Mu) / COVERAGE_FACTOR
+        outcome.budget.part(ErrorSource::Model, Quantity::Mu) / (COVERAGE_FACTOR * OF_BOUND)
     };
     let change = (small.scalars[Quantity::Mu].value - finite.scalars[Quantity::Mu].value).abs();
     assert!(change < part(&small) && change > 0.5 * part(&small), "{change} {}", part(&small));

@@ -51,7 +51,8 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
   kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic
                                  # strain of a coarse slide exceeds 1/20 of the accuracy
   [numerics]                     # optional
-  accuracy = 0.02                # relative error asked for; chooses elements_per_radius and sectors unless given
+  accuracy = 0.02                # relative error asked for (of G five times this); chooses
+                                 # elements_per_radius and sectors unless given
 
 The flat is rigid and isothermal unless the scene has a body on the other side:
   [counterface]

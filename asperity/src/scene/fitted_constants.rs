@@ -54,7 +54,8 @@ pub(crate) mod sliding_inception {
 ///
 /// - Fitted: order of convergence in the elements; scatter, the relative standard uncertainty by the mesh, at [`ELEMENTS`]
 ///   elements per contact radius, in inverse proportion to these, at four interferences, linear in the logarithms between them
-///   and constant outside: rounded values with which the scatter and the differences between runs together cover 96 to 99 % of the true errors of each quantity at k = 2.
+///   and constant outside: rounded values with which scatter and differences between runs together cover 95 to 98 % of the
+///   true errors of each quantity at k = 2.
 /// - Data: elastic presses for the order; true errors of the first 149 scenes of `studies::effectivity`, 10 elements. Root
 ///   mean squares in %, without the light contacts of the carbon steel, which does not harden at first:
 ///

@@ -8,8 +8,7 @@ use crate::simulate::accuracy::error_budget::{ErrorBudget, allowance};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
 
-/// Share of the error that a refinement leaves at which it has gained nothing; a
-/// refinement by its whole step leaves half or less.
+/// Share of the error that a refinement leaves at which it has gained nothing; with twice the elements it leaves half or less.
 const STAGNATION: f64 = 0.8;
 
 /// The main run and the auxiliary runs of the resolution `start`.

@@ -8,7 +8,6 @@ use crate::loading::state::SlideState;
 pub use crate::interface::contact::Status as ContactStatus;
 pub use crate::loading::body_fields::{BodyFields, BodySnapshot};
 pub use crate::loading::inception::InceptionCriterion;
-pub use crate::simulate::accuracy::COVERAGE_FACTOR;
 pub use crate::simulate::accuracy::error_budget::{ErrorBudget, ErrorSource};
 pub use crate::simulate::messages::{Note, Warning};
 pub use crate::solver::timings::{Kernel, Timings};

@@ -112,7 +112,7 @@ fn cells_in_which_sliding_begins_fast_say_so() {
     let table = read(&folder, "fast.nc");
     let is_fast = |j: usize| {
         let cell = table.cell(0, j).unwrap();
-        cell.warnings.iter().any(|warning| warning.starts_with("sliding begins within 2 times"))
+        cell.warnings.iter().any(|warning| warning.starts_with("sliding begins within 1.6 times"))
     };
     assert_eq!([0, 1, 2].map(is_fast), [false, false, true]);
 }

@@ -8,7 +8,7 @@
 
 use super::ROUNDING;
 use super::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
-use crate::quantity::Quantity;
+use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use crate::table::{Slice, Status};
 
 /// Fields of the response.
@@ -54,8 +54,6 @@ const LEAST_EXPONENT: f64 = 0.25;
 
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
-/// Half-width of a 95 % interval over the bound of a rectangular distribution, 2/√3: that of a misfit.
-pub(super) const OF_BOUND: f64 = 1.154_700_538_379_251_5;
 
 #[derive(Clone, Debug)]
 pub(super) struct Nodes {
@@ -139,7 +137,7 @@ impl Nodes {
             (slip, corner(i, j, slip.index), 1),
         ];
         for (misfit, (at, position, stride)) in self.misfit.iter().zip(along) {
-            let bump = OF_BOUND * 4.0 * at.t * (1.0 - at.t) * REFINEMENT;
+            let bump = COVERAGE_FACTOR * OF_BOUND * 4.0 * at.t * (1.0 - at.t) * REFINEMENT;
             if bump <= 0.0 || misfit.is_empty() {
                 continue;
             }

@@ -2,11 +2,11 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::interpolant::Place;
-use super::nodes::{Absent, FIELDS, OF_BOUND, blend};
+use super::nodes::{Absent, FIELDS, blend};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
-use crate::quantity::{ElasticLimit, Quantity};
+use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
 
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
@@ -94,7 +94,8 @@ impl InterpolatedTable {
         }
         let included = self.metadata().interpolation_tolerance.is_some();
         let straight = if logarithm.is_finite() { logarithm.exp() } else { linear };
-        let interpolation = if included { 0.0 } else { OF_BOUND * (value - straight).abs() };
+        let interpolation =
+            if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * (value - straight).abs() };
         Ok((value, error.hypot(interpolation)))
     }
 }

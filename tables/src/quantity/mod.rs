@@ -18,7 +18,7 @@ mod scalars;
 mod words;
 
 pub use history::{History, State};
-pub use scalars::{Estimate, Scalars, WithUnit};
+pub use scalars::{COVERAGE_FACTOR, Estimate, OF_BOUND, Scalars, WithUnit};
 pub use words::{hint, nearest};
 
 /// A result of one asperity; see [`Quantity::descriptor`].

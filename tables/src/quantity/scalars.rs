@@ -4,6 +4,11 @@ use std::ops::{Index, IndexMut};
 
 use super::Quantity;
 
+/// Errors over standard uncertainties: of 95 % intervals (JCGM 100:2008, 6.2.1).
+pub const COVERAGE_FACTOR: f64 = 2.0;
+/// Standard uncertainty over the bound of an error, 1/√3: rectangular distribution (JCGM 100:2008, 4.3.7).
+pub const OF_BOUND: f64 = 0.577_350_269_189_625_8;
+
 /// A number with its absolute error, the half-width of its 95 % interval, both in the same unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Estimate {

@@ -13,17 +13,13 @@
 //! k u of a 95 % interval (JCGM 100:2008, Guide to the expression of uncertainty in measurement, 4.3.7, 5.1.2 and 6.2.1).
 //! The accuracy of a scene is asked of the reported errors. `asperity effectivity` compares them with true errors.
 
-use tables::quantity::Quantity;
+use tables::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 
 use crate::scene::fitted_constants::error_estimates::ORDER;
-use crate::simulate::accuracy::COVERAGE_FACTOR;
 use crate::simulate::accuracy::modelling_error::ModellingError;
 use crate::simulate::accuracy::resolution::{RelativeParts, Resolution};
 use crate::simulate::accuracy::scatter::scatter;
 use crate::simulate::values::Values;
-
-/// Standard uncertainty over the bound of an error, 1/√3.
-const OF_BOUND: f64 = 0.577_350_269_189_625_8;
 
 /// Where an error comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,6 +7,3 @@ pub(crate) mod error_budget;
 pub(crate) mod modelling_error;
 pub(crate) mod resolution;
 pub(crate) mod scatter;
-
-/// Reported errors over the standard uncertainties: of 95 % intervals.
-pub const COVERAGE_FACTOR: f64 = 2.0;

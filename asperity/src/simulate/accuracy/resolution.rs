@@ -1,13 +1,12 @@
 //! Resolutions: mesh, collocation angles and increments by the accuracy of the scene, and those of the
 //! auxiliary runs.
 
-use tables::quantity::Quantity;
+use tables::quantity::{COVERAGE_FACTOR, Quantity};
 
 use crate::discretisation::mesh::{GROWTH_ZONE, MeshSize, SURFACE_LAYER};
 use crate::heat::conduction::sublayers::thickness_ratio;
 use crate::loading::NEWTON_TOLERANCE;
 use crate::scene::Numerics;
-use crate::simulate::accuracy::COVERAGE_FACTOR;
 use crate::simulate::accuracy::scatter::scatter;
 
 /// Increments of the press times the growth of those of the slide. From growths of 0.3 to 0.6 friction changes by 0.03
@@ -239,8 +238,6 @@ pub fn thermal_sublayers(depth: f64, refinements: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tables::quantity::Quantity;
-
     use crate::discretisation::mesh::MeridianMesh;
 
     const NUMERICS: Numerics = Numerics { accuracy: 0.02, elements_per_radius: None, sectors: None };
@@ -273,26 +270,24 @@ mod tests {
 
     #[test]
     fn light_contacts_begin_on_a_finer_mesh() {
-        let numerics = NUMERICS;
-        let start = Resolution::choose(&numerics);
-        let elements = |interference| start.for_scatter(&numerics, interference).elements_per_radius;
+        let start = Resolution::choose(&NUMERICS);
+        let elements = |interference| start.for_scatter(&NUMERICS, interference).elements_per_radius;
         assert_eq!(elements(10.0), start.elements_per_radius);
         let [fine, coarse] = [elements(0.1), elements(0.2)];
         assert!(fine > coarse && coarse > start.elements_per_radius, "{fine} {coarse}");
-        assert!(COVERAGE_FACTOR * scatter(Quantity::Mu, 0.1, fine) < 0.85 * numerics.accuracy);
-        let fixed = Numerics { elements_per_radius: Some(8), ..numerics };
+        assert!(COVERAGE_FACTOR * scatter(Quantity::Mu, 0.1, fine) < 0.85 * NUMERICS.accuracy);
+        let fixed = Numerics { elements_per_radius: Some(8), ..NUMERICS };
         assert_eq!(Resolution::choose(&fixed).for_scatter(&fixed, 0.1).elements_per_radius, 8);
     }
 
     #[test]
     fn nothing_is_refined_where_the_solver_decides() {
-        let numerics = NUMERICS;
-        let start = Resolution::choose(&numerics);
+        let start = Resolution::choose(&NUMERICS);
         let parts = |solver| RelativeParts { mesh: 0.05, sectors: 0.02, steps: 0.02, solver };
-        assert!(start.refine(&numerics, &parts(0.01)).is_some());
-        assert_ne!(start.refine_other_than_mesh(&numerics, &parts(0.01)), start);
-        assert_eq!(start.refine(&numerics, &parts(0.03)), None);
-        assert_eq!(start.refine_other_than_mesh(&numerics, &parts(0.03)), start);
+        assert!(start.refine(&NUMERICS, &parts(0.01)).is_some());
+        assert_ne!(start.refine_other_than_mesh(&NUMERICS, &parts(0.01)), start);
+        assert_eq!(start.refine(&NUMERICS, &parts(0.03)), None);
+        assert_eq!(start.refine_other_than_mesh(&NUMERICS, &parts(0.03)), start);
     }
 
     /// The thinnest layer is 2/n_c of the heated depth, and no thinner than needed.

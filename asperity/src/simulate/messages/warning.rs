@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use tables::numbers::{digits, plain};
+use tables::numbers::plain;
 use tables::quantity::Quantity;
 
 /// Limitations of the results.
@@ -142,9 +142,8 @@ impl Display for Warning {
             }
             Self::FastInception { time, limit } => write!(
                 f,
-                "sliding begins within {} times the time of a shear wave across the contact radius: below \
-                 {limit}, inertia changes mu_static and G, which are those of a slow onset",
-                digits(*time, 1)
+                "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
+                 {limit}, inertia changes mu_static and G, which are those of a slow onset"
             ),
             Self::Unbalanced { energy, heat } => write!(
                 f,
