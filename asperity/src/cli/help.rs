@@ -51,7 +51,7 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
   kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic
                                  # strain of a coarse slide exceeds 1/20 of the accuracy
   [numerics]                     # optional
-  accuracy = 0.02                # relative error asked for (of G five times this); chooses
+  accuracy = 0.02                # relative error asked for (of G 2.5 times this); chooses
                                  # elements_per_radius and sectors unless given
 
 The flat is rigid and isothermal unless the scene has a body on the other side:
@@ -106,8 +106,9 @@ tabulation continues from there:
   asperity tabulate request.toml -o table.nc --jobs 4
   asperity tabulate request.toml -o table.nc --jobs 4 --resume
 
-With table.tolerance, interferences and slip rates are added to those given until mu, mu_static,
-Q and G interpolate with that relative error, or the table has table.max_cells (default 400) cells:
+With table.tolerance, interferences and slip rates are added to those given until mu, mu_static
+and Q interpolate with that relative error and G with 2.5 times it, or the table has
+table.max_cells (default 400) cells:
   asperity tabulate request.toml -o table.nc --set table.tolerance=0.02
 
 With table.temperature (K: a rising list, or a range) the table has these initial temperatures. The

@@ -10,6 +10,7 @@ use tables::quantity::{Estimate, History, Quantity, Stored};
 use crate::output::provenance::SOURCE;
 use crate::scene::Scene;
 use crate::scene::file::write_scene;
+use crate::simulate::accuracy::correction::is_corrected;
 use crate::simulate::derived;
 use crate::simulate::outcome::{Account, ContactStatus, ErrorSource, InceptionCriterion, Outcome, Snapshot};
 use crate::solver::timings::Kernel;
@@ -119,6 +120,9 @@ fn estimates(file: &mut DatasetWriter, scene: &Scene, outcome: &Outcome) -> Resu
         let ancillary = format!("{error_name} {by_source}");
         let origin = match quantity {
             Quantity::MuSteady => "2 mu(s) - mu(s/4) at the end of the slide",
+            quantity if is_corrected(quantity, outcome.inception) => {
+                "of the finest mesh, corrected for its mean discretisation error"
+            }
             _ => "of the finest mesh, not extrapolated",
         };
         scalar(file, (&name, &error_name, &ancillary), descriptor.units, &long_name, estimate, origin)?;

@@ -4,7 +4,7 @@ use super::SimulationError;
 use super::messages::Note;
 use super::run::Run;
 use crate::scene::Numerics;
-use crate::simulate::accuracy::error_budget::{ErrorBudget, allowance};
+use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
 
@@ -67,7 +67,8 @@ impl Ladder {
     pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics, expected: f64) -> Option<Resolution> {
         let (quantity, parts) = budget.worst(&self.result().values);
         if parts.solver_exceeds(numerics.accuracy) {
-            let [solver, accuracy] = [parts.solver, numerics.accuracy].map(|part| allowance(quantity) * part);
+            let [solver, accuracy] =
+                [parts.solver, numerics.accuracy].map(|part| quantity.allowance() * part);
             self.notes.push(Note::AccuracyOutOfReach { quantity, solver, accuracy });
             return None;
         }

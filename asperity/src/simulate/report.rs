@@ -15,7 +15,8 @@ use crate::loading::recording::Fields;
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{InterfaceStrength, LoadingStep, Scene};
-use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget, allowance};
+use crate::simulate::accuracy::correction::correction;
+use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
@@ -48,7 +49,8 @@ pub(super) fn report(
         ErrorBudget::unknown(&run.values, &modelling_error)
     });
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
-    let outcome = outcome(problem, programme, &mut run, budget, account);
+    let interference = runner.pressed.scene.loading.interference;
+    let outcome = outcome(problem, (interference, programme), &mut run, budget, account);
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
         None => {
@@ -150,11 +152,11 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
 /// The controlled quantity that misses its accuracy most, and whatever is undetermined.
 fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warning> {
     let of = |quantity: Quantity| (quantity, budget.relative(quantity, &run.values));
-    let over = |quantity: Quantity, error: f64| error / allowance(quantity);
+    let over = |quantity: Quantity, error: f64| error / quantity.allowance();
     let mut errors = CONTROLLED.map(of);
     errors.sort_by(|a, b| over(b.0, b.1).total_cmp(&over(a.0, a.1)));
     let above = errors.into_iter().filter(|(quantity, error)| over(*quantity, *error) > accuracy);
-    let warning = |(quantity, error)| Warning::of_error(quantity, error, allowance(quantity), accuracy);
+    let warning = |(quantity, error)| Warning::of_error(quantity, error, quantity.allowance(), accuracy);
     let (undetermined, inexact): (Vec<_>, Vec<_>) =
         above.map(warning).partition(|warning| matches!(warning, Warning::ErrorAboveValue { .. }));
     inexact.into_iter().take(1).chain(undetermined).collect()
@@ -194,7 +196,7 @@ fn warning_of_strength(scene: &Scene, plastic_strain: f64) -> Option<Warning> {
 /// The whole outcome in SI units.
 fn outcome(
     problem: &Problem,
-    programme: &[LoadingStep],
+    (interference, programme): (f64, &[LoadingStep]),
     run: &mut Run,
     budget: ErrorBudget,
     account: Account,
@@ -203,9 +205,9 @@ fn outcome(
     let (rings, columns) = (run.contact.radii.len(), run.contact.angles.len());
     Outcome {
         critical_interference: problem.critical_interference * units.length,
-        scalars: Scalars::from_fn(|quantity| Estimate {
-            value: run.values.value(quantity),
-            error: budget.total(quantity),
+        scalars: Scalars::from_fn(|quantity| {
+            let lacks = correction(quantity, run.values.inception, interference, &run.resolution);
+            Estimate { value: run.values.value(quantity) * (1.0 + lacks), error: budget.total(quantity) }
         }),
         inception: run.values.inception,
         steady: run.values.steady,

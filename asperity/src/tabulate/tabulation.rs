@@ -210,14 +210,15 @@ fn shortfall(table: &Slice, goal: &Goal) -> Vec<String> {
     let validation = table.cross_validation();
     let text = |quantity: Quantity| {
         let worst = validation.worst(quantity);
-        (worst.error > goal.tolerance).then(|| {
+        let asked = quantity.allowance() * goal.tolerance;
+        (worst.error > asked).then(|| {
             format!(
                 "interpolation of {} is good to {} near {} only, not to the tolerance of {}; finer points \
                  need a larger table.max_cells or runs of smaller error",
                 quantity.descriptor().name,
                 plain(worst.error),
                 table.label(worst.at.0, worst.at.1),
-                plain(goal.tolerance),
+                plain(asked),
             )
         })
     };

@@ -221,6 +221,12 @@ impl Quantity {
         list::LIST.iter().find(|entry| entry.name == name).map(|entry| entry.quantity)
     }
 
+    /// Multiple of an accuracy or tolerance that is asked of it: G changes by up to 6.6 times as much as the slip at
+    /// sliding inception.
+    pub fn allowance(self) -> f64 {
+        if self == Quantity::EnergyRelease { 2.5 } else { 1.0 }
+    }
+
     /// Whether it is an absolute temperature, whose error is a temperature difference.
     pub fn is_temperature(self) -> bool {
         self.descriptor().units == "K"

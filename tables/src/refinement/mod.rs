@@ -34,7 +34,7 @@ const CLOSE: f64 = 1.5;
 const NARROWEST: f64 = 1.02;
 
 /// Computes missing points of a table by `evaluate` and adds points, in turn, until every quantity of
-/// [`JUDGED`] interpolates within the tolerance, or the grid is full.
+/// [`JUDGED`] interpolates within its allowance of the tolerance, or the grid is full.
 pub fn refine<E>(
     mut table: Slice,
     goal: &Goal,
@@ -92,7 +92,10 @@ impl Goal {
                 for quantity in JUDGED {
                     let share = |along: Along, index: usize, across: usize, breadth: usize| {
                         let pair = across..(across + 2).min(breadth);
-                        let error = |at| self.relevant(table, validation, along, index, at, quantity);
+                        let error = |at| {
+                            self.relevant(table, validation, along, index, at, quantity)
+                                / quantity.allowance()
+                        };
                         pair.map(error).fold(0.0, f64::max)
                     };
                     let of_row = if rows > 1 { share(Along::Interference, i, j, columns) } else { 0.0 };

@@ -1,6 +1,7 @@
 //! Tables made in parts: missing points, shards, added points.
 
 use crate::numbers::plain;
+use crate::table::warnings::Warning;
 use crate::table::{Axes, Metadata, Slice, Status, TableError};
 
 impl Slice {
@@ -70,25 +71,26 @@ impl Slice {
         Ok(())
     }
 
-    /// Every warning of a cell once, with the cells that it concerns unless these are all.
+    /// Every warning of a cell once, with the ranges of its numbers, and the cells that it concerns unless these are all.
     pub fn warnings(&self) -> Vec<String> {
-        let mut found: Vec<(&str, Vec<(usize, usize)>)> = Vec::new();
+        let mut found: Vec<Warning> = Vec::new();
         let mut done = 0;
         for (i, j) in self.grid() {
             let Some(cell) = self.cell(i, j) else { continue };
             done += 1;
-            for warning in &cell.warnings {
-                match found.iter_mut().find(|(text, _)| text == warning) {
-                    Some((_, cells)) => cells.push((i, j)),
-                    None => found.push((warning, vec![(i, j)])),
+            for text in &cell.warnings {
+                let warning = Warning::new(text, (i, j));
+                if !found.iter_mut().any(|known| known.absorbs(&warning)) {
+                    found.push(warning);
                 }
             }
         }
-        let labelled = |(text, cells): (&str, Vec<(usize, usize)>)| {
-            if cells.len() == done {
-                return text.to_string();
+        let labelled = |warning: Warning| {
+            let text = warning.text();
+            if warning.cells.len() == done {
+                return text;
             }
-            let cells: Vec<String> = cells.into_iter().map(|(i, j)| self.label(i, j)).collect();
+            let cells: Vec<String> = warning.cells.into_iter().map(|(i, j)| self.label(i, j)).collect();
             format!("{text} [{}]", cells.join("; "))
         };
         found.into_iter().map(labelled).collect()

@@ -11,7 +11,7 @@ use super::friction_heat::contact_rise;
 use crate::interface::contact::FlatPosition;
 use crate::loading::state::SlideState;
 
-/// Share of the heat flow into the asperity that the frictional heat has at least: in a hold, and while the contact
+/// Share of the heat flow into the asperity that the frictional heat has at least: while the contact
 /// sticks after a reversal, both bodies exchange heat without friction.
 const LEAST_FRICTIONAL: f64 = 0.01;
 
@@ -56,7 +56,9 @@ impl Slide<'_> {
             (state.rise_max, state.rise_mean) = contact_rise(&self.mechanics.contact, rise);
             state.heat_counterface += balance.counterface;
             let generated = balance.contact + balance.counterface;
-            if self.problem.counterface.is_some() && generated > LEAST_FRICTIONAL * balance.contact.abs() {
+            // What little friction there is in a hold is no share to speak of.
+            let slides = self.problem.counterface.is_some() && self.motion.slip_rate() > 0.0;
+            if slides && generated > LEAST_FRICTIONAL * balance.contact.abs() {
                 state.heat_partition = balance.contact / generated;
             }
         }

@@ -83,13 +83,6 @@ pub const CONTROLLED: [Quantity; 6] = [
     Quantity::EnergyRelease,
 ];
 
-/// Multiple of the accuracy that is asked of a quantity: G changes by up to 6.6 times as much as the slip at inception.
-pub fn allowance(quantity: Quantity) -> f64 {
-    if quantity == Quantity::EnergyRelease { ALLOWANCE_OF_ENERGY } else { 1.0 }
-}
-
-const ALLOWANCE_OF_ENERGY: f64 = 5.0;
-
 /// The auxiliary runs of a main run, all on the coarse mesh.
 pub struct AuxiliaryRuns<'a> {
     pub coarse: &'a Values,
@@ -211,7 +204,7 @@ impl ErrorBudget {
     /// resolution reduces, over the multiple of the accuracy that is allowed.
     pub fn worst(&self, values: &Values) -> (Quantity, RelativeParts) {
         let relative = |quantity: Quantity| {
-            let value = allowance(quantity) * values.value(quantity).abs();
+            let value = quantity.allowance() * values.value(quantity).abs();
             let part = |source: ErrorSource| COVERAGE_FACTOR * self.parts[source as usize][quantity as usize];
             let of = |source| if value > 0.0 { part(source) / value } else { 0.0 };
             RelativeParts {
@@ -350,9 +343,9 @@ mod tests {
                 assert!((budget.relative(quantity, &values) / exact - 1.0).abs() < 1e-12);
                 assert!((budget.total(quantity) / (2.0 * exact) - 1.0).abs() < 1e-12);
             }
-            // Of G five times as much is allowed.
+            // Of G a multiple is allowed.
             let (worst, parts) = budget.worst(&values);
-            let of = |quantity| budget.relative(quantity, &values) / allowance(quantity);
+            let of = |quantity| budget.relative(quantity, &values) / quantity.allowance();
             assert!(CONTROLLED.iter().all(|&quantity| of(quantity) <= of(worst)));
             assert!((parts.total() / of(worst) - 1.0).abs() < 1e-12);
         }

@@ -6,8 +6,8 @@ use tables::quantity::Quantity;
 
 use crate::scene::curve::interpolate;
 use crate::scene::fitted_constants::error_estimates::{
-    AREA_OF_PRESS, ELEMENTS, ENERGY, FRICTION, HIGHEST_RISE, INCEPTION_SLIP, INTERFERENCES, LOAD,
-    LOAD_OF_PRESS, MEAN_RISE,
+    AREA_OF_PRESS, ELEMENTS, ENERGY, ENERGY_OF_WEAKENING, FRICTION, HIGHEST_RISE, INCEPTION_SLIP,
+    INTERFERENCES, LOAD, LOAD_OF_PRESS, MEAN_RISE,
 };
 
 /// Relative standard uncertainty of a quantity by the mesh, at ω₀/ω_c and n_c.
@@ -17,7 +17,8 @@ pub fn scatter(quantity: Quantity, interference: f64, elements_per_radius: usize
         // Friction is strength times area.
         Mu | MuStatic | MuPeak | MuMean | MuSteady | Friction | FrictionStatic | Area => (1.0, FRICTION),
         Load => (1.0, LOAD),
-        EnergyRelease | EnergyWeakening => (1.0, ENERGY),
+        EnergyRelease => (1.0, ENERGY),
+        EnergyWeakening => (1.0, ENERGY_OF_WEAKENING),
         InceptionSlip => (1.0, INCEPTION_SLIP),
         TemperatureMax => (1.0, HIGHEST_RISE),
         TemperatureMean => (1.0, MEAN_RISE),

@@ -15,7 +15,7 @@ pub use report_file::write;
 pub use words::{in_words, table};
 
 use crate::scene::{Kinematics, Scene};
-use crate::simulate::accuracy::error_budget::{CONTROLLED, allowance};
+use crate::simulate::accuracy::error_budget::CONTROLLED;
 use crate::simulate::outcome::MAIN;
 use crate::simulate::{SimulationError, Watch, press, simulate, slide_refined};
 
@@ -128,7 +128,7 @@ impl Convergence {
     pub fn worst_error(&self, run: &Run) -> f64 {
         CONTROLLED
             .iter()
-            .map(|&quantity| self.errors(run, quantity).0 / allowance(quantity))
+            .map(|&quantity| self.errors(run, quantity).0 / quantity.allowance())
             .fold(0.0, f64::max)
     }
 

@@ -12,7 +12,7 @@ use tables::quantity::Quantity;
 use crate::loading::slide::invariants::MELTING_OVERSHOOT;
 use crate::scene::Scene;
 use crate::scene::file::{SceneFileError, parse_scene};
-use crate::simulate::accuracy::error_budget::{CONTROLLED, allowance};
+use crate::simulate::accuracy::error_budget::CONTROLLED;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
 use crate::studies::verification::ledgers::{energy_missing, heat_missing};
@@ -153,7 +153,7 @@ impl CaseResult {
             if estimate.value == 0.0 {
                 0.0
             } else {
-                (estimate.error / estimate.value).abs() / allowance(*quantity)
+                (estimate.error / estimate.value).abs() / quantity.allowance()
             }
         };
         let counted = CONTROLLED.iter().filter(|quantity| !none || !frictional.contains(quantity));

@@ -1,0 +1,91 @@
+//! Warnings of cells in a few lines: those that differ in their numbers only become one, with the range of each number.
+
+/// A warning and the cells that it concerns.
+pub struct Warning {
+    words: Vec<String>,
+    /// Smallest and largest of each number between the words, as written.
+    numbers: Vec<[String; 2]>,
+    pub cells: Vec<(usize, usize)>,
+}
+
+impl Warning {
+    pub fn new(text: &str, cell: (usize, usize)) -> Self {
+        let (words, numbers) = split(text);
+        Self {
+            words,
+            numbers: numbers.into_iter().map(|number| [number.clone(), number]).collect(),
+            cells: vec![cell],
+        }
+    }
+
+    /// Takes another one in, if its words are the same.
+    pub fn absorbs(&mut self, other: &Warning) -> bool {
+        if self.words != other.words {
+            return false;
+        }
+        let value = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
+        for ([low, high], [number, _]) in self.numbers.iter_mut().zip(&other.numbers) {
+            if value(number) < value(low) {
+                low.clone_from(number);
+            }
+            if value(number) > value(high) {
+                high.clone_from(number);
+            }
+        }
+        self.cells.extend_from_slice(&other.cells);
+        true
+    }
+
+    pub fn text(&self) -> String {
+        let ranges = self.numbers.iter().map(|[low, high]| match low == high {
+            true => low.clone(),
+            false => format!("{low} to {high}"),
+        });
+        let ranges = ranges.chain([String::new()]);
+        self.words.iter().zip(ranges).map(|(words, range)| format!("{words}{range}")).collect()
+    }
+}
+
+/// The text between the numbers, one piece more than these, and the numbers. Digits within a name are no number.
+fn split(text: &str) -> (Vec<String>, Vec<String>) {
+    let (mut words, mut numbers) = (vec![String::new()], Vec::new());
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let in_name =
+            words.last().is_some_and(|word| word.ends_with(|c: char| c.is_alphanumeric() || c == '_'));
+        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
+        // The full stop of a sentence is none of it.
+        let number = rest[..digits].trim_end_matches('.');
+        if in_name || number.parse::<f64>().is_err() {
+            words.last_mut().expect("not empty").push(first);
+            rest = &rest[first.len_utf8()..];
+        } else {
+            numbers.push(number.to_owned());
+            words.push(String::new());
+            rest = &rest[number.len()..];
+        }
+    }
+    (words, numbers)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warnings_that_differ_in_numbers_become_one() {
+        let mut warning = Warning::new("mu_2 is 2.1 %, above 2.0 % at 4340.", (0, 0));
+        assert!(warning.absorbs(&Warning::new("mu_2 is 10.3 %, above 2.0 % at 4340.", (0, 1))));
+        assert!(warning.absorbs(&Warning::new("mu_2 is 1.9 %, above 2.0 % at 4340.", (2, 0))));
+        assert!(!warning.absorbs(&Warning::new("mu_3 is 1.9 %, above 2.0 % at 4340.", (0, 0))));
+        assert_eq!(warning.text(), "mu_2 is 1.9 to 10.3 %, above 2.0 % at 4340.");
+        assert_eq!(warning.cells, [(0, 0), (0, 1), (2, 0)]);
+    }
+
+    #[test]
+    fn texts_without_numbers_stay() {
+        for text in ["the flat melts", "", "σ is 3", "7 cells: 1.5.", "v1.2.3"] {
+            assert_eq!(Warning::new(text, (0, 0)).text(), text);
+        }
+    }
+}
