@@ -40,6 +40,7 @@ pub fn tabulate(
     if resume
         && !journal.exists()
         && let Some(table) = completed(&request, None, &output)
+            .map_err(|error| errors::input(&error, Some(&output.display().to_string()), None, &error))?
     {
         return Ok(Table::new(table, request.remarks()));
     }

@@ -94,7 +94,7 @@ pub(super) enum Command {
     },
 }
 
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub(super) struct RunArguments {
     /// Scene to run
     #[arg(value_name = "SCENE.toml")]
@@ -127,8 +127,25 @@ pub(super) struct RunArguments {
     pub(super) vtu_whole: bool,
     /// Slips, in contact radii a0 and summed over the steps of a programme, at which fields are recorded in
     /// addition to the start of the slide, half slip, full slip and the end of each step
-    #[arg(long, value_name = "SLIP,SLIP", value_delimiter = ',', value_parser = parse_slip)]
+    #[arg(long, value_name = "SLIP,SLIP", value_delimiter = ',', allow_negative_numbers = true, value_parser = parse_slip)]
     pub(super) fields_at: Vec<f64>,
+}
+
+impl RunArguments {
+    /// With outputs beside those given: `run.incomplete.nc` and so on.
+    pub(super) fn of_incomplete(&self) -> Self {
+        let beside = |path: &PathBuf| {
+            let mut name = path.file_stem().unwrap_or_default().to_owned();
+            name.push(".incomplete");
+            if let Some(extension) = path.extension() {
+                name.push(".");
+                name.push(extension);
+            }
+            path.with_file_name(name)
+        };
+        let [plot, vtu] = [&self.plot, &self.vtu].map(|path| path.as_ref().map(beside));
+        Self { output: beside(&self.output), plot, vtu, ..self.clone() }
+    }
 }
 
 #[derive(Args)]

@@ -149,7 +149,7 @@ impl Shown {
 pub fn tell_expected_time(seconds: f64) {
     say(format!(
         "note: about {} of processor time expected (within a factor of {EXPECTED_TIME_FACTOR})",
-        duration(seconds)
+        duration(seconds.max(1.0))
     ));
 }
 

@@ -18,7 +18,7 @@ use asperity::simulate::outcome::{Account, ErrorSource, Kernel, Note, Outcome, W
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
 use tables::netcdf::streams::say;
-use tables::netcdf::{check_distinct, destination};
+use tables::netcdf::{DatasetReader, check_distinct, destination};
 use tables::numbers;
 use tables::quantity::Quantity;
 
@@ -64,15 +64,25 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     };
     outcome.account.add_remarks(remarks);
     outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
-    let reported = report(&scene, &outcome, failure.as_deref(), arguments, display);
+    let places = match failure.is_some() && holds_complete_run(&arguments.output) {
+        true => &arguments.of_incomplete(),
+        false => arguments,
+    };
+    let reported = report(&scene, &outcome, failure.as_deref(), places, display);
     match failure {
         None => reported,
         Some(reason) if reported.is_ok() => Err(Failure::Run(format!(
             "{reason}; the results so far are in {}; a run cannot be continued, only repeated",
-            arguments.output.display()
+            places.output.display()
         ))),
         Some(reason) => Failure::all([Err(Failure::Run(reason)), reported]),
     }
+}
+
+/// Whether there is the file of a complete run, which an incomplete one shall not replace.
+fn holds_complete_run(output: &Path) -> bool {
+    let completion = DatasetReader::open(output).and_then(|file| file.attribute_text("completion"));
+    completion.is_ok_and(|completion| completion == run_file::COMPLETE)
 }
 
 fn check_outputs(arguments: &RunArguments) -> Result<(), Failure> {

@@ -29,7 +29,8 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     }
     if arguments.resume
         && !journal.exists()
-        && let Some(table) = tabulate::completed(&request, arguments.shard, &arguments.output)
+        && let Some(table) =
+            tabulate::completed(&request, arguments.shard, &arguments.output).map_err(Failure::input)?
     {
         return report_complete(&table, arguments, display);
     }

@@ -23,6 +23,9 @@ pub struct About<'a> {
     pub incomplete: Option<&'a str>,
 }
 
+/// `completion` of a run to its end.
+pub const COMPLETE: &str = "complete";
+
 /// Dimension of the errors by source.
 const ERROR_SOURCE: &str = "error_source";
 
@@ -49,7 +52,7 @@ pub fn write(path: &Path, scene: &Scene, outcome: &Outcome, about: &About<'_>) -
     };
     let title = format!("Sliding of one asperity at {} omega_c {rates}", loading.interference);
     let completion = match about.incomplete {
-        None => "complete".to_owned(),
+        None => COMPLETE.to_owned(),
         Some(reason) => format!("incomplete: {reason}"),
     };
     let mut file = DatasetWriter::create(path, &title)?;

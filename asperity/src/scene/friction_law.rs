@@ -57,8 +57,16 @@ impl FrictionLaw {
     /// Whether the strength of the material limits friction, among others.
     pub(crate) fn is_limited_by_strength(&self) -> bool {
         match *self {
-            Self::Coulomb { cap, .. } | Self::BriscoeTabor { cap, .. } => cap,
+            Self::Coulomb { .. } | Self::BriscoeTabor { .. } => self.has_cap(),
             Self::ShearStrength | Self::FullStick | Self::Frictionless => true,
+        }
+    }
+
+    /// Whether another law has the strength of the material as its upper limit.
+    pub(crate) fn has_cap(&self) -> bool {
+        match *self {
+            Self::Coulomb { cap, .. } | Self::BriscoeTabor { cap, .. } => cap,
+            Self::ShearStrength | Self::FullStick | Self::Frictionless => false,
         }
     }
 

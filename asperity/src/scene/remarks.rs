@@ -1,14 +1,15 @@
 //! What is worth knowing about a scene before it is run: implausible values, strengths that make the result depend on
 //! the mesh, defaults in effect.
 
-use tables::numbers::digits;
+use tables::numbers::{digits, plain};
 use tables::quantity::plausible;
 use toml::{Table, Value};
 
 use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::{
-    Hardening, Interface, InterfaceStrength, Loading, Material, Model, Numerics, Rate, Scene, Softening,
+    FractureData, FrictionLaw, Hardening, Interface, InterfaceStrength, Loading, Material, Model, Numerics,
+    Rate, Scene, Softening,
 };
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
@@ -38,7 +39,46 @@ impl Scene {
     /// The same, with the implausible values of a document made from the scene.
     pub(crate) fn remarks_with(&self, document: &Table) -> Vec<String> {
         let strength = self.equal_strength().into_iter().chain(self.reference_temperature());
-        strength.chain(plausible::remarks(document)).collect()
+        let strength = strength.chain(self.tensile_strength());
+        strength.chain(self.without_effect()).chain(plausible::remarks(document)).collect()
+    }
+
+    /// A tensile strength below the yield strength.
+    fn tensile_strength(&self) -> Option<String> {
+        let yielding = self.material.yield_strength;
+        match self.material.fracture {
+            Some(FractureData::Tensile { strength, .. }) if strength < yielding => Some(format!(
+                "material.tensile_strength = {} Pa is below yield_strength = {} Pa: an engineering tensile strength is not",
+                plain(strength),
+                plain(yielding)
+            )),
+            _ => None,
+        }
+    }
+
+    /// Values other than the default that change nothing in this scene.
+    fn without_effect(&self) -> Vec<String> {
+        let Interface { ref law, strength_factor, heat_partition, .. } = self.interface;
+        let default = Interface::default();
+        let unlimited = !matches!(law, FrictionLaw::ShearStrength) && !law.has_cap();
+        let strength = (unlimited && strength_factor != default.strength_factor).then(|| {
+            format!(
+                "interface.strength_factor = {strength_factor} has no effect: the strength of the material does not limit \
+                 friction by the law of this scene"
+            )
+        });
+        let partition = (self.partition_is_result() && heat_partition != default.heat_partition).then(|| {
+            format!(
+                "interface.heat_partition = {heat_partition} has no effect: beside a counterface that conducts heat without \
+                 a finite contact_conductance the heat partition is a result"
+            )
+        });
+        strength.into_iter().chain(partition).collect()
+    }
+
+    /// Whether the temperature is continuous at a conducting counterface.
+    fn partition_is_result(&self) -> bool {
+        self.counterface.conduction().is_some() && self.counterface.contact_conductance.is_infinite()
     }
 
     /// Body and interface are equally strong, and the body does not harden.
@@ -114,6 +154,7 @@ impl Scene {
         let [here, default] = [self, &default].map(|scene| Value::try_from(scene).expect("plain data"));
         let mut equal = Vec::new();
         common_leaves("", &here, &default, &mut equal);
+        equal.retain(|leaf| !(leaf.starts_with("interface.heat_partition") && self.partition_is_result()));
         equal
     }
 }

@@ -6,6 +6,7 @@ use tables::closed_forms::partial_slip;
 use tables::quantity::{Estimate, Quantity, State};
 
 use crate::heat::counterface::HalfSpace;
+use crate::loading::inception::InceptionCriterion;
 use crate::scene::{Material, Scene};
 use crate::simulate::fracture::fracture_energy;
 use crate::simulate::outcome::Outcome;
@@ -28,12 +29,9 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
     let ratio = law.ratio(energy, radius);
     derived.push(("G_IIc", "J m-2", name, law.at(radius)));
     derived.push(("G_ratio", "1", "energy released over the shear fracture energy, G/G_IIc", ratio));
-    let time = inception_time(
-        scene,
-        scene.loading.first_slip_rate(),
-        of(Quantity::FrictionStatic),
-        of(Quantity::ContactRadius),
-    );
+    let slip_rate = scene.loading.first_slip_rate();
+    let time = inception_time(scene, slip_rate, of(Quantity::FrictionStatic), of(Quantity::ContactRadius));
+    let time = time.filter(|_| outcome.inception != InceptionCriterion::None);
     let name = "time of sliding inception over that of a shear wave across the contact radius";
     derived.extend(time.map(|time| ("inception_time", "1", name, time)));
     let name = "highest temperature of the counterface within the contact at the end of the slide";

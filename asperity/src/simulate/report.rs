@@ -164,6 +164,9 @@ fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warn
 
 /// Sliding inception so fast that inertia counts.
 fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
+    if run.values.inception == InceptionCriterion::None {
+        return None;
+    }
     let exact = |quantity| Estimate::exact(run.values.value(quantity));
     let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
     let slip_rate = runner.conditions.programme.first()?.slip_rate();

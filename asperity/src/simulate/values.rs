@@ -35,20 +35,22 @@ impl Values {
         let units = problem.units;
         let last = history.last().expect("a history starts with the press");
         let pressed = press.last().expect("a press has increments");
-        // Without a slide or friction the values are rounding errors.
-        let has_friction = problem.law.has_friction() && history.len() > 1;
+        // Without friction the values are rounding errors, without a slide there are none.
+        let slides = history.len() > 1;
+        let has_friction = problem.law.has_friction() && slides;
+        let none = if slides { 0.0 } else { f64::NAN };
         let (first, latest) = (first_step(history), last_slip(history));
         let inception = if has_friction { inception(first) } else { Inception::none(history) };
-        let friction = if has_friction { last.friction } else { 0.0 };
-        let mu = |i: &SlideState| if has_friction { i.mu() } else { 0.0 };
-        let steady = if has_friction { steady_friction(&latest) } else { Estimate::default() };
+        let friction = if has_friction { last.friction } else { none };
+        let mu = |i: &SlideState| if has_friction { i.mu() } else { none };
+        let steady = if has_friction { steady_friction(&latest) } else { Estimate::exact(none) };
         let energy = units.stress * units.length;
         let start = units.temperature;
         let values = Quantity::SCALARS.map(|quantity| match quantity {
             Quantity::Mu => mu(last),
-            Quantity::MuPeak => history.iter().map(|i| mu(i).abs()).fold(0.0, f64::max),
+            Quantity::MuPeak if has_friction => history.iter().map(|i| mu(i).abs()).fold(0.0, f64::max),
             Quantity::MuMean if has_friction => mean_friction(history),
-            Quantity::MuMean => 0.0,
+            Quantity::MuPeak | Quantity::MuMean => none,
             Quantity::Friction => friction * units.force(),
             Quantity::Load => last.load * units.force(),
             Quantity::LoadPress => pressed.load * units.force(),
@@ -56,13 +58,16 @@ impl Values {
             Quantity::AreaPress => pressed.area * units.area(),
             Quantity::ContactRadius => (pressed.area / PI).sqrt() * units.length,
             Quantity::EnergyWeakening if has_friction => weakening(first) * energy,
-            Quantity::EnergyWeakening => 0.0,
+            Quantity::EnergyWeakening => none,
             Quantity::TemperatureMax => start + history.iter().map(|i| i.rise_max).fold(0.0, f64::max),
             Quantity::TemperatureMean => start + last.rise_mean,
             Quantity::MuSteady => steady.value,
             Quantity::HeatPartition => last.heat_partition,
-            quantity => of_inception(&inception, quantity, &units)
-                .unwrap_or_else(|| unreachable!("{quantity:?} is not a scalar")),
+            quantity => match of_inception(&inception, quantity, &units) {
+                Some(value) if slides => value,
+                Some(_) => none,
+                None => unreachable!("{quantity:?} is not a scalar"),
+            },
         });
         let others = inception.by_other_thresholds(first);
         let brackets = Quantity::SCALARS.map(|quantity| {
@@ -79,7 +84,7 @@ impl Values {
             bracket + other.map(|other| (other - here).abs()).fold(0.0, f64::max)
         });
         let inception = inception.criterion;
-        Self { values, brackets, start, inception, steady: is_steady(&latest), residual: 0.0 }
+        Self { values, brackets, start, inception, steady: slides && is_steady(&latest), residual: 0.0 }
     }
 
     /// The same value for every quantity.

@@ -93,6 +93,12 @@ pub enum TabulateError {
         "--shard {0}: table.tolerance adds points where the whole table needs them; leave one of the two out"
     )]
     Shard(Shard),
+    /// The file that the table is written to is another one.
+    #[error(
+        "{0}: holds a table of another request, or another shard, which --resume would replace; to replace it leave out \
+         --resume"
+    )]
+    OtherTable(String),
     /// The threads could not be started.
     #[error("cannot start {jobs} threads: {reason}")]
     Threads {
@@ -168,15 +174,22 @@ pub fn tabulate(
     tabulate_with(&FiniteElements, request, options, watch)
 }
 
-/// The table at `output`, if it is the complete one of this `request` (or of its `shard`) from this program.
-pub fn completed(request: &Request, shard: Option<Shard>, output: &Path) -> Option<Table> {
-    let table = Table::read(output).ok()?;
+/// The table at `output`, if it is the complete one of this `request` (or of its `shard`) from this program; an error if it is
+/// of another request, which resuming would replace.
+pub fn completed(
+    request: &Request,
+    shard: Option<Shard>,
+    output: &Path,
+) -> Result<Option<Table>, TabulateError> {
+    let Ok(table) = Table::read(output) else { return Ok(None) };
     let metadata = table.metadata();
-    let same = metadata.scene == write_request(request)
-        && metadata.fingerprint == FINGERPRINT
-        && metadata.shard == shard.map_or(String::new(), |shard| shard.to_string());
+    let same_shard = metadata.shard == shard.map_or(String::new(), |shard| shard.to_string());
+    if metadata.scene != write_request(request) || !same_shard {
+        return Err(TabulateError::OtherTable(output.display().to_string()));
+    }
     // A shard is written only when its cells are done; a merged table may lack some.
-    (same && (shard.is_some() || table.missing().is_empty())).then_some(table)
+    let complete = metadata.fingerprint == FINGERPRINT && (shard.is_some() || table.missing().is_empty());
+    Ok(complete.then_some(table))
 }
 
 pub(crate) fn tabulate_with<S: Simulator>(

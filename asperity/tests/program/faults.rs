@@ -227,9 +227,12 @@ fn a_finished_table_is_not_computed_again() {
     let said = resumed("");
     assert!(said.contains("table.nc: the table of this request is complete"), "{said}");
     assert_eq!(std::fs::read(&table).unwrap(), before);
-    // Another request, another table.
-    let said = resumed("--set table.interference=[0.5]");
-    assert!(said.contains("0.5 omega_c"), "{said}");
+    // That of another request is not replaced.
+    let other = "--set table.interference=[0.5]";
+    let resumed = format!("tabulate request.toml -o table.nc --jobs 2 --resume {other}");
+    crate::refused(folder.path(), &resumed, &["table.nc: holds a table of another request"]);
+    assert_eq!(std::fs::read(&table).unwrap(), before);
+    crate::done(folder.path(), &format!("tabulate request.toml -o table.nc --jobs 2 {other}"));
     assert_ne!(std::fs::read(&table).unwrap(), before);
 }
 

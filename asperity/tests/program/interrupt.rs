@@ -72,6 +72,29 @@ fn an_interrupted_run_is_saved_as_far_as_it_came_and_says_so() {
     }
 }
 
+/// Ctrl-C in a repetition of a run: what there was stays, and what there is lies beside it.
+#[test]
+fn an_interrupted_run_does_not_replace_a_complete_one() {
+    let _alone = alone();
+    let short =
+        format!("[loading]\ninterference = 5\nslip_rate = 0\nslip_distance = 0.02\n{}", crate::COARSE);
+    let directory = folder_with("scene.toml", &short);
+    let read = |name: &str| std::fs::read(directory.path().join(name));
+    crate::done(directory.path(), "run scene.toml -o run.nc --plot run.svg");
+    let before = [read("run.nc").unwrap(), read("run.svg").unwrap()];
+    let long =
+        "--set loading.slip_distance=2 --set numerics.elements_per_radius=8 --set loading.interference=20";
+    let child = start(directory.path(), &format!("run scene.toml -o run.nc --plot run.svg {long}"));
+    let (status, said) =
+        interrupt_at(child, &["-INT"], |line| line.contains("step ") && !line.contains("coarse mesh"));
+    assert_eq!(status, Some(1), "{said}");
+    assert!(said.lines().last().unwrap().contains("are in run.incomplete.nc"), "{said}");
+    assert_eq!([read("run.nc").unwrap(), read("run.svg").unwrap()], before);
+    let file = DatasetReader::open(&directory.path().join("run.incomplete.nc")).unwrap();
+    assert_eq!(file.attribute_text("completion").unwrap(), "incomplete: stopped on request");
+    assert!(read("run.incomplete.svg").is_ok());
+}
+
 /// As `timeout` ends a program: by a signal to it and, at once, another to its group. The run is then in its press at
 /// finite strain, after a coarse slide at small strain, which is saved.
 #[test]
@@ -132,19 +155,27 @@ fn an_interrupted_table_is_continued_by_the_command_that_it_names() {
     let _alone = alone();
     let request = "[table]\ninterference = [1, 2, 20]\nslip_rate = [1]\n[numerics]\nelements_per_radius = 6\nsectors = 4\n";
     let directory = folder_with("request.toml", request);
-    let child = start(directory.path(), "tabulate request.toml -o table.nc --jobs 1");
+    let hardening = "--set material.hardening={law=\"linear\",modulus=3e8}";
+    let child = start(
+        directory.path(),
+        &format!("tabulate request.toml -o table.nc --jobs 1 --plot it's.svg {hardening}"),
+    );
     let (status, said) = interrupt_at(child, &["-INT"], |line| line.contains("1 of 3 cells"));
     assert_eq!(status, Some(1), "{said}");
     assert!(!directory.path().join("table.nc").exists());
     assert!(directory.path().join("table.nc.part").exists());
     let (_, command) = said.lines().last().unwrap().split_once("to continue: asperity ").unwrap();
     assert!(command.contains("--resume"), "{command}");
-    let output = crate::command(directory.path(), &format!("{command} -v"))
+    // As copied into a shell, which would take braces and quotes for its own.
+    let output = Command::new("bash")
+        .args(["-c", &format!("\"$ASPERITY\" {command} -v")])
+        .env("ASPERITY", env!("CARGO_BIN_EXE_asperity"))
+        .current_dir(directory.path())
         .env("HDF5_USE_FILE_LOCKING", "FALSE")
         .output()
         .unwrap();
     let said = ended(&output, 0);
     assert!(!said.contains("0 cells were taken") && said.contains("cells were taken"), "{said}");
-    assert!(directory.path().join("table.nc").exists());
+    assert!(directory.path().join("table.nc").exists() && directory.path().join("it's.svg").exists());
     assert!(!directory.path().join("table.nc.part").exists());
 }

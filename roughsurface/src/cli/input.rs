@@ -44,13 +44,13 @@ pub struct InputOptions {
 struct QueryOptions {
     /// Nominal pressures, Pa: 1e6, 1e5,1e6, 1e5..1e7 (logarithmic, four a decade), or 1e5..1e7:9 (points);
     /// of a topography 1e5,1e6,1e7 by default
-    #[arg(long, value_name = "VALUES", conflicts_with = "separation")]
+    #[arg(long, value_name = "VALUES", allow_negative_numbers = true, conflicts_with = "separation")]
     pressure: Option<Values>,
     /// Separations in place of pressures, m
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
     separation: Option<Values>,
     /// Slip rates, m/s; of a topography 0.1,1,10 by default
-    #[arg(long, value_name = "VALUES")]
+    #[arg(long, value_name = "VALUES", allow_negative_numbers = true)]
     slip_rate: Option<Values>,
     /// Quantity held during the slide, load by default
     #[arg(long, value_name = "load|separation", value_parser = control)]
@@ -62,7 +62,7 @@ struct QueryOptions {
     #[arg(long, value_name = "KIND", value_parser = ["none", "mean-pressure"])]
     interaction: Option<String>,
     /// Side of the square nominal area that --interaction mean-pressure needs, m
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     nominal_size: Option<f64>,
     /// Response of steady sliding to a step of the slip rate, m/s, such as 0.1..1; the contacts have the life --contact-life
     #[arg(long, value_name = "BEFORE..AFTER", value_parser = step)]

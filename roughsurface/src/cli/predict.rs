@@ -78,7 +78,7 @@ pub struct Predict {
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
     /// Relative error of integrals and pressures, 1e-6 unless given
-    #[arg(long, value_name = "X", value_parser = tolerance)]
+    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = tolerance)]
     tolerance: Option<f64>,
     #[command(flatten)]
     run: RunOptions,

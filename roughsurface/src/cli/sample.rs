@@ -26,7 +26,7 @@ pub struct Sample {
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(2..))]
     realizations: u32,
     /// Seed of the heights: the same seed, the same surfaces
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     /// Slip after which friction is read, m; by default friction is the mean over the life of the contacts
     #[arg(long, value_name = "LENGTH", value_parser = slip_length)]

@@ -24,6 +24,11 @@ pub enum LawSourceError {
         "--table {table}: its counterface is {found}; the section [counterface] of the surface file {asked}"
     )]
     Counterface { table: String, found: String, asked: String },
+    #[error(
+        "--table {table}: its slides hold the load (loading.control = \"load\"), while the summits of a surface slide at \
+         constant interference; make the table with loading.control = \"interference\""
+    )]
+    LoadHeld { table: String },
 }
 
 /// The law of one asperity, and the material data of its source.
@@ -63,6 +68,9 @@ impl LawSource {
         }
         let mut table = shipped::open(asked, temperature).map_err(LawSourceError::Table)?;
         let metadata = table.metadata();
+        if holds_load(&metadata.scene) {
+            return Err(LawSourceError::LoadHeld { table: asked.to_owned() });
+        }
         let nu = metadata.poisson_ratio;
         let material = ElasticPlastic {
             youngs_modulus: metadata.contact_modulus * (1.0 - nu * nu),
@@ -146,6 +154,13 @@ impl LawSource {
 fn of_material(scene: &str, path: &[&str]) -> Option<f64> {
     let scene: toml::Table = scene.parse().ok()?;
     path.iter().try_fold(scene.get("material")?, |value, key| value.get(key))?.as_float()
+}
+
+/// Whether the slides of a scene hold the load.
+fn holds_load(scene: &str) -> bool {
+    let scene: toml::Table = scene.parse().unwrap_or_default();
+    let control = scene.get("loading").and_then(|loading| loading.get("control"));
+    control.and_then(toml::Value::as_str) == Some("load")
 }
 
 /// Of the asperity of a scene; `combined` has the modulus of the elastic counterface as well, which is displaced too.

@@ -71,8 +71,14 @@ impl Case {
     pub fn warnings(&self) -> Vec<Warning> {
         let of_topography = self.measured.iter().flat_map(|found| found.warnings.iter().cloned());
         let mut warnings: Vec<Warning> = of_topography.map(Warning::Topography).collect();
-        let implausible = self.file.text.parse().as_ref().map(remarks).unwrap_or_default();
-        warnings.extend(implausible.into_iter().map(Warning::Implausible));
+        let mut sections: toml::Table = self.file.text.parse().unwrap_or_default();
+        if self.file.heights_file.is_some() {
+            // The file of heights has no key for it.
+            let std = toml::Value::from(self.file.surface.heights.standard_deviation());
+            let heights = sections.get_mut("surface").and_then(|surface| surface.get_mut("heights"));
+            heights.and_then(toml::Value::as_table_mut).map(|heights| heights.insert("std".into(), std));
+        }
+        warnings.extend(remarks(&sections).into_iter().map(Warning::Implausible));
         warnings.extend(self.strain_rate());
         let cells = &self.source.interpolated_cells;
         if !cells.is_empty() {

@@ -81,11 +81,17 @@ fn values_of_the_law_lie_within_its_misfit() {
     let rows = numbers(&folder.read("law.inp"), ['*'; 2]);
     assert_eq!(rows.len(), 3 * 21);
     let (mu, misfit) = (reals(&folder, "mu", &[3, 7]), reals(&folder, "rate_rms", &[3]));
+    let error = reals(&folder, "mu_error", &[3, 7]);
+    folder.run_well("export friction.nc -o law.csv --law");
+    let csv = numbers(&folder.read("law.csv"), ['t'; 2]);
     for row in 0..3 {
         // Both ends of the range are slip rates of the query.
         for (exported, cell) in [(21 * row, 7 * row), (21 * row + 20, 7 * row + 6)] {
             let off = (rows[exported][0] - mu[cell]).abs();
             assert!(off < 3.0 * misfit[row], "{off} {}", misfit[row]);
+            // The law is no surer than what it is fitted to.
+            let exact = error[cell].hypot(2.0 * misfit[row]);
+            assert!((csv[exported][4] / exact - 1.0).abs() < 1e-9, "{} {exact}", csv[exported][4]);
         }
     }
 }

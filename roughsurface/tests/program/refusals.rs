@@ -1,5 +1,8 @@
 //! Contacts beyond the model, and signals.
 
+use tables::table::Metadata;
+
+use crate::demonstration::{Weakening, table};
 use crate::folder::{Folder, stderr};
 
 /// Summits as sharp as the last interference asks for: the radius is 1 µm.
@@ -32,6 +35,35 @@ fn no_closed_form_is_taken_to_an_indentation_of_a_thousand_radii() {
         );
     }
     assert!(!folder.path("f.nc").exists());
+}
+
+/// Slides at held load are no response of a summit, whose interference is that of the surface.
+#[test]
+fn a_table_of_slides_at_held_load_is_refused() {
+    let folder = Folder::with(&SHARP.replace("separation = -1e-3", "pressure = 1e5"));
+    let mut held = table(&Weakening::new(), 200.0);
+    let scene = "[loading]\ncontrol = \"load\"\n".to_owned();
+    held.set_metadata(Metadata { scene, ..held.metadata().clone() });
+    held.write(&folder.path("table.nc")).unwrap();
+    let predict = "predict surface.toml --table table.nc -o f.nc";
+    folder.refused(predict, "loading.control = \"load\"");
+    assert!(!folder.path("f.nc").exists());
+}
+
+/// Files of heights have no key that states their size or their decimal sign.
+#[test]
+fn heights_in_other_units_or_with_decimal_commas_are_noticed() {
+    let surface = "[surface]\nasperity_density = 1e10\nasperity_radius = 1e-4\n\
+                   heights = { distribution = \"sample\", file = \"heights.txt\" }\n[query]\npressure = 1e5\nslip_rate = 1\n";
+    let folder = Folder::with(surface);
+    let predict = "predict surface.toml --table model:hertz -o f.nc";
+    folder.write("heights.txt", "0.3\n-0.2\n0.1\n");
+    let material = "[material]\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\nyield_strength = 4e8\n";
+    folder.write("surface.toml", format!("{surface}{material}"));
+    let said = stderr(&folder.run(&format!("{predict} --extrapolate")));
+    assert!(said.contains("surface.heights.std = 0.205") && said.contains("if it is in um"), "{said}");
+    folder.write("heights.txt", "0,3\n-0,2\n# end\n");
+    folder.refused(predict, "may have decimal commas");
 }
 
 /// A signal ends prediction and sampling at once; one that is ignored, as under `nohup`, does not.

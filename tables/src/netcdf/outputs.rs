@@ -29,6 +29,9 @@ pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
     check_distinct(inputs, outputs)?;
     outputs.iter().try_for_each(|(_, output)| {
         let refused = |reason: String| OutputError::Unwritable { path: output.display().to_string(), reason };
+        if output.as_os_str() == "-" {
+            return Err(refused("results are not written to standard output; a file name is needed".into()));
+        }
         check_place(&destination(output)).map_err(refused)
     })
 }

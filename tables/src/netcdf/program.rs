@@ -88,12 +88,13 @@ pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -
     super::save(output, write).map_err(Failure::run)
 }
 
-/// The command as given, for the history of the files that it writes, without the folder of the program.
+/// The command as given, quoted for a shell, for the history of the files that it writes; without the folder of the program.
 pub fn command_line(program: &str) -> String {
     // Not `args`, which panics where an argument is not UTF-8.
     let arguments = std::env::args_os().skip(1).map(|argument| {
         let argument = argument.to_string_lossy().into_owned();
-        if argument.contains(char::is_whitespace) { format!("'{argument}'") } else { argument }
+        // An argument has no zero byte, which no shell can quote.
+        shlex::try_quote(&argument).map_or(argument.clone(), |quoted| quoted.into_owned())
     });
     std::iter::once(program.to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
 }

@@ -45,7 +45,7 @@ const PLAUSIBLE: &[Plausible] = &[
     Plausible {
         keys: &["thermal_expansion"],
         unit: "1/K",
-        range: (1e-8, 1e-3),
+        range: (1e-7, 1e-3),
         mistaken: &[("1e-6/K", 1e-6, 0.0), ("mm/(m K)", 1e-3, 0.0)],
     },
     // Polyethylene 2e8 Pa, diamond 1.2e12 Pa.
@@ -57,7 +57,21 @@ const PLAUSIBLE: &[Plausible] = &[
         range: (1e5, 5e10),
         mistaken: STRESS,
     },
-    Plausible { keys: &["hardening.modulus"], unit: "Pa", range: (1e5, 1e12), mistaken: STRESS },
+    Plausible { keys: &["hardening.modulus"], unit: "Pa", range: (1e5, 1e11), mistaken: STRESS },
+    // Polymers and ceramics 1e6 Pa m^0.5, tough steels 3e8 Pa m^0.5.
+    Plausible {
+        keys: &["fracture_toughness_mode_ii"],
+        unit: "Pa m^0.5",
+        range: (1e5, 2e9),
+        mistaken: &[("MPa m^0.5", 1e6, 0.0)],
+    },
+    Plausible {
+        keys: &["shear_fracture_energy"],
+        unit: "J/m2",
+        range: (0.1, 1e7),
+        mistaken: &[("kJ/m2", 1e3, 0.0)],
+    },
+    Plausible { keys: &["uniform_elongation"], unit: "1", range: (1e-4, 1.0), mistaken: &[("%", 1e-2, 0.0)] },
     Plausible {
         keys: &["temperature", "softening.reference", "softening.melting"],
         unit: "K",
@@ -65,7 +79,7 @@ const PLAUSIBLE: &[Plausible] = &[
         mistaken: &[("degrees Celsius", 1.0, 273.15)],
     },
     Plausible { keys: &["slip_rate"], unit: "m/s", range: (1e-13, 1e3), mistaken: &[("mm/s", 1e-3, 0.0)] },
-    Plausible { keys: &["radius", "asperity_radius"], unit: "m", range: (1e-9, 0.1), mistaken: LENGTH },
+    Plausible { keys: &["radius", "asperity_radius"], unit: "m", range: (1e-9, 0.05), mistaken: LENGTH },
     // Heights of a rough surface.
     Plausible { keys: &["std", "separation"], unit: "m", range: (1e-12, 1e-3), mistaken: LENGTH },
     Plausible {
@@ -143,9 +157,10 @@ fn remark(path: &str, value: f64) -> Option<String> {
     if value == 0.0 || plausible(value.abs()) {
         return None;
     }
-    let unit = known.unit;
-    let range = format!("{} to {} {unit}", plain(least), plain(most));
-    let mut text = format!("{path} = {} {unit} is implausible ({range})", plain(value));
+    // A number has no unit to write.
+    let unit = if known.unit == "1" { String::new() } else { format!(" {}", known.unit) };
+    let range = format!("{} to {}{unit}", plain(least), plain(most));
+    let mut text = format!("{path} = {}{unit} is implausible ({range})", plain(value));
     let converted = known.mistaken.iter().map(|(name, factor, offset)| (name, value * factor + offset));
     if let Some((name, converted)) = converted.into_iter().find(|(_, converted)| plausible(*converted)) {
         text += &format!("; if it is in {name}, write {}", plain(converted));
@@ -167,6 +182,10 @@ mod tests {
             ("yield_strength", "400", "MPa, write 4e8"),
             ("thermal_conductivity", "0.045", "W/(mm K), write 45"),
             ("thermal_expansion", "12", "1e-6/K, write 1.2e-5"),
+            ("thermal_expansion", "0.012", "mm/(m K), write 1.2e-5"),
+            ("hardening.modulus", "500", "MPa, write 5e8"),
+            ("fracture_toughness_mode_ii", "30", "MPa m^0.5, write 3e7"),
+            ("uniform_elongation", "15", "%, write 0.15"),
             ("specific_heat", "0.475", "kJ/(kg K), write 475"),
             ("temperature", "25", "degrees Celsius, write 298.15"),
             ("radius", "50", "um, write 5e-5"),

@@ -5,6 +5,7 @@ use asperity::tabulate::{Options, tabulate};
 use rand::SeedableRng;
 use rand::rngs::StdRng;
 use rand::seq::index;
+use serde_json::json;
 use tables::table::Slice;
 
 use super::{CheckArguments, read};
@@ -19,9 +20,9 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
     let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
     let done: Vec<_> = cells.filter(|&(i, j)| table.cell(i, j).is_some()).collect();
     let mut random = StdRng::seed_from_u64(arguments.seed);
-    let chosen = index::sample(&mut random, done.len(), arguments.cells.min(done.len()));
+    let chosen = index::sample(&mut random, done.len(), usize::from(arguments.cells).min(done.len()));
     watch_for_interrupt();
-    let mut wrong = Vec::new();
+    let (mut wrong, mut compared) = (Vec::new(), Vec::new());
     for (i, j) in chosen.into_iter().map(|k| done[k]) {
         let again = computed_again(&table, &request, (i, j), display)?;
         let comparison = table.compare(&again);
@@ -32,14 +33,25 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
             let name = difference.quantity.descriptor().name;
             format!("largest difference {:.2e} of {name}", difference.largest)
         });
-        if !display.quiet {
+        if !display.quiet && !display.json {
             print(&format!("{}: {}: {difference}\n", arguments.table, table.label(i, j)))?;
         }
+        let (interference, slip_rate) = table.coordinates(i, j);
+        compared.push(json!({
+            "interference": interference,
+            "slip_rate": slip_rate,
+            "quantity": largest.map(|difference| difference.quantity.descriptor().name),
+            "largest": largest.map_or(0.0, |difference| difference.largest),
+            "beyond_errors": beyond,
+        }));
         let states = comparison.states.iter().map(|(_, here, there)| format!("{here} and {there}"));
         let what: Vec<String> = states.chain(beyond.into_iter().map(str::to_owned)).collect();
         if !what.is_empty() {
             wrong.push(format!("{}: {}", table.label(i, j), what.join(", ")));
         }
+    }
+    if display.json {
+        print(&format!("{:#}\n", json!({ "table": arguments.table, "cells": compared })))?;
     }
     match wrong.is_empty() {
         true => Ok(()),

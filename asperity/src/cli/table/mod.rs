@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
+use serde_json::json;
 use tables::figures::TABLE_PANELS;
 use tables::interpolation::InterpolatedTable;
 use tables::netcdf::input::number;
@@ -70,7 +71,7 @@ pub enum TableCommand {
 pub struct At {
     /// Initial temperature of body and flat at which to read a table that has several; in between it
     /// is interpolated
-    #[arg(long, value_name = "K", value_parser = temperature)]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, value_parser = temperature)]
     temperature: Option<f64>,
 }
 
@@ -84,7 +85,7 @@ pub struct DiffArguments {
     there: String,
     /// Largest relative difference allowed; if one is larger, or a cell is done in one of the tables
     /// only, exit with status 1
-    #[arg(long, value_name = "X", value_parser = tolerance)]
+    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = tolerance)]
     tolerance: Option<f64>,
     #[command(flatten)]
     at: At,
@@ -96,8 +97,8 @@ pub struct CheckArguments {
     #[arg(value_name = "TABLE.nc|NAME")]
     table: String,
     /// Cells to compute again
-    #[arg(long, value_name = "N", default_value_t = 2)]
-    cells: usize,
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..))]
+    cells: u16,
     /// Seed of the random choice of cells
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
@@ -123,14 +124,21 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
         TableCommand::Plot { table, output, panel, at } => {
             outputs::check(&[("the table", Path::new(table))], &[(outputs::PLOT, output)])?;
             let figure = read(table, at)?.figure().only(panel).map_err(Failure::run)?;
-            figure.save(output).map_err(Failure::run)
+            figure.save(output).map_err(Failure::run)?;
+            printed(output, display)
         }
         TableCommand::Export { table, output, histories, at } => {
             check_csv(output)?;
             outputs::check(&[("the table", Path::new(table))], &[(outputs::OUTPUT, output)])?;
-            export(&read_all(table, at)?, output, *histories)
+            export(&read_all(table, at)?, output, *histories)?;
+            printed(output, display)
         }
     }
+}
+
+/// What is printed of a file that was written: its name as JSON, or nothing.
+fn printed(output: &Path, display: &Display) -> Result<(), Failure> {
+    display.printer().print(|| json!({ "output": output.display().to_string() }), String::new)
 }
 
 /// The table at the given initial temperature, which is required if the table has several.

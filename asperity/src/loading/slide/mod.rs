@@ -20,7 +20,7 @@ use crate::heat::conduction::{Conduction, HeatError};
 use crate::loading::problem::{Problem, SHEAR_RATIO};
 use crate::loading::recording::Recorder;
 use crate::loading::state::SlideState;
-use crate::scene::Control;
+use crate::scene::{Control, FrictionLaw};
 use crate::solver::StopRequest;
 use crate::solver::newton::{LoadingControl, Mechanics, StepFailure};
 use coupling::Equilibrium;
@@ -51,10 +51,10 @@ pub enum SlideFailure {
     #[error(
         "the body shears below a sticking interface: {:.0} % of the contact stick, and the elements below \
          have a plastic strain of {strain:.2}, beyond which the result depends on the mesh. Sliding requires \
-         an interface weaker than the metal below it: interface.strength_factor = 0.9, or material.hardening",
+         an interface weaker than the metal below it: {remedy}",
         100.0 * .stick_fraction
     )]
-    Distorted { strain: f64, stick_fraction: f64 },
+    Distorted { strain: f64, stick_fraction: f64, remedy: &'static str },
     #[error("every solution of the next increment breaks a law that all states keep: {0}")]
     Impossible(#[from] Violation),
     #[error(
@@ -334,7 +334,7 @@ impl<'a> Slide<'a> {
     fn check(&self, state: &SlideState, solved: &Equilibrium) -> Result<(), SlideFailure> {
         let (strain, stick_fraction) = (state.plastic_strain_max, state.stick_fraction);
         if strain > LARGEST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
-            return Err(SlideFailure::Distorted { strain, stick_fraction });
+            return Err(self.shears_in_stick(strain, stick_fraction));
         }
         let rise =
             solved.heated.iter().flat_map(|(rise, _)| rise).fold(0.0, |most: f64, rise| most.max(*rise));
@@ -351,7 +351,17 @@ impl<'a> Slide<'a> {
     fn distorted(&self) -> Option<SlideFailure> {
         let SlideState { plastic_strain_max: strain, stick_fraction, .. } = *self.last();
         (self.problem.finite_strain && strain > LARGEST_STRAIN_IN_STICK)
-            .then_some(SlideFailure::Distorted { strain, stick_fraction })
+            .then(|| self.shears_in_stick(strain, stick_fraction))
+    }
+
+    fn shears_in_stick(&self, strain: f64, stick_fraction: f64) -> SlideFailure {
+        let remedy = match self.problem.law {
+            FrictionLaw::FullStick => {
+                "law = \"shear-strength\" with strength_factor = 0.9; with law = \"full-stick\" a shorter slip_distance"
+            }
+            _ => "interface.strength_factor = 0.9, or material.hardening",
+        };
+        SlideFailure::Distorted { strain, stick_fraction, remedy }
     }
 
     /// The last converged state.

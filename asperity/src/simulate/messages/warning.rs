@@ -33,7 +33,6 @@ pub enum Warning {
     InceptionByStiffness {
         spread: f64,
     },
-    /// Body and interface are equally strong and the body does not harden.
     /// Body and interface are equally strong, and the body does not harden up to a plastic strain.
     EqualStrength {
         plateau: f64,

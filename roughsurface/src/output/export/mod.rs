@@ -6,6 +6,7 @@ use crate::friction::rate_law::FORMS;
 use std::path::Path;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetReader};
+use tables::quantity::COVERAGE_FACTOR;
 
 /// A format, with the extension that decides on it.
 pub struct Format {
@@ -192,22 +193,40 @@ impl FrictionTable {
         })
     }
 
-    /// The table with the values of the fitted laws at slip rates in equal ratios, ten a decade.
+    /// The table with the values of the fitted laws at slip rates in equal ratios, ten a decade. Their errors are those of the
+    /// values that the laws were fitted to, interpolated in the logarithm of the slip rate, and twice the misfit, as squares.
     pub fn of_laws(mut self) -> Result<Self, ExportError> {
         const A_DECADE: f64 = 10.0;
         let first = self.slip_rates.iter().copied().find(|rate| *rate > 0.0).unwrap_or(1.0);
         let last = *self.slip_rates.last().expect("there is a slip rate");
         let count = ((last / first).log10() * A_DECADE).ceil().max(1.0) as usize;
-        self.slip_rates = (0..=count).map(|i| first * (last / first).powf(i as f64 / count as f64)).collect();
+        let rates: Vec<f64> =
+            (0..=count).map(|i| first * (last / first).powf(i as f64 / count as f64)).collect();
+        let logarithms: Vec<f64> = self.slip_rates.iter().map(|rate| rate.ln()).collect();
         for (layer, source) in self.layers.iter_mut().zip(&self.sources) {
-            layer.mu.clear();
-            for (law, &pressure) in layer.laws.iter().zip(&self.pressures) {
+            let computed = std::mem::take(&mut layer.mu);
+            let rows = computed.chunks(self.slip_rates.len());
+            for ((law, &pressure), row) in layer.laws.iter().zip(&self.pressures).zip(rows) {
                 let law = law.as_ref().ok_or(ExportError::NoLaw { path: source.clone(), pressure })?;
-                let value =
-                    |rate: &f64| Estimate { value: law.friction_coefficient(*rate), error: law.misfit };
-                layer.mu.extend(self.slip_rates.iter().map(value));
+                let value = |rate: &f64| Estimate {
+                    value: law.friction_coefficient(*rate),
+                    error: error_at(&logarithms, row, rate.ln()).hypot(COVERAGE_FACTOR * law.misfit),
+                };
+                layer.mu.extend(rates.iter().map(value));
             }
         }
+        self.slip_rates = rates;
         Ok(self)
     }
+}
+
+/// Error of the values of a row at the logarithm of a slip rate, linear between those computed.
+fn error_at(logarithms: &[f64], row: &[Estimate], logarithm: f64) -> f64 {
+    let after = logarithms.partition_point(|known| *known < logarithm).clamp(1, row.len().max(2) - 1);
+    let (from, to) = (after - 1, after.min(row.len() - 1));
+    let width = logarithms[to] - logarithms[from];
+    // A slip rate of 0 is infinitely far.
+    let share = if width.is_finite() && width > 0.0 { (logarithm - logarithms[from]) / width } else { 1.0 };
+    let share = share.clamp(0.0, 1.0);
+    (1.0 - share) * row[from].error + share * row[to].error
 }

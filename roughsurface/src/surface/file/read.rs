@@ -89,7 +89,10 @@ impl SurfaceFile {
         let text = toml::to_string(&sections).map_err(|error| content(file, None, error.to_string()))?;
         Self::parse_moved(file, text, None).map_err(|error| match error {
             // Lines have other numbers now.
-            SurfaceFileError::Content { what, .. } => content(file, None, what),
+            SurfaceFileError::Content { what, .. } => {
+                let given = overrides.iter().any(|change| what.starts_with(&change.key()));
+                content(if given { Path::new("the command line") } else { file }, None, what)
+            }
             other => other,
         })
     }

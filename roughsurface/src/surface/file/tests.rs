@@ -212,9 +212,9 @@ fn the_command_line_overrides_the_file() {
     let file = SurfaceFile::parse_with(Path::new("s.toml"), GOOD.to_owned(), &separations).unwrap();
     assert_eq!(file.query.loading, NormalLoading::Separation(vec![-1e-7]));
     for (text, expected) in [
-        ("query.presure=1", "surface.toml: query.presure: is not a key; did you mean pressure?"),
+        ("query.presure=1", "the command line: query.presure: is not a key; did you mean pressure?"),
         ("query.pressure.x=1", "surface.toml: query.pressure.x: pressure is a value, not a section"),
-        ("query.pressure=-1", "query.pressure[0] = -1e0: must be finite and positive"),
+        ("query.pressure=-1", "the command line: query.pressure[0] = -1e0: must be finite and positive"),
     ] {
         let error = with(&[text]).unwrap_err().to_string();
         assert!(error.contains(expected), "{error}");

@@ -15,7 +15,25 @@ impl<'a> TextFile<'a> {
         let unreadable = |reason: &dyn std::fmt::Display| error(path, format!("cannot be read: {reason}"));
         let bytes = read_regular(path).map_err(|reason| unreadable(&reason))?;
         let text = String::from_utf8(bytes).map_err(|reason| unreadable(&reason))?;
-        Ok(Self { path, text })
+        let file = Self { path, text };
+        match file.may_have_decimal_commas() {
+            true => Err(file.error(
+                "may have decimal commas, or pairs of numbers: write points, or spaces between numbers",
+            )),
+            false => Ok(file),
+        }
+    }
+
+    /// Whether each line is two whole numbers around a comma.
+    fn may_have_decimal_commas(&self) -> bool {
+        let whole = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        let pair = |line: &str| {
+            let (whole_part, decimals) = line.split_once(',')?;
+            Some(whole(whole_part.trim_start_matches(['-', '+'])) && whole(decimals))
+        };
+        let contents = || self.text.lines().map(|line| line.split('#').next().unwrap_or_default().trim());
+        let mut lines = contents().filter(|line| !line.is_empty()).peekable();
+        lines.peek().is_some() && lines.all(|line| pair(line) == Some(true))
     }
 
     /// Index, text and words of every line, separated by white space or commas; `#` starts a comment.

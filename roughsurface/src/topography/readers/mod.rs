@@ -19,6 +19,7 @@ use crate::topography::warning::Warning;
 use crate::topography::{Topography, TopographyError, plausibility};
 use std::io::Read;
 use std::path::Path;
+use tables::netcdf::input::STANDARD_INPUT;
 
 /// Fewest points in each direction from which curvatures can be computed.
 const FEWEST_POINTS: usize = 8;
@@ -30,7 +31,8 @@ const MOST_UNDEFINED: f64 = 0.1;
 pub fn is_topography(file: &Path) -> bool {
     /// Comments are shorter.
     const BEGINNING: u64 = 1 << 16;
-    if file.extension().is_some_and(|extension| extension == "toml") || !file.is_file() {
+    let standard_input = file == Path::new(STANDARD_INPUT);
+    if standard_input || file.extension().is_some_and(|extension| extension == "toml") || !file.is_file() {
         return false;
     }
     let mut start = Vec::new();

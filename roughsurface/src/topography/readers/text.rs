@@ -19,9 +19,17 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
         remarks.push(Warning::DecimalCommas);
     }
     let (header, lines) = numbers(text, decimal_commas)?;
-    let unit = reading.unit(header.unit, &mut remarks);
     let columns = lines.first().map_or(0, Vec::len);
-    let column = |index: usize| -> Vec<f64> { lines.iter().map(|line| unit * line[index]).collect() };
+    let units = match &header.columns[..] {
+        titled if titled.len() == columns && titled.iter().any(|unit| *unit != titled[0]) => {
+            match reading.unit {
+                None => titled.to_vec(),
+                Some(_) => return Err("its titles state the unit of each column; leave out --unit".into()),
+            }
+        }
+        titled => vec![reading.unit(header.unit.or(titled.first().copied()), &mut remarks); columns.max(1)],
+    };
+    let column = |index: usize| -> Vec<f64> { lines.iter().map(|line| units[index] * line[index]).collect() };
     match columns {
         0 => Err("holds no numbers".into()),
         1 => Ok(Topography { remarks, ..Topography::profile(reading.pixel()?, column(0)) }),
@@ -36,7 +44,7 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
                 (None, Some(width), Some(height)) => (height / rows as f64, width / columns as f64),
                 _ => (reading.pixel()?, reading.pixel()?),
             };
-            let heights = lines.iter().flatten().map(|height| unit * height).collect();
+            let heights = lines.iter().flatten().map(|height| units[0] * height).collect();
             let map = Topography::map((rows, row_step), (columns, column_step), heights);
             Ok(Topography { remarks, ..map })
         }
@@ -132,6 +140,8 @@ struct Header {
     width: Option<f64>,
     height: Option<f64>,
     unit: Option<f64>,
+    /// Units in titles of columns such as `x [mm], y [mm], z [um]`, if all have one.
+    columns: Vec<f64>,
 }
 
 impl Header {
@@ -148,16 +158,10 @@ impl Header {
         }
     }
 
-    /// The unit in titles such as `x [um], y [um], z [um]`, if all columns have the same.
     fn take_titles(&mut self, titles: &str) {
-        let units: Vec<Option<f64>> = (titles.split(['[', '(']).skip(1))
-            .map(|rest| length::unit(rest.split([']', ')']).next().unwrap_or_default()))
-            .collect();
-        if let [Some(first), others @ ..] = &units[..]
-            && others.iter().all(|other| *other == Some(*first))
-        {
-            self.unit = Some(*first);
-        }
+        let units = (titles.split(['[', '(']).skip(1))
+            .map(|rest| length::unit(rest.split([']', ')']).next().unwrap_or_default()));
+        self.columns = units.collect::<Option<_>>().unwrap_or_default();
     }
 }
 
@@ -223,8 +227,12 @@ mod tests {
         assert_eq!((named.heights[3], named.remarks.len()), (5.0, 1));
         let micrometres = read(&format!("x [um], y [um], z [um]\n{points}")).unwrap();
         assert!((micrometres.heights[3] / 5e-6 - 1.0).abs() < 1e-15 && micrometres.remarks.is_empty());
-        // Of two units none is that of all.
-        assert_eq!(read(&format!("x (um) y (um) z (nm)\n{points}")).unwrap().heights[3], 5.0);
+        let mixed = format!("x [mm], y [mm], z [um]\n{points}");
+        let map = read(&mixed).unwrap();
+        assert!((map.heights[3] / 5e-6 - 1.0).abs() < 1e-15 && map.remarks.is_empty());
+        assert!((map.row_step / 1e-3 - 1.0).abs() < 1e-12);
+        let refused = parse(&mixed, &Reading { unit: Some(1e-6), pixel: None }).unwrap_err();
+        assert!(refused.contains("leave out --unit"), "{refused}");
         assert!(read(&format!("{points}x y z\n")).unwrap_err().contains("line 5: \"x\""));
     }
 
