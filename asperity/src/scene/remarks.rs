@@ -217,6 +217,41 @@ mod tests {
         assert_eq!(remarks(&["interface.law=full-stick"]).len(), 1);
     }
 
+    #[test]
+    fn values_without_effect_are_named() {
+        let hardens = "material.hardening={law=\"linear\", modulus=1e9}";
+        let of = |more: &[&str]| remarks(&[&[hardens], more].concat());
+        for law in ["full-stick", "frictionless"] {
+            let said = of(&[&format!("interface.law={law}"), "interface.strength_factor=0.9"]);
+            assert!(said.len() == 1 && said[0].contains("strength_factor = 0.9 has no effect"), "{said:?}");
+        }
+        let capped = of(&["interface.law=coulomb", "interface.strength_factor=0.9"]);
+        assert_eq!(capped, Vec::<String>::new());
+        let beside = ["counterface.preset=copper", "interface.heat_partition=0.3"];
+        let said = of(&beside);
+        assert!(said.len() == 1 && said[0].contains("heat_partition = 0.3 has no effect"), "{said:?}");
+        let resistance = [&beside[..], &["counterface.contact_conductance=1e6"]].concat();
+        assert_eq!(of(&resistance), Vec::<String>::new());
+        let defaults = |more: &[&str]| scene_with(more).defaults_in_effect().join("\n");
+        assert!(defaults(&[]).contains("interface.heat_partition"));
+        assert!(!defaults(&beside[..1]).contains("interface.heat_partition"));
+    }
+
+    /// An engineering tensile strength is that at the largest load.
+    #[test]
+    fn a_tensile_strength_below_yield_is_noticed() {
+        let of = |strength: &str| {
+            remarks(&[
+                "material.hardening={law=\"linear\", modulus=1e9}",
+                &format!("material.tensile_strength={strength}"),
+                "material.uniform_elongation=0.2",
+            ])
+        };
+        assert_eq!(of("400e6"), Vec::<String>::new());
+        let said = of("200e6");
+        assert!(said.len() == 1 && said[0].contains("below yield_strength = 3e8 Pa"), "{said:?}");
+    }
+
     /// Plateau of the hardening, and plastic strains up to which shear localises.
     #[test]
     fn shear_localises_where_the_body_does_not_harden() {

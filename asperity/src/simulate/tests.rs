@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::accuracy::resolution::Resolution;
 use super::messages::{Note, Warning};
-use super::outcome::ErrorSource;
-use super::{SimulationError, Unwatched, Watch, press, run_alone, sample, simulate, slide};
+use super::outcome::{ErrorSource, Outcome};
+use super::{SimulationError, Unwatched, Watch, derived, press, run_alone, sample, simulate, slide};
 use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
 use crate::scene::Scene;
@@ -62,6 +62,32 @@ fn an_ended_run_is_ahead_of_a_longer_one() {
     ended.history.truncate(4);
     assert!(ended.is_ahead_of(&long) && !long.is_ahead_of(&ended));
     assert!(long.is_ahead_of(&short) && !short.is_ahead_of(&long));
+}
+
+/// A press alone has no friction, which is not friction of zero; a slide too short for full slip has no time of it.
+#[test]
+fn what_did_not_happen_has_no_numbers() {
+    let mut scene = hot_scene("steel-4340", 5.0, 10.0, "off");
+    scene.loading.slip_distance = 0.0;
+    let pressed = simulate(&scene, &Unwatched).unwrap();
+    for quantity in
+        [Quantity::Mu, Quantity::MuStatic, Quantity::MuPeak, Quantity::Friction, Quantity::EnergyRelease]
+    {
+        assert!(pressed.scalars[quantity].value.is_nan(), "{quantity:?}");
+    }
+    let load = pressed.scalars[Quantity::LoadPress];
+    assert!(load.value > 0.0 && load.error < 0.1 * load.value && !pressed.steady);
+    assert!((pressed.scalars[Quantity::Load].value / load.value - 1.0).abs() < 1e-12);
+    scene.loading.slip_distance = 1e-3;
+    let short = simulate(&scene, &Unwatched).unwrap();
+    let named = |scene: &Scene, outcome: &Outcome| {
+        derived::of_run(scene, outcome).iter().any(|(name, ..)| *name == "inception_time")
+    };
+    assert!(!named(&scene, &short) && short.account.warnings.contains(&Warning::NotSliding));
+    let is_fast = |warning: &Warning| matches!(warning, Warning::FastInception { .. });
+    assert!(!short.account.warnings.iter().any(is_fast));
+    scene.loading.slip_distance = 0.1;
+    assert!(named(&scene, &simulate(&scene, &Unwatched).unwrap()));
 }
 
 fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {

@@ -8,6 +8,9 @@ use super::keys::{Key, Kind, NOT_NEGATIVE, Order, key};
 use super::source::{Source, join};
 use super::synonyms::meant;
 
+/// Laws that have no keys of their own.
+const WITHOUT_KEYS: [&str; 4] = ["none", "shear-strength", "full-stick", "frictionless"];
+
 /// Whether all keys of the section at `path` are among `keys`, taken by its law, and within their ranges.
 pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result<(), SceneFileError> {
     for name in table.keys() {
@@ -24,7 +27,9 @@ pub fn check(path: &str, table: &Table, keys: &[Key], source: &Source) -> Result
             });
         }
     }
-    let law = table.get("law").and_then(Value::as_str);
+    // Of an unknown law serde says so, not that a key belongs to another.
+    let known = |law: &str| WITHOUT_KEYS.contains(&law) || keys.iter().any(|key| key.laws.contains(&law));
+    let law = table.get("law").and_then(Value::as_str).filter(|law| known(law));
     for key in keys {
         let Some(value) = table.get(key.name) else {
             continue;

@@ -10,9 +10,6 @@ use super::keys::{Key, Kind, find};
 use super::source::{Source, join};
 use crate::scene::presets;
 
-/// How serde's message on a name begins that its type does not know.
-const UNKNOWN_VARIANT: &str = "unknown variant";
-
 /// Read the section at `path`: its keys must be among `keys`, its numbers within their ranges.
 pub fn read<T: DeserializeOwned>(
     path: &str,
@@ -20,15 +17,8 @@ pub fn read<T: DeserializeOwned>(
     keys: &[Key],
     source: &Source,
 ) -> Result<T, SceneFileError> {
-    let read = serde_path_to_error::deserialize(table.clone());
-    // A law that is none has no keys that belong to it.
-    let unknown_law = |error: &serde_path_to_error::Error<toml::de::Error>| {
-        error.inner().message().starts_with(UNKNOWN_VARIANT)
-    };
-    if !read.as_ref().is_err_and(unknown_law) {
-        check(path, table, keys, source)?;
-    }
-    read.map_err(|error| {
+    check(path, table, keys, source)?;
+    serde_path_to_error::deserialize(table.clone()).map_err(|error| {
         let inner = match error.path().to_string() {
             inner if inner == "." => String::new(),
             inner => inner,
@@ -64,7 +54,7 @@ fn explain<T: DeserializeOwned>(
         Some(_) => inner.to_owned(),
     };
     let value = value_at(table, &inner).map_or(String::new(), Value::to_string);
-    let allowed = match message.starts_with(UNKNOWN_VARIANT) {
+    let allowed = match message.starts_with("unknown variant") {
         true => one_of(&quoted[1..]),
         false => allowed::<T>(&inner, table, keys),
     };
@@ -86,7 +76,7 @@ fn allowed<T: DeserializeOwned>(inner: &str, table: &Table, keys: &[Key]) -> Str
     // A name on the way that is a value has been refused before.
     let _ = name.lay_over(&mut unknown);
     match (kind, serde_path_to_error::deserialize::<_, T>(unknown)) {
-        (Kind::Name, Err(error)) if error.inner().message().starts_with(UNKNOWN_VARIANT) => {
+        (Kind::Name, Err(error)) if error.inner().message().starts_with("unknown variant") => {
             let names: Vec<&str> = error.inner().message().split('`').skip(3).step_by(2).collect();
             one_of(&names)
         }
