@@ -266,10 +266,10 @@ def cell_errors():
     return by_table(lambda q: f"{100 * q['relative_error_median']:.1f} / {100 * q['relative_error_largest']:.1f}")
 
 
-@block("interpolation-errors", 1)
-def interpolation_errors():
-    """Largest error of interpolation of the shipped tables, %."""
-    return by_table(lambda q: f"{100 * q['interpolation_error_largest']:.1f}")
+@block("between-errors", 1)
+def between_errors():
+    """Median and largest error of the shipped tables half-way between their points, %."""
+    return by_table(lambda q: f"{100 * q['between_error_median']:.1f} / {100 * q['between_error_largest']:.1f}")
 
 
 @block("table-times", 1)

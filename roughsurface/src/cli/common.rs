@@ -58,7 +58,7 @@ pub fn failure(error: PredictionError) -> Failure {
         }
         PredictionError::Lookup(LookupError::Missing { .. })
         | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => {
-            Some("--allow-missing interpolates where results lie on both sides")
+            Some("--allow-missing interpolates only cells that have results on both sides")
         }
         PredictionError::Separation(
             SeparationError::NotFound { .. } | SeparationError::NoMeanPlane { .. },

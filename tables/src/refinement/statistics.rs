@@ -1,7 +1,8 @@
 //! Errors, states and cost of a table in a few numbers.
 
-use crate::quantity::Quantity;
-use crate::table::{Slice, Status};
+use crate::interpolation::InterpolatedTable;
+use crate::quantity::{Estimate, Quantity};
+use crate::table::{Metadata, Slice, Status};
 
 /// Relative errors of a quantity over the cells with results.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +19,9 @@ pub struct ErrorStatistics {
     pub largest_at: (usize, usize),
     /// Largest error of interpolation, by cross-validation; infinite where an axis has two points.
     pub interpolation: f64,
+    /// Median and largest relative error of values read half-way between neighbouring points of both axes, that of
+    /// interpolation included; none without such points.
+    pub between: Option<[f64; 2]>,
 }
 
 /// Numbers of cells.
@@ -31,11 +35,33 @@ pub struct Counts {
     pub failed: usize,
 }
 
+/// Median and largest relative error half-way between the points; values of no more than `nothing` are left out.
+fn between_points(table: &InterpolatedTable, quantity: Quantity, nothing: f64) -> Option<[f64; 2]> {
+    let Metadata { asperity_radius, temperature, .. } = table.metadata();
+    let origin = quantity.origin(*temperature);
+    let middle = |pair: &[f64]| match pair[0] > 0.0 {
+        true => (pair[0] * pair[1]).sqrt(),
+        false => 0.5 * (pair[0] + pair[1]),
+    };
+    let [interferences, rates] = [&table.axes().interference, &table.axes().slip_rate]
+        .map(|axis| axis.windows(2).map(middle).collect::<Vec<_>>());
+    let places = interferences.iter().flat_map(|omega| rates.iter().map(move |rate| (*omega, *rate)));
+    let error = |(omega, rate)| {
+        let Estimate { value, error } = table.estimate(quantity, *asperity_radius, omega, rate).ok()?;
+        let size = (value - origin).abs();
+        (size > nothing && error.is_finite()).then_some(error / size)
+    };
+    let mut errors: Vec<f64> = places.filter_map(error).collect();
+    errors.sort_by(f64::total_cmp);
+    Some([*errors.get(errors.len() / 2)?, *errors.last()?])
+}
+
 impl Slice {
     /// Errors of each quantity that has any values, relative to the value (of temperatures: to the
     /// rise above the initial one).
     pub fn error_statistics(&self) -> Vec<ErrorStatistics> {
         let validation = self.cross_validation();
+        let interpolated = self.clone().interpolated();
         let of = |quantity: Quantity| {
             let base = quantity.origin(self.metadata().temperature);
             /// Over the largest value: smaller values are rounding errors.
@@ -60,6 +86,7 @@ impl Slice {
                 largest,
                 largest_at,
                 interpolation: validation.worst(quantity).error,
+                between: between_points(&interpolated, quantity, NOTHING * scale),
             })
         };
         Quantity::SCALARS.into_iter().filter_map(of).collect()

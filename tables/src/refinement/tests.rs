@@ -136,7 +136,8 @@ fn power_laws_need_no_more_points() {
         let (omega, rate) = table.coordinates(i, j);
         let mut cell = Cell::new().with(Quantity::ContactRadius, 1e-5, 0.0);
         for quantity in JUDGED {
-            cell = cell.with(quantity, 3.0 * omega.powf(0.7) * rate.powf(-0.2), 0.0);
+            let value = 3.0 * omega.powf(0.7) * rate.powf(-0.2);
+            cell = cell.with(quantity, value, 0.03 * value);
         }
         for quantity in [Quantity::Load, Quantity::Friction, Quantity::Area] {
             cell = cell.with_history(quantity, vec![1.0, 1.0]);
@@ -146,6 +147,11 @@ fn power_laws_need_no_more_points() {
     let goal = Goal { tolerance: 1e-6, most_cells: 1000 };
     assert_eq!(goal.next_axes(&table), None);
     assert!(table.cross_validation().worst(Quantity::Mu).error < 1e-9);
+    // Half-way the errors of four points are their mean, and the value is their geometric mean.
+    let half = 0.5 * 10f64.ln();
+    let exact = 0.03 * (0.7 * half).cosh() * (0.2 * half).cosh();
+    let mu = table.error_statistics().into_iter().find(|found| found.quantity == Quantity::Mu).unwrap();
+    assert!(mu.between.unwrap().iter().all(|error| (error / exact - 1.0).abs() < 1e-9), "{mu:?} {exact}");
 }
 
 #[test]

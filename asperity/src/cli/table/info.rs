@@ -151,22 +151,26 @@ fn errors(table: &Slice) -> String {
         None => "(not part of the errors)",
     };
     let mut text = format!(
-        "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {:24}   interpolation {interpolated}\n",
-        "quantity", "unit", "from", "to", "median", "largest", "error, largest at"
+        "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {:24} {:>9} {:>9}   interpolation {interpolated}\n",
+        "quantity", "unit", "from", "to", "median", "largest", "error, largest at", "between:", "largest"
     );
     for statistics in table.error_statistics() {
-        let ErrorStatistics { quantity, range, median, largest, largest_at, interpolation } = statistics;
+        let ErrorStatistics { quantity, range, median, largest, largest_at, interpolation, between } =
+            statistics;
+        let [middle, most] = between.unwrap_or([f64::NAN; 2]);
         let descriptor = quantity.descriptor();
         let at = table.label(largest_at.0, largest_at.1);
         let _ = writeln!(
             text,
-            "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {at:24}   {}",
+            "{:17} {:6} {:>12} {:>12}   {:>9} {:>9}   {at:24} {:>9} {:>9}   {}",
             descriptor.name,
             descriptor.units,
             plain(range.0),
             plain(range.1),
             percent(median),
             percent(largest),
+            percent(middle),
+            percent(most),
             percent(interpolation),
         );
     }
@@ -189,6 +193,8 @@ fn as_json(table: &Table, slice: &Slice, table_name: &str) -> Value {
             "relative_error_median": statistics.median,
             "relative_error_largest": statistics.largest,
             "interpolation_error_largest": statistics.interpolation,
+            "between_error_median": statistics.between.map(|[median, _]| median),
+            "between_error_largest": statistics.between.map(|[_, largest]| largest),
         });
         (descriptor.name.to_owned(), entry)
     };

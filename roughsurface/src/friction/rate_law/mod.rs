@@ -95,13 +95,6 @@ impl RateLaw {
         self.plateau.value + (self.mu_0.value - self.plateau.value) * share
     }
 
-    /// dμ/d ln V at `slip_rate` (m/s).
-    pub fn rate_sensitivity(&self, slip_rate: f64) -> f64 {
-        let power = (slip_rate / self.velocity.value).powf(self.exponent.value);
-        let (n, m) = (self.exponent.value, self.form.outer_exponent);
-        -(self.mu_0.value - self.plateau.value) * n * m * power * (1.0 + power).powf(-m - 1.0)
-    }
-
     /// Whether law and data agree: R² of at least 0.99 over more slip rates than a curve with as many parameters can pass
     /// through (the information criterion is a number), and a velocity known to half of itself.
     pub fn is_reliable(&self) -> bool {

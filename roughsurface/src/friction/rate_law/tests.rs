@@ -37,9 +37,6 @@ fn every_form_comes_back_from_its_own_curve() {
         assert!(found.misfit < 1e-9 && found.r_squared > 1.0 - 1e-9 && found.is_reliable());
         for rate in [0.1, 10.0] {
             assert!((found.friction_coefficient(rate) - law(rate)).abs() < 1e-8);
-            let difference = (law(rate * 1.0001) - law(rate / 1.0001)) / (2.0 * 1.0001f64.ln());
-            // Central differences over steps of 1e-4: relative error 1e-8.
-            assert!((found.rate_sensitivity(rate) / difference - 1.0).abs() < 1e-5, "{rate}");
         }
     }
 }

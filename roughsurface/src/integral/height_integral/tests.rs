@@ -147,24 +147,6 @@ fn uniform_heights_integrate_powers_exactly() {
     assert_eq!(moment(&heights, 1.5, 2.0, 1e-7), 0.0);
 }
 
-#[test]
-fn elastic_greenwood_williamson() {
-    // P = (4/3) η E* √R σ^{3/2} F_{3/2}, A = π η R σ F_1, n = η F_0.
-    let law = closed_form("hertz", &STEEL).unwrap();
-    let (radius, density) = (1e-4, 1e10);
-    let heights = Gaussian::new(STD);
-    let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 1.0).unwrap();
-    let mut integral = HeightIntegral::new(asperity.clone(), &heights, density, 1e-12);
-    for (h, row) in gaussian() {
-        let state = integral.at(h * STD).unwrap();
-        let pressure = 4.0 / 3.0 * density * STEEL.contact_modulus() * radius.sqrt() * STD.powf(1.5) * row[3];
-        let area = std::f64::consts::PI * density * radius * STD * row[2];
-        assert_close(state.pressure.value, pressure, 1e-11, "pressure");
-        assert_close(state.area_fraction.value, area, 1e-11, "area");
-        assert_close(state.contact_density, density * row[0], 1e-13, "number");
-    }
-}
-
 /// Lower incomplete gamma function, for the exact Kogut–Etsion sums.
 fn incomplete_gamma(a: f64, x: f64) -> f64 {
     libm::tgamma(a) * puruspe::gammp(a, x)

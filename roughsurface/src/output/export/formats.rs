@@ -1,6 +1,7 @@
 //! The formats as text. SI units and kelvin.
 
-use super::{FrictionTable, Law, Layer};
+use super::{FrictionTable, Layer};
+use crate::friction::rate_law::RateLaw;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -41,11 +42,11 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
     for layer in &table.layers {
         for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
             let Some(law) = law else { continue };
-            let Law { mu_0, mu_inf, velocity, exponent, .. } = law;
+            let RateLaw { form, mu_0, plateau, velocity, exponent, .. } = law;
             let _ = writeln!(
                 text,
                 "** Rate law at {pressure:e} Pa: {}, mu_0 = {:.5}, mu_inf = {:.5}, V* = {:.4e} m/s, n = {:.4}",
-                law.formula, mu_0.value, mu_inf.value, velocity.value, exponent.value
+                form.formula, mu_0.value, plateau.value, velocity.value, exponent.value
             );
         }
     }
@@ -112,12 +113,12 @@ pub(super) fn json(table: &FrictionTable) -> String {
     format!("{document:#}\n")
 }
 
-fn entry(law: Option<&Law>, temperature: Option<f64>, pressure: f64) -> Value {
-    let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": law.map_or("none", |law| &law.form)});
+fn entry(law: Option<&RateLaw>, temperature: Option<f64>, pressure: f64) -> Value {
+    let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": law.map_or("none", |law| law.form.name)});
     if let Some(law) = law {
-        entry["formula"] = law.formula.into();
+        entry["formula"] = law.form.formula.into();
         entry["mu_0"] = json!(law.mu_0.in_unit("1"));
-        entry["mu_inf"] = json!(law.mu_inf.in_unit("1"));
+        entry["mu_inf"] = json!(law.plateau.in_unit("1"));
         entry["V_star"] = json!(law.velocity.in_unit("m s-1"));
         entry["n"] = json!(law.exponent.in_unit("1"));
         entry["rms"] = law.misfit.into();

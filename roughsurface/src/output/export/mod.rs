@@ -2,7 +2,7 @@
 
 mod formats;
 
-use crate::friction::rate_law::FORMS;
+use crate::friction::rate_law::{FORMS, RateLaw};
 use std::path::Path;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetReader};
@@ -89,25 +89,7 @@ pub struct Layer {
     /// Sliding friction, slip rates of a pressure beside each other, 1.
     pub mu: Vec<Estimate>,
     /// The law fitted to it at each pressure.
-    pub laws: Vec<Option<Law>>,
-}
-
-/// A fitted law of rate dependence, see [`RateLaw`](crate::friction::rate_law::RateLaw).
-pub struct Law {
-    pub form: String,
-    pub formula: &'static str,
-    pub mu_0: Estimate,
-    pub mu_inf: Estimate,
-    pub velocity: Estimate,
-    pub exponent: Estimate,
-    pub misfit: f64,
-}
-
-impl Law {
-    fn friction_coefficient(&self, slip_rate: f64) -> f64 {
-        let power = (slip_rate / self.velocity.value).powf(self.exponent.value);
-        self.mu_inf.value + (self.mu_0.value - self.mu_inf.value) / (1.0 + power)
-    }
+    pub laws: Vec<Option<RateLaw>>,
 }
 
 impl FrictionTable {
@@ -168,16 +150,18 @@ impl FrictionTable {
         let parameters: Vec<_> =
             parameters.iter().map(|name| with_error(name, &rows)).collect::<Result<_, _>>()?;
         let misfits = file.reals("rate_rms", &rows)?;
-        let law = |row: usize| -> Result<Option<Law>, DatasetError> {
-            let form = file.text("rate_law", &[row])?;
-            Ok(FORMS.iter().find(|known| known.name == form).map(|known| Law {
+        let law = |row: usize| -> Result<Option<RateLaw>, DatasetError> {
+            let name = file.text("rate_law", &[row])?;
+            Ok(FORMS.iter().find(|form| form.name == name).map(|form| RateLaw {
                 form,
-                formula: known.formula,
                 mu_0: parameters[0][row],
-                mu_inf: parameters[1][row],
+                plateau: parameters[1][row],
                 velocity: parameters[2][row],
                 exponent: parameters[3][row],
                 misfit: misfits[row],
+                r_squared: f64::NAN,
+                criterion: f64::NAN,
+                condition: f64::NAN,
             }))
         };
         let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
