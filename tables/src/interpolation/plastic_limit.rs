@@ -53,7 +53,7 @@ const STATIC_FRICTION: Limit = limit(1.0, -0.2, [0.025, 0.2]);
 const CONTACT_RADIUS: Limit = limit(0.5, 0.0, [0.05, 0.1]);
 const STATIC_COEFFICIENT: Limit = limit(-0.1, 0.8, [0.1, 0.3]);
 const INCEPTION_SLIP: Limit = limit(0.75, -0.3, [0.2, 0.5]);
-const ENERGY: Limit = limit(0.9, -1.2, [0.65, 0.7]);
+const ENERGY: Limit = limit(0.9, -1.2, [0.73, 0.8]);
 /// The rise is bounded by melting.
 const RISE: Limit = Limit { relaxation: 0.07, ..limit(0.0, 0.0, [0.3, 0.2]) };
 

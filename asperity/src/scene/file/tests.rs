@@ -303,12 +303,8 @@ fn laws_are_checked_with_their_keys() {
     refused(&["interface.friction=0.3"], &["interface.friction", "coulomb"]);
     refused(&["material.hardening={law=\"cubic\"}"], &["material.hardening.law", "\"linear\""]);
     refused(&["material.hardening=none"], &["material.hardening", "\"none\""]);
-    // The law is what is wrong, not the keys that it would have.
-    for unknown in
-        [["interface.law=columb", "interface.friction=0.2"], ["interface.law=Coulomb", "interface.cap=true"]]
-    {
-        refused(&unknown, &["interface.law", "one of \"shear-strength\", \"coulomb\""]);
-    }
+    // The law is what is wrong, not the key that it would have.
+    refused(&["interface.law=columb", "interface.friction=0.2"], &["interface.law", "one of"]);
     refused(&["material.hardening={modulus=1e9}"], &["material.hardening.law is missing"]);
     refused(
         &["material.hardening.modulus=1e9"],
