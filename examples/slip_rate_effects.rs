@@ -18,7 +18,7 @@ use tables::shipped;
 use tables::table::Slice;
 
 /// Interferences whose friction is drawn over the slip rate.
-const ROWS: [f64; 4] = [1.2, 8.0, 40.0, 300.0];
+const ROWS: [f64; 4] = [1.2, 8.0, 32.0, 250.0];
 
 fn main() -> anyhow::Result<()> {
     let steel = shipped::table(&shipped::on_rigid_flat("steel-4340"))?;

@@ -126,8 +126,8 @@ def digits(number, count):
 
 
 def plain(number):
-    """An interference or a slip rate: two digits without trailing zeros."""
-    return f"{float(f'{number:.2g}'):g}"
+    """An interference or a slip rate: three digits without trailing zeros."""
+    return f"{float(f'{number:.3g}'):g}"
 
 
 def machine():
