@@ -57,7 +57,8 @@ pub(crate) mod sliding_inception {
 ///   and constant outside: rounded values with which scatter and differences between runs together cover 95 to 98 % of the
 ///   true errors of each quantity at k = 2.
 /// - Data: elastic presses for the order; true errors of the first 149 scenes of `studies::effectivity`, 10 elements. Root
-///   mean squares in %, without the light contacts of the carbon steel, which does not harden at first:
+///   mean squares in %, without the light contacts of the carbon steel, which does not harden at first; `G` and slip at inception
+///   before the correction by [`mean_errors`], their scatter is that after it:
 ///
 ///   | interferences | `mu` | `mu_static` | area | `P` | `G` | slip at inception | rise, highest | mean | area of the press | load |
 ///   |---|---|---|---|---|---|---|---|---|---|---|

@@ -121,8 +121,8 @@ fn materials_are_listed_with_units_and_sources() {
     }
 }
 
-/// Where there is no friction the numbers are zero, not rounding, where there is no slide they are none, and where sliding does not begin or the strength is
-/// that of another temperature, there is a warning.
+/// Where there is no friction the numbers are zero, not rounding, and where there is no slide they are none. Where sliding
+/// does not begin or the strength is that of another temperature, there is a warning.
 #[test]
 fn a_run_says_what_its_numbers_are_not() {
     let _alone = alone();
