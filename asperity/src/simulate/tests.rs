@@ -90,6 +90,26 @@ fn what_did_not_happen_has_no_numbers() {
     assert!(named(&scene, &simulate(&scene, &Unwatched).unwrap()));
 }
 
+/// In a hold both bodies exchange heat with hardly any friction: the partition stays that of the slip before.
+#[test]
+fn a_hold_keeps_the_heat_partition_of_the_slip_before() {
+    let steps = "loading.steps=[{slip_rate=3.0, slip_distance=0.3}, {hold=1e-3}]";
+    let changes = ["counterface.preset=\"copper\"", "model.kinematics=small", "numerics.accuracy=0.5", steps];
+    let text =
+        "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 5\n";
+    let mut scene = parse_scene(text, "this test", &changes.map(str::to_owned)).unwrap();
+    (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(6), Some(4));
+    let outcome = simulate(&scene, &Unwatched).unwrap();
+    let of_step = |step: f64| -> Vec<f64> {
+        let states = outcome.slide.states().filter(|state| state[Quantity::ProgrammeStep] == step);
+        states.map(|state| state[Quantity::HeatPartition]).collect()
+    };
+    let (slip, hold) = (of_step(1.0), of_step(2.0));
+    let last = *slip.last().unwrap();
+    assert!(slip.len() > 3 && slip[slip.len() - 2] != last && last > 0.0 && last < 1.0, "{slip:?}");
+    assert!(hold.len() > 3 && hold.iter().all(|partition| *partition == last), "{hold:?}");
+}
+
 fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {
     let heat = format!("model.heat={heat}");
     let mut scene = of_preset(preset, &["model.kinematics=small", "numerics.accuracy=0.5", &heat]);

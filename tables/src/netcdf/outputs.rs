@@ -92,3 +92,14 @@ pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -
         std::env::temp_dir().display()
     )))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn standard_output_is_no_place_for_a_file() {
+        let refused = check_outputs(&[], &[("--output", Path::new("-"))]).unwrap_err().to_string();
+        assert!(refused.starts_with("-: cannot be written") && !Path::new("-").exists(), "{refused}");
+    }
+}
