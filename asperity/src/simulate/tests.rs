@@ -93,7 +93,7 @@ fn what_did_not_happen_has_no_numbers() {
 /// In a hold both bodies exchange heat with hardly any friction: the partition stays that of the slip before.
 #[test]
 fn a_hold_keeps_the_heat_partition_of_the_slip_before() {
-    let steps = "loading.steps=[{slip_rate=3.0, slip_distance=0.3}, {hold=1e-3}]";
+    let steps = "loading.steps=[{slip_rate=10.0, slip_distance=0.5}, {slip_rate=-1.0, slip_distance=0.1}, {hold=1e-3}]";
     let changes = ["counterface.preset=\"copper\"", "model.kinematics=small", "numerics.accuracy=0.5", steps];
     let text =
         "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 5\n";
@@ -104,9 +104,9 @@ fn a_hold_keeps_the_heat_partition_of_the_slip_before() {
         let states = outcome.slide.states().filter(|state| state[Quantity::ProgrammeStep] == step);
         states.map(|state| state[Quantity::HeatPartition]).collect()
     };
-    let (slip, hold) = (of_step(1.0), of_step(2.0));
+    let (slip, hold) = (of_step(2.0), of_step(3.0));
     let last = *slip.last().unwrap();
-    assert!(slip.len() > 3 && slip[slip.len() - 2] != last && last > 0.0 && last < 1.0, "{slip:?}");
+    assert!(slip.len() > 3 && slip[slip.len() - 2] != last, "{slip:?}");
     assert!(hold.len() > 3 && hold.iter().all(|partition| *partition == last), "{hold:?}");
 }
 
