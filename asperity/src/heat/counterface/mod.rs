@@ -20,7 +20,7 @@ use overlap::Overlap;
 
 /// Points per panel of the convolution.
 const POINTS: usize = 6;
-/// Panels of the convolution per contact radius of motion.
+/// Panels of the convolution per contact radius that the heat moves or spreads.
 const PANELS_PER_RADIUS: f64 = 1.0;
 /// The same at a point, at which the heat begins and ends abruptly.
 const PANELS_AT_A_POINT: f64 = 4.0;
@@ -82,7 +82,7 @@ pub struct HalfSpace {
 struct Disc {
     radius: f64,
     downstream: f64,
-    /// Motion per panel of the convolution.
+    /// Motion or spreading per panel of the convolution.
     panel: f64,
 }
 
@@ -200,19 +200,21 @@ impl HalfSpace {
         if far <= near.max(0.0) || radius <= 0.0 {
             return 0.0;
         }
-        let (start, end) = (near.max(0.0).sqrt(), far.sqrt());
-        let panels = 1 + ((there - here).abs() / panel) as usize;
-        let width = (end - start) / panels as f64;
+        let speed = (there - here) / (far - near);
         let share = |root: f64| {
-            let distance = here + (there - here) * (root * root - near) / (far - near);
+            let distance = here + speed * (root * root - near);
             self.overlap.share([radius, heat.radius], self.spreading * root, (distance - downstream).abs())
         };
-        let integral: f64 = (0..panels)
-            .map(|panel| {
-                let from = start + width * panel as f64;
-                self.rule.integrate(from, from + width, share)
-            })
-            .sum();
+        let (mut from, end) = (near.max(0.0).sqrt(), far.sqrt());
+        let mut integral = 0.0;
+        while from < end {
+            // Heat that has spread further than over the contact varies over the distance that it has spread.
+            let length = panel * (self.spreading * from / heat.radius).max(1.0);
+            let moved = (from * from + length / speed.abs()).sqrt();
+            let to = end.min(moved).min(from + length / self.spreading);
+            integral += self.rule.integrate(from, to, share);
+            from = to;
+        }
         2.0 * heat.flux * integral / (self.effusivity * std::f64::consts::PI.sqrt())
     }
 }
@@ -220,6 +222,20 @@ impl HalfSpace {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A disc at rest that is heated in one long increment, Fo = 10⁶: 8/(3π) qa/k less 1/(2√(πFo)) (Carslaw & Jaeger 1959,
+    /// §10.5).
+    #[test]
+    fn long_increments_heat_as_short_ones_do() {
+        let half_space = HalfSpace::new(1.0, 1.0);
+        let fourier: f64 = 1e6;
+        let length = fourier / (1.0 - FIRST_PART);
+        for slip in [0.0, 1e-4 * length] {
+            let rise = half_space.step(length, slip, 1.0).own();
+            let expected = 8.0 / (3.0 * std::f64::consts::PI) - 0.5 / (std::f64::consts::PI * fourier).sqrt();
+            assert!((rise / expected - 1.0).abs() < 2e-4, "{rise} {expected}");
+        }
+    }
 
     /// Steady sliding at Pe = 10 in either direction, then a hold: the mirror image has the same highest rise, before the hold
     /// that of Carslaw & Jaeger 1959, §10.7 (0.338382 qa/k).
