@@ -45,6 +45,8 @@ pub struct HeatEffect {
     pub softening: f64,
     /// Share by which expansion and softening moduli change the load at constant interference.
     pub load: f64,
+    /// Relative change of the heat partition from the start to steady sliding at a small Péclet number.
+    pub partition: f64,
     /// Share of the strength of the interface that frictional heat takes before sliding begins.
     pub inception: f64,
     /// Depth that it has reached then, √(κt), over the contact radius; infinite at V = 0.
@@ -87,6 +89,9 @@ impl HeatEffect {
         Self {
             rise,
             softening: metal(rise).max(film(rise)),
+            partition: scene
+                .resting_heat_partition()
+                .map_or(0.0, |steady| (steady / scene.initial_heat_partition() - 1.0).abs()),
             inception: if flux > 0.0 { (limited * metal(at_inception)).max(film(at_inception)) } else { 0.0 },
             inception_depth,
             load: LOAD_OF_EXPANSION * bulge.abs() / interference + (1.0 - solid.stiffness_factor(rise)).abs(),

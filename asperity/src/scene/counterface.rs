@@ -106,11 +106,15 @@ impl Scene {
         }
     }
 
-    /// The largest share of the frictional heat to expect in the asperity: at the start, or steadily against a
-    /// counterface at rest, k/(k + k₂).
-    pub fn largest_heat_partition(&self) -> f64 {
+    /// Share of the frictional heat that enters the asperity steadily against a counterface that conducts, at rest:
+    /// k/(k + k₂).
+    pub fn resting_heat_partition(&self) -> Option<f64> {
         let own = self.material.thermal_conductivity;
-        let steady = self.counterface.conduction().map_or(0.0, |[other, _]| own / (own + other));
-        self.initial_heat_partition().max(steady)
+        self.counterface.conduction().map(|[other, _]| own / (own + other))
+    }
+
+    /// The largest share of the frictional heat to expect in the asperity.
+    pub fn largest_heat_partition(&self) -> f64 {
+        self.initial_heat_partition().max(self.resting_heat_partition().unwrap_or(0.0))
     }
 }

@@ -43,6 +43,7 @@ impl ModellingError {
                 // The whole rise is an expected one.
                 TemperatureMax | TemperatureMean if self.heat.is_some() => 1.0,
                 TemperatureMax | TemperatureMean => self.strain,
+                HeatPartition => self.heat.map_or(0.0, |effect| effect.partition),
                 _ => 0.0,
             }
     }
