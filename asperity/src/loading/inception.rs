@@ -11,8 +11,7 @@
 use tables::interpolation::steffen::Steffen;
 
 use super::mobilisation::slip_of_full_mobilisation;
-use super::slide::NO_STICK;
-use super::state::SlideState;
+use super::state::{NO_STICK, SlideState};
 use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
 
 /// Sliding has begun when dQ/ds is below this share of its first value.
@@ -68,7 +67,7 @@ pub fn inception_at(history: &[SlideState], stiffness_share: f64) -> Inception {
     let first = stiffness.1;
     for n in 1..history.len() {
         let (before, now) = (history[n - 1], history[n]);
-        if now.stick_fraction < NO_STICK && now.friction > 0.0 {
+        if now.slides() && now.friction > 0.0 {
             let fallen = before.stick_fraction - now.stick_fraction;
             let share = if fallen > 0.0 { (before.stick_fraction - NO_STICK) / fallen } else { 1.0 };
             let slip = before.slip + share.clamp(0.0, 1.0) * (now.slip - before.slip);
@@ -299,6 +298,25 @@ mod tests {
         assert_eq!(smooth.friction_bracket, smooth.slip_bracket);
         let sudden = slides(|slip| if slip < 0.96 { 1.0 } else { 0.0 });
         assert!((sudden.slip_bracket - 0.0225).abs() < 1e-3, "{sudden:?}");
+    }
+
+    /// All points slip radially in the first increment, and stick again before they slide.
+    #[test]
+    fn slip_of_the_tractions_of_the_press_is_no_inception() {
+        let at = |(slip, stick_fraction, transverse): (f64, f64, f64)| SlideState {
+            slip,
+            friction: slip,
+            load: 1.0,
+            area: 1.0,
+            stick_fraction,
+            transverse,
+            ..SlideState::default()
+        };
+        let history =
+            [(0.0, 1.0, 1.0), (0.01, 0.0, 0.95), (0.4, 0.4, 0.6), (0.9, 0.11, 0.1), (1.0, 0.0, 0.01)].map(at);
+        let found = inception(&history);
+        assert_eq!(found.criterion, InceptionCriterion::FullSlip);
+        assert!((found.slip - (0.9 + 0.1 / 1.1)).abs() < 1e-12, "{found:?}");
     }
 
     #[test]

@@ -20,16 +20,17 @@ const NOTHING: f64 = 1e-6;
 /// it replaces it, and s_i is at most the slip of the first state of full slip; above half of the first value there is no s_i,
 /// nor beyond the end of the slide.
 pub fn slip_of_full_mobilisation(history: &[SlideState]) -> Option<f64> {
-    // r and the slip; states in which r rises again are passed over.
+    // r and the slip; states in which r rises again, or the shear tractions of the press are not yet turned, are passed over.
     let mut falling: Vec<(f64, f64)> = Vec::new();
     let mut end = history.last()?.slip;
     for state in history {
         let rest = 1.0 - state.mobilised;
-        if rest < NOTHING {
+        if rest < NOTHING && state.is_along_motion() {
             end = state.slip;
             break;
         }
-        if falling.last().is_none_or(|&(last, slip)| rest < last && state.slip > slip) {
+        let later = |&(last, slip): &(f64, f64)| rest < last && state.slip > slip && state.is_along_motion();
+        if falling.last().is_none_or(later) {
             falling.push((rest, state.slip));
         }
     }
@@ -71,6 +72,21 @@ mod tests {
                 assert_eq!(slip_of_full_mobilisation(&history[..8]), None);
             }
         }
+    }
+
+    /// The strength is mobilised at once by the shear tractions of the press, which turn into the motion.
+    #[test]
+    fn released_tractions_of_the_press_are_passed_over() {
+        let at = |slip: f64| {
+            let mobilised = constant_shear::force_fraction(slip);
+            let released = slip > 0.0 && slip < 0.4;
+            let transverse = if released { 0.9 } else { 0.1 };
+            let mobilised = if released { 1.0 } else { mobilised };
+            SlideState { slip, mobilised, transverse, ..SlideState::default() }
+        };
+        let slips = [0.0, 0.01, 0.1, 0.2, 0.3, 0.4, 0.52, 0.63, 0.76, 0.88, 0.98, 1.01, 1.2];
+        let found = slip_of_full_mobilisation(&slips.map(at)).unwrap();
+        assert!((found - 1.0).abs() < 1e-3, "{found}");
     }
 
     #[test]

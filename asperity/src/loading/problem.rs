@@ -42,6 +42,8 @@ pub struct Problem {
     pub control: Control,
     pub strength: InterfaceStrength,
     pub strength_factor: f64,
+    /// Speed of shear waves √(G/ρ), over κ/R.
+    pub wave_speed: f64,
     /// ρc·(1 K)/σ_Y at T₀; also k·(1 K), as κ = 1.
     pub heat_capacity: f64,
     /// None where specific heat and conductivity are constant.
@@ -99,6 +101,7 @@ impl Problem {
         let capacity = material.density * material.specific_heat;
         let diffusivity = material.thermal_conductivity / capacity;
         let heat_capacity = capacity / material.yield_strength;
+        let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
         let counterface = half_space(scene, heat_capacity);
         Self {
             solid: Solid::new(material, scene.loading.temperature),
@@ -111,6 +114,7 @@ impl Problem {
             control: scene.loading.control,
             strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,
+            wave_speed: (shear_modulus / material.density).sqrt() * scene.radius / diffusivity,
             heat_capacity,
             thermal_properties: thermal_properties(material, scene.loading.temperature),
             heat_partition: if counterface.is_some() { 1.0 } else { scene.interface.heat_partition },

@@ -1,5 +1,11 @@
 //! What is known of a slide after each increment.
 
+/// Stick area fraction below which the contact slips fully.
+pub const NO_STICK: f64 = 0.01;
+/// Part of the shear traction that is not along the motion, below which full slip is sliding: an interface that is too weak for
+/// the radial shear tractions of the press slips everywhere at first, in the radial direction.
+const ALONG: f64 = 0.5;
+
 /// State after one increment, dimensionless, energies of the half body since the start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SlideState {
@@ -17,6 +23,9 @@ pub struct SlideState {
     pub stick_fraction: f64,
     /// Share of the shear strength of the contact that its shear traction mobilises.
     pub mobilised: f64,
+    /// Part of the shear traction that is not along the motion, 1 − |Q|/∫|τ| dA.
+    #[serde(default)]
+    pub transverse: f64,
     pub rise_max: f64,
     pub rise_mean: f64,
     pub plastic_strain_max: f64,
@@ -37,6 +46,16 @@ pub struct SlideState {
 }
 
 impl SlideState {
+    /// Whether the contact slips everywhere, along the motion.
+    pub fn slides(&self) -> bool {
+        self.stick_fraction < NO_STICK && self.is_along_motion()
+    }
+
+    /// Whether most of the shear traction resists the motion.
+    pub fn is_along_motion(&self) -> bool {
+        self.transverse < ALONG
+    }
+
     /// Q/P; 0 without a load.
     pub fn mu(&self) -> f64 {
         if self.load > 0.0 { self.friction / self.load } else { 0.0 }

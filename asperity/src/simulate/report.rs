@@ -127,6 +127,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
         warnings.push(Warning::NotSliding);
     }
     warnings.extend(fast_inception(runner, run));
+    warnings.extend(released_press(runner, run));
     let spread = run.values.bracket(Quantity::MuStatic) / run.values.value(Quantity::MuStatic);
     let is_unsure = inception == InceptionCriterion::Stiffness && spread > scene.numerics.accuracy;
     warnings.extend(is_unsure.then_some(Warning::InceptionByStiffness { spread }));
@@ -172,6 +173,17 @@ fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     let slip_rate = runner.conditions.programme.first()?.slip_rate();
     let time = inception_time(&runner.pressed.scene, slip_rate, friction, radius)?.value;
     (time < SHORTEST_INCEPTION).then_some(Warning::FastInception { time, limit: SHORTEST_INCEPTION })
+}
+
+/// An interface along most of which the shear tractions of the press slip before they turn into the motion.
+fn released_press(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
+    let units = &runner.pressed.problem.units;
+    let start = run.history.iter().skip(1).take_while(|state| !state.is_along_motion());
+    let released = start.filter(|state| state.stick_fraction < 0.5).last()?;
+    let energy = 2.0 * (released.work - released.elastic) / released.area * units.stress * units.length;
+    let share = energy / run.values.value(Quantity::EnergyRelease);
+    let limit = Quantity::EnergyRelease.allowance() * runner.pressed.scene.numerics.accuracy;
+    (share > limit).then_some(Warning::ReleasedPress { share: share.min(1.0) })
 }
 
 /// Energy or heat that is missing at the end.

@@ -6,7 +6,7 @@ use super::pressed::PressedMesh;
 use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
 use crate::loading::recording::Fields;
-use crate::loading::slide::{NO_STICK, SlideFailure};
+use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::time_of;
@@ -49,7 +49,7 @@ impl Run {
 
     /// The same in the last state before sliding inception; 0 without a slide.
     pub fn plastic_strain_in_stick(&self) -> f64 {
-        let sticking = self.history.iter().take_while(|state| state.stick_fraction >= NO_STICK);
+        let sticking = self.history.iter().take_while(|state| !state.slides());
         let strain = sticking.last().map_or(0.0, |state| state.plastic_strain_max);
         if self.history.len() > 1 { strain } else { 0.0 }
     }

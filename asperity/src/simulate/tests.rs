@@ -10,9 +10,9 @@ use super::outcome::{ErrorSource, Outcome};
 use super::{SimulationError, Unwatched, Watch, derived, press, run_alone, sample, simulate, slide};
 use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
-use crate::scene::Scene;
 use crate::scene::file::parse_scene;
 use crate::scene::tests::of_preset;
+use crate::scene::{LoadingStep, Scene};
 
 /// A point that lifts off with friction and touches without it has no equilibrium for any increment. Without removal of
 /// its friction two steps here are cut back; at 0.01 ω_c the slide fails.
@@ -108,6 +108,58 @@ fn a_hold_keeps_the_heat_partition_of_the_slip_before() {
     let last = *slip.last().unwrap();
     assert!(slip.len() > 3 && slip[slip.len() - 2] != last, "{slip:?}");
     assert!(hold.len() > 3 && hold.iter().all(|partition| *partition == last), "{hold:?}");
+}
+
+/// Without heat nothing depends on time: a hold of any length leaves the contact as it is.
+#[test]
+fn a_contact_does_not_creep_in_a_long_hold() {
+    let after = |hold: f64| {
+        let mut scene = hot_scene("steel-4340", 20.0, 1.0, "off");
+        let slip = LoadingStep::Slip { slip_rate: 1.0, slip_distance: 0.5 };
+        scene.loading = scene.loading.with_steps(vec![slip, LoadingStep::Hold { hold }]);
+        simulate(&scene, &Unwatched).unwrap().scalars[Quantity::Mu].value
+    };
+    // Each of the 90 increments finds the contact edge to 2e-4.
+    let change = after(1e10) / after(1e-3) - 1.0;
+    assert!(change.abs() < 1e-3, "{change}");
+}
+
+/// As the flat stops, an interface that depends on the slip rate loses strength at once. The heat of that slip enters over
+/// the time of a shear wave, not over an increment that may be as short as one likes.
+#[test]
+fn a_contact_that_relaxes_does_not_heat_up() {
+    let highest = |hold: f64| {
+        let rate = "material.rate={ law = \"johnson-cook\", coefficient = 0.014, reference = 1.0 }";
+        let mut scene = of_preset("steel-4340", &["model.kinematics=small", "numerics.accuracy=0.5", rate]);
+        (scene.loading.interference, scene.radius) = (10.0, 50e-6);
+        (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(6), Some(4));
+        let slip = LoadingStep::Slip { slip_rate: 10.0, slip_distance: 1.0 };
+        scene.loading = scene.loading.with_steps(vec![slip, LoadingStep::Hold { hold }]);
+        let outcome = simulate(&scene, &Unwatched).unwrap();
+        let rises = outcome.slide.states().map(|state| state[Quantity::TemperatureMax] - 298.0);
+        rises.fold(0.0, f64::max)
+    };
+    let (instant, short) = (highest(1e-12), highest(1e-6));
+    assert!((short / instant - 1.0).abs() < 0.03, "{short} {instant}");
+}
+
+/// An interface that is too weak for the shear tractions of the press slips radially at first, which is no sliding.
+#[test]
+fn a_weak_interface_slides_when_its_strength_resists() {
+    let run = |factor: f64| {
+        let mut scene = hot_scene("steel-4340", 20.0, 0.0, "off");
+        scene.interface.strength_factor = factor;
+        scene.numerics.accuracy = 0.05;
+        simulate(&scene, &Unwatched).unwrap()
+    };
+    let is_released = |warning: &Warning| matches!(warning, Warning::ReleasedPress { .. });
+    for (factor, released) in [(0.02, true), (1.0, false)] {
+        let outcome = run(factor);
+        let of = |quantity: Quantity| outcome.scalars[quantity].value;
+        let share = of(Quantity::MuStatic) / of(Quantity::MuPeak);
+        assert!((0.9..1.0).contains(&share), "{factor}: {share}");
+        assert_eq!(outcome.account.warnings.iter().any(is_released), released, "{factor}");
+    }
 }
 
 fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {

@@ -48,6 +48,13 @@ impl Contact {
         if strength > 0.0 { mobilised / strength } else { 0.0 }
     }
 
+    /// Part of the shear traction that is not along the motion: 1 − |Q|/∫|τ| dA; 0 without shear traction.
+    pub fn transverse_share(&self, state: &ContactState) -> f64 {
+        let all: f64 =
+            (0..self.len()).map(|i| self.areas[i] * state.traction[i][0].hypot(state.traction[i][1])).sum();
+        if all > 0.0 { 1.0 - 0.5 * self.friction(state).abs() / all } else { 0.0 }
+    }
+
     fn sum_where(&self, state: &ContactState, pick: impl Fn(usize) -> bool) -> f64 {
         (0..self.len()).filter(|&i| pick(i)).fold(0.0, |sum, i| sum + self.covered_area(state, i))
     }

@@ -29,8 +29,6 @@ use increments::{InceptionBracket, Predictor, StepControl};
 use invariants::Violation;
 pub use motion::Motion;
 
-/// Stick area fraction below which the contact slips fully.
-pub const NO_STICK: f64 = 0.01;
 /// Plastic strain above which the body shears in place of the interface, if the stick area fraction is above
 /// [`STILL_STICKING`]. Under interfaces no stronger than the body that fraction is reached at strains up to 0.03
 /// (20 ω_c); under stronger ones a layer of elements shears without limit.
@@ -205,7 +203,8 @@ impl<'a> Slide<'a> {
     ) -> Result<(), SlideFailure> {
         let (motion, start, length) = (self.motion, self.last().slip, self.motion.length());
         let slides = motion.direction() != 0.0;
-        let mut control = StepControl::new(length, self.scale(), self.growth, self.inception_width);
+        let mut control = StepControl::new(length, self.scale(), self.growth, self.inception_width)
+            .no_shorter_than(self.time_of_waves());
         let (mut before, mut done_before) = (self.predictor(), 0.0);
         // Distance, or time of a hold.
         let mut done = 0.0;
@@ -220,6 +219,9 @@ impl<'a> Slide<'a> {
             let committed = self.predictor();
             let cover = self.mechanics.contact.contact_fraction.clone();
             let guess = match control.bracket() {
+                // What changes in a hold decays: extrapolated over ever longer increments, what the solver's tolerance leaves
+                // would grow.
+                None if !slides => committed.clone(),
                 None => Predictor::between((&before, done_before), (&committed, done), next),
                 Some(beyond) => {
                     Predictor::between((&committed, done), (&beyond.predictor, beyond.slip), next)
@@ -283,6 +285,15 @@ impl<'a> Slide<'a> {
         }
     }
 
+    /// Time in which a shear wave passes the contact: equilibrium has no meaning in a shorter one, and the heat of a contact
+    /// that relaxes at once as the flat stops would enter within it. Of no influence on a slip.
+    fn time_of_waves(&self) -> f64 {
+        match self.motion {
+            Motion::Hold { .. } => (self.last().area / std::f64::consts::PI).sqrt() / self.problem.wave_speed,
+            Motion::Slip { .. } => 0.0,
+        }
+    }
+
     /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
     fn elastic_displacement(&self) -> f64 {
         let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
@@ -317,10 +328,10 @@ impl<'a> Slide<'a> {
         }
         let state = SlideState { step, ..self.next_state(advance.dt, &equilibrium) };
         self.check(&state, &equilibrium)?;
-        let begins = !self.has_begun && state.stick_fraction < NO_STICK;
+        let begins = !self.has_begun && state.slides();
         // A contact without stick after the press, or with full slip in the first increment, has its inception at s =
         // 0.
-        let stuck = self.last().stick_fraction >= NO_STICK;
+        let stuck = !self.last().slides();
         if begins && stuck && advance.wide {
             let predictor = Predictor { interference: equilibrium.flat.interference, ..self.predictor() };
             return Ok(Attempt::PastInception(predictor));

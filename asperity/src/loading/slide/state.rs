@@ -27,6 +27,7 @@ impl Slide<'_> {
             area: contact.area(&contact.trial),
             stick_fraction: contact.stick_fraction(&contact.trial),
             mobilised: contact.mobilised_strength(&contact.trial),
+            transverse: contact.transverse_share(&contact.trial),
             plastic_strain_max: self.mechanics.body.trial.largest_plastic_strain(),
             ..previous
         }

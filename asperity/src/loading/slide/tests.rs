@@ -109,9 +109,9 @@ fn sliding_inception_is_enclosed() {
     let problem = problem_of(&[]);
     let mut slide = ready(&problem);
     slide.run(&[slip(FAST, 0.1 * problem.expected_contact_radius())], &|| false, |_, _| {}).unwrap();
-    let begun = slide.history.iter().position(|state| state.stick_fraction < NO_STICK).unwrap();
+    let begun = slide.history.iter().position(SlideState::slides).unwrap();
     let (before, after) = (slide.history[begun - 1], slide.history[begun]);
-    assert!(before.stick_fraction >= NO_STICK);
+    assert!(!before.slides());
     assert!(after.slip - before.slip <= INCEPTION_WIDTH * after.slip * (1.0 + 1e-9));
     // Usual increments are longer, before and after.
     for n in [begun - 4, slide.history.len() - 2] {

@@ -50,6 +50,10 @@ pub enum Warning {
         share: f64,
         elements: Option<f64>,
     },
+    /// Share of G that may be of the shear tractions of the press, released as the slide begins.
+    ReleasedPress {
+        share: f64,
+    },
     /// Time of sliding inception, over that of a shear wave across the contact radius.
     FastInception {
         time: f64,
@@ -139,6 +143,12 @@ impl Display for Warning {
                     None => write!(f, "no mesh would resolve it"),
                 }
             }
+            Self::ReleasedPress { share } => write!(
+                f,
+                "the interface is too weak for the shear tractions of the press, which is in full stick: they are \
+                 released as the slide begins, and G contains their energy, up to {:.0} % of it",
+                100.0 * share
+            ),
             Self::FastInception { time, limit } => write!(
                 f,
                 "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
