@@ -78,34 +78,30 @@ pub fn table(law: &dyn AsperityLaw, interference_to: f64) -> Slice {
         temperature: 298.0,
         ..Metadata::default()
     };
-    let mut table = Slice::new(axes.clone(), metadata).unwrap();
-    for (i, &interference) in axes.interference.iter().enumerate() {
-        for (j, &rate) in axes.slip_rate.iter().enumerate() {
-            let at = |slip: f64| law.response(radius, interference, rate, slip).unwrap();
-            let contact_radius = (at(0.0).area.value / std::f64::consts::PI).sqrt();
-            let states: Vec<Response> = axes.slip.iter().map(|s| at(s * contact_radius)).collect();
-            let history = |value: fn(&Response) -> Estimate| -> Vec<f64> {
-                states.iter().map(|state| value(state).value).collect()
-            };
-            let (load, friction, area) = (history(|s| s.load), history(|s| s.friction), history(|s| s.area));
-            let end = axes.slip.len() - 1;
-            let mu: Vec<f64> = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
-            let cell = Cell::new()
-                .with(Quantity::ContactRadius, contact_radius, 0.0)
-                .with(Quantity::Mu, mu[end], 0.0)
-                .with(Quantity::Load, load[end], 0.0)
-                .with(Quantity::LoadPress, load[0], 0.0)
-                .with(Quantity::Friction, friction[end], 0.0)
-                .with(Quantity::Area, area[end], 0.0)
-                .with(Quantity::AreaPress, area[0], 0.0)
-                .with(Quantity::TemperatureMax, 298.0, 0.0)
-                .with_history(Quantity::Mu, mu)
-                .with_history(Quantity::Load, load)
-                .with_history(Quantity::Friction, friction)
-                .with_history(Quantity::Area, area)
-                .with_history(Quantity::TemperatureMax, vec![298.0; axes.slip.len()]);
-            table.set_cell(i, j, cell).unwrap();
-        }
-    }
-    table
+    let cell = |interference: f64, rate: f64| {
+        let at = |slip: f64| law.response(radius, interference, rate, slip).unwrap();
+        let contact_radius = (at(0.0).area.value / std::f64::consts::PI).sqrt();
+        let states: Vec<Response> = axes.slip.iter().map(|s| at(s * contact_radius)).collect();
+        let history = |value: fn(&Response) -> Estimate| -> Vec<f64> {
+            states.iter().map(|state| value(state).value).collect()
+        };
+        let (load, friction, area) = (history(|s| s.load), history(|s| s.friction), history(|s| s.area));
+        let end = axes.slip.len() - 1;
+        let mu: Vec<f64> = friction.iter().zip(&load).map(|(q, p)| q / p).collect();
+        Cell::new()
+            .with(Quantity::ContactRadius, contact_radius, 0.0)
+            .with(Quantity::Mu, mu[end], 0.0)
+            .with(Quantity::Load, load[end], 0.0)
+            .with(Quantity::LoadPress, load[0], 0.0)
+            .with(Quantity::Friction, friction[end], 0.0)
+            .with(Quantity::Area, area[end], 0.0)
+            .with(Quantity::AreaPress, area[0], 0.0)
+            .with(Quantity::TemperatureMax, 298.0, 0.0)
+            .with_history(Quantity::Mu, mu)
+            .with_history(Quantity::Load, load)
+            .with_history(Quantity::Friction, friction)
+            .with_history(Quantity::Area, area)
+            .with_history(Quantity::TemperatureMax, vec![298.0; axes.slip.len()])
+    };
+    Slice::filled(axes.clone(), metadata, cell).unwrap()
 }

@@ -104,22 +104,19 @@ mod tests {
             slip: vec![0.0, 1.0],
         };
         let metadata = Metadata { temperature: 300.0, asperity_radius: 1e-3, ..Metadata::default() };
-        let mut table = Slice::new(axes, metadata).unwrap();
-        for (i, j) in table.grid() {
-            let (omega, rate) = table.coordinates(i, j);
-            let mut cell = Cell::new().with(Quantity::TemperatureMax, 300.0 + 50.0 * rate.powf(0.5), 1.0);
+        let cell = |omega: f64, rate: f64| {
             let load = omega.powf(1.5) * rate.powf(-0.1);
-            cell = cell
+            Cell::new()
+                .with(Quantity::TemperatureMax, 300.0 + 50.0 * rate.powf(0.5), 1.0)
                 .with(Quantity::Load, load, 0.02 * load)
                 .with(Quantity::Friction, 0.3 * load, 0.0)
                 .with(Quantity::Area, omega, 0.0)
                 .with(Quantity::ContactRadius, 1e-5 * omega.sqrt(), 0.0)
                 .with_history(Quantity::Load, vec![load, load])
                 .with_history(Quantity::Friction, vec![0.0, 0.3 * load])
-                .with_history(Quantity::Area, vec![omega, omega]);
-            table.set_cell(i, j, cell).unwrap();
-        }
-        table
+                .with_history(Quantity::Area, vec![omega, omega])
+        };
+        Slice::filled(axes, metadata, cell).unwrap()
     }
 
     #[test]

@@ -143,13 +143,9 @@ mod tests {
     fn table(slip_rate: Vec<f64>, scene: &str) -> Slice {
         let axes = Axes { interference: vec![1.0, 10.0], slip_rate, slip: vec![0.0, 1.0] };
         let metadata = Metadata { scene: scene.into(), ..Metadata::default() };
-        let mut table = Slice::new(axes, metadata).unwrap();
-        for (i, j) in table.grid() {
-            let (omega, rate) = table.coordinates(i, j);
-            let cell = Cell::new().with(Quantity::Mu, 0.3 / omega, 0.01).with(Quantity::Load, rate, 0.0);
-            table.set_cell(i, j, cell).unwrap();
-        }
-        table
+        let cell =
+            |omega, rate| Cell::new().with(Quantity::Mu, 0.3 / omega, 0.01).with(Quantity::Load, rate, 0.0);
+        Slice::filled(axes, metadata, cell).unwrap()
     }
 
     #[test]

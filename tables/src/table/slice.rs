@@ -21,8 +21,8 @@ use crate::quantity::Quantity;
 ///     heat_partition: 0.5,
 ///     ..Metadata::default()
 /// };
-/// let mut slice = Slice::new(axes, metadata)?;
-/// for (i, load) in [0.1, 5.0].into_iter().enumerate() {
+/// let slice = Slice::filled(axes, metadata, |interference, _slip_rate| {
+///     let load = 0.5 * interference;
 ///     let mut cell = Cell::new();
 ///     for quantity in Quantity::SCALARS {
 ///         cell = cell.with(quantity, load, 0.01 * load);
@@ -30,8 +30,8 @@ use crate::quantity::Quantity;
 ///     for quantity in Quantity::TABLE_HISTORIES {
 ///         cell = cell.with_history(quantity, vec![load; 3]);
 ///     }
-///     slice.set_cell(i, 0, cell)?;
-/// }
+///     cell
+/// })?;
 /// assert!(slice.missing().is_empty());
 /// let path = std::env::temp_dir().join(format!("tables-example-{}.nc", std::process::id()));
 /// Table::from(slice).write(&path)?;
@@ -56,6 +56,20 @@ impl Slice {
         check_axis("slip", &axes.slip, false)?;
         let cells = vec![Status::NotRun; axes.interference.len() * axes.slip_rate.len()];
         Ok(Self { axes, metadata, cells })
+    }
+
+    /// A slice with a result at every interference ω₀/ω_c and slip rate, m/s.
+    pub fn filled(
+        axes: Axes,
+        metadata: Metadata,
+        cell: impl Fn(f64, f64) -> Cell,
+    ) -> Result<Self, TableError> {
+        let mut slice = Self::new(axes, metadata)?;
+        for (i, j) in slice.grid() {
+            let (interference, slip_rate) = slice.coordinates(i, j);
+            slice.set_cell(i, j, cell(interference, slip_rate))?;
+        }
+        Ok(slice)
     }
 
     /// Coordinates of the grid.

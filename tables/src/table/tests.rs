@@ -5,13 +5,10 @@ const TEMPERATURES: [f64; 3] = [300.0, 500.0, 800.0];
 
 fn slice(temperature: f64) -> Slice {
     let axes = Axes { interference: vec![1.0, 10.0], slip_rate: vec![0.0, 1.0], slip: vec![0.0, 2.0] };
-    let mut slice = Slice::new(axes, Metadata { temperature, ..Metadata::default() }).unwrap();
-    for (i, j) in slice.grid() {
-        let (interference, slip_rate) = slice.coordinates(i, j);
-        let load = interference * temperature + slip_rate;
-        slice.set_cell(i, j, Cell::new().with(Quantity::Load, load, 0.0)).unwrap();
-    }
-    slice
+    let metadata = Metadata { temperature, ..Metadata::default() };
+    let load = |interference, slip_rate| interference * temperature + slip_rate;
+    Slice::filled(axes, metadata, |omega, rate| Cell::new().with(Quantity::Load, load(omega, rate), 0.0))
+        .unwrap()
 }
 
 #[test]

@@ -58,12 +58,7 @@ fn table(temperature: f64) -> Slice {
         fracture_energy: Some(FractureEnergy { coefficient: 100.0 + temperature, radius_exponent: 1 }),
         ..Metadata::default()
     };
-    let mut table = Slice::new(axes, metadata).unwrap();
-    for (i, j) in table.grid() {
-        let (interference, slip_rate) = table.coordinates(i, j);
-        table.set_cell(i, j, cell(interference, slip_rate, temperature)).unwrap();
-    }
-    table
+    Slice::filled(axes, metadata, |omega, rate| cell(omega, rate, temperature)).unwrap()
 }
 
 fn several() -> Table {

@@ -133,8 +133,7 @@ fn power_laws_of_the_plastic_limit_lie_within_the_errors_above_the_last_row() {
     let axes =
         Axes { interference: vec![100.0, 200.0, 400.0], slip_rate: vec![1.0], slip: vec![0.0, 1.0, 2.0] };
     let metadata = Metadata { asperity_radius: 1.0, ..table().metadata().clone() };
-    let mut plastic = Slice::new(axes.clone(), metadata).unwrap();
-    for (i, &omega) in axes.interference.iter().enumerate() {
+    let cell = |omega: f64, _| {
         let mut cell = Cell::new().with(Quantity::ContactRadius, 1e-6 * omega.sqrt(), 0.0);
         for (quantity, value) in
             [Quantity::Load, Quantity::Friction, Quantity::Area].into_iter().zip(state(omega))
@@ -142,10 +141,9 @@ fn power_laws_of_the_plastic_limit_lie_within_the_errors_above_the_last_row() {
             cell = cell.with(quantity, value, 0.01 * value).with_history(quantity, vec![value; 3]);
         }
         cell = cell.with(Quantity::Mu, 0.4 / 3.0, 0.004 / 3.0).with(Quantity::MuStatic, 0.3 / omega, 0.0);
-        cell = cell.with_history(Quantity::TemperatureMax, vec![BASE + omega.sqrt(); 3]);
-        plastic.set_cell(i, 0, cell).unwrap();
-    }
-    let plastic = plastic.interpolated();
+        cell.with_history(Quantity::TemperatureMax, vec![BASE + omega.sqrt(); 3])
+    };
+    let plastic = Slice::filled(axes, metadata, cell).unwrap().interpolated();
     let mut last = 0.01;
     for omega in [400.0, 401.0, 1e3, 1e4] {
         let found = plastic.response(1.0, omega, 1.0, 1e-4).unwrap();

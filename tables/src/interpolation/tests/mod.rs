@@ -51,36 +51,31 @@ fn slice_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Slice {
         ..Metadata::default()
     };
     let axes = Axes { interference, slip_rate, slip };
-    let mut table = Slice::new(axes.clone(), metadata).unwrap();
-    for (i, omega) in axes.interference.iter().enumerate() {
-        for (j, rate) in axes.slip_rate.iter().enumerate() {
-            let area = truth(*omega, 0.0, 0.0).area.value;
-            let a0 = (area / std::f64::consts::PI).sqrt();
-            let states: Vec<Response> =
-                (axes.slip.iter()).map(|slip| truth(*omega, *rate, slip * a0)).collect();
-            let end = states[states.len() - 1];
-            let column = |field: fn(&Response) -> Estimate| -> Vec<f64> {
-                states.iter().map(|state| field(state).value).collect()
-            };
-            let (p, q) = (column(|s| s.load), column(|s| s.friction));
-            let mu = q.iter().zip(&p).map(|(q, p)| q / p).collect();
-            let cell = Cell::new()
-                .with(Quantity::ContactRadius, a0, 0.0)
-                .with(Quantity::Load, end.load.value, 0.0)
-                .with(Quantity::Friction, end.friction.value, 0.02 * end.friction.value)
-                .with(Quantity::Area, area, 0.0)
-                .with(Quantity::Mu, end.friction.value / end.load.value, 0.0)
-                .with(Quantity::EnergyRelease, 1e-3 * a0, 0.0)
-                .with(Quantity::TemperatureMax, end.temperature_max.value, 0.0)
-                .with_history(Quantity::Load, p)
-                .with_history(Quantity::Friction, q)
-                .with_history(Quantity::Mu, mu)
-                .with_history(Quantity::Area, column(|s| s.area))
-                .with_history(Quantity::TemperatureMax, column(|s| s.temperature_max));
-            table.set_cell(i, j, cell).unwrap();
-        }
-    }
-    table
+    let cell = |omega: f64, rate: f64| {
+        let area = truth(omega, 0.0, 0.0).area.value;
+        let a0 = (area / std::f64::consts::PI).sqrt();
+        let states: Vec<Response> = axes.slip.iter().map(|slip| truth(omega, rate, slip * a0)).collect();
+        let end = states[states.len() - 1];
+        let column = |field: fn(&Response) -> Estimate| -> Vec<f64> {
+            states.iter().map(|state| field(state).value).collect()
+        };
+        let (p, q) = (column(|s| s.load), column(|s| s.friction));
+        let mu = q.iter().zip(&p).map(|(q, p)| q / p).collect();
+        Cell::new()
+            .with(Quantity::ContactRadius, a0, 0.0)
+            .with(Quantity::Load, end.load.value, 0.0)
+            .with(Quantity::Friction, end.friction.value, 0.02 * end.friction.value)
+            .with(Quantity::Area, area, 0.0)
+            .with(Quantity::Mu, end.friction.value / end.load.value, 0.0)
+            .with(Quantity::EnergyRelease, 1e-3 * a0, 0.0)
+            .with(Quantity::TemperatureMax, end.temperature_max.value, 0.0)
+            .with_history(Quantity::Load, p)
+            .with_history(Quantity::Friction, q)
+            .with_history(Quantity::Mu, mu)
+            .with_history(Quantity::Area, column(|s| s.area))
+            .with_history(Quantity::TemperatureMax, column(|s| s.temperature_max))
+    };
+    Slice::filled(axes.clone(), metadata, cell).unwrap()
 }
 
 fn table_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> InterpolatedTable {
