@@ -15,6 +15,7 @@ use roughsurface::sampling::finite_surface::{Sampling, sample};
 use roughsurface::surface::heights::Gaussian;
 use roughsurface::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::interpolation::InterpolatedTable;
+use tables::numbers::Spacing::Log;
 
 fn main() {
     divan::main();
@@ -32,17 +33,13 @@ fn surface() -> Surface {
     }
 }
 
-fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
-    (0..points).map(|i| from * (to / from).powf(i as f64 / (points - 1) as f64)).collect()
-}
-
 /// 50 pressures × 20 slip rates × 200 slips.
 #[divan::bench(sample_count = 10)]
 fn prediction(bencher: Bencher) {
     let (law, surface, settings) = (law(), surface(), Settings::default());
     let query = Query {
-        loading: NormalLoading::Pressure(spaced(1e4, 1e7, 50)),
-        slip_rates: spaced(0.1, 10.0, 20),
+        loading: NormalLoading::Pressure(Log.range(1e4, 1e7, 50)),
+        slip_rates: Log.range(0.1, 10.0, 20),
         control: LoadingControl::Load,
         contact_life: ContactLife::default(),
         interaction: Interaction::None,

@@ -140,6 +140,7 @@ impl Forecast {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tables::numbers::Spacing::Log;
 
     /// Cases of a grid in the order in which they are run: one of the middle, smallest and largest first, then
     /// from the largest on.
@@ -195,14 +196,10 @@ mod tests {
         1.0 + 0.2 * (43758.5453 * phase.sin()).sin()
     }
 
-    fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
-        (0..points).map(|i| from * (to / from).powf(i as f64 / (points - 1) as f64)).collect()
-    }
-
     #[test]
     fn right_within_30_percent_after_a_tenth_of_the_work() {
         for (rows, columns) in [(8, 5), (10, 4), (10, 10), (20, 8), (40, 10)] {
-            let interferences = log_spaced(0.1, 100.0, rows);
+            let interferences = Log.range(0.1, 100.0, rows);
             let cases = order(&interferences, columns);
             // A tenth of the work is four cases for each thread, or there is little to learn from.
             for workers in [1, 2, 8].into_iter().filter(|workers| 40 * workers <= rows * columns) {
@@ -243,7 +240,7 @@ mod tests {
             [3.90, 5.56, 6.88, 5.67, 6.60, 6.83, 7.07],
             [14.31, 20.84, 20.35, 22.42, 21.09, 17.95, 16.61],
         ];
-        let interferences = log_spaced(0.1, 100.0, 8);
+        let interferences = Log.range(0.1, 100.0, 8);
         let row = |case: Case| interferences.iter().position(|x| *x == case.interference).unwrap();
         let cases = order(&interferences, 7);
         for workers in [1, 2] {
@@ -255,7 +252,7 @@ mod tests {
     #[test]
     fn terms_are_learnt() {
         let mut model = CostModel::new(100.0, 3);
-        for interference in log_spaced(0.1, 100.0, 9) {
+        for interference in Log.range(0.1, 100.0, 9) {
             for column in 0..3 {
                 let case = Case { interference, column, heated: true };
                 model.learn(case, 7.0 * interference.powf(0.4) * (1.0 + column as f64));

@@ -8,7 +8,7 @@ use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
 use tables::law::Estimate;
-use tables::numbers::digits;
+use tables::numbers::{Spacing, digits};
 
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
@@ -196,8 +196,7 @@ fn fitted(slip_rates: &[f64], law: &RateLaw) -> Curve {
     let rates = slip_rates.iter().copied().filter(|rate| *rate > 0.0);
     let (slowest, fastest) = rates
         .fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), rate: f64| (low.min(rate), high.max(rate)));
-    let at = |i: usize| slowest * (fastest / slowest).powf(i as f64 / (POINTS - 1) as f64);
-    let x: Vec<f64> = (0..POINTS).map(at).collect();
+    let x = Spacing::Log.range(slowest, fastest, POINTS);
     let y = x.iter().map(|&rate| law.friction_coefficient(rate)).collect();
     Curve::new("", x, y)
 }

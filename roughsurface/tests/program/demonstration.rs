@@ -2,6 +2,7 @@
 
 use tables::closed_forms::{ElasticPlastic, closed_form};
 use tables::law::{AsperityLaw, Estimate, LookupError, Response};
+use tables::numbers::Spacing::Log;
 use tables::quantity::Quantity;
 use tables::table::{Axes, Cell, Metadata, Slice};
 
@@ -55,18 +56,16 @@ impl AsperityLaw for Weakening {
     }
 }
 
-fn spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
-    let share = |i: usize| i as f64 / (points - 1) as f64;
-    (0..points).map(|i| from * (to / from).powf(share(i))).collect()
-}
-
 /// The law as a table for spheres ten times as large as those of the surface.
 pub fn table(law: &dyn AsperityLaw, interference_to: f64) -> Slice {
     let radius = 1e-3;
     let mut slip = vec![0.0];
-    slip.extend(spaced(1e-4, 2.0, 40));
-    let axes =
-        Axes { interference: spaced(0.02, interference_to, 26), slip_rate: spaced(1e-3, 2.0, 12), slip };
+    slip.extend(Log.range(1e-4, 2.0, 40));
+    let axes = Axes {
+        interference: Log.range(0.02, interference_to, 26),
+        slip_rate: Log.range(1e-3, 2.0, 12),
+        slip,
+    };
     let metadata = Metadata {
         title: "test".into(),
         asperity_radius: radius,

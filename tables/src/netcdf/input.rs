@@ -1,10 +1,9 @@
-//! Text files that users write: their text, keys given on the command line in place of theirs, and ranges of numbers.
+//! Text files that users write: their text, and keys given on the command line in place of theirs.
 
 use std::io::{self, Read};
 use std::path::Path;
 use std::str::FromStr;
 
-use serde::Deserialize;
 use toml::{Table, Value};
 
 /// Path that stands for the standard input.
@@ -86,28 +85,6 @@ impl Override {
 /// A number of the command line that is `allowed`; the error is the `rule` that it breaks.
 pub fn number<T: FromStr>(text: &str, allowed: impl Fn(&T) -> bool, rule: &str) -> Result<T, String> {
     text.parse().ok().filter(allowed).ok_or_else(|| rule.to_owned())
-}
-
-/// Spacing of the numbers of a range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Spacing {
-    /// Equal ratios.
-    Log,
-    /// Equal differences.
-    Linear,
-}
-
-impl Spacing {
-    /// `points` numbers, two or more, from one end to the other, which are exactly as given.
-    pub fn range(self, from: f64, to: f64, points: usize) -> impl Iterator<Item = f64> {
-        (0..points).map(move |i| match i as f64 / (points - 1) as f64 {
-            0.0 => from,
-            1.0 => to,
-            share if self == Self::Log => from * (to / from).powf(share),
-            share => from + (to - from) * share,
-        })
-    }
 }
 
 #[cfg(test)]

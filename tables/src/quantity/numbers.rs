@@ -1,4 +1,6 @@
-//! Numbers as text: with errors and units, with a number of significant digits, or exactly.
+//! Numbers as text: with errors and units, with a number of significant digits, or exactly; ranges of numbers.
+
+use serde::Deserialize;
 
 use super::Estimate;
 
@@ -69,6 +71,29 @@ pub fn exact(value: f64) -> String {
         0.0 | 1e-3..1e6 => format!("{value}"),
         magnitude if magnitude.is_finite() => format!("{value:e}"),
         _ => format!("{value}"),
+    }
+}
+
+/// Spacing of the numbers of a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Spacing {
+    /// Equal ratios.
+    Log,
+    /// Equal differences.
+    Linear,
+}
+
+impl Spacing {
+    /// `points` numbers, two or more, from one end to the other, which are exactly as given.
+    pub fn range(self, from: f64, to: f64, points: usize) -> Vec<f64> {
+        let number = |i| match i as f64 / (points - 1) as f64 {
+            0.0 => from,
+            1.0 => to,
+            share if self == Self::Log => from * (to / from).powf(share),
+            share => from + (to - from) * share,
+        };
+        (0..points).map(number).collect()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Refinement of tables of closed-form laws in place of simulations.
 
 use super::*;
+use crate::numbers::Spacing::Log;
 use crate::table::{Cell, Status};
 
 const RADIUS: f64 = 1e-3;
@@ -55,10 +56,6 @@ fn start(interference: Vec<f64>, slip_rate: Vec<f64>) -> Slice {
     Slice::new(Axes { interference, slip_rate, slip: vec![0.0, 1.0] }, metadata).unwrap()
 }
 
-fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
-    (0..points).map(|i| from * (to / from).powf(i as f64 / (points - 1) as f64)).collect()
-}
-
 fn refined(tolerance: f64, most_cells: usize) -> (Slice, usize) {
     let mut runs = 0;
     let table = start(vec![0.1, 3.0, 100.0], vec![0.01, 0.3, 10.0]);
@@ -72,8 +69,8 @@ fn refined(tolerance: f64, most_cells: usize) -> (Slice, usize) {
 fn actual(slice: &Slice) -> (f64, f64) {
     let table = slice.clone().interpolated();
     let (mut worst, mut covered, mut asked) = (0.0_f64, 0, 0);
-    for omega in log_spaced(0.1, 100.0, 97) {
-        for rate in log_spaced(0.01, 10.0, 61) {
+    for omega in Log.range(0.1, 100.0, 97) {
+        for rate in Log.range(0.01, 10.0, 61) {
             for (quantity, truth) in JUDGED.into_iter().zip(law(omega, rate)) {
                 let estimate = table.estimate(quantity, RADIUS, omega, rate).unwrap();
                 let error = (estimate.value / truth - 1.0).abs();
@@ -99,7 +96,7 @@ fn interpolates_within_the_tolerance_for_less_runs_than_a_regular_grid() {
             (5..20).flat_map(|rows| (5..20).map(move |columns| (rows, columns))).collect();
         shapes.sort_by_key(|(rows, columns)| rows * columns);
         let regular = shapes.into_iter().find(|(rows, columns)| {
-            let table = start(log_spaced(0.1, 100.0, *rows), log_spaced(0.01, 10.0, *columns));
+            let table = start(Log.range(0.1, 100.0, *rows), Log.range(0.01, 10.0, *columns));
             actual(&evaluate(table, &mut 0)).0 <= worst
         });
         println!(

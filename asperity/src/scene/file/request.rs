@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use tables::netcdf::input::Spacing;
+use tables::numbers::Spacing;
 use tables::refinement::Goal;
 use toml::{Table, Value};
 
@@ -192,7 +192,7 @@ fn points(
             format!("above from = {from:?}"),
         ));
     }
-    Ok(Value::Array(spacing.range(from, to, points).map(Value::Float).collect()))
+    Ok(Value::Array(spacing.range(from, to, points).into_iter().map(Value::Float).collect()))
 }
 
 /// The whole request as TOML, with every default filled in; reading it gives the same request.

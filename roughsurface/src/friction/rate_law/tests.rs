@@ -2,10 +2,7 @@ use super::*;
 use rand::SeedableRng;
 use rand::rngs::StdRng;
 use rand_distr::{Distribution, Normal};
-
-fn rates(from: f64, to: f64, count: usize) -> Vec<f64> {
-    (0..count).map(|i| from * (to / from).powf(i as f64 / (count - 1) as f64)).collect()
-}
+use tables::numbers::Spacing::Log;
 
 fn exact(rates: &[f64], mut law: impl FnMut(f64) -> f64) -> Vec<Estimate> {
     rates.iter().map(|rate| Estimate::exact(law(*rate))).collect()
@@ -17,7 +14,7 @@ fn flash_heating(rate: f64) -> f64 {
 
 #[test]
 fn every_form_comes_back_from_its_own_curve() {
-    let rates = rates(0.03, 300.0, 17);
+    let rates = Log.range(0.03, 300.0, 17);
     for (index, (mu_0, velocity, exponent, plateau)) in
         [(0.3, 2000.0, 0.5, 0.0), (0.5, 40.0, 0.7, 0.0), (0.6, 5.0, 0.5, 0.1), (0.6, 4.0, 1.0, 0.2)]
             .into_iter()
@@ -43,7 +40,7 @@ fn every_form_comes_back_from_its_own_curve() {
 
 #[test]
 fn standard_errors_cover_the_parameters_of_noisy_curves() {
-    let rates = rates(0.1, 10.0, 13);
+    let rates = Log.range(0.1, 10.0, 13);
     let law = |rate: f64| 0.45 / (1.0 + (rate / 80.0f64).powf(0.6));
     let noise = Normal::new(0.0, 3e-4).unwrap();
     let mut random = StdRng::seed_from_u64(1);
@@ -67,7 +64,7 @@ fn standard_errors_cover_the_parameters_of_noisy_curves() {
 
 #[test]
 fn an_error_of_one_sign_moves_the_parameters_by_theirs() {
-    let rates = rates(0.1, 10.0, 9);
+    let rates = Log.range(0.1, 10.0, 9);
     let law = |rate: f64| 0.45 / (1.0 + (rate / 80.0f64).sqrt());
     let shift = 1e-4;
     let shifted = exact(&rates, |rate| law(rate) + shift);
@@ -83,7 +80,7 @@ fn an_error_of_one_sign_moves_the_parameters_by_theirs() {
 
 #[test]
 fn a_plateau_that_is_not_reached_and_parameters_that_are_not_determined_are_refused() {
-    let rates = rates(0.1, 10.0, 9);
+    let rates = Log.range(0.1, 10.0, 9);
     let slow = exact(&rates, |rate| 0.2 + 0.1 / (1.0 + (rate / 60.0).sqrt()));
     let laws = choose(&rates, &slow);
     assert!(
@@ -91,7 +88,7 @@ fn a_plateau_that_is_not_reached_and_parameters_that_are_not_determined_are_refu
     );
     assert!(!laws.chosen.unwrap().form.has_plateau);
     // One decade about V*: exponent and plateau act alike.
-    let rates = self::rates(1.0, 10.0, 9);
+    let rates = Log.range(1.0, 10.0, 9);
     let short = exact(&rates, |rate| 0.2 + 0.3 / (1.0 + (rate / 4.0f64).powf(0.7)));
     assert!(
         matches!(choose(&rates, &short).candidates[3], Err(NoFit::Undetermined(condition)) if condition > 100.0)
@@ -100,7 +97,7 @@ fn a_plateau_that_is_not_reached_and_parameters_that_are_not_determined_are_refu
 
 #[test]
 fn curves_that_do_not_weaken_are_not_fitted() {
-    let rates = rates(0.1, 10.0, 9);
+    let rates = Log.range(0.1, 10.0, 9);
     assert_eq!(choose(&rates, &exact(&rates, |_| 0.5)).chosen, Err(NoFit::NoRateDependence));
     let rising = exact(&rates, |rate| 0.5 + 0.01 * rate.ln());
     assert_eq!(choose(&rates, &rising).chosen, Err(NoFit::NoWeakening));
@@ -139,7 +136,7 @@ fn flash_heating_comes_back_from_its_curve_and_is_flagged_elsewhere() {
     }
     let beyond = [1.0, 2.0, 4.0, 8.0];
     assert_eq!(choose(&beyond, &exact(&beyond, flash_heating)).flash_heating, Err(NoFit::OnsetOutside));
-    let rates = rates(0.1, 10.0, 9);
+    let rates = Log.range(0.1, 10.0, 9);
     let laws = choose(&rates, &exact(&rates, |rate| 0.45 / (1.0 + (rate / 80.0f64).sqrt())));
     assert!(!laws.flash_heating.unwrap().is_reliable());
 }

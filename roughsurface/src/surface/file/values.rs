@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
 use std::fmt;
 use std::str::FromStr;
-use tables::netcdf::input::Spacing;
+use tables::numbers::Spacing;
 
 /// Numbers of a key, as `1e6`, `[1e5, 1e6]`, or a range `{ from = 0.1, to = 10, points = 7, spacing = "log" }`; on
 /// the command line as `1e6`, `1e5,1e6`, `0.1..10` or `0.1..10:7`.
@@ -45,7 +45,7 @@ impl PointRange {
         if !(2..=MOST_POINTS).contains(&points) {
             return Err(format!("points = {points} must be a number from 2 to {MOST_POINTS}"));
         }
-        Ok(Values(spacing.range(from, to, points).collect()))
+        Ok(Values(spacing.range(from, to, points)))
     }
 }
 

@@ -169,7 +169,7 @@ fn power_laws_of_the_plastic_limit_lie_within_the_errors_above_the_last_row() {
 
 #[test]
 fn the_end_of_the_histories_is_a_break() {
-    let table = table_of(log_spaced(0.1, 50.0, 8), vec![0.1, 1.0]);
+    let table = table_of(Log.range(0.1, 50.0, 8), vec![0.1, 1.0]);
     for radius in [RADIUS, 0.1 * RADIUS] {
         // In the table and below it: a₀ is half the slip there, the histories end at s = 2 a₀.
         for interference in [0.01f64, 0.3, 20.0] {

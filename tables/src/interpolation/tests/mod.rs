@@ -4,6 +4,7 @@ mod limits;
 
 use super::*;
 use crate::closed_forms::{ClosedForm, ElasticPlastic, hertz};
+use crate::numbers::Spacing::Log;
 use crate::quantity::Quantity;
 use crate::table::{Axes, Cell, Metadata};
 
@@ -27,11 +28,6 @@ fn truth(interference: f64, slip_rate: f64, slip: f64) -> Response {
     let exact = Estimate::exact;
     let (load, friction) = (exact(cold.load.value * drop), exact(cold.friction.value / (1.0 + heating)));
     Response::new(load, friction, cold.area, exact(BASE + 900.0 * heating / (1.0 + heating)))
-}
-
-fn log_spaced(from: f64, to: f64, points: usize) -> Vec<f64> {
-    let step = (to / from).ln() / (points - 1) as f64;
-    (0..points).map(|i| from * (i as f64 * step).exp()).collect()
 }
 
 fn slice_of(interference: Vec<f64>, slip_rate: Vec<f64>) -> Slice {
@@ -90,9 +86,9 @@ fn changed(change: impl FnOnce(&mut Slice)) -> InterpolatedTable {
 }
 
 fn table() -> InterpolatedTable {
-    let mut rates = log_spaced(0.1, 10.0, 5);
+    let mut rates = Log.range(0.1, 10.0, 5);
     rates.insert(0, 0.0);
-    table_of(log_spaced(0.5, 100.0, 8), rates)
+    table_of(Log.range(0.5, 100.0, 8), rates)
 }
 
 fn relative(value: f64, reference: f64) -> f64 {
@@ -126,8 +122,8 @@ fn points_of_the_table_come_back() {
 fn between_points_it_is_accurate_and_knows_how_accurate() {
     let table = table();
     let (mut worst, mut inside, mut asked) = (0.0_f64, 0, 0);
-    for omega in log_spaced(0.51, 99.0, 41) {
-        for rate in log_spaced(0.03, 9.9, 23) {
+    for omega in Log.range(0.51, 99.0, 41) {
+        for rate in Log.range(0.03, 9.9, 23) {
             for part in [0.0007, 0.15, 0.6, 1.9] {
                 let area = truth(omega, 0.0, 0.0).area.value;
                 let slip = part * (area / std::f64::consts::PI).sqrt();
@@ -219,7 +215,7 @@ fn fixed_slip_rate_gives_the_same_response() {
     let table = table();
     for (radius, rate) in [(RADIUS, 0.7), (RADIUS, 0.0), (RADIUS, 0.05), (2.0 * RADIUS, 5.0)] {
         let fixed = table.at_slip_rate(radius, rate).unwrap();
-        for omega in log_spaced(0.01, 100.0, 23) {
+        for omega in Log.range(0.01, 100.0, 23) {
             for slip in [0.0, 1e-8, 3e-7, 4e-5, 1e-2] {
                 let general = table.response(radius, omega, rate, slip).unwrap();
                 let here = fixed(omega, slip).unwrap();
@@ -258,7 +254,7 @@ fn slope_of_friction_against_slip_rate_is_continuous_across_the_points() {
     // The curvature of ln μ over 0.2 % of V; a kink would show as a jump of the slope, which is
     // about −0.3 here.
     assert!(largest < 2e-3, "{largest}");
-    let slopes = log_spaced(0.1, 9.9, 200).into_iter().map(|rate| friction_slope(&table, rate));
+    let slopes = Log.range(0.1, 9.9, 200).into_iter().map(|rate| friction_slope(&table, rate));
     assert!(slopes.clone().fold(0.0, f64::min) < -0.3 && slopes.fold(-1.0, f64::max) < 0.0);
 }
 
@@ -267,7 +263,7 @@ fn monotone_points_give_a_monotone_friction() {
     let table = table();
     for omega in [0.2, 0.7, 7.0, 60.0] {
         let mut last = f64::INFINITY;
-        for rate in std::iter::once(0.0).chain(log_spaced(1e-3, 10.0, 300)) {
+        for rate in std::iter::once(0.0).chain(Log.range(1e-3, 10.0, 300)) {
             let state = table.response(RADIUS, omega, rate, 1e-4).unwrap();
             let mu = state.friction.value / state.load.value;
             assert!(mu < last, "{omega} {rate}");
