@@ -35,7 +35,7 @@ use std::ops::Deref;
 pub use hertz_limit::{UNCERTAINTY_OF_KEPT_RATIO, UPLIFT};
 use interpolant::Interpolant;
 pub(crate) use interpolant::coordinates;
-pub(crate) use nodes::{blend_one, cubic};
+pub(crate) use nodes::{blend_one, cubic, neighbours};
 
 use crate::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
 use crate::quantity::Quantity;

@@ -218,14 +218,23 @@ pub(super) fn blend(
         return value(index + 1);
     }
     let inner = [value(index)?, value(index + 1)?];
-    let before = index.checked_sub(1).and_then(|i| value(i).ok());
-    let after = (index + 2 < axis.len()).then(|| value(index + 2).ok()).flatten();
+    let outer = neighbours(axis, index, |i| value(i).ok());
     let h = axis[index + 1] - axis[index];
-    let gaps =
-        [before.map(|_| axis[index] - axis[index - 1]), after.map(|_| axis[index + 2] - axis[index + 1])];
     Ok(std::array::from_fn(|f| {
-        blend_one(gaps, h, t, [before.map(|v| v[f]), after.map(|v| v[f])], inner.map(|v| v[f]))
+        blend_one(h, t, outer.map(|near| near.map(|(gap, v)| (gap, v[f]))), inner.map(|v| v[f]))
     }))
+}
+
+/// What is known at the points before and after the interval from `index` on, with their distances from it.
+pub(crate) fn neighbours<T>(
+    axis: &[f64],
+    index: usize,
+    value: impl Fn(usize) -> Option<T>,
+) -> [Option<(f64, T)>; 2] {
+    let before = index.checked_sub(1).and_then(|i| Some((axis[index] - axis[i], value(i)?)));
+    let next = index + 2;
+    let after = (next < axis.len()).then(|| Some((axis[next] - axis[next - 1], value(next)?)));
+    [before, after.flatten()]
 }
 
 /// Relative misfit of the point `own` of a line when predicted from the others.
@@ -264,44 +273,28 @@ fn with_coefficient(values: Values) -> Errors {
 
 /// Monotone cubic between two points with optional outer ones; of the logarithms if both are
 /// positive, without outer ones that are not. From zero to a positive value y with the exponent p beyond it the function
-/// y t/(p + (1 − p)t): in proportion to t at first, as a temperature rise to the slip rate, then less. `gaps` are the
-/// distances to the outer points.
-pub(crate) fn blend_one(
-    gaps: [Option<f64>; 2],
-    h: f64,
-    t: f64,
-    outer: [Option<f64>; 2],
-    inner: [f64; 2],
-) -> f64 {
+/// y t/(p + (1 − p)t): in proportion to t at first, as a temperature rise to the slip rate, then less. `outer` as from
+/// [`neighbours`].
+pub(crate) fn blend_one(h: f64, t: f64, outer: [Option<(f64, f64)>; 2], inner: [f64; 2]) -> f64 {
     let [start, end] = inner;
     if start > 0.0 && end > 0.0 {
-        let outer = outer.map(|value| value.filter(|value| *value > 0.0).map(f64::ln));
-        return cubic(gaps, h, t, outer, inner.map(f64::ln)).exp();
+        let outer = outer.map(|near| near.filter(|near| near.1 > 0.0).map(|(gap, value)| (gap, value.ln())));
+        return cubic(h, t, outer, inner.map(f64::ln)).exp();
     }
-    if let (0.0, [None, Some(gap)], [None, Some(next)]) = (start, gaps, outer)
+    if let (0.0, [None, Some((gap, next))]) = (start, outer)
         && (0.0..next).contains(&end)
     {
         let exponent = ((next / end).ln() / gap).clamp(LEAST_EXPONENT, 1.0);
         return end * t / (exponent + (1.0 - exponent) * t);
     }
-    cubic(gaps, h, t, outer, inner)
+    cubic(h, t, outer, inner)
 }
 
 /// The same of the values as they are.
-pub(crate) fn cubic(
-    gaps: [Option<f64>; 2],
-    h: f64,
-    t: f64,
-    outer: [Option<f64>; 2],
-    [y0, y1]: [f64; 2],
-) -> f64 {
+pub(crate) fn cubic(h: f64, t: f64, [before, after]: [Option<(f64, f64)>; 2], [y0, y1]: [f64; 2]) -> f64 {
     let secant = (y1 - y0) / h;
-    let neighbour = |side: usize, end: f64| -> Option<(f64, f64)> {
-        let (gap, value) = (gaps[side]?, outer[side]?);
-        let rise = if side == 0 { end - value } else { value - end };
-        Some((gap, rise / gap))
-    };
-    let (before, after) = (neighbour(0, y0), neighbour(1, y1));
+    let before = before.map(|(gap, value)| (gap, (y0 - value) / gap));
+    let after = after.map(|(gap, value)| (gap, (value - y1) / gap));
     let slope = |near: Option<(f64, f64)>, far: Option<(f64, f64)>| match (near, far) {
         (Some((gap, d)), _) => inner_slope(gap, h, d, secant),
         (None, Some((gap, d))) => end_slope(h, gap, secant, d),

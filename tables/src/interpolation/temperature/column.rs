@@ -1,14 +1,14 @@
 //! Numbers between initial temperatures, and their errors.
 
-use crate::interpolation::blend_one;
 use crate::interpolation::steffen::Location;
+use crate::interpolation::{blend_one, neighbours};
 use crate::law::Estimate;
 use crate::quantity::Quantity;
 use crate::table::Cell;
 
-/// A monotone cubic through four points of which the outer two may be missing: gaps to these, length
-/// of the interval, fraction of it, outer and inner values.
-type Cubic = fn([Option<f64>; 2], f64, f64, [Option<f64>; 2], [f64; 2]) -> f64;
+/// A monotone cubic through four points of which the outer two may be missing: length of the interval, fraction of it,
+/// distances and values of the outer points, inner values.
+type Cubic = fn(f64, f64, [Option<(f64, f64)>; 2], [f64; 2]) -> f64;
 
 /// A number at all temperatures `x`, NaN where unknown, for interpolation between two of them.
 pub(super) struct Line<'a, F> {
@@ -29,11 +29,8 @@ impl<'a, F: Fn(usize) -> f64> Line<'a, F> {
 
     fn predicted(&self, x: &[f64], place: Location, value: impl Fn(usize) -> f64) -> f64 {
         let Location { index, t } = place;
-        let known = |member: usize| Some(value(member)).filter(|value| value.is_finite());
-        let before = index.checked_sub(1).and_then(known);
-        let after = (index + 2 < x.len()).then(|| known(index + 2)).flatten();
-        let gaps = [before.map(|_| x[index] - x[index - 1]), after.map(|_| x[index + 2] - x[index + 1])];
-        (self.cubic)(gaps, x[index + 1] - x[index], t, [before, after], [value(index), value(index + 1)])
+        let outer = neighbours(x, index, |member| Some(value(member)).filter(|value| value.is_finite()));
+        (self.cubic)(x[index + 1] - x[index], t, outer, [value(index), value(index + 1)])
     }
 
     /// Error of the value.
