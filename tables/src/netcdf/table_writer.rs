@@ -138,22 +138,8 @@ impl Content<'_> {
     }
 
     fn write_quantity(&self, file: &mut DatasetWriter, descriptor: &Descriptor) -> Result<(), DatasetError> {
-        let quantity = descriptor.quantity;
-        let name = descriptor.name;
-        let error_name = format!("{name}_error");
-        let values = self.collect(|_, cell| cell[quantity].value);
-        let errors = self.collect(|_, cell| cell[quantity].error);
-
-        let long_name = descriptor.long_name.to_string();
-        let mut attributes = describe(descriptor, long_name.clone(), "temperature: on_scale");
-        let ancillary = format!("{error_name} status");
-        attributes.push(("ancillary_variables", ancillary.into()));
-        file.reals(name, self.grid(), &values, &attributes)?;
-
-        let error_long_name = format!("half-width of the 95 % interval of the {long_name}");
-        let attributes = describe(descriptor, error_long_name, "temperature: difference");
-        file.reals(&error_name, self.grid(), &errors, &attributes)?;
-
+        let Descriptor { quantity, name, long_name, .. } = *descriptor;
+        self.write_estimates(file, descriptor, |_, cell| cell[quantity])?;
         if descriptor.history == Stored::RunAndTable {
             let slips = self.slices[0].axes().slip.len();
             let history = |(_, cell): (&Slice, Option<&Cell>)| match cell {
@@ -172,23 +158,33 @@ impl Content<'_> {
     fn write_energy_ratio(&self, file: &mut DatasetWriter, law: FractureEnergy) -> Result<(), DatasetError> {
         file.attribute(FRACTURE_ENERGY, law.coefficient)?;
         file.attribute(FRACTURE_EXPONENT, law.radius_exponent)?;
-        let ratio = |slice: &Slice, cell: &Cell| slice.energy_ratio(cell).unwrap_or(Estimate::UNKNOWN);
-        let exponent = Quantity::EnergyRelease.descriptor().radius_exponent - law.radius_exponent;
-        let attributes = |long_name: &str| {
-            vec![
-                ("units", AttributeValue::from("1")),
-                ("long_name", long_name.into()),
-                ("radius_exponent", exponent.into()),
-            ]
+        let energy = *Quantity::EnergyRelease.descriptor();
+        let ratio = Descriptor {
+            name: "G_ratio",
+            units: "1",
+            long_name: "energy released over the shear fracture energy of the material, G/G_IIc",
+            radius_exponent: energy.radius_exponent - law.radius_exponent,
+            ..energy
         };
-        let long_name = "energy released over the shear fracture energy of the material, G/G_IIc";
-        let mut described = attributes(long_name);
-        described.push(("ancillary_variables", "G_ratio_error status".into()));
-        let values = self.collect(|slice, cell| ratio(slice, cell).value);
-        file.reals("G_ratio", self.grid(), &values, &described)?;
-        let described = attributes(&format!("half-width of the 95 % interval of the {long_name}"));
-        let errors = self.collect(|slice, cell| ratio(slice, cell).error);
-        file.reals("G_ratio_error", self.grid(), &errors, &described)
+        let of = |slice: &Slice, cell: &Cell| slice.energy_ratio(cell).unwrap_or(Estimate::UNKNOWN);
+        self.write_estimates(file, &ratio, of)
+    }
+
+    /// A variable and that of its errors.
+    fn write_estimates(
+        &self,
+        file: &mut DatasetWriter,
+        descriptor: &Descriptor,
+        of: impl Fn(&Slice, &Cell) -> Estimate,
+    ) -> Result<(), DatasetError> {
+        let Descriptor { name, long_name, .. } = *descriptor;
+        let error_name = format!("{name}_error");
+        let mut attributes = describe(descriptor, long_name.into(), "temperature: on_scale");
+        attributes.push(("ancillary_variables", format!("{error_name} status").into()));
+        file.reals(name, self.grid(), &self.collect(|slice, cell| of(slice, cell).value), &attributes)?;
+        let error_long_name = format!("half-width of the 95 % interval of the {long_name}");
+        let attributes = describe(descriptor, error_long_name, "temperature: difference");
+        file.reals(&error_name, self.grid(), &self.collect(|slice, cell| of(slice, cell).error), &attributes)
     }
 
     fn write_state(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
