@@ -33,27 +33,12 @@ const CLOSE: f64 = 1.5;
 /// Intervals below this factor are left as they are.
 const NARROWEST: f64 = 1.02;
 
-/// Computes missing points of a table by `evaluate` and adds points, in turn, until every quantity of
-/// [`JUDGED`] interpolates within its allowance of the tolerance, or the grid is full.
-pub fn refine<E>(
-    mut table: Slice,
-    goal: &Goal,
-    mut evaluate: impl FnMut(Slice) -> Result<Slice, E>,
-) -> Result<Slice, E> {
-    loop {
-        table = evaluate(table)?;
-        match goal.next_axes(&table) {
-            Some(axes) => table = table.regridded(axes).expect("inserted between points, same slips"),
-            None => return Ok(table),
-        }
-    }
-}
-
 /// An interval that needs a point, and its error.
 type Wanted = (f64, Along, usize);
 
 impl Goal {
-    /// Axes with more points, or none if the goal is reached or cannot be.
+    /// Axes with more points, or none if every quantity of [`JUDGED`] interpolates within its allowance of the tolerance,
+    /// or if the grid is full.
     pub fn next_axes(&self, table: &Slice) -> Option<Axes> {
         let mut wanted = self.wanted(table, &table.cross_validation());
         // The worst first: what does not fit any more is left out.
