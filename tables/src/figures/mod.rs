@@ -23,6 +23,7 @@ use crate::netcdf::write_atomically;
 use axis::Range;
 use canvas::{Anchor, Group, Page};
 pub use field::{Colors, Field, above};
+pub use svg::escaped;
 pub use table::PANELS as TABLE_PANELS;
 
 /// Panels in rows.

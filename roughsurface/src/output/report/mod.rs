@@ -15,6 +15,7 @@ use crate::sampling::case::Results;
 use crate::sampling::uncertainty::VariedParameter;
 use crate::surface::query::{ContactLife, LoadingControl};
 use std::fmt::Write;
+use tables::figures::escaped;
 
 const STYLE: &str = "body{font-family:sans-serif;max-width:76em;margin:2em auto;padding:0 1em;color:#111;line-height:1.4}\
 table{border-collapse:collapse;margin:1em 0;display:block;overflow-x:auto}\
@@ -149,10 +150,6 @@ fn material(origin: &Origin) -> String {
 fn list(page: &mut String, title: &str, items: impl Iterator<Item = String>) {
     let items: String = items.map(|item| format!("<li>{}</li>\n", escaped(&item))).collect();
     let _ = write!(page, "<h2>{title}</h2>\n<ul>\n{items}</ul>\n");
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// A table under a title and a line of HTML, of a choice of the rows if there are many; empty without rows.
