@@ -14,16 +14,17 @@ pub mod scenes;
 
 use std::io;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 pub use document::markdown;
-use record::Journal;
 pub use record::{Record, Reported};
 pub use report::{JUDGED, Judged, QuantityReport, Report};
 
+use crate::output::journal_file::{JournalFile, decode};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::{Watch, sample, simulate};
 
@@ -116,7 +117,9 @@ pub fn run(
     watch: &dyn Watch,
     done: &(dyn Fn(&Record) + Sync),
 ) -> io::Result<Vec<Record>> {
-    let (journal, mut records) = Journal::open(path)?;
+    let (journal, text) = JournalFile::open(path)?;
+    let mut records: Vec<Record> = text.lines().filter_map(decode).collect();
+    let journal = Mutex::new(journal);
     let lacking: Vec<(usize, Role)> = which
         .iter()
         .flat_map(|&scene| Role::ALL.map(|role| (scene, role)))
@@ -135,7 +138,7 @@ pub fn run(
             if watch.cancelled() {
                 return Ok(None);
             }
-            journal.append(&record)?;
+            journal.lock().unwrap_or_else(PoisonError::into_inner).append(&record)?;
             done(&record);
             Ok(Some(record))
         })

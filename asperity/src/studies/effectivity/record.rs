@@ -1,14 +1,9 @@
 //! Record of each run of the study: the study can be interrupted, and its estimates can be evaluated again without
 //! repeating runs.
 
-use std::io;
-use std::path::Path;
-use std::sync::{Mutex, PoisonError};
-
 use serde::{Deserialize, Serialize};
 
 use super::{JUDGED, Role};
-use crate::output::journal_file::{JournalFile, decode};
 use crate::output::provenance::FINGERPRINT;
 use crate::simulate::Sample;
 use crate::simulate::outcome::{ErrorSource, Outcome};
@@ -57,22 +52,5 @@ impl Reported {
             errors: estimates.iter().map(|estimate| estimate.error).collect(),
             parts: JUDGED.map(parts).to_vec(),
         }
-    }
-}
-
-/// The journal: records are appended as they are made.
-pub struct Journal {
-    file: Mutex<JournalFile>,
-}
-
-impl Journal {
-    /// Opens or makes the journal; its records are returned.
-    pub fn open(path: &Path) -> io::Result<(Self, Vec<Record>)> {
-        let (file, text) = JournalFile::open(path)?;
-        Ok((Self { file: Mutex::new(file) }, text.lines().filter_map(decode).collect()))
-    }
-
-    pub fn append(&self, record: &Record) -> io::Result<()> {
-        self.file.lock().unwrap_or_else(PoisonError::into_inner).append(record)
     }
 }
