@@ -108,12 +108,15 @@ def characterize(
     return Characterization(core, [topography] if isinstance(topography, (str, os.PathLike)) else ())
 
 
+def _refused(key: str, reason: str) -> InputError:
+    """The exception for an argument."""
+    return InputError(f"{key}: {reason}", None, key, reason)
+
+
 def _metres(unit: str) -> float:
-    try:
-        return _METRES[unit]
-    except KeyError:
-        reason = f"{unit!r} must be one of {', '.join(_METRES)}"
-        raise InputError(f"unit: {reason}", None, "unit", reason) from None
+    if unit not in _METRES:
+        raise _refused("unit", f"{unit!r} must be one of {', '.join(_METRES)}")
+    return _METRES[unit]
 
 
 def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[float, float], bool]:
@@ -122,8 +125,8 @@ def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[
     if hasattr(topography, "heights"):
         scale = _metres(getattr(topography, "unit", None) or unit)
         if pixel is None and not hasattr(topography, "pixel_size"):
-            reason = "its points are not at equal distances; to_uniform() of SurfaceTopography makes them so"
-            raise InputError(f"topography: {reason}", None, "topography", reason)
+            uneven = "its points are not at equal distances; to_uniform() of SurfaceTopography makes them so"
+            raise _refused("topography", uneven)
         if pixel is None:
             pixel = tuple(scale * float(step) for step in np.atleast_1d(topography.pixel_size))
         periodic = bool(getattr(topography, "is_periodic", False))
@@ -134,11 +137,9 @@ def _heights(topography: Any, pixel: Any, unit: str) -> tuple[np.ndarray, tuple[
         topography = topography.astype(float).filled(np.nan)
     heights = scale * np.asarray(topography, dtype=float)
     if pixel is None:
-        reason = "is needed: the distance of the points in m"
-        raise InputError(f"pixel: {reason}", None, "pixel", reason)
+        raise _refused("pixel", "is needed: the distance of the points in m")
     if heights.ndim not in (1, 2):
-        reason = f"has {heights.ndim} dimensions; a map has two, a profile one"
-        raise InputError(f"topography: {reason}", None, "topography", reason)
+        raise _refused("topography", f"has {heights.ndim} dimensions; a map has two, a profile one")
     steps = np.broadcast_to(np.asarray(pixel, dtype=float), (2,))
     return np.ascontiguousarray(np.atleast_2d(heights)), (float(steps[0]), float(steps[1])), periodic
 
@@ -214,10 +215,13 @@ def _files(surface: Any, table: Any) -> list[str | os.PathLike[str]]:
     return [*of_surface, *([] if name is None else [name])]
 
 
-def _question(surface: Any, table: str, **more: Any) -> SimpleNamespace:
+def _question(surface: Any, table: str, query: Mapping[str, Any], overrides: Any, **more: Any) -> SimpleNamespace:
     measured = surface._core if isinstance(surface, Characterization) else None
     document = None if measured is not None else given(surface)
-    return SimpleNamespace(surface=document, measured=measured, table=table, **more)
+    values = {key: numbers(asked) for key, asked in query.items()}
+    return SimpleNamespace(
+        surface=document, measured=measured, table=table, overrides=laid_over(overrides), **values, **more
+    )
 
 
 def predict(
@@ -261,18 +265,11 @@ def predict(
     """
     models = list(_core.CLOSED_FORMS) if "all" in names(compare) else names(compare)
     if unknown := [model for model in models if model not in _core.CLOSED_FORMS]:
-        reason = f"{unknown[0]!r} must be among {', '.join(_core.CLOSED_FORMS)}, or all"
-        raise InputError(f"compare: {reason}", None, "compare", reason)
+        raise _refused("compare", f"{unknown[0]!r} must be among {', '.join(_core.CLOSED_FORMS)}, or all")
     with named(table) as name, shown(progress) as show:
         query = {"pressure": pressure, "separation": separation, "slip_rate": slip_rate}
         question = _question(
-            surface,
-            name,
-            **{key: numbers(values) for key, values in query.items()},
-            overrides=laid_over(overrides),
-            allow_missing=allow_missing,
-            extrapolate=extrapolate,
-            tolerance=tolerance,
+            surface, name, query, overrides, allow_missing=allow_missing, extrapolate=extrapolate, tolerance=tolerance
         )
         core = _core.predict(question, models, threads, show)
     warn(core.warnings())
@@ -315,13 +312,7 @@ def sample(
     with named(table) as name, shown(progress) as show:
         query = {"pressure": pressure, "separation": separation, "slip_rate": slip_rate}
         question = _question(
-            surface,
-            name,
-            **{key: numbers(values) for key, values in query.items()},
-            overrides=laid_over(overrides),
-            allow_missing=allow_missing,
-            extrapolate=extrapolate,
-            tolerance=None,
+            surface, name, query, overrides, allow_missing=allow_missing, extrapolate=extrapolate, tolerance=None
         )
         core = _core.sample(question, (asperities, realizations, seed), slip, threads, show)
     warn(core.warnings())
