@@ -59,8 +59,7 @@ def timed(command, *words, threads=None, **settings):
         line = [program("asperity"), command, *words, "--json", "--quiet"]
         if command == "run":
             line += ["-o", f"{folder}/run.nc", "--timings"]
-        for key, value in settings.items():
-            line += ["--set", f"{key.replace('__', '.')}={value}"]
+        line += overrides(f"{key.replace('__', '.')}={value}" for key, value in settings.items())
         text, seconds, memory = call(*line, threads=threads)
         return json.loads(text), seconds, memory
 
@@ -78,14 +77,23 @@ def example(name):
     return call(program("examples") / name)[0]
 
 
-def shipped(name):
-    """Cells of a shipped table: a list of rows by interference, of dictionaries by slip rate."""
+def overrides(settings):
+    """Options of a command for settings `section.key=value`."""
+    return [word for setting in settings for word in ("--set", setting)]
+
+
+def exported(name):
+    """Cells of a table, as dictionaries of text."""
     with tempfile.TemporaryDirectory() as folder:
         call(program("asperity"), "table", "export", name, "-o", f"{folder}/table.csv", "--quiet")
         with open(f"{folder}/table.csv", newline="") as file:
-            cells = [{key.split(" [")[0]: cell for key, cell in row.items()} for row in csv.DictReader(file)]
+            return [{key.split(" [")[0]: cell for key, cell in row.items()} for row in csv.DictReader(file)]
+
+
+def shipped(name):
+    """Cells of a shipped table: a list of rows by interference, of dictionaries by slip rate."""
     rows = {}
-    for cell in cells:
+    for cell in exported(name):
         numbers = {}
         for key, text in cell.items():
             try:

@@ -16,6 +16,7 @@ from .common import (
     error,
     example,
     machine,
+    overrides,
     plain,
     program,
     signed,
@@ -253,8 +254,7 @@ def times():
 def scaling():
     """Processor time against resolution, from examples/scaling.py."""
     settings = ["model.kinematics=small", "numerics.sectors=4", "numerics.accuracy=0.1"]
-    words = [word for setting in settings for word in ("--set", setting)]
-    text = call(ROOT / "examples/scaling.py", "--asperity", program("asperity"), *words)[0]
+    text = call(ROOT / "examples/scaling.py", "--asperity", program("asperity"), *overrides(settings))[0]
     text = text.replace("| n_c |", "| $n_c$ |")
     return text.rstrip("\n") + "\n\n" + machine()
 

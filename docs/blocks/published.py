@@ -1,13 +1,12 @@
 """Blocks of the comparison with published friction."""
 
-import csv
 import functools
 import json
 import re
 import tempfile
 from pathlib import Path
 
-from .common import block, call, example, plain, program, table
+from .common import block, call, example, exported, overrides, plain, program, table
 
 LIKE = ("counterface.preset=steel-1045", "counterface.elastic=false")
 BODIES = [
@@ -28,17 +27,16 @@ def folder():
 def tabulated(scene, *settings):
     """The table of a request in `examples/scenes`."""
     path = Path(folder().name, f"{scene}-{len(settings)}.nc")
-    words = [word for setting in settings for word in ("--set", setting)]
-    call(program("asperity"), "tabulate", f"examples/scenes/{scene}.toml", *words, "-o", path, "--quiet")
+    line = ("tabulate", f"examples/scenes/{scene}.toml", *overrides(settings), "-o", path, "--quiet")
+    call(program("asperity"), *line)
     return path
 
 
 def predicted(surface, path, *settings):
     """Friction of a surface in `examples/scenes` over pressure and slip rate."""
-    words = [word for setting in settings for word in ("--set", setting)]
     scene = f"examples/scenes/{surface}.toml"
     output = Path(folder().name, "friction.nc")
-    line = ("predict", scene, "--table", path, *words, "-o", output, "--json", "--quiet")
+    line = ("predict", scene, "--table", path, *overrides(settings), "-o", output, "--json", "--quiet")
     return json.loads(call(program("roughsurface"), *line)[0])["friction"]
 
 
@@ -98,11 +96,7 @@ def warm_steel():
     """One asperity of the same table that is warm as a whole."""
     settings = ("table.temperature=[298.0,800.0]", "table.interference=[16.0,250.0]", "table.slip_rate=[0.1,10.0]")
     path, rows = tabulated("dry-steel-table", *settings), {}
-    exported = Path(folder().name, "warm.csv")
-    call(program("asperity"), "table", "export", path, "-o", exported, "--quiet")
-    with open(exported, newline="") as file:
-        cells = [{key.split(" [")[0]: cell for key, cell in row.items()} for row in csv.DictReader(file)]
-    for cell in cells:
+    for cell in exported(path):
         key = (float(cell["interference"]), float(cell["slip_rate"]))
         mu = f"{float(cell['mu']):.3f} ± {float(cell['mu_error']):.3f}"
         rows.setdefault(key, []).append(mu)
