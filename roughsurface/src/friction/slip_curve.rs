@@ -249,7 +249,7 @@ fn released(slip: &[f64], shear: &[Estimate], height: impl Fn(&Estimate) -> f64)
 
 /// Slips for the curve, m: zero, then geometric from 1e-4 of the smallest contact radius to four times the
 /// largest. Asperities stop sticking after some thousandths of their contact radius; tables end after two.
-pub fn slip_grid(smallest_radius: f64, largest_radius: f64, points: usize) -> Vec<f64> {
+pub fn slip_grid([smallest_radius, largest_radius]: [f64; 2], points: usize) -> Vec<f64> {
     let (from, to) = (1e-4 * smallest_radius, 4.0 * largest_radius);
     let steps = points.max(4) - 2;
     let mut grid = vec![0.0];
@@ -262,7 +262,7 @@ mod tests {
     use super::*;
 
     fn curve(mu: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<Estimate>) {
-        let slip = slip_grid(1.0, 1.0, 97);
+        let slip = slip_grid([1.0; 2], 97);
         let values = slip.iter().map(|&s| Estimate::exact(mu(s)));
         let values = values.collect();
         (slip, values)

@@ -101,11 +101,7 @@ impl<'a> Sweep<'a> {
 
     /// Slips (m) of the curve, by the contact radii of the loaded asperities.
     pub(crate) fn slip_grid(&self, pressed: &[Vec<EquilibriumState>]) -> Vec<f64> {
-        let radii = pressed.iter().flatten().map(|equilibrium| equilibrium.state.loaded_radius);
-        let (smallest, largest) = radii.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), radius| {
-            (low.min(radius), high.max(radius))
-        });
-        slip_grid(smallest, largest, self.settings.slip_points)
+        slip_grid(loaded_radii(pressed.iter().flatten()), self.settings.slip_points)
     }
 
     /// The surface after each of the neighbouring `slips` (m), for every pressure or separation.
@@ -218,10 +214,7 @@ impl<'a> Sweep<'a> {
             self.steady(asperities, rate, self.query.contact_life, pressed)
         };
         let (start, target) = (steady(&slow, before)?, steady(&fast, after)?);
-        let radii = pressed.iter().map(|equilibrium| equilibrium.state.loaded_radius);
-        let extremes = radii
-            .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)]);
-        let slip = rate_step::slip_grid(extremes, diameters);
+        let slip = rate_step::slip_grid(loaded_radii(pressed), diameters);
         let stepping = fast.stepping_from(before, diameters)?;
         let states: Vec<Vec<SlipState>> = slip
             .par_iter()
@@ -340,4 +333,10 @@ impl<'a> Sweep<'a> {
         energy.error += shift * (pressed.sensitivity.additional * energy.value).abs();
         Some(energy)
     }
+}
+
+/// Smallest and largest contact radius (m) averaged over the load.
+fn loaded_radii<'a>(pressed: impl IntoIterator<Item = &'a EquilibriumState>) -> [f64; 2] {
+    let radii = pressed.into_iter().map(|equilibrium| equilibrium.state.loaded_radius);
+    radii.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)])
 }
