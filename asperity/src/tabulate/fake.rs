@@ -22,13 +22,6 @@ pub struct Fake {
     pub slide_panics: Option<f64>,
 }
 
-impl Fake {
-    /// See [`fake::outcome`].
-    pub fn outcome(scene: &Scene) -> Outcome {
-        fake::outcome(scene)
-    }
-}
-
 impl Simulator for Fake {
     type Pressed = Scene;
 
@@ -56,9 +49,9 @@ impl Simulator for Fake {
                 stage: "slide",
                 at: "s = 1 um".into(),
                 reason: "told to".into(),
-                partial: Some(Box::new(Self::outcome(&scene))),
+                partial: Some(Box::new(fake::outcome(&scene))),
             });
         }
-        Ok(Self::outcome(&scene))
+        Ok(fake::outcome(&scene))
     }
 }

@@ -10,7 +10,7 @@ use super::*;
 use crate::discretisation::mesh::MeshSize;
 use crate::loading::problem::Problem;
 use crate::scene::file::parse_request;
-use crate::simulate::Unwatched;
+use crate::simulate::{Unwatched, fake};
 use crate::tabulate::fake::Fake;
 
 const COPPER: &str = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n";
@@ -180,7 +180,7 @@ fn table_has_every_cell_and_says_which_failed() {
     let table = table(&tabulation).at(None).unwrap();
     assert_eq!(table.shape(), (3, 3));
     assert_eq!(table.axes().slip, tabulation.slips);
-    let expected = Fake::outcome(&request(GRID).scene(1, 1));
+    let expected = fake::outcome(&request(GRID).scene(1, 1));
     assert_eq!(table.cell(1, 1).unwrap()[Quantity::Load], expected.scalars[Quantity::Load]);
     assert!(matches!(table.status(1, 2), Status::Failed(reason) if reason.contains("did not converge")));
     let metadata = table.metadata();
@@ -227,7 +227,7 @@ fn points_are_added_for_a_tolerance() {
         let estimate = table.estimate(Quantity::Mu, 1e-3, 33.0, rate).unwrap();
         let mut scene = one.request.template.clone();
         (scene.loading.interference, scene.loading.slip_rate) = (33.0, rate);
-        let truth = Fake::outcome(&scene).scalars[Quantity::Mu].value;
+        let truth = fake::outcome(&scene).scalars[Quantity::Mu].value;
         assert!((estimate.value / truth - 1.0).abs() < 0.02, "{rate}");
         // 1 % of the run, and the error of interpolation.
         assert!(estimate.error > 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");
