@@ -2,12 +2,14 @@
 //!
 //! A mesh of n elements per contact radius costs time in proportion to n^2.3; the accuracy ε of the scene requires
 //! n in proportion to ε^(−0.9), and light contacts, whose friction scatters more, finer meshes than
-//! deeper ones. Each step of a programme takes as long as a slide.
+//! deeper ones. Each step of a programme takes as long as a slide. A counterface that conducts, and thermal properties that
+//! depend on temperature, take further time.
 
 use crate::scene::Scene;
 use crate::scene::fitted_constants::processor_time::{
-    COARSE_SHARE, LEAST, LIGHT, MESH_POWER, MOST, MOST_SHEAR, NEWTON_ITERATION, REFERENCE_ACCURACY,
-    REFERENCE_ELEMENTS, REFERENCE_SECTORS, SECONDS, SHEAR_DEPTH, SHEAR_POWER, UNLIMITED_SHEAR,
+    COARSE_SHARE, CONDUCTION, LEAST, LIGHT, MESH_POWER, MOST, MOST_SHEAR, NEWTON_ITERATION,
+    REFERENCE_ACCURACY, REFERENCE_ELEMENTS, REFERENCE_SECTORS, SECONDS, SHEAR_DEPTH, SHEAR_POWER,
+    UNLIMITED_SHEAR,
 };
 use crate::simulate::accuracy::resolution::Resolution;
 
@@ -23,7 +25,7 @@ pub fn expected_time(scene: &Scene) -> f64 {
         Some(elements) => SECONDS * (elements as f64 / REFERENCE_ELEMENTS).powf(MESH_POWER),
         None if may_shear_without_limit(scene) => {
             let deeper = (interference / SHEAR_DEPTH).powf(SHEAR_POWER);
-            return (UNLIMITED_SHEAR * deeper).clamp(UNLIMITED_SHEAR, MOST_SHEAR);
+            return (UNLIMITED_SHEAR * deeper).clamp(UNLIMITED_SHEAR, MOST_SHEAR) * of_heat(scene);
         }
         None => {
             let chosen = Resolution::choose(numerics);
@@ -33,7 +35,17 @@ pub fn expected_time(scene: &Scene) -> f64 {
         }
     };
     let steps = scene.loading.steps.len().max(1) as f64;
-    (seconds * sectors * steps).clamp(LEAST, MOST)
+    ((seconds * sectors).max(LEAST) * of_heat(scene) * steps).min(MOST)
+}
+
+/// Factor for heat that is more than linear conduction in the asperity.
+fn of_heat(scene: &Scene) -> f64 {
+    let varies = &scene.material.dependence;
+    let nonlinear = varies.specific_heat.is_some() || varies.thermal_conductivity.is_some();
+    [scene.counterface.conduction().is_some(), nonlinear]
+        .map(|is| if is { CONDUCTION } else { 1.0 })
+        .iter()
+        .product()
 }
 
 /// Processor time of a run that took so many Newton iterations, with its coarse run, s. From counts, so that what is
@@ -137,6 +149,31 @@ mod tests {
             let ratio = expected_time(&parse_scene(&text, "this test", &[]).unwrap()) / seconds;
             let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
             assert!(within, "{material} {interference} omega_c, accuracy {accuracy}: {ratio}");
+        }
+    }
+
+    /// A programme of six steps beside a conducting counterface, at two accuracies, and of seven steps without one.
+    #[test]
+    fn measured_times_of_programmes_are_within_the_stated_factor() {
+        let contact = "counterface={ preset = \"steel-1045\" }";
+        let seven = "loading.steps=[{ slip_rate = 1e-2, slip_distance = 0.5 }, { slip_rate = 1.0, slip_distance = 1.0 }, \
+                     { slip_rate = 1e-2, slip_distance = 0.2 }, { slip_rate = 1.0, slip_distance = 0.5 }, { hold = 1e-3 }, \
+                     { slip_rate = 1.0, slip_distance = 0.5 }, { slip_rate = -1.0, slip_distance = 1.0 }]";
+        let six = "loading.steps=[{ slip_rate = 1e-2, slip_distance = 1 }, { slip_rate = 10.0, slip_distance = 1 }, \
+                   { hold = 1e-6 }, { slip_rate = 10.0, slip_distance = 0.5 }, { hold = 10 }, \
+                   { slip_rate = -1.0, slip_distance = 1.0 }]";
+        for (steps, counterface, accuracy, seconds) in [
+            (six, contact, 0.05, 6.2),
+            (six, contact, 0.02, 11.8),
+            (seven, "asperity.radius=1e-3", 0.05, 2.0),
+        ] {
+            let accuracy = format!("numerics.accuracy={accuracy}");
+            let scene = of_preset("steel-4340", &[steps, counterface, "loading.interference=10", &accuracy]);
+            let ratio = expected_time(&scene) / seconds;
+            assert!(
+                (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio),
+                "{seconds}: {ratio}"
+            );
         }
     }
 

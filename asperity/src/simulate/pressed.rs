@@ -269,6 +269,10 @@ fn press_mesh(
     })
 }
 
+/// Part of the deepest interference that is offered in place of one too deep: the mesh of the main run is finer than that of
+/// the auxiliary ones and the contact grows as it slides, for which room is needed too.
+const SURE: f64 = 0.8;
+
 /// The contact is so large that its mesh does not fit into the hemisphere.
 fn too_deep(problem: &Problem, radius: f64, fits: impl Fn(f64) -> bool) -> SimulationError {
     SimulationError::Unsupported(format!(
@@ -278,7 +282,7 @@ fn too_deep(problem: &Problem, radius: f64, fits: impl Fn(f64) -> bool) -> Simul
         plain(problem.interference / problem.critical_interference),
         digits(problem.interference, 2),
         digits(radius, 2),
-        digits(deepest(problem, fits), 4),
+        digits(SURE * deepest(problem, fits), 2),
     ))
 }
 
