@@ -67,16 +67,14 @@ impl Slice {
 fn blended(ends: [&Cell; 2], t: f64, base: f64) -> Cell {
     let mut cell = Cell::new();
     for quantity in Quantity::SCALARS {
-        let base = quantity.origin(base);
         let [Estimate { value: a, error: e }, Estimate { value: b, error: f }] =
             ends.map(|cell| cell[quantity]);
-        let value = base + between(a - base, b - base, t);
+        let value = between(quantity, base, [a, b], t);
         cell = cell.with(quantity, value, (1.0 - t) * e + t * f + 0.5 * (a - b).abs());
     }
     for quantity in Quantity::TABLE_HISTORIES {
-        let base = quantity.origin(base);
         let pairs = ends[0].history(quantity).iter().zip(ends[1].history(quantity));
-        let history = pairs.map(|(a, b)| base + between(a - base, b - base, t)).collect();
+        let history = pairs.map(|(a, b)| between(quantity, base, [*a, *b], t)).collect();
         cell = cell.with_history(quantity, history);
     }
     cell.steady = ends.iter().all(|cell| cell.steady);
@@ -84,11 +82,13 @@ fn blended(ends: [&Cell; 2], t: f64, base: f64) -> Cell {
     cell
 }
 
-fn between(a: f64, b: f64, t: f64) -> f64 {
-    match a > 0.0 && b > 0.0 {
+fn between(quantity: Quantity, base: f64, ends: [f64; 2], t: f64) -> f64 {
+    let [a, b] = ends.map(|value| quantity.above_origin(value, base));
+    let above = match a > 0.0 && b > 0.0 {
         true => ((1.0 - t) * a.ln() + t * b.ln()).exp(),
         false => (1.0 - t) * a + t * b,
-    }
+    };
+    quantity.origin(base) + above
 }
 
 #[cfg(test)]

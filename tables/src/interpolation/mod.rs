@@ -23,6 +23,7 @@
 
 mod failed_cells;
 mod hertz_limit;
+mod histories;
 mod interpolant;
 mod nodes;
 mod plastic_limit;

@@ -1,4 +1,4 @@
-//! Histories of the points of a table with their slopes, and the error of interpolating between them.
+//! The points of a table, and the error of interpolating between them.
 //!
 //! The interpolation error is estimated by leaving points out: each inner point of an axis is
 //! predicted from its neighbours, and the relative misfit is the error of intervals
@@ -7,46 +7,14 @@
 //! 4t(1−t), being zero on them.
 
 use super::ROUNDING;
-use super::steffen::{self, Location, end_slope, hermite, inner_slope, locate};
+pub(super) use super::histories::{COEFFICIENT, Errors, FIELDS, Field, Values};
+use super::histories::{given_errors, history, with_slopes};
+use super::steffen::{Location, end_slope, hermite, inner_slope, locate};
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use crate::table::{Slice, Status};
 
-/// Fields of the response.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Field {
-    Load,
-    Friction,
-    Area,
-    /// Rise of T_max above the initial temperature, which follows power laws.
-    TemperatureRise,
-}
-
-pub(super) const FIELDS: usize = 4;
-
 /// Point (row, column) without a result.
 pub(super) type Absent = (usize, usize);
-
-/// One number for each [`Field`].
-pub(super) type Values = [f64; FIELDS];
-
-/// Place of Q/P among the errors.
-pub(super) const COEFFICIENT: usize = FIELDS;
-
-/// Relative errors of each [`Field`] and of Q/P, in which errors of Q and P of the same sign cancel.
-pub(super) type Errors = [f64; FIELDS + 1];
-
-/// The last has no history of its own.
-const QUANTITIES: [Quantity; FIELDS + 1] =
-    [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax, Quantity::Mu];
-
-/// The same up to sliding inception.
-const BEFORE_SLIDING: [Quantity; FIELDS + 1] = [
-    Quantity::LoadPress,
-    Quantity::FrictionStatic,
-    Quantity::AreaPress,
-    Quantity::TemperatureMax,
-    Quantity::MuStatic,
-];
 
 /// Least exponent of what starts from zero: a temperature rise is in proportion to the root of the slip rate at large
 /// Péclet numbers, and bounded by melting.
@@ -307,62 +275,6 @@ pub(crate) fn cubic(h: f64, t: f64, [before, after]: [Option<(f64, f64)>; 2], [y
 fn ends(place: Location) -> impl Iterator<Item = (usize, f64)> {
     let Location { index, t } = place;
     [(index, 1.0 - t), (index + 1, t)].into_iter().filter(|(_, share)| *share > 0.0)
-}
-
-fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 2]>> {
-    // A slip has its place on the slip axis by a₀.
-    let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
-    let slip = &table.axes().slip;
-    let columns: [Vec<f64>; FIELDS] = std::array::from_fn(|field| {
-        let (quantity, shift) = (QUANTITIES[field], QUANTITIES[field].origin(base));
-        cell.history(quantity).iter().map(|value| value - shift).collect()
-    });
-    let mechanical = &columns[..Field::TemperatureRise as usize];
-    if mechanical.iter().flatten().any(|value| !value.is_finite()) {
-        return None;
-    }
-    let states = (0..slip.len()).map(|k| std::array::from_fn(|f| columns[f][k]));
-    Some(with_slopes(slip, states.collect()))
-}
-
-/// States along the slip axis, each with its slope.
-fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
-    let slopes: [Vec<f64>; FIELDS] = std::array::from_fn(|f| {
-        let column: Vec<f64> = states.iter().map(|state| state[f]).collect();
-        steffen::slopes(slip, &column)
-    });
-    let slope = |k: usize| std::array::from_fn(|f| slopes[f][k]);
-    (states.into_iter().enumerate()).map(|(k, state)| [state, slope(k)]).collect()
-}
-
-/// Relative error of the results of a cell at each slip: from those of static friction, and of load and area after
-/// the press, up to inception, along straight lines to those at the end.
-fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Errors> {
-    let slips = &table.axes().slip;
-    let Some(cell) = table.cell(i, j) else {
-        return vec![[f64::NAN; FIELDS + 1]; slips.len()];
-    };
-    let relative = |quantity: Quantity| {
-        let shift = quantity.origin(base);
-        let (value, error) = (cell[quantity].value - shift, cell[quantity].error);
-        // The temperature of an unheated contact is exact.
-        if error == 0.0 || value == 0.0 { 0.0 } else { (error / value).abs() }
-    };
-    let begins = cell[Quantity::InceptionSlip].value / cell[Quantity::ContactRadius].value;
-    let begins = if begins.is_finite() { begins } else { 0.0 };
-    let ends = slips.last().copied().unwrap_or(0.0);
-    let last = QUANTITIES.map(relative);
-    // Without errors at the start, those at the end.
-    let first: Errors = std::array::from_fn(|f| match relative(BEFORE_SLIDING[f]) {
-        error if error.is_nan() => last[f],
-        error => error,
-    });
-    (slips.iter())
-        .map(|slip| {
-            let share = if ends > begins { ((slip - begins) / (ends - begins)).clamp(0.0, 1.0) } else { 1.0 };
-            std::array::from_fn(|f| first[f] + share * (last[f] - first[f]))
-        })
-        .collect()
 }
 
 /// ln a₀ of each row: a₀ belongs to the press and does not depend on the slip rate.

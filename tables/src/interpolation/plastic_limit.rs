@@ -37,11 +37,20 @@ struct Limit {
     uncertainty: f64,
     /// k.
     uncertainty_of_geometry: f64,
+    /// Largest m.
+    steepest: f64,
 }
 
 const fn limit(exponent: f64, geometry: f64, uncertainty: [f64; 2]) -> Limit {
     let [uncertainty, uncertainty_of_geometry] = uncertainty;
-    Limit { exponent, relaxation: RELAXATION, geometry, uncertainty, uncertainty_of_geometry }
+    Limit {
+        exponent,
+        relaxation: RELAXATION,
+        geometry,
+        uncertainty,
+        uncertainty_of_geometry,
+        steepest: f64::INFINITY,
+    }
 }
 
 /// The mean pressure rises by hardening, without which m∞ is 1, and falls as the contact becomes large against the
@@ -54,8 +63,9 @@ const CONTACT_RADIUS: Limit = limit(0.5, 0.0, [0.05, 0.1]);
 const STATIC_COEFFICIENT: Limit = limit(-0.1, 0.8, [0.1, 0.3]);
 const INCEPTION_SLIP: Limit = limit(0.75, -0.3, [0.2, 0.5]);
 const ENERGY: Limit = limit(0.9, -1.2, [0.73, 0.8]);
-/// The rise is bounded by melting.
-const RISE: Limit = Limit { relaxation: 0.07, ..limit(0.0, 0.0, [0.3, 0.2]) };
+/// The rise is bounded by melting. That of a source of constant strength grows with √ω at most, in proportion to the contact
+/// radius, and hardening adds to it; where the row before the last has hardly begun to slide, rows differ by many orders.
+const RISE: Limit = Limit { relaxation: 0.07, steepest: 1.0, ..limit(0.0, 0.0, [0.3, 0.2]) };
 
 /// u of Q/A over |m|L, and k.
 const UNCERTAINTY_OF_STRENGTH: f64 = 0.32;
@@ -142,7 +152,7 @@ impl AboveLastRow {
         let relaxed = self.relaxed_logarithm(limit.relaxation);
         let (difference, unknown) = match (self.exponent(rows), self.gap) {
             (Some(exponent), Some(gap)) => {
-                ((exponent - limit.exponent) * (-0.5 * limit.relaxation * gap).exp(), 0.0)
+                ((exponent.min(limit.steepest) - limit.exponent) * (-0.5 * limit.relaxation * gap).exp(), 0.0)
             }
             _ => (0.0, EXPONENT_OF_ONE_ROW),
         };
@@ -233,5 +243,21 @@ impl AboveLastRow {
             ElasticLimit::FirstRow => Growth { logarithm: 0.0, ..self.relaxed(RISE, rows) },
             ElasticLimit::None => Growth { logarithm: f64::NAN, uncertainty: f64::NAN },
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Just after inception: a row that slides above one that hardly does.
+    #[test]
+    fn a_rise_grows_at_most_in_proportion_to_the_interference() {
+        let above = AboveLastRow { last_row: 1700.0, gap: Some(0.5), log_ratio: 1.5, contact_growth: 0.1 };
+        let growth = above.relaxed(RISE, (Some(1e-12), 0.1));
+        assert!(growth.factor() <= 1.5f64.exp() && growth.relative() < 1.0, "{growth:?}");
+        // An ordinary one as before: exponent 0.5, λ = 1.4239.
+        let growth = above.relaxed(RISE, (Some(1.0), 0.25f64.exp()));
+        assert!((growth.logarithm - 0.5 * (-0.0175f64).exp() * 1.42393).abs() < 1e-4, "{growth:?}");
     }
 }

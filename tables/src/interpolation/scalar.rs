@@ -75,7 +75,7 @@ impl InterpolatedTable {
         let at = |i: usize, j: usize| {
             let cell = self.cell(i, j).ok_or((i, j))?;
             let Estimate { value, error } = cell[quantity];
-            if value.is_nan() { Err((i, j)) } else { Ok((value - origin, error)) }
+            if value.is_nan() { Err((i, j)) } else { Ok((quantity.above_origin(value, origin), error)) }
         };
         let row = |i: usize| blend(rate_coordinate, rate, |j| at(i, j).map(|(value, _)| [value; FIELDS]));
         let value = blend(log_interference, place, row)?[0];

@@ -194,6 +194,9 @@ pub struct Descriptor {
     pub since: u32,
 }
 
+/// Temperatures closer than this, relatively, are equal.
+const ROUNDING: f64 = 1e-14;
+
 impl Quantity {
     /// Every scalar, in the order of the list.
     pub const SCALARS: [Quantity; list::count(list::Selection::Scalars)] =
@@ -236,6 +239,13 @@ impl Quantity {
     /// temperatures, 0 for other quantities.
     pub fn origin(self, temperature: f64) -> f64 {
         if self.is_temperature() { temperature } else { 0.0 }
+    }
+
+    /// A value above that origin. A temperature that differs from the initial one by rounding is equal to it: its logarithm
+    /// would be that of a rise.
+    pub fn above_origin(self, value: f64, temperature: f64) -> f64 {
+        let above = value - self.origin(temperature);
+        if self.is_temperature() && above.abs() <= ROUNDING * temperature { 0.0 } else { above }
     }
 }
 

@@ -272,6 +272,30 @@ fn monotone_points_give_a_monotone_friction() {
     }
 }
 
+/// The isothermal slide of a table is at the initial temperature but for the last digit.
+#[test]
+fn a_rounded_initial_temperature_is_no_rise() {
+    let (clean, places) = (table(), 0..table().axes().slip.len());
+    let rounded = changed(|slice| {
+        for row in 0..slice.shape().0 {
+            let cell = slice.cell(row, 0).unwrap().clone();
+            let history = places.clone().map(|k| if k % 3 == 0 { BASE.next_up() } else { BASE }).collect();
+            let cell = cell.with_history(Quantity::TemperatureMax, history);
+            let cell = cell.with(Quantity::TemperatureMax, BASE.next_up(), 0.0);
+            slice.set_cell(row, 0, cell).unwrap();
+        }
+    });
+    for (omega, slip) in [(0.2, 1e-6), (7.0, 1e-5), (99.0, 1e-4), (300.0, 1e-4)] {
+        let rise = |table: &InterpolatedTable| {
+            let end = table.estimate(Quantity::TemperatureMax, RADIUS, omega, 0.03).unwrap();
+            let now = table.at_slip_rate(RADIUS, 0.03).unwrap()(omega, slip).unwrap().temperature_max;
+            [now, end].map(|found| (found.value - BASE, found.error))
+        };
+        assert_eq!(rise(&rounded), rise(&clean), "{omega}");
+        assert!(rise(&clean)[0].0 > 1e-3, "{omega}");
+    }
+}
+
 /// G of a cell is per area at inception.
 #[test]
 fn energy_is_that_of_the_area_at_inception() {

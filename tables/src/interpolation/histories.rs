@@ -1,0 +1,97 @@
+//! Histories of a cell as fields of the response: values, slopes and errors along the slip axis.
+
+use super::steffen;
+use crate::quantity::{Estimate, Quantity};
+use crate::table::Slice;
+
+/// Fields of the response.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Field {
+    Load,
+    Friction,
+    Area,
+    /// Rise of T_max above the initial temperature, which follows power laws.
+    TemperatureRise,
+}
+
+pub(super) const FIELDS: usize = 4;
+
+/// One number for each [`Field`].
+pub(super) type Values = [f64; FIELDS];
+
+/// Place of Q/P among the errors.
+pub(super) const COEFFICIENT: usize = FIELDS;
+
+/// Relative errors of each [`Field`] and of Q/P, in which errors of Q and P of the same sign cancel.
+pub(super) type Errors = [f64; FIELDS + 1];
+
+/// The last has no history of its own.
+const QUANTITIES: [Quantity; FIELDS + 1] =
+    [Quantity::Load, Quantity::Friction, Quantity::Area, Quantity::TemperatureMax, Quantity::Mu];
+
+/// The same up to sliding inception.
+const BEFORE_SLIDING: [Quantity; FIELDS + 1] = [
+    Quantity::LoadPress,
+    Quantity::FrictionStatic,
+    Quantity::AreaPress,
+    Quantity::TemperatureMax,
+    Quantity::MuStatic,
+];
+
+/// States of a cell along the slip axis with their slopes; none without complete results. `base` is the initial
+/// temperature.
+pub(super) fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Vec<[Values; 2]>> {
+    // A slip has its place on the slip axis by a₀.
+    let cell = (table.cell(i, j)).filter(|cell| cell[Quantity::ContactRadius].value > 0.0)?;
+    let slip = &table.axes().slip;
+    let columns: [Vec<f64>; FIELDS] = std::array::from_fn(|field| {
+        let quantity = QUANTITIES[field];
+        cell.history(quantity).iter().map(|value| quantity.above_origin(*value, base)).collect()
+    });
+    let mechanical = &columns[..Field::TemperatureRise as usize];
+    if mechanical.iter().flatten().any(|value| !value.is_finite()) {
+        return None;
+    }
+    let states = (0..slip.len()).map(|k| std::array::from_fn(|f| columns[f][k]));
+    Some(with_slopes(slip, states.collect()))
+}
+
+/// States along the slip axis, each with its slope.
+pub(super) fn with_slopes(slip: &[f64], states: Vec<Values>) -> Vec<[Values; 2]> {
+    let slopes: [Vec<f64>; FIELDS] = std::array::from_fn(|f| {
+        let column: Vec<f64> = states.iter().map(|state| state[f]).collect();
+        steffen::slopes(slip, &column)
+    });
+    let slope = |k: usize| std::array::from_fn(|f| slopes[f][k]);
+    (states.into_iter().enumerate()).map(|(k, state)| [state, slope(k)]).collect()
+}
+
+/// Relative error of the results of a cell at each slip: from those of static friction, and of load and area after
+/// the press, up to inception, along straight lines to those at the end.
+pub(super) fn given_errors(table: &Slice, i: usize, j: usize, base: f64) -> Vec<Errors> {
+    let slips = &table.axes().slip;
+    let Some(cell) = table.cell(i, j) else {
+        return vec![[f64::NAN; FIELDS + 1]; slips.len()];
+    };
+    let relative = |quantity: Quantity| {
+        let Estimate { value, error } = cell[quantity];
+        let value = quantity.above_origin(value, base);
+        // The temperature of an unheated contact is exact.
+        if error == 0.0 || value == 0.0 { 0.0 } else { (error / value).abs() }
+    };
+    let begins = cell[Quantity::InceptionSlip].value / cell[Quantity::ContactRadius].value;
+    let begins = if begins.is_finite() { begins } else { 0.0 };
+    let ends = slips.last().copied().unwrap_or(0.0);
+    let last = QUANTITIES.map(relative);
+    // Without errors at the start, those at the end.
+    let first: Errors = std::array::from_fn(|f| match relative(BEFORE_SLIDING[f]) {
+        error if error.is_nan() => last[f],
+        error => error,
+    });
+    (slips.iter())
+        .map(|slip| {
+            let share = if ends > begins { ((slip - begins) / (ends - begins)).clamp(0.0, 1.0) } else { 1.0 };
+            std::array::from_fn(|f| first[f] + share * (last[f] - first[f]))
+        })
+        .collect()
+}
