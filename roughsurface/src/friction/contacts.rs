@@ -1,23 +1,18 @@
 //! The contacts at the end of the slide: temperatures, and shares of the load by regime.
 
+use crate::friction::hottest::highest_temperature;
 use crate::friction::regime::RegimeShares;
 use crate::integral::asperity_at_slip::Additional;
 use crate::integral::contact_state::ContactState;
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
-use crate::root_finding::{Accuracy, root_between};
 use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
-use std::convert::Infallible;
 use tables::closed_forms::kogut_etsion;
 use tables::law::{Estimate, LookupError, OptionalEstimate};
 
 /// Interferences, in ω_c, of first yield and of the start of full plasticity (Kogut & Etsion 2002, doi
 /// 10.1115/1.1490373).
 const REGIMES: [f64; 2] = [kogut_etsion::BREAKS[0], kogut_etsion::BREAKS[2]];
-
-/// Share of the contacts that may be hotter than the highest temperature: heights without an upper end have no hottest
-/// contact.
-const HOTTER: f64 = 1e-3;
 
 /// The contacts of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -72,7 +67,7 @@ impl<'a> ContactsAtSlip<'a> {
         let (plastic, flowing) = (yielded.outside, self.above[1].at(separation.value)?.outside);
         let temperature_mean = self.temperature_mean(separation, yielded)?;
         let temperature_max = match temperature_mean {
-            Some(_) => self.temperature_max(separation)?,
+            Some(_) => highest_temperature(&self.asperities, self.heights, separation)?,
             None => None,
         };
         Ok(Contacts {
@@ -105,42 +100,6 @@ impl<'a> ContactsAtSlip<'a> {
         let initial = self.asperities.classes()[0].1.initial_temperature()?;
         Ok(Some(Estimate::with_errors(initial + value, errors.into_iter().chain([moved - value]))))
     }
-
-    fn temperature_max(&self, separation: Estimate) -> OptionalEstimate {
-        let tail = |share: f64, height: f64| share * self.heights.tail(height);
-        let touching: f64 =
-            self.asperities.classes().iter().map(|(share, _)| tail(*share, separation.value)).sum();
-        let mut highest: Option<Estimate> = None;
-        for (share, asperity) in self.asperities.classes() {
-            let excess = |height: f64| (tail(*share, height) / (HOTTER * touching)).ln().max(-1e3);
-            let Some(height) = height_of(excess, separation.value, self.heights.standard_deviation()) else {
-                continue;
-            };
-            let critical = asperity.critical_interference();
-            let at = |interference: f64| -> Result<Estimate, LookupError> {
-                Ok(asperity.response(interference)?.temperature_max)
-            };
-            let interference = (height - separation.value) / critical;
-            let (here, moved) = (at(interference)?, at(interference + separation.error / critical)?);
-            if highest.is_none_or(|highest| highest.value < here.value) {
-                highest = Some(Estimate::with_errors(here.value, [here.error, moved.value - here.value]));
-            }
-        }
-        Ok(highest)
-    }
-}
-
-/// Height (m) above `from` at which `excess`, which falls, is zero; none if it is negative from the start.
-fn height_of(excess: impl Fn(f64) -> f64, from: f64, standard_deviation: f64) -> Option<f64> {
-    let mut stride = standard_deviation;
-    while excess(from + stride) > 0.0 {
-        stride *= 2.0;
-    }
-    // Measured heights have steps in place of a zero.
-    let accuracy = Accuracy { value: 1e-9, width: 1e-12 * stride };
-    let Ok(height) =
-        root_between(from, from + stride, accuracy, |height| Ok::<f64, Infallible>(excess(height)));
-    height
 }
 
 #[cfg(test)]

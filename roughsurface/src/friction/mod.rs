@@ -17,6 +17,7 @@
 pub mod comparison;
 pub mod contacts;
 pub mod cutoff;
+mod hottest;
 pub mod limits;
 mod predict;
 pub mod quantities;

@@ -73,6 +73,11 @@ impl<'a> Asperities<'a> {
     pub fn classes(&self) -> &[(f64, AsperityAtSlip<'a>)] {
         &self.classes
     }
+
+    /// Fewer radii of the same distribution, where it is a continuous one.
+    pub fn coarse_classes(&self) -> Option<&[(f64, AsperityAtSlip<'a>)]> {
+        self.coarse.as_deref()
+    }
 }
 
 /// A rough surface at one slip rate and slip, for any separation.

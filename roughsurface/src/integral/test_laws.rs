@@ -38,6 +38,10 @@ pub struct PowerLaw {
     pub area: (f64, f64),
     /// ω_c, m.
     pub critical: f64,
+    /// Radius (m) at which that is ω_c, which is in proportion to the radius; none if it is at every radius.
+    pub reference: Option<f64>,
+    /// Slip of inception, m.
+    pub inception: f64,
     pub limit: f64,
     pub relative_error: f64,
     /// Highest temperature of the contact (K) at ω/ω_c.
@@ -62,6 +66,8 @@ impl PowerLaw {
             friction: (1e-4, 1.0),
             area: (1e-12, 1.0),
             critical: 1e-7,
+            reference: None,
+            inception: 0.0,
             limit: f64::INFINITY,
             relative_error: 0.0,
             temperature: |_| 0.0,
@@ -79,8 +85,11 @@ impl AsperityLaw for PowerLaw {
     fn name(&self) -> String {
         "power law".into()
     }
-    fn critical_interference(&self, _radius: f64) -> f64 {
-        self.critical
+    fn critical_interference(&self, radius: f64) -> f64 {
+        self.critical * self.reference.map_or(1.0, |reference| radius / reference)
+    }
+    fn inception_slip(&self, _radius: f64, _interference: f64) -> Result<f64, LookupError> {
+        Ok(self.inception)
     }
     fn interference_limit(&self) -> f64 {
         self.limit
