@@ -16,6 +16,8 @@ pub(super) enum Field {
 
 pub(super) const FIELDS: usize = 4;
 
+const RISE: usize = Field::TemperatureRise as usize;
+
 /// One number for each [`Field`].
 pub(super) type Values = [f64; FIELDS];
 
@@ -52,8 +54,34 @@ pub(super) fn history(table: &Slice, i: usize, j: usize, base: f64) -> Option<Ve
     if mechanical.iter().flatten().any(|value| !value.is_finite()) {
         return None;
     }
-    let states = (0..slip.len()).map(|k| std::array::from_fn(|f| columns[f][k]));
-    Some(with_slopes(slip, states.collect()))
+    let mut states: Vec<Values> = (0..slip.len()).map(|k| std::array::from_fn(|f| columns[f][k])).collect();
+    let rise = Quantity::TemperatureMax.above_origin(cell[Quantity::TemperatureMax].value, base);
+    if rise > 0.0 && states.iter().all(|state| state[RISE] == 0.0) {
+        for (state, share) in states.iter_mut().zip(heating(table, i, base)?) {
+            state[RISE] = share * rise;
+        }
+    }
+    Some(with_slopes(slip, states))
+}
+
+/// Share of the rise of a cell at each slip, where the cell states the rise of a slide in which heat was left out: that of
+/// the slowest slide of the row with heat, without one the whole rise from inception on.
+fn heating(table: &Slice, i: usize, base: f64) -> Option<Vec<f64>> {
+    let (_, rates) = table.shape();
+    let slips = &table.axes().slip;
+    let rises = |j: usize| -> Option<Vec<f64>> {
+        let history = table.cell(i, j)?.history(Quantity::TemperatureMax).iter();
+        let rises: Vec<f64> =
+            history.map(|value| Quantity::TemperatureMax.above_origin(*value, base)).collect();
+        let highest = rises.iter().copied().fold(0.0, f64::max);
+        (highest > 0.0).then(|| rises.into_iter().map(|rise| rise / highest).collect())
+    };
+    (0..rates).find_map(rises).or_else(|| {
+        let cell = (0..rates).find_map(|j| table.cell(i, j))?;
+        let begins = cell[Quantity::InceptionSlip].value / cell[Quantity::ContactRadius].value;
+        let begun = |slip: &f64| *slip > 0.0 && (begins.is_nan() || *slip >= begins);
+        Some(slips.iter().map(|slip| f64::from(u8::from(begun(slip)))).collect())
+    })
 }
 
 /// States along the slip axis, each with its slope.

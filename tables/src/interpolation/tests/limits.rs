@@ -189,3 +189,34 @@ fn the_end_of_the_histories_is_a_break() {
         assert!(table.breaks_after(radius, 1.0).is_empty());
     }
 }
+
+/// Where heat was left out a cell states the rise with an error, and its history none.
+#[test]
+fn a_rise_without_a_history_has_that_of_the_next_slip_rate() {
+    let mut whole = slice_of(log_spaced(0.5, 100.0, 8), log_spaced(0.1, 10.0, 5));
+    let heated = whole.clone().interpolated();
+    for row in 0..whole.shape().0 {
+        let cell = whole.cell(row, 0).unwrap().clone();
+        let rise = 0.09 * (whole.cell(row, 1).unwrap()[Quantity::TemperatureMax].value - BASE);
+        let slips = whole.axes().slip.len();
+        let cell = cell.with_history(Quantity::TemperatureMax, vec![BASE; slips]).with(
+            Quantity::TemperatureMax,
+            BASE + rise,
+            rise,
+        );
+        whole.set_cell(row, 0, cell).unwrap();
+    }
+    let left_out = whole.interpolated();
+    for (rate, allowed) in [(0.1, 0.8), (0.17, 0.65)] {
+        for slip in [1e-6, 1e-3] {
+            let at = |table: &InterpolatedTable| {
+                table.at_slip_rate(RADIUS, rate).unwrap()(7.0, slip).unwrap().temperature_max
+            };
+            let (found, truth) = (at(&left_out), at(&heated).value);
+            // 0.09 of the rise at a rate √10 times as large, in place of 0.32.
+            assert!(found.value > BASE && found.value < truth, "{rate} {slip}: {found:?}");
+            let share = (truth - found.value) / (truth - BASE);
+            assert!(share < allowed && found.error > 0.4 * (found.value - BASE), "{rate} {slip}: {found:?}");
+        }
+    }
+}
