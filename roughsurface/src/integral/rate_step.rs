@@ -11,7 +11,7 @@
 //! and the share of its temperature rise in that of the slides counts as error.
 //!
 //! xV₁/V₂ is the slip at V₁ in the time since the step. s_s is the slip of inception: before it a slide of the law makes no
-//! heat, whereas the contact slides on. For V₁ = V₂ this is the slide itself, for x = 0 that at V₁. Contacts
+//! heat, whereas the contact slides on. For V₁ = V₂ this is the slide itself, for x = 0 that at V₁, also before inception. Contacts
 //! born after the step slide at V₂ only. A strength that grows with the strain rate takes its factor at V₂ at once.
 
 use tables::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
@@ -92,13 +92,13 @@ impl Heated {
 impl SteppedContact<'_> {
     /// Response after the slips `before` and `after` the step, m.
     pub fn response(&self, before: f64, after: f64) -> Result<Response, LookupError> {
-        let Self { step, interference, begins, factors } = *self;
+        let Self { step, interference, begins, .. } = *self;
         let slip = before + after;
         let elapsed = after * step.rates[0] / step.rates[1];
         let now = (step.isothermal)(interference, slip)?;
         let given = (step.sliding[1])(interference, slip)?;
-        let past = self.heated(0, (before + elapsed).max(begins))?;
-        let then = self.heated(0, before.max(begins))?;
+        let past = self.heated(0, before + elapsed)?;
+        let then = self.heated(0, before)?;
         // Since the step: heat at V₂, and cooling of that at V₁; each from the inception of sliding.
         let warmer = self.heated(1, begins + after)?.less(&self.heated(1, begins)?);
         let cooler = self.heated(0, begins + elapsed)?.less(&self.heated(0, begins)?);
@@ -109,7 +109,7 @@ impl SteppedContact<'_> {
             SUPERPOSITION * change.ratios[q].abs().min((then.ratios[q] - 1.0).abs())
                 + missing * (ratio(q) - 1.0).abs()
         };
-        let strength = if slip >= begins { factors[1] } else { 1.0 };
+        let strength = self.factor(1, slip);
         let estimate = |q: usize, now: Estimate, factor: f64, given: Estimate| {
             let value = factor * ratio(q) * now.value;
             let relative = if given.value == 0.0 { 0.0 } else { (given.error / given.value).abs() };
@@ -125,6 +125,11 @@ impl SteppedContact<'_> {
             },
             coefficient_error: given.coefficient_error + uncertain(0).max(uncertain(1)),
         })
+    }
+
+    /// Strength at V₁ (0) or V₂ (1) over that of the slide without heat; a contact that has not begun to slide does not have it.
+    fn factor(&self, rate: usize, slip: f64) -> f64 {
+        if slip >= self.begins { self.factors[rate] } else { 1.0 }
     }
 
     /// The slide at V₁ (0) or V₂ (1) after `slip` (m), beside that without heat.
@@ -143,7 +148,7 @@ impl SteppedContact<'_> {
             missing,
             ratios: [
                 ratio(hot.load, cold.load),
-                ratio(hot.friction, cold.friction) / self.factors[rate],
+                ratio(hot.friction, cold.friction) / self.factor(rate, slip),
                 ratio(hot.area, cold.area),
             ],
             rise: hot.temperature_max.value - cold.temperature_max.value,
@@ -154,7 +159,9 @@ impl SteppedContact<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integral::asperity_at_slip::AsperityAtSlip;
     use crate::integral::test_laws::PowerLaw;
+    use crate::surface::query::ContactLife;
 
     const LENGTH: f64 = 1e-6;
 
@@ -186,6 +193,30 @@ mod tests {
                     assert!((found.friction.value / slide.friction.value - 1.0).abs() < 1e-12);
                     assert_eq!(found.friction.error, 0.0);
                 }
+            }
+        }
+    }
+
+    /// Friction and strength of a contact that does not slide yet depend on the slip rate as well.
+    #[test]
+    fn without_a_step_contacts_of_all_ages_are_those_of_the_slide() {
+        let rate_factor = |rate: f64| 1.0 + 0.02 * (rate / 1e-3).ln();
+        for (slowest, rate_factor) in [(0.0, (|_| 1.0) as fn(f64) -> f64), (0.01, rate_factor)] {
+            let law = PowerLaw {
+                history: softened,
+                rate_factor,
+                slowest,
+                inception: 2e-6,
+                area: (1e-11, 1.0),
+                ..PowerLaw::hertz()
+            };
+            let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
+            let steady = asperity.of_all_ages(ContactLife::Diameters(1.0)).response(1.0).unwrap();
+            let stepping = asperity.stepping_from(1.0, 1.0).unwrap();
+            for since in [0.0, 1e-6, 3e-6] {
+                let found = stepping.since_step(since).response(1.0).unwrap();
+                let off = found.friction.value / steady.friction.value - 1.0;
+                assert!(off.abs() < if since == 0.0 { 1e-14 } else { 1e-4 }, "{slowest} {since}: {off:e}");
             }
         }
     }
