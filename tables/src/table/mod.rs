@@ -48,8 +48,8 @@ pub enum TableError {
 pub enum TemperatureError {
     /// The tables are several.
     #[error(
-        "has initial temperatures from {from} to {to} K; choose one by --temperature, in a surface file by \
-         query.temperature"
+        "has initial temperatures from {from} to {to} K; choose one: asperity by --temperature, roughsurface by \
+         query.temperature in the surface file or --set query.temperature=VALUE"
     )]
     NotChosen {
         /// The lowest, K.

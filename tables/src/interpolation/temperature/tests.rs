@@ -192,7 +192,10 @@ fn refusals_name_the_range() {
     assert_eq!(message, "initial temperature 1001 K is outside the table, which goes from 300 to 1000 K");
     assert!(several.at(f64::NAN).is_err());
     let open = several.at(None).unwrap_err().to_string();
-    assert!(open.contains("from 300 to 1000 K; choose one by --temperature"), "{open}");
+    assert!(
+        open.contains("from 300 to 1000 K; choose one: asperity by --temperature, roughsurface by "),
+        "{open}"
+    );
     let one = Table::from(table(300.0));
     let other = one.at(450.0).unwrap_err().to_string();
     assert_eq!(other, "is for an initial temperature of 300 K only, not 450 K");
