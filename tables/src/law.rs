@@ -172,6 +172,17 @@ pub trait AsperityLaw: Send + Sync {
         Ok(0.0)
     }
 
+    /// Whether a sphere begins to slide in the slide of the law. Otherwise the law ends in stick and does not know its static
+    /// friction.
+    fn begins_to_slide(
+        &self,
+        _radius: f64,
+        _interference: f64,
+        _slip_rate: f64,
+    ) -> Result<bool, LookupError> {
+        Ok(true)
+    }
+
     /// Strength of a contact that slides at `slip_rate` (m/s) over that at rest, by the strain rate alone and not by heat.
     fn rate_factor(&self, _radius: f64, _interference: f64, _slip_rate: f64) -> Result<f64, LookupError> {
         Ok(1.0)

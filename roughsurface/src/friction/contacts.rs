@@ -25,6 +25,8 @@ pub struct Contacts {
     pub elastic_plastic_load: f64,
     /// Share of the load on contacts above 110 ω_c, 1.
     pub fully_plastic_load: f64,
+    /// Share of the load on contacts whose slides end before sliding begins, 1.
+    pub stuck_load: f64,
     /// Temperature of the contacts, mean over the real contact area, K; none if the law has no temperature.
     pub temperature_mean: Option<Estimate>,
     /// Temperature that the hottest point of one contact in a thousand exceeds, K; of fewer contacts that of the
@@ -36,7 +38,8 @@ pub struct Contacts {
 pub(crate) struct ContactsAtSlip<'a> {
     asperities: Asperities<'a>,
     heights: &'a dyn Heights,
-    /// The load of each counted above one of [`REGIMES`]; the first has the temperature.
+    /// The load of each counted above one of [`REGIMES`]; the first has the temperature, the second the load that does not
+    /// slide.
     above: [SurfaceIntegral<'a>; 2],
     melting_temperature: Option<f64>,
 }
@@ -50,8 +53,9 @@ impl<'a> ContactsAtSlip<'a> {
     ) -> Self {
         let heights = surface.heights.as_ref();
         let with_temperature = asperities.with(Additional::TemperatureRise);
+        let with_stick = asperities.with(Additional::StuckLoad);
         let above =
-            [(&with_temperature, REGIMES[0]), (&asperities, REGIMES[1])].map(|(asperities, regime)| {
+            [(&with_temperature, REGIMES[0]), (&with_stick, REGIMES[1])].map(|(asperities, regime)| {
                 let counted = asperities.counted_above(regime);
                 SurfaceIntegral::new(&counted, heights, surface.asperity_density, tolerance)
             });
@@ -64,7 +68,8 @@ impl<'a> ContactsAtSlip<'a> {
         let error = separation.error.min(self.heights.standard_deviation());
         let separation = Estimate { error, ..separation };
         let yielded = self.above[0].at(separation.value)?;
-        let (plastic, flowing) = (yielded.outside, self.above[1].at(separation.value)?.outside);
+        let flowed = self.above[1].at(separation.value)?;
+        let (plastic, flowing) = (yielded.outside, flowed.outside);
         let temperature_mean = self.temperature_mean(separation, yielded)?;
         let temperature_max = match temperature_mean {
             Some(_) => highest_temperature(&self.asperities, self.heights, separation)?,
@@ -81,6 +86,7 @@ impl<'a> ContactsAtSlip<'a> {
             // Each of the two is exact to the tolerance of the integrals.
             elastic_plastic_load: (plastic - flowing).max(0.0),
             fully_plastic_load: flowing,
+            stuck_load: flowed.additional.map_or(0.0, |stuck| stuck.value / flowed.pressure.value),
             temperature_mean,
             temperature_max,
         })

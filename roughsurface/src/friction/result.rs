@@ -43,6 +43,20 @@ pub struct Friction {
 }
 
 impl Friction {
+    /// The same where the law does not know how sliding begins, nor friction after the slips of the first `known` states.
+    pub(crate) fn without_inception(mut self, known: usize) -> Self {
+        self.mu_history.iter_mut().skip(known).for_each(|mu| *mu = Estimate::UNKNOWN);
+        let unknown = Estimate::UNKNOWN;
+        Self {
+            mu_static: unknown,
+            inception_slip: unknown,
+            weakening_energy: unknown,
+            weakening_distance: unknown,
+            energy_release: self.energy_release.map(|_| unknown),
+            ..self
+        }
+    }
+
     /// [`weakening_energy`](Self::weakening_energy) per real contact area while sliding, J/m².
     pub fn weakening_of_real_area(&self) -> Estimate {
         self.weakening_energy.over(self.sliding.area_fraction)

@@ -255,18 +255,56 @@ impl<'a> Sweep<'a> {
         (row, rate): (usize, usize),
         pressed: &EquilibriumState,
         slip: &[f64],
-        Slide { curve, contacts, sliding, lasting }: Slide,
+        slide: Slide,
         warnings: &mut Vec<Warning>,
     ) -> Friction {
+        let Slide { curve, contacts, sliding, lasting } = &slide;
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
         let shear: Vec<Estimate> = curve.iter().map(|state| state.shear).collect();
         let start = inception(slip, &mu_history);
-        let outside_table = curve.iter().chain([&sliding]).map(|state| state.outside).fold(0.0, f64::max);
+        let outside_table =
+            curve.iter().chain([&slide.sliding]).map(|state| state.outside).fold(0.0, f64::max);
+        let stuck = contacts.stuck_load > NEGLIGIBLE_SHARE;
+        self.warn((row, rate), &slide, outside_table, start.reached || start.mu.value.is_nan(), warnings);
+        let friction = Friction {
+            mu_static: start.mu,
+            inception_slip: start.slip,
+            weakening_energy: weakening_energy(slip, &shear),
+            weakening_distance: weakening_distance(slip, &shear),
+            contacts: *contacts,
+            // Follows from all slip rates together.
+            rate_sensitivity: Estimate::UNKNOWN,
+            energy_release: self.energy_release(row, pressed).filter(|_| !sliding.mu.value.is_nan()),
+            pressed: curve[0],
+            sliding: *sliding,
+            mu_steady: lasting.mu,
+            mu_history,
+            outside_table,
+        };
+        if !stuck {
+            return friction;
+        }
+        // Larger contacts slide farther until their slides end.
+        let end = self.law.last_slip() * pressed.state.loaded_radius;
+        friction.without_inception(slip.iter().take_while(|slip| **slip <= end).count())
+    }
+
+    /// Warnings of one cell; `slides` where the curve does not rise to its end.
+    fn warn(
+        &self,
+        (row, rate): (usize, usize),
+        Slide { curve, contacts, sliding, lasting }: &Slide,
+        outside_table: f64,
+        slides: bool,
+        warnings: &mut Vec<Warning>,
+    ) {
         let at = || Place::of(self.query, row, rate);
         if outside_table > NEGLIGIBLE_SHARE && self.law.above_range() == AboveRange::Extrapolated {
             warnings.push(Warning::Extrapolated { at: at(), share: outside_table });
         }
-        if !start.reached && start.mu.value.is_finite() {
+        if contacts.stuck_load > NEGLIGIBLE_SHARE {
+            warnings.push(Warning::NotSliding { at: at(), share: contacts.stuck_load });
+        } else if !slides {
             warnings.push(Warning::StillRising { at: at() });
         }
         if sliding.unsteady > NEGLIGIBLE_SHARE {
@@ -280,7 +318,7 @@ impl<'a> Sweep<'a> {
         if self.query.contact_life != ContactLife::Steady && uncertain > UNKNOWN_STEADY_FRICTION {
             warnings.push(Warning::SteadyUncertain { at: at(), error: uncertain });
         }
-        if let Some(time) = self.inception_time(rate, &curve).filter(|time| *time < SHORTEST_INCEPTION) {
+        if let Some(time) = self.inception_time(rate, curve).filter(|time| *time < SHORTEST_INCEPTION) {
             warnings.push(Warning::FastInception { at: at(), time });
         }
         let share = sliding.area_fraction.value;
@@ -296,21 +334,6 @@ impl<'a> Sweep<'a> {
         let molten = self.settings.melting_temperature.zip(contacts.temperature_max);
         if let Some((melting, highest)) = molten.filter(|(melting, highest)| highest.value > *melting) {
             warnings.push(Warning::AboveMelting { at: at(), highest: highest.value, melting });
-        }
-        Friction {
-            mu_static: start.mu,
-            inception_slip: start.slip,
-            weakening_energy: weakening_energy(slip, &shear),
-            weakening_distance: weakening_distance(slip, &shear),
-            contacts,
-            // Follows from all slip rates together.
-            rate_sensitivity: Estimate::UNKNOWN,
-            energy_release: self.energy_release(row, pressed).filter(|_| !sliding.mu.value.is_nan()),
-            pressed: curve[0],
-            sliding,
-            mu_steady: lasting.mu,
-            mu_history,
-            outside_table,
         }
     }
 

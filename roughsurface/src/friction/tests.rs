@@ -279,3 +279,25 @@ fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
         "{uncertain:?}"
     );
 }
+
+#[test]
+fn static_friction_of_slides_that_end_in_stick_is_unknown() {
+    // Friction rises with the slip to the end of the slide at a hundredth of the contact radius.
+    let history = |_: f64, slip: f64, radius: f64| slip / (0.01 * radius);
+    let law = PowerLaw { history, last_slip: 0.01, stuck_above: 2.0, ..PowerLaw::hertz() };
+    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let of = |law: &PowerLaw| predicted(law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+    let found = of(&law);
+    let cell = &found.friction[0][0];
+    assert!(cell.mu_static.value.is_nan() && cell.inception_slip.value.is_nan(), "{:?}", cell.mu_static);
+    assert!(cell.mu_history[1].value > 0.0 && cell.mu_history.last().unwrap().value.is_nan());
+    // P ∝ x^{3/2}, mean of x = ω/ω_c 10.
+    let share = 1.0 - statrs::function::gamma::gamma_lr(2.5, 0.2);
+    let warned = found.warnings.iter().find_map(|warning| match warning {
+        Warning::NotSliding { share, .. } => Some(*share),
+        _ => None,
+    });
+    assert!((warned.unwrap() / share - 1.0).abs() < 1e-3, "{warned:?} {share}");
+    let sliding = of(&PowerLaw { stuck_above: f64::INFINITY, ..law });
+    assert!(sliding.friction[0][0].mu_static.value > 0.0);
+}

@@ -57,6 +57,11 @@ pub enum Warning {
         100.0 * .share
     )]
     StrainRate { radius: f64, share: f64 },
+    #[error(
+        "{at}: {:.1} % of the load rests on contacts whose slides in the table end before sliding begins: mu_static, inception_slip, G, G_weakening, weakening_distance and mu_history beyond these slides are n/a, mu and mu_steady rest on the steady friction of the table; a table of a longer slip_distance states them",
+        100.0 * .share
+    )]
+    NotSliding { at: Place, share: f64 },
     #[error("{at}: friction still rises at the end of the slide; mu_static is the last value")]
     StillRising { at: Place },
     #[error(
@@ -141,6 +146,7 @@ impl Warning {
         match self {
             Self::Extrapolated { at, .. }
             | Self::SamplesExtrapolated { at, .. }
+            | Self::NotSliding { at, .. }
             | Self::StillRising { at }
             | Self::Unsteady { at, .. }
             | Self::SteadyUncertain { at, .. }

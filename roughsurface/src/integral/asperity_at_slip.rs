@@ -18,6 +18,8 @@ pub enum Additional {
     TemperatureRise,
     /// Load of contacts older than the histories of the law, of unknown steady friction, N.
     UnsteadyLoad,
+    /// Load of contacts whose slides end before sliding begins, N.
+    StuckLoad,
 }
 
 /// Relative error from which on steady friction counts as unknown.
@@ -102,6 +104,7 @@ impl<'a> AsperityAtSlip<'a> {
         let probe = self.limit.min(1.0);
         let answer = match additional {
             Additional::None => Ok(None),
+            Additional::StuckLoad => Ok(Some(Estimate::default())),
             Additional::UnsteadyLoad => Ok((self.beyond_histories() > 0.0).then(Estimate::default)),
             Additional::EnergyRelease => self.law.energy_release(self.radius, probe, self.slip_rate),
             Additional::TemperatureRise => self.law.temperature_mean(self.radius, probe, self.slip_rate),
@@ -182,6 +185,10 @@ impl<'a> AsperityAtSlip<'a> {
                 Ok(self.in_proportion(energy.unwrap_or(Estimate::UNKNOWN), interference))
             }
             Additional::TemperatureRise => Ok(self.temperature_rise(inside)?.scaled(response.area.value)),
+            Additional::StuckLoad => {
+                let begins = self.law.begins_to_slide(self.radius, inside, self.slip_rate)?;
+                Ok(Estimate::exact(if begins { 0.0 } else { response.load.value }))
+            }
             Additional::UnsteadyLoad => {
                 let steady = self.law.steady_friction(self.radius, inside, self.slip_rate)?;
                 let known = steady.is_some_and(|mu| mu.error <= UNKNOWN_STEADY_FRICTION * mu.value);

@@ -42,6 +42,8 @@ pub struct PowerLaw {
     pub reference: Option<f64>,
     /// Slip of inception, m.
     pub inception: f64,
+    /// ω/ω_c above which slides end before it.
+    pub stuck_above: f64,
     pub limit: f64,
     pub relative_error: f64,
     /// Highest temperature of the contact (K) at ω/ω_c.
@@ -68,6 +70,7 @@ impl PowerLaw {
             critical: 1e-7,
             reference: None,
             inception: 0.0,
+            stuck_above: f64::INFINITY,
             limit: f64::INFINITY,
             relative_error: 0.0,
             temperature: |_| 0.0,
@@ -87,6 +90,9 @@ impl AsperityLaw for PowerLaw {
     }
     fn critical_interference(&self, radius: f64) -> f64 {
         self.critical * self.reference.map_or(1.0, |reference| radius / reference)
+    }
+    fn begins_to_slide(&self, _radius: f64, interference: f64, _slip_rate: f64) -> Result<bool, LookupError> {
+        Ok(interference <= self.stuck_above)
     }
     fn inception_slip(&self, _radius: f64, _interference: f64) -> Result<f64, LookupError> {
         Ok(self.inception)

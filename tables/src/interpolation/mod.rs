@@ -247,6 +247,11 @@ impl AsperityLaw for InterpolatedTable {
         Ok(if slip.is_finite() { slip } else { 0.0 })
     }
 
+    fn begins_to_slide(&self, radius: f64, interference: f64, slip_rate: f64) -> Result<bool, LookupError> {
+        let rate = self.located_rate(interference, slip_rate, self.radius_ratio(radius)?)?;
+        Ok(interference <= 0.0 || self.begins_around(interference, rate))
+    }
+
     /// 1 + C ln(V/(aε̇₀)).
     fn rate_factor(&self, radius: f64, interference: f64, slip_rate: f64) -> Result<f64, LookupError> {
         let Metadata { rate_coefficient, rate_reference, .. } = *self.metadata();

@@ -272,7 +272,7 @@ pub(crate) fn cubic(h: f64, t: f64, [before, after]: [Option<(f64, f64)>; 2], [y
 }
 
 /// The two ends of an interval with their shares.
-fn ends(place: Location) -> impl Iterator<Item = (usize, f64)> {
+pub(super) fn ends(place: Location) -> impl Iterator<Item = (usize, f64)> {
     let Location { index, t } = place;
     [(index, 1.0 - t), (index + 1, t)].into_iter().filter(|(_, share)| *share > 0.0)
 }

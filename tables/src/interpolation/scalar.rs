@@ -2,7 +2,7 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::interpolant::Place;
-use super::nodes::{Absent, FIELDS, blend};
+use super::nodes::{Absent, FIELDS, blend, ends};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
@@ -61,6 +61,20 @@ impl InterpolatedTable {
         let of_rate = exponent * self.strength_uncertainty(interference, ratio) * value.abs();
         let scale = ratio.powi(descriptor.radius_exponent);
         Ok(Estimate { value: scale * (origin + value), error: scale * (error + of_rate) })
+    }
+
+    /// Whether sliding begins in all cells around a place.
+    pub(super) fn begins_around(&self, interference: f64, rate: Location) -> bool {
+        let Some(rows @ (first, last)) = self.interpolant.rows else { return true };
+        let on = |index: usize| Location { index, t: 0.0 };
+        let place = match self.interpolant.place(rows, interference.ln()) {
+            Place::Inside(place) => place,
+            Place::Below(_) => on(first),
+            Place::Above(_) => on(last),
+        };
+        let last_slip = self.interpolant.nodes.last_slip();
+        let begins = |i: usize, j: usize| self.cell(i, j).is_none_or(|cell| cell.begins_to_slide(last_slip));
+        ends(place).all(|(i, _)| ends(rate).all(|(j, _)| begins(i, j)))
     }
 
     /// (value above `origin`, error) at the radius of the table and inside its rows.

@@ -58,6 +58,14 @@ impl Cell {
         self.histories.column(quantity)
     }
 
+    /// Whether sliding begins in a slide over `last_slip` contact radii: otherwise a run states the end of the slide as the
+    /// slip at inception. Without friction there is no inception.
+    pub fn begins_to_slide(&self, last_slip: f64) -> bool {
+        let end = last_slip * self[Quantity::ContactRadius].value;
+        let stuck = end > 0.0 && self[Quantity::InceptionSlip].value >= (1.0 - 1e-9) * end;
+        !stuck || self[Quantity::Friction].value == 0.0
+    }
+
     /// Whether all is equal but the wall time.
     pub fn agrees_with(&self, other: &Cell) -> bool {
         self.steady == other.steady

@@ -220,3 +220,17 @@ fn a_rise_without_a_history_has_that_of_the_next_slip_rate() {
         }
     }
 }
+
+/// Slides of this table end at two contact radii.
+#[test]
+fn cells_that_end_in_stick_are_told_from_those_that_slide() {
+    let table = changed(|slice| {
+        let cell = slice.cell(3, 2).unwrap().clone();
+        let end = 2.0 * cell[Quantity::ContactRadius].value;
+        slice.set_cell(3, 2, cell.with(Quantity::InceptionSlip, end, 0.0)).unwrap();
+    });
+    let (omega, rate) = (table.axes().interference[3], table.axes().slip_rate[2]);
+    let begins = |omega, rate| table.begins_to_slide(RADIUS, omega, rate).unwrap();
+    assert!(!begins(omega, rate) && !begins(1.1 * omega, 0.9 * rate));
+    assert!(begins(omega, 10.0) && begins(0.1, rate) && begins(200.0, rate) && begins(0.0, rate));
+}
