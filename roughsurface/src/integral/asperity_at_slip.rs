@@ -274,16 +274,20 @@ impl<'a> AsperityAtSlip<'a> {
     /// before, its ratio to the highest rise is that of the end.
     fn temperature_rise(&self, interference: f64) -> Result<Estimate, LookupError> {
         let initial = self.initial_temperature()?;
-        let highest = |slip: f64| -> Result<f64, LookupError> {
-            Ok((self.sliding)(interference, slip)?.temperature_max.value - initial)
+        let highest = |slip: f64| -> Result<Estimate, LookupError> {
+            let Estimate { value, error } = (self.sliding)(interference, slip)?.temperature_max;
+            Ok(Estimate { value: value - initial, error })
         };
         let slip = if let Age::Slip(slip) = self.age { slip } else { f64::INFINITY };
         let (now, end) = (highest(slip)?, highest(f64::INFINITY)?);
-        let share = if end > 0.0 { now / end } else { 0.0 };
+        let share = if end.value > 0.0 { now.value / end.value } else { 0.0 };
+        // After the slide of the law its end holds, with an error that the mean has as well.
+        let held = if share == 1.0 { (now.error - end.error) / end.value } else { 0.0 };
         let mean = self.law.temperature_mean(self.radius, interference, self.slip_rate)?;
         let mean = mean.unwrap_or(Estimate::UNKNOWN);
         let rise = share * (mean.value - initial);
-        Ok(Estimate::with_errors(rise, [share * mean.error, RATIO_UNCERTAINTY * (1.0 - share) * rise]))
+        let errors = [share * mean.error, RATIO_UNCERTAINTY * (1.0 - share) * rise, held * rise];
+        Ok(Estimate::with_errors(rise, errors))
     }
 
     fn in_proportion(&self, last: Estimate, interference: f64) -> Estimate {

@@ -29,6 +29,23 @@ pub(super) struct Interpolant {
     pub(super) log_end: f64,
 }
 
+/// Share of the histories from whose state to the last one their trend is taken.
+const TREND: f64 = 0.5;
+
+/// Largest exponent of the slip in it: a temperature rise grows with its root at most, that of
+/// a plane under constant heat.
+const STEEPEST: f64 = 0.5;
+
+/// Relative change of each field and of Q/P from the end of the histories to `farther` times their last slip, with the
+/// exponent of their last part.
+fn continued(earlier: &Values, last: &Values, farther: f64) -> Errors {
+    let [earlier, last] = [earlier, last].map(nodes::with_coefficient);
+    std::array::from_fn(|field| {
+        let exponent = (last[field] / earlier[field]).ln().abs() / -TREND.ln();
+        if exponent.is_nan() { 0.0 } else { (exponent.min(STEEPEST) * farther.ln()).exp_m1() }
+    })
+}
+
 /// Where an interference is among the rows.
 pub(super) enum Place {
     Below(BelowFirstRow),
@@ -97,18 +114,38 @@ impl Interpolant {
     }
 
     /// State and relative errors at the radius of the table.
+    ///
+    /// After the last slip of the histories it is that of their end; what it may change until a given slip is an error.
     pub(super) fn state(
         &self,
         interference: f64,
         rate: Location,
         slip: f64,
     ) -> Result<(Values, Errors), Absent> {
-        let rows @ (first, last) = self.rows.ok_or((0, 0))?;
+        let rows = self.rows.ok_or((0, 0))?;
         let place = self.place(rows, interference.ln());
         let ratio = slip / self.contact_radius(rows, &place);
+        let (values, mut error) = self.state_at(rows, &place, rate, ratio)?;
+        let farther = ratio / self.nodes.last_slip();
+        if farther > 1.0 && farther.is_finite() {
+            let (earlier, _) = self.state_at(rows, &place, rate, TREND * self.nodes.last_slip())?;
+            let missing = continued(&earlier, &values, farther);
+            error.iter_mut().zip(missing).for_each(|(error, missing)| *error += missing);
+        }
+        Ok((values, error))
+    }
+
+    /// The same at a slip of `ratio` contact radii, as the histories have it.
+    fn state_at(
+        &self,
+        (first, last): (usize, usize),
+        place: &Place,
+        rate: Location,
+        ratio: f64,
+    ) -> Result<(Values, Errors), Absent> {
         let slip = self.nodes.locate_slip(ratio);
         let on = |index: usize| Location { index, t: 0.0 };
-        let (at, factor, (values, uncertainty)) = match place {
+        let (at, factor, (values, uncertainty)) = match *place {
             Place::Below(below) => {
                 (on(first), 1.0, self.sphere.state_below(below, ratio, &self.row(first, rate, slip)?))
             }

@@ -210,7 +210,7 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
     if axis.len() == 2 {
         // No inner point to leave out: the difference of the two possible means in the middle.
         let (a, b) = (line(0)?, line(1)?);
-        let (a, b) = (with_coefficient(a), with_coefficient(b));
+        let (a, b) = (with_coefficient(&a), with_coefficient(&b));
         return Some(std::array::from_fn(|f| {
             let (geometric, mean) = ((a[f] * b[f]).max(0.0).sqrt(), 0.5 * (a[f] + b[f]));
             let misfit = (mean - geometric).abs() / geometric.abs().max(f64::MIN_POSITIVE);
@@ -224,17 +224,17 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
     let place = Location { index: own - 1, t: (axis[own] - axis[own - 1]) / (axis[own + 1] - axis[own - 1]) };
     let of_rest = |n: usize| line(n + usize::from(n >= own)).ok_or((n, 0));
     let (predicted, actual) = (blend(&rest, place, of_rest).ok()?, line(own)?);
-    let (predicted, actual) = (with_coefficient(predicted), with_coefficient(actual));
+    let (predicted, actual) = (with_coefficient(&predicted), with_coefficient(&actual));
     Some(std::array::from_fn(|f| {
         if actual[f] == 0.0 { 0.0 } else { ((predicted[f] - actual[f]) / actual[f]).abs() }
     }))
 }
 
 /// A state and Q/P.
-fn with_coefficient(values: Values) -> Errors {
-    let [load, friction, ..] = values;
+pub(super) fn with_coefficient(values: &Values) -> Errors {
+    let [load, friction, ..] = *values;
     let mut all = Errors::default();
-    all[..FIELDS].copy_from_slice(&values);
+    all[..FIELDS].copy_from_slice(values);
     all[COEFFICIENT] = if load == 0.0 { 0.0 } else { friction / load };
     all
 }
