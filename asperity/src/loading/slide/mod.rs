@@ -203,8 +203,7 @@ impl<'a> Slide<'a> {
     ) -> Result<(), SlideFailure> {
         let (motion, start, length) = (self.motion, self.last().slip, self.motion.length());
         let slides = motion.direction() != 0.0;
-        let mut control = StepControl::new(length, self.scale(), self.growth, self.inception_width)
-            .no_shorter_than(self.time_of_waves());
+        let mut control = self.step_control();
         let (mut before, mut done_before) = (self.predictor(), 0.0);
         // Distance, or time of a hold.
         let mut done = 0.0;
@@ -223,9 +222,7 @@ impl<'a> Slide<'a> {
                 // would grow.
                 None if !slides => committed.clone(),
                 None => Predictor::between((&before, done_before), (&committed, done), next),
-                Some(beyond) => {
-                    Predictor::between((&committed, done), (&beyond.predictor, beyond.slip), next)
-                }
+                Some(end) => Predictor::between((&committed, done), (&end.predictor, end.slip), next),
             };
             let advance = Advance {
                 to: start + motion.direction() * next,
@@ -266,6 +263,11 @@ impl<'a> Slide<'a> {
             }
         }
         Ok(())
+    }
+
+    fn step_control(&self) -> StepControl {
+        StepControl::new(self.motion.length(), self.scale(), self.growth, self.inception_width)
+            .no_shorter_than(self.time_of_waves())
     }
 
     /// Scale of the first increments of the present motion: the elastic displacement at gross slip, and what is passed

@@ -132,17 +132,12 @@ impl Display for Warning {
                 f,
                 "plastic strain reaches {strain:.2}: beyond about {limit} small-strain kinematics is inaccurate"
             ),
-            Self::ThinThermalLayer { share, elements } => {
-                write!(
-                    f,
-                    "frictional heat stays in a layer of {share:.2} of the elements at the surface: the error of mu \
-                     may exceed its estimate; "
-                )?;
-                match elements {
-                    Some(elements) => write!(f, "elements_per_radius = {elements} would resolve it"),
-                    None => write!(f, "no mesh would resolve it"),
-                }
-            }
+            Self::ThinThermalLayer { share, elements } => write!(
+                f,
+                "frictional heat stays in a layer of {share:.2} of the elements at the surface: the error of mu may \
+                 exceed its estimate; {} would resolve it",
+                elements.map_or("no mesh".to_owned(), |elements| format!("elements_per_radius = {elements}"))
+            ),
             Self::ReleasedPress { share } => write!(
                 f,
                 "the interface is too weak for the shear tractions of the press, which is in full stick: they are \

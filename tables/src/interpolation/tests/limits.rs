@@ -209,7 +209,7 @@ fn the_end_of_the_histories_is_a_break() {
 /// Where heat was left out a cell states the rise with an error, and its history none.
 #[test]
 fn a_rise_without_a_history_has_that_of_the_next_slip_rate() {
-    let mut whole = slice_of(log_spaced(0.5, 100.0, 8), log_spaced(0.1, 10.0, 5));
+    let mut whole = slice_of(Log.range(0.5, 100.0, 8), Log.range(0.1, 10.0, 5));
     let heated = whole.clone().interpolated();
     for row in 0..whole.shape().0 {
         let cell = whole.cell(row, 0).unwrap().clone();
