@@ -49,10 +49,12 @@ pub enum LookupError {
     )]
     SlipRateOutside { slip_rate: f64, from: f64, to: f64 },
     #[error(
-        "the table depends on its radius of {table:e} m (gap conductance); it cannot be read at {asked:e} m"
+        "the table depends on its radius of {} m (gap conductance); it cannot be read at {} m",
+        plain(*.table),
+        plain(*.asked)
     )]
     RadiusFixed { table: f64, asked: f64 },
-    #[error("no result at interference {interference:.6} omega_c, slip rate {slip_rate:e} m/s: {reason}")]
+    #[error("no result at interference {interference:.6} omega_c, slip rate {} m/s: {reason}", plain(*.slip_rate))]
     Missing { interference: f64, slip_rate: f64, reason: String },
 }
 

@@ -177,7 +177,8 @@ fn weakening(history: &[SlideState]) -> f64 {
     history[peak..]
         .windows(2)
         .map(|w| (0.5 * (stress(&w[0]) + stress(&w[1])) - end) * (w[1].slip - w[0].slip))
-        .sum()
+        // A sum of nothing would be -0.
+        .fold(0.0, |sum, energy| sum + energy)
 }
 
 fn is_steady(history: &[SlideState]) -> bool {

@@ -19,6 +19,7 @@ use tables::law::AsperityLaw;
 use tables::netcdf::input::number;
 use tables::netcdf::streams::say;
 use tables::netcdf::{history, write_atomically};
+use tables::numbers::plain;
 
 pub const HELP: &str = "\
 Examples:
@@ -139,9 +140,10 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
 fn describe(law: &dyn AsperityLaw, surface: &Surface) {
     let radius = surface.asperity_radius.mean();
     say(format!(
-        "law {}: omega_c = {:.4e} m at R = {radius:e} m, plasticity index {:.3}, up to {} omega_c",
+        "law {}: omega_c = {:.4e} m at R = {} m, plasticity index {:.3}, up to {} omega_c",
         law.name(),
         law.critical_interference(radius),
+        plain(radius),
         plasticity_index(law, surface),
         law.interference_limit()
     ));

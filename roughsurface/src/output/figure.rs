@@ -8,7 +8,7 @@ use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
 use tables::law::Estimate;
-use tables::numbers::{Spacing, digits};
+use tables::numbers::{Spacing, alike, digits};
 
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
@@ -157,10 +157,11 @@ fn values_and_errors(estimates: impl Iterator<Item = Estimate>) -> (Vec<f64>, Ve
 }
 
 fn row_label(prediction: &Prediction, row: usize) -> String {
-    match &prediction.query.loading {
-        NormalLoading::Pressure(values) => format!("{} Pa", digits(values[row], 4)),
-        NormalLoading::Separation(values) => format!("{} m", digits(values[row], 4)),
-    }
+    let unit = match &prediction.query.loading {
+        NormalLoading::Pressure(_) => "Pa",
+        NormalLoading::Separation(_) => "m",
+    };
+    format!("{} {unit}", alike(prediction.query.loading.values(), 4)[row])
 }
 
 fn rate_label(slip_rate: f64) -> String {

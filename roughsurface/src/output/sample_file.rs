@@ -10,7 +10,7 @@ use std::fmt::Write;
 use std::path::Path;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetWriter, described};
-use tables::numbers::digits;
+use tables::numbers::{digits, with_error};
 
 /// Name, long name and value of a measure of scatter.
 type Statistic = (&'static str, &'static str, fn(&Scatter) -> f64);
@@ -103,16 +103,16 @@ pub fn text(samples: &Samples) -> String {
     };
     let mut text = format!(
         "{} surfaces of {} asperities, {state}; intervals hold 95 %; bias: mean less mu of a surface of infinite extent\n\
-         {head:>width$}   slip rate [m/s]     mean mu             bias   mu of one surface   contacts\n",
+         {head:>width$}   slip rate [m/s]                  mean mu        bias   mu of one surface   contacts\n",
         samples.sampling.realizations, samples.sampling.asperities
     );
     for Cell { load, slip_rate, mu, bias, contacts } in cells(samples) {
         let _ = writeln!(
             text,
-            "{load:>width$.3e}   {:>15}   {:>7.4} ±{:.4}   {bias:>+14.4}   {:>9.4} to {:.4}   {:.0} to {:.0}",
+            "{load:>width$.3e}   {:>15}   {:>22}   {:>9}   {:>9.4} to {:.4}   {:.0} to {:.0}",
             digits(slip_rate, 4),
-            mu.mean,
-            mu.mean_error,
+            with_error(Estimate { value: mu.mean, error: mu.mean_error }, "1"),
+            digits(bias, 2),
             mu.lower,
             mu.upper,
             contacts.lower,

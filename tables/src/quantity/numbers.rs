@@ -23,7 +23,8 @@ pub fn with_error(estimate: Estimate, unit: &str) -> String {
         return "not available".into();
     }
     if !error.is_finite() {
-        return format!("{}{} (error unknown){unit}", plain(value), " ± ?");
+        // More digits would promise an accuracy that nobody knows.
+        return format!("{} ± ? (error unknown){unit}", digits(value, 3));
     }
     let size = value.abs().max(error);
     if size == 0.0 {
@@ -40,7 +41,52 @@ pub fn with_error(estimate: Estimate, unit: &str) -> String {
         error => error.log10().floor() as i32,
     };
     let decimals = usize::try_from(1 - error_exponent).unwrap_or(0).min(12);
-    format!("{:.decimals$}{suffix} ± {:.decimals$}{suffix}{unit}", value / scale, error / scale)
+    let [value, error] = [value, error].map(|number| decimal(number / scale, decimals));
+    format!("{value}{suffix} ± {error}{suffix}{unit}")
+}
+
+/// With that number of decimals; a zero has no sign.
+pub fn decimal(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(magnitude) if magnitude.bytes().all(|digit| matches!(digit, b'0' | b'.')) => {
+            magnitude.to_owned()
+        }
+        _ => text,
+    }
+}
+
+/// At most `digits` significant digits, or more where the value would be rounded to `limit` or past it: for sentences
+/// that say on which side of a limit a value lies.
+///
+/// ```
+/// use tables::numbers::beside;
+///
+/// assert_eq!(beside(0.515, 0.5, 1), "0.52");
+/// assert_eq!(beside(4.97, 5.0, 2), "4.97");
+/// assert_eq!(beside(0.003, 5.0, 2), "0.003");
+/// ```
+pub fn beside(value: f64, limit: f64, digits: usize) -> String {
+    const MOST: usize = 9;
+    let is_beside = |digits: &usize| rounded(value, *digits).partial_cmp(&limit) == value.partial_cmp(&limit);
+    self::digits(value, (digits..=MOST).find(is_beside).unwrap_or(digits))
+}
+
+/// Numbers that stand beside each other, at most `digits` significant digits each: all as multiples of a power of ten
+/// where one of them is.
+///
+/// ```
+/// use tables::numbers::alike;
+///
+/// assert_eq!(alike(&[1e5, 1e6], 4), ["1e5", "1e6"]);
+/// assert_eq!(alike(&[1e5, 2.5e5], 4), ["100000", "250000"]);
+/// ```
+pub fn alike(values: &[f64], digits: usize) -> Vec<String> {
+    let texts: Vec<String> = values.iter().map(|value| self::digits(*value, digits)).collect();
+    match texts.iter().any(|text| text.contains('e')) {
+        true => values.iter().map(|value| format!("{:e}", rounded(*value, digits))).collect(),
+        false => texts,
+    }
 }
 
 /// Six significant digits, without trailing zeros.
@@ -68,7 +114,8 @@ pub fn rounded(value: f64, digits: usize) -> f64 {
 /// The shortest text that reads back as the same number.
 pub fn exact(value: f64) -> String {
     match value.abs() {
-        0.0 | 1e-3..1e6 => format!("{value}"),
+        0.0 => "0".into(),
+        1e-3..1e6 => format!("{value}"),
         magnitude if magnitude.is_finite() => format!("{value:e}"),
         _ => format!("{value}"),
     }
@@ -114,12 +161,14 @@ mod tests {
         assert_eq!(shown(298.0, 0.0, "K"), "298.0000 ± 0.0000 K");
         assert_eq!(shown(0.0, 0.0, "K"), "0 ± 0 K");
         assert_eq!(shown(1.0, 250.0, "N"), "1 ± 250 N");
+        assert_eq!(shown(-1e-7, 0.0021, "1"), "0.0000 ± 0.0021");
     }
 
     #[test]
     fn missing_values_and_errors_are_said() {
         assert_eq!(shown(f64::NAN, 1.0, "N"), "not available");
         assert_eq!(shown(0.5, f64::NAN, "1"), "0.5 ± ? (error unknown)");
+        assert_eq!(shown(-0.0138216, f64::NAN, "m"), "-0.0138 ± ? (error unknown) m");
     }
 
     #[test]
@@ -127,6 +176,7 @@ mod tests {
         for (value, places, text) in [
             (1234.5678, 6, "1234.57"),
             (0.0, 6, "0"),
+            (-0.0, 6, "0"),
             (-2.5e-9, 6, "-2.5e-9"),
             (999999.7, 6, "1e6"),
             (0.00099999, 6, "9.9999e-4"),
@@ -139,5 +189,27 @@ mod tests {
         }
         assert_eq!(exact(0.1 + 0.2).parse::<f64>().unwrap(), 0.1 + 0.2);
         assert_eq!(exact(f64::NAN), "NaN");
+    }
+
+    #[test]
+    fn a_value_keeps_its_side_of_a_limit() {
+        for (value, limit, places, text) in [
+            (0.515, 0.5, 2, "0.52"),
+            (0.5004, 0.5, 2, "0.5004"),
+            (4.996, 5.0, 2, "4.996"),
+            (4.2, 5.0, 2, "4.2"),
+            (5.0, 5.0, 2, "5"),
+            (f64::NAN, 5.0, 2, "NaN"),
+        ] {
+            assert_eq!(beside(value, limit, places), text);
+        }
+    }
+
+    #[test]
+    fn zeros_have_no_sign() {
+        assert_eq!(
+            [decimal(-0.00004, 4), decimal(-0.00006, 4), decimal(-2.0, 0)],
+            ["0.0000", "-0.0001", "-2"]
+        );
     }
 }

@@ -54,7 +54,8 @@ impl Estimate {
 
     /// With its unit.
     pub fn in_unit(self, unit: &str) -> WithUnit<'_> {
-        WithUnit { value: self.value, error: self.error, unit }
+        // Sums of nothing are -0, which JSON would show.
+        WithUnit { value: self.value + 0.0, error: self.error, unit }
     }
 
     /// Whether both are the same, unknown ones included.

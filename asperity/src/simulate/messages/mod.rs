@@ -10,6 +10,7 @@ use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::{Problem, Units};
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
+use tables::numbers::{beside, digits, plain, rounded};
 use tables::quantity::Quantity;
 pub use warning::Warning;
 
@@ -158,12 +159,15 @@ impl Display for StrainChoice {
             }
             true => write!(
                 f,
-                "finite strain: a plastic strain of about {expected:.4} is expected, above {limit:.4}"
+                "finite strain: a plastic strain of about {} is expected, above {}",
+                beside(expected, rounded(limit, 3), 3),
+                plain(rounded(limit, 3))
             ),
             false => write!(
                 f,
-                "small strain: a plastic strain of no more than {expected:.4} is expected; kinematics = \"finite\" \
-                 would change mu by about that share, which its error includes"
+                "small strain: a plastic strain of no more than {} is expected; kinematics = \"finite\" \
+                 would change mu by about that share, which its error includes",
+                digits(expected, 3)
             ),
         }
     }

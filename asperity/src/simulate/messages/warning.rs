@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use tables::numbers::plain;
+use tables::numbers::{beside, plain, rounded};
 use tables::quantity::Quantity;
 
 /// Limitations of the results.
@@ -130,7 +130,8 @@ impl Display for Warning {
             ),
             Self::LargeStrain { strain, limit } => write!(
                 f,
-                "plastic strain reaches {strain:.2}: beyond about {limit} small-strain kinematics is inaccurate"
+                "plastic strain reaches {}: beyond about {limit} small-strain kinematics is inaccurate",
+                beside(*strain, *limit, 2)
             ),
             Self::ThinThermalLayer { share, elements } => write!(
                 f,
@@ -146,8 +147,9 @@ impl Display for Warning {
             ),
             Self::FastInception { time, limit } => write!(
                 f,
-                "sliding begins within {time:.1} times the time of a shear wave across the contact radius: below \
-                 {limit}, inertia changes mu_static and G, which are those of a slow onset"
+                "sliding begins within {} times the time of a shear wave across the contact radius: below {limit}, \
+                 inertia changes mu_static and G, which are those of a slow onset",
+                beside(*time, *limit, 2)
             ),
             Self::Unbalanced { energy, heat } => write!(
                 f,
@@ -156,8 +158,10 @@ impl Display for Warning {
             ),
             Self::AboveMelting { highest, melting } => write!(
                 f,
-                "the contact reaches {highest:.0} K, above the melting temperature of {melting:.0} K: friction by this \
-                 law does not end there; cap = true limits it to the strength of the metal"
+                "the contact reaches {} K, above the melting temperature of {} K: friction by this law does not end there; \
+                 cap = true limits it to the strength of the metal",
+                beside(*highest, *melting, 4),
+                plain(*melting)
             ),
             Self::Scene(text) => write!(f, "{text}"),
             other => f.write_str(other.fixed_text().unwrap_or_default()),
@@ -178,9 +182,16 @@ fn above_accuracy(
     [error, accuracy]: [f64; 2],
     times: f64,
 ) -> fmt::Result {
+    let limit = |accuracy: f64| times * accuracy;
     let times = if times == 1.0 { String::new() } else { format!("{times} times ") };
     let name = quantity.descriptor().name;
-    write!(f, "the estimated error of {name} is {error:.1} %, above {times}the accuracy of {accuracy:.1} %")
+    let accuracy = rounded(accuracy, 3);
+    write!(
+        f,
+        "the estimated error of {name} is {} %, above {times}the accuracy of {} %",
+        beside(error, limit(accuracy), 2),
+        plain(accuracy)
+    )
 }
 
 fn equal_strength(f: &mut Formatter<'_>, plateau: f64) -> fmt::Result {
@@ -199,10 +210,23 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_value_below_its_limit_is_not_shown_as_the_limit() {
+        for (time, shown) in [(4.98, "within 5 times"), (4.96, "within 5 times"), (0.003, "within 0.0 times")]
+        {
+            let text = Warning::FastInception { time, limit: 5.0 }.to_string();
+            assert!(!text.contains(shown) && text.contains("below 5,"), "{text}");
+        }
+    }
+
+    #[test]
     fn a_value_whose_error_is_larger_is_undetermined() {
         let text = |error, times| Warning::of_error(Quantity::EnergyRelease, error, times, 0.02).to_string();
-        assert_eq!(text(0.5, 1.0), "the estimated error of G is 50.0 %, above the accuracy of 2.0 %");
-        assert_eq!(text(0.5, 5.0), "the estimated error of G is 50.0 %, above 5 times the accuracy of 2.0 %");
+        assert_eq!(text(0.5, 1.0), "the estimated error of G is 50 %, above the accuracy of 2 %");
+        assert_eq!(text(0.5, 5.0), "the estimated error of G is 50 %, above 5 times the accuracy of 2 %");
+        let close = Warning::of_error(Quantity::EnergyRelease, 0.00515, 2.5, 0.002).to_string();
+        assert!(close.contains("is 0.52 %, above 2.5 times the accuracy of 0.2 %"), "{close}");
+        let closer = Warning::of_error(Quantity::Mu, 0.020004, 1.0, 0.02).to_string();
+        assert!(closer.contains("is 2.0004 %, above the accuracy of 2 %"), "{closer}");
         assert!(text(1.5, 5.0).starts_with("G is undetermined: its estimated error is larger than"));
     }
 }
