@@ -24,16 +24,16 @@ pub struct TopographyOptions {
     /// The topography continues at its other side; NetCDF states it
     #[arg(long)]
     periodic: bool,
-    /// Unit of the lengths in a text or npy file: m, mm, um, nm; by default m
+    /// Unit of the lengths that a text or npy file does not state: m, mm, um, nm, in, mil, uin; by default m
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<f64>,
-    /// Distance between the points of a text or npy file that does not state it
+    /// Distance between the points of a text or npy file that does not state it, or only counts them
     #[arg(long, value_name = "LENGTH", value_parser = length::parse)]
     pixel: Option<f64>,
 }
 
 fn unit(text: &str) -> Result<f64, String> {
-    length::unit(text).ok_or_else(|| "must be a unit of length: m, mm, um, nm".into())
+    length::unit(text).ok_or_else(|| format!("must be a unit of length: {}", length::known()))
 }
 
 impl TopographyOptions {

@@ -12,6 +12,7 @@ pub mod heights;
 pub(crate) mod messages;
 pub mod query;
 pub mod radii;
+pub(crate) mod text;
 
 use std::io;
 use std::path::Path;

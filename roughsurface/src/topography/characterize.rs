@@ -3,8 +3,9 @@
 use super::nayak::{Nayak, SMALLEST_ALPHA};
 use super::spectrum::{Limit, Moments, NOISY, Spectrum, Window};
 use super::summits::{self, Summits};
-use super::warning::Warning;
+use super::warning::{UNIT_REMEDY, Warning};
 use super::{Topography, detrend, plausibility};
+use tables::numbers::plain;
 
 pub use detrend::Detrend;
 
@@ -102,9 +103,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
 
     let (shortest, longest) = cutoffs(&topography);
     if cutoff < shortest || cutoff > longest {
-        return Err(format!(
-            "cutoff = {cutoff:e} m: must lie between two points, {shortest:e} m, and a quarter of the extent, {longest:e} m"
-        ));
+        return Err(refused_cutoff(cutoff, (shortest, longest), &warnings));
     }
     let moments = spectrum.moments(cutoff);
     let Some(nayak) = Nayak::of(&moments) else {
@@ -152,6 +151,20 @@ fn cutoffs(topography: &Topography) -> (f64, f64) {
     (2.0 * topography.pixel(), 0.25 * extent)
 }
 
+/// Why a cut-off is refused; and where metres were assumed, how to change that.
+fn refused_cutoff(cutoff: f64, (shortest, longest): (f64, f64), warnings: &[Warning]) -> String {
+    let is_unit_assumed =
+        |warning: &Warning| matches!(warning, Warning::NoUnit | Warning::Micrometres { .. });
+    let assumed = match warnings.iter().any(is_unit_assumed) {
+        true => format!("; the file states no unit, metres are assumed: {UNIT_REMEDY}"),
+        false => String::new(),
+    };
+    let [cutoff, shortest, longest] = [cutoff, shortest, longest].map(plain);
+    format!(
+        "cutoff = {cutoff} m: must lie between two points, {shortest} m, and a quarter of the extent, {longest} m{assumed}"
+    )
+}
+
 /// Limits of validity that a result reaches.
 fn limits(found: &Characterization, spectrum: &Spectrum) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -170,7 +183,10 @@ fn limits(found: &Characterization, spectrum: &Spectrum) -> Vec<Warning> {
         warnings.push(Warning::Lay { ratio: across / along, angle: found.moments.lay_angle });
     }
     let slope = found.areal_slope.unwrap_or(found.profile_slope);
-    let doubtful_units = found.warnings.iter().any(|warning| matches!(warning, Warning::Micrometres { .. }));
+    let doubtful_units = found
+        .warnings
+        .iter()
+        .any(|warning| matches!(warning, Warning::Micrometres { .. } | Warning::Long { .. }));
     if slope > STEEP && !doubtful_units {
         warnings.push(Warning::Steep { slope });
     }
@@ -209,7 +225,10 @@ mod tests {
         let fine = asked(3.0 * map.pixel()).unwrap();
         assert!(matches!(fine.warnings[0], Warning::CutoffTooShort { .. }));
         assert!(asked(map.pixel()).unwrap_err().starts_with("cutoff = 1e-7 m: must lie between"));
-        assert!(asked(1.0).is_err());
+        assert!(!asked(1.0).unwrap_err().contains("--unit"));
+        let assumed = Topography { remarks: vec![Warning::NoUnit], ..map.clone() };
+        let error = characterize(assumed, &Options { cutoff: Some(1.0), ..Options::default() }).unwrap_err();
+        assert!(error.contains("states no unit") && error.contains("--unit"), "{error}");
     }
 
     #[test]

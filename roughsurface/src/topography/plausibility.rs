@@ -14,10 +14,13 @@ const SPIKE: f64 = 8.0;
 /// of Hurst exponents from 0.3 to 1 and roll-offs up to twice their size.
 const FORM: f64 = 0.7;
 
-/// A warning if heights or distances look like micrometres.
+/// A warning if heights or distances look like micrometres: that no unit was stated, or that it may be another one.
 pub(super) fn micrometres(topography: &Topography) -> Option<Warning> {
     let (rms, pixel) = (mean_square_about_mean(&topography.heights).sqrt(), topography.pixel());
-    (rms.max(pixel) > LONG).then_some(Warning::Micrometres { rms, pixel })
+    (rms.max(pixel) > LONG).then_some(match topography.remarks.contains(&Warning::NoUnit) {
+        true => Warning::Micrometres { rms, pixel },
+        false => Warning::Long { rms, pixel },
+    })
 }
 
 /// A warning if a map that is not said to be periodic continues at its other side: heights at opposite edges

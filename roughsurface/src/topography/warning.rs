@@ -1,25 +1,38 @@
 //! Warnings about a topography, with the numbers that they rest on; `Display` renders them.
 
 use super::spectrum::Limit;
+use tables::numbers::{beside, digits, plain, rounded};
+
+/// How a unit is given that a file does not state.
+pub(super) const UNIT_REMEDY: &str =
+    "for text and npy --unit um changes that, or titles such as x [mm], z [um]";
 
 /// Assumptions made in reading a topography, and limits of validity of its characterisation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
-    #[error(
-        "the file states no unit; lengths are taken to be in metres (for text and npy --unit changes that)"
-    )]
+    #[error("the file states no unit; lengths are taken to be in metres ({})", UNIT_REMEDY)]
     NoUnit,
     #[error(
-        "heights of {rms:.1e} m rms at points {pixel:.1e} m apart: these lengths look like micrometres read as \
-         metres (--unit um, for text and npy)"
+        "the file states no unit, and heights of {rms:.1e} m rms at points {pixel:.1e} m apart look like micrometres \
+         read as metres ({})",
+        UNIT_REMEDY
     )]
     Micrometres { rms: f64, pixel: f64 },
+    #[error(
+        "heights of {rms:.1e} m rms at points {pixel:.1e} m apart are long for roughness: are the units of heights and \
+         positions those of the file?"
+    )]
+    Long { rms: f64, pixel: f64 },
+    #[error(
+        "positions are whole numbers, one unit apart: if they count the points, --pixel gives their distance"
+    )]
+    CountedPositions,
     #[error("commas are read as decimal commas")]
     DecimalCommas,
     #[error("the profile is not evenly spaced and was resampled by straight lines")]
     Resampled,
     #[error(
-        "{:.2} % of the points have no height and were filled in from their neighbours", 100.0 * .share
+        "{} % of the points have no height and were filled in from their neighbours", digits(100.0 * .share, 2)
     )]
     Filled { share: f64 },
     #[error(
@@ -50,7 +63,9 @@ pub enum Warning {
     )]
     NoCutoff { limit: f64, reason: Limit, radius_at_twice: f64 },
     #[error(
-        "the cut-off of {cutoff:.3e} m is shorter than the reliability limit of {limit:.3e} m ({reason})"
+        "the cut-off of {} m is shorter than the reliability limit of {} m ({reason})",
+        beside(*.cutoff, rounded(*.limit, 4), 4),
+        plain(rounded(*.limit, 4))
     )]
     CutoffTooShort { cutoff: f64, limit: f64, reason: Limit },
     #[error(

@@ -140,6 +140,34 @@ fn micrometres_read_as_metres_are_noticed() {
     assert_eq!(stderr(&output).matches("--unit um").count(), 1, "{}", stderr(&output));
 }
 
+/// A file of an instrument: titles in Latin-1, decimal commas.
+#[test]
+fn titles_state_units_in_any_encoding_and_what_none_states_is_said() {
+    let folder = Folder::new();
+    let point =
+        |i: i32| format!("{};{}\n", 0.5e-3 * f64::from(i), (f64::from(i * i) * 0.7).sin()).replace('.', ",");
+    let points: String = (0..400).map(point).collect();
+    for (name, title) in [
+        ("latin.csv", &b"Abstand [mm];H\xf6he [\xb5m]\n"[..]),
+        ("utf.csv", "Abstand [mm];Höhe [µm]\n".as_bytes()),
+        ("numpy.csv", b"# x [mm]\tz [um]\n"),
+        ("units.csv", b"x;z\nmm;um\n"),
+    ] {
+        folder.write(name, [title, points.as_bytes()].concat());
+        let output = folder.run_well(&format!("characterize {name} --cutoff 4um --json"));
+        let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!((result["pixel"].as_f64().unwrap() / 0.5e-6 - 1.0).abs() < 1e-9, "{name}: {result}");
+        let height = result["rms_height"].as_f64().unwrap();
+        assert!((5e-7..1e-6).contains(&height), "{name}: {height}");
+        assert!(!stderr(&output).contains("states no unit"), "{}", stderr(&output));
+    }
+    folder.write("none.csv", format!("x;z\n{points}"));
+    folder.refused(
+        "characterize none.csv --cutoff 2um",
+        "the file states no unit, metres are assumed: for text",
+    );
+}
+
 #[test]
 fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
     let folder = Folder::new();

@@ -62,8 +62,12 @@ fn heights_in_other_units_or_with_decimal_commas_are_noticed() {
     folder.write("surface.toml", format!("{surface}{material}"));
     let said = stderr(&folder.run(&format!("{predict} --extrapolate")));
     assert!(said.contains("surface.heights.std = 0.205") && said.contains("if it is in um"), "{said}");
-    folder.write("heights.txt", "0,3\n-0,2\n# end\n");
-    folder.refused(predict, "may have decimal commas");
+    for text in ["0,3\n-0,2\n# end\n", "3,77191e-08\n-1,2e-07\n0\n"] {
+        folder.write("heights.txt", text);
+        folder.refused(predict, "may have decimal commas");
+    }
+    folder.write("heights.txt", "3,7e-08; -1,2e-07\n");
+    folder.refused(predict, "has decimal commas: write points");
 }
 
 /// A signal ends prediction and sampling at once; one that is ignored, as under `nohup`, does not.

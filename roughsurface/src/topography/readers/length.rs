@@ -1,19 +1,29 @@
 //! Lengths with a unit.
 
+/// Symbols of each unit of length, the first of which messages name, and metres in it.
+const UNITS: [(&[&str], f64); 11] = [
+    (&["km"], 1e3),
+    (&["m"], 1.0),
+    (&["cm"], 1e-2),
+    (&["mm"], 1e-3),
+    (&["um", "µm", "μm", "~m", "micron", "microns"], 1e-6),
+    (&["nm"], 1e-9),
+    (&["A", "\u{c5}", "\u{212b}", "Ang", "Angstrom", "angstrom"], 1e-10),
+    (&["pm"], 1e-12),
+    (&["in", "inch"], 25.4e-3),
+    (&["mil", "thou"], 25.4e-6),
+    (&["uin", "µin", "μin"], 25.4e-9),
+];
+
 /// Metres in a unit of length, by its usual symbols.
 pub fn unit(symbol: &str) -> Option<f64> {
-    Some(match symbol.trim() {
-        "km" => 1e3,
-        "m" => 1.0,
-        "cm" => 1e-2,
-        "mm" => 1e-3,
-        "um" | "µm" | "μm" | "~m" | "micron" | "microns" => 1e-6,
-        "nm" => 1e-9,
-        "\u{c5}" | "\u{212b}" | "A" | "Ang" | "Angstrom" => 1e-10,
-        "pm" => 1e-12,
-        "in" => 25.4e-3,
-        _ => return None,
-    })
+    let symbol = symbol.trim();
+    UNITS.iter().find(|(symbols, _)| symbols.contains(&symbol)).map(|(_, metres)| *metres)
+}
+
+/// The known units, separated by commas.
+pub fn known() -> String {
+    UNITS.map(|(symbols, _)| symbols[0]).join(", ")
 }
 
 /// A positive length such as `2e-6`, in metres, or `2um`; in metres.
@@ -40,9 +50,16 @@ mod tests {
 
     #[test]
     fn lengths_with_and_without_unit() {
-        for (text, metres) in
-            [("2e-6", 2e-6), ("2um", 2e-6), ("2.5 µm", 2.5e-6), ("1e3nm", 1e-6), ("3 Å", 3e-10), ("1m", 1.0)]
-        {
+        for (text, metres) in [
+            ("2e-6", 2e-6),
+            ("2um", 2e-6),
+            ("2.5 µm", 2.5e-6),
+            ("1e3nm", 1e-6),
+            ("3 Å", 3e-10),
+            ("1m", 1.0),
+            ("2mil", 50.8e-6),
+            ("4 µin", 101.6e-9),
+        ] {
             let found = parse(text).unwrap();
             assert!((found / metres - 1.0).abs() < 1e-14, "{text}: {found:e}");
         }

@@ -10,16 +10,20 @@ mod number;
 mod profile;
 mod reading;
 mod text;
+mod titles;
+mod units;
 mod x3p;
 
 pub use reading::Reading;
 
 use crate::surface::read_regular;
+use crate::surface::text::decode;
 use crate::topography::warning::Warning;
 use crate::topography::{Topography, TopographyError, plausibility};
 use std::io::Read;
 use std::path::Path;
 use tables::netcdf::input::STANDARD_INPUT;
+use tables::numbers::plain;
 
 /// Fewest points in each direction from which curvatures can be computed.
 const FEWEST_POINTS: usize = 8;
@@ -56,7 +60,7 @@ pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyErro
     } else if bytes.starts_with(b"CDF") || bytes.starts_with(b"\x89HDF") {
         without_lengths(reading).and_then(|()| netcdf::read(file))
     } else {
-        text::parse(&String::from_utf8_lossy(&bytes), reading)
+        text::parse(&decode(&bytes), reading)
     };
     parsed.and_then(checked).map_err(error)
 }
@@ -87,7 +91,7 @@ fn check(topography: &mut Topography) -> Result<(), String> {
     }
     for (name, step) in [("row", row_step), ("column", column_step)] {
         if !(step > 0.0 && step.is_finite()) {
-            return Err(format!("distance between {name}s = {step:e} m: must be positive"));
+            return Err(format!("distance between {name}s = {} m: must be positive", plain(step)));
         }
     }
     for height in &mut topography.heights {
@@ -110,7 +114,7 @@ fn check(topography: &mut Topography) -> Result<(), String> {
     let defined = || topography.heights.iter().copied();
     let (low, high) = (defined().fold(f64::INFINITY, f64::min), defined().fold(f64::NEG_INFINITY, f64::max));
     if low == high {
-        return Err(format!("all heights are {low:e} m"));
+        return Err(format!("all heights are {} m", plain(low)));
     }
     Ok(())
 }

@@ -2,11 +2,14 @@
 //!
 //! Comments start with `#` or `%`; numbers are separated by white space, commas or semicolons, and may have
 //! decimal commas where something else separates them. The header that Gwyddion writes before a matrix
-//! (`# Width: 5.0 µm`) is understood, and titles of columns with their unit (`x [um], y [um], z [um]`).
+//! (`# Width: 5.0 µm`) is understood, and [titles](super::titles) of columns with their unit.
 
 use super::length;
 use super::profile::{EVEN, profile};
 use super::reading::Reading;
+use super::titles::{Column, Titles, Unit};
+use super::units::{units_of_columns, unknown_unit};
+use crate::surface::text::Commas;
 use crate::topography::Topography;
 use crate::topography::warning::Warning;
 
@@ -14,72 +17,60 @@ pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String>
     // Spreadsheets begin with a byte order mark.
     let text = text.trim_start_matches('\u{feff}');
     let mut remarks = Vec::new();
-    let decimal_commas = has_decimal_commas(text);
-    if decimal_commas {
+    let commas = Commas::of(text.lines().map(|line| without_comment(line).0));
+    if commas == Commas::Decimal {
         remarks.push(Warning::DecimalCommas);
     }
-    let (header, lines) = numbers(text, decimal_commas)?;
-    let columns = lines.first().map_or(0, Vec::len);
-    let units = match &header.columns[..] {
-        titled if titled.len() == columns && titled.iter().any(|unit| *unit != titled[0]) => {
-            match reading.unit {
-                None => titled.to_vec(),
-                Some(_) => return Err("its titles state the unit of each column; leave out --unit".into()),
-            }
-        }
-        titled => vec![reading.unit(header.unit.or(titled.first().copied()), &mut remarks); columns.max(1)],
-    };
-    let column = |index: usize| -> Vec<f64> { lines.iter().map(|line| units[index] * line[index]).collect() };
-    match columns {
-        0 => Err("holds no numbers".into()),
-        1 => Ok(Topography { remarks, ..Topography::profile(reading.pixel()?, column(0)) }),
-        2 => profile(&column(0), &column(1), remarks).map_err(|error| match text.contains(',') {
+    let (header, lines) = numbers(text, commas == Commas::Decimal)?;
+    let count = lines.first().map_or(0, Vec::len);
+    if count > 3 {
+        return matrix(&header, &lines, reading, remarks);
+    }
+    let columns: Vec<Vec<f64>> =
+        (0..count).map(|index| lines.iter().map(|line| line[index]).collect()).collect();
+    let units = units_of_columns(&header.columns(count), &columns, reading, &mut remarks)?;
+    let scaled =
+        |(column, unit): (&Vec<f64>, &f64)| column.iter().map(|value| unit * value).collect::<Vec<f64>>();
+    let columns: Vec<Vec<f64>> = columns.iter().zip(&units).map(scaled).collect();
+    match &columns[..] {
+        [] => Err("holds no numbers".into()),
+        [z] => Ok(Topography { remarks, ..Topography::profile(reading.pixel()?, z.clone()) }),
+        [x, z] => profile(x, z, remarks).map_err(|error| match text.contains(',') {
             true => format!("{error}; or are these decimal commas of single heights? write points"),
             false => error,
         }),
-        3 => grid(&column(0), &column(1), &column(2), remarks),
-        _ => {
-            let rows = lines.len();
-            let (row_step, column_step) = match (reading.pixel, header.width, header.height) {
-                (None, Some(width), Some(height)) => (height / rows as f64, width / columns as f64),
-                _ => (reading.pixel()?, reading.pixel()?),
-            };
-            let heights = lines.iter().flatten().map(|height| units[0] * height).collect();
-            let map = Topography::map((rows, row_step), (columns, column_step), heights);
-            Ok(Topography { remarks, ..map })
-        }
+        [x, y, z, ..] => grid(x, y, z, remarks),
     }
+}
+
+/// A matrix of heights.
+fn matrix(
+    header: &Header,
+    lines: &[Vec<f64>],
+    reading: &Reading,
+    mut remarks: Vec<Warning>,
+) -> Result<Topography, String> {
+    let (rows, columns) = (lines.len(), lines[0].len());
+    let (row_step, column_step) = match (reading.pixel, header.width, header.height) {
+        (None, Some(width), Some(height)) => (height / rows as f64, width / columns as f64),
+        _ => (reading.pixel()?, reading.pixel()?),
+    };
+    let stated = match (header.unit, header.titles.of_matrix()) {
+        (Some(unit), _) | (None, Unit::Metres(unit)) => Some(unit),
+        (None, Unit::Unknown(symbol)) if reading.unit.is_none() => {
+            return Err(unknown_unit("its titles", &symbol));
+        }
+        _ => None,
+    };
+    let unit = reading.unit(stated, &mut remarks);
+    let heights = lines.iter().flatten().map(|height| unit * height).collect();
+    let map = Topography::map((rows, row_step), (columns, column_step), heights);
+    Ok(Topography { remarks, ..map })
 }
 
 /// What of a line is not a comment, and the comment.
 fn without_comment(line: &str) -> (&str, &str) {
     line.split_at(line.find(['#', '%']).unwrap_or(line.len()))
-}
-
-/// Whether the commas are decimal: no number has a point, and each comma stands between two digits in a line
-/// that something else separates.
-fn has_decimal_commas(text: &str) -> bool {
-    let mut found = false;
-    for content in text.lines().map(|line| without_comment(line).0.trim()) {
-        let words = || content.split(|c: char| c.is_whitespace() || c == ';').filter(|word| !word.is_empty());
-        // Titles.
-        if !words().all(|word| word.starts_with(|c: char| c.is_ascii_digit() || "+-,.".contains(c))) {
-            continue;
-        }
-        let decimal = |word: &str| match word.split_once(',') {
-            Some((before, after)) => {
-                before.ends_with(|c: char| c.is_ascii_digit())
-                    && after.parse::<f64>().is_ok()
-                    && !after.contains('.')
-            }
-            None => true,
-        };
-        if content.contains('.') || !words().all(decimal) {
-            return false;
-        }
-        found |= content.contains(',') && words().count() > 1;
-    }
-    found
 }
 
 /// Header and lines of as many numbers each.
@@ -88,12 +79,13 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
     let mut lines: Vec<Vec<f64>> = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let (content, comment) = without_comment(line);
-        header.take(comment.trim_start_matches(['#', '%', ' ']));
-        let content = if decimal_commas { content.replace(',', ".") } else { content.to_owned() };
-        let words = words(&content);
+        // Titles and their units are before the first number.
+        header.take(comment.trim_start_matches(['#', '%', ' ']), lines.is_empty());
+        let with_points = if decimal_commas { content.replace(',', ".") } else { content.to_owned() };
+        let words = words(&with_points);
         // Titles of the columns, before the first number.
         if lines.is_empty() && !words.is_empty() && words.iter().all(|word| number(word).is_none()) {
-            header.take_titles(&content);
+            header.titles.add(content);
             continue;
         }
         let or_where = |word: &&str| {
@@ -140,12 +132,14 @@ struct Header {
     width: Option<f64>,
     height: Option<f64>,
     unit: Option<f64>,
-    /// Units in titles of columns such as `x [mm], y [mm], z [um]`, if all have one.
-    columns: Vec<f64>,
+    titles: Titles,
 }
 
 impl Header {
-    fn take(&mut self, comment: &str) {
+    fn take(&mut self, comment: &str, before_numbers: bool) {
+        if before_numbers && !comment.is_empty() {
+            self.titles.add_comment(comment);
+        }
         let Some((key, value)) = comment.split_once(':') else {
             return;
         };
@@ -158,10 +152,13 @@ impl Header {
         }
     }
 
-    fn take_titles(&mut self, titles: &str) {
-        let units = (titles.split(['[', '(']).skip(1))
-            .map(|rest| length::unit(rest.split([']', ')']).next().unwrap_or_default()));
-        self.columns = units.collect::<Option<_>>().unwrap_or_default();
+    /// What is said of so many columns, the last of which are heights.
+    fn columns(&self, count: usize) -> Vec<Column> {
+        let mut columns = self.titles.columns(count);
+        if let (Some(heights), Some(unit)) = (columns.last_mut(), self.unit) {
+            heights.unit = Unit::Metres(unit);
+        }
+        columns
     }
 }
 
@@ -224,7 +221,10 @@ mod tests {
     fn titles_of_columns_may_say_the_unit() {
         let points = "0 0 1\n1 0 2\n0 1 4\n1 1 5\n";
         let named = read(&format!("X Y Z\n{points}")).unwrap();
-        assert_eq!((named.heights[3], named.remarks.len()), (5.0, 1));
+        assert_eq!(
+            (named.heights[3], named.remarks),
+            (5.0, vec![Warning::CountedPositions, Warning::NoUnit])
+        );
         let micrometres = read(&format!("x [um], y [um], z [um]\n{points}")).unwrap();
         assert!((micrometres.heights[3] / 5e-6 - 1.0).abs() < 1e-15 && micrometres.remarks.is_empty());
         let mixed = format!("x [mm], y [mm], z [um]\n{points}");
@@ -233,6 +233,8 @@ mod tests {
         assert!((map.row_step / 1e-3 - 1.0).abs() < 1e-12);
         let refused = parse(&mixed, &Reading { unit: Some(1e-6), pixel: None }).unwrap_err();
         assert!(refused.contains("leave out --unit"), "{refused}");
+        let numpy = read(&format!("# x [mm] y [mm] z [um]\n{points}")).unwrap();
+        assert_eq!((numpy.heights, numpy.remarks), (map.heights, vec![]));
         assert!(read(&format!("{points}x y z\n")).unwrap_err().contains("line 5: \"x\""));
     }
 
