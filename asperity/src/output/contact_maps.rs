@@ -1,7 +1,7 @@
 //! Maps of the contact plane: stick and slip, pressure, shear, slip and temperature.
 
-use tables::figures::{Axis, Colors, Field, Panel, above};
-use tables::quantity::Quantity;
+use tables::figures::{Arrow, Axis, Colors, Field, Panel, above};
+use tables::quantity::{Quantity, State};
 
 use crate::discretisation::collocation::Collocation;
 use crate::output::scale::scaled;
@@ -148,9 +148,21 @@ impl<'a> Plane<'a> {
         let title = format!("s = {:.3} a_{{0}}{remark}", snapshot.slip / self.unit);
         Panel {
             equal: true,
-            field: Some(Field { cells, colors, arrow: Some("flat".into()) }),
+            field: Some(Field { cells, colors, arrow: self.arrow(snapshot) }),
             ..Panel::new(name, title, axis("x/a_{0}"), axis("y/a_{0}"), Vec::new())
         }
+    }
+
+    /// Where the flat moves on the way to the state of `snapshot`, at the start on the way from it; nothing where it rests.
+    fn arrow(&self, snapshot: &Snapshot) -> Option<Arrow> {
+        let states: Vec<_> = self.outcome.slide.states().collect();
+        let is_state = |state: &State<'_>| {
+            (state[Quantity::Slip], state[Quantity::Time]) == (snapshot.slip, snapshot.time)
+        };
+        let end = states.iter().position(is_state).unwrap_or(0).max(1);
+        let pair = states.get(end - 1..=end)?;
+        let motion = pair[1][Quantity::Slip] - pair[0][Quantity::Slip];
+        (motion != 0.0).then(|| Arrow { text: "flat".into(), backwards: motion < 0.0 })
     }
 }
 
@@ -218,6 +230,24 @@ mod tests {
         for side in [1.0, -1.0] {
             let half = drawn().filter(|cell| side * centre(cell)[1] > 0.0).map(|cell| area(cell).abs());
             assert!((half.sum::<f64>() / whole - 0.5).abs() < 1e-9);
+        }
+    }
+
+    /// Forwards, backwards, at rest.
+    #[test]
+    fn the_arrow_points_where_the_flat_moves() {
+        let mut outcome = outcome();
+        let slips = [0.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0];
+        let times = [0.0, 1.0, 2.0, 2.0, 3.0, 3.0, 9.0];
+        outcome.slide.truncate(slips.len());
+        outcome.slide.column_mut(Quantity::Slip).copy_from_slice(&slips);
+        outcome.slide.column_mut(Quantity::Time).copy_from_slice(&times);
+        for (state, backwards) in [(0, Some(false)), (2, Some(false)), (4, Some(true)), (6, None)] {
+            (outcome.snapshots[0].slip, outcome.snapshots[0].time) = (slips[state], times[state]);
+            for map in contact_maps(&outcome) {
+                let arrow = map.field.unwrap().arrow;
+                assert_eq!(arrow.map(|arrow| arrow.backwards), backwards, "{state}");
+            }
         }
     }
 

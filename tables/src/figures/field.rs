@@ -11,8 +11,17 @@ pub struct Field {
     pub cells: Vec<Vec<[f64; 3]>>,
     /// Colours.
     pub colors: Colors,
-    /// Direction +x as an arrow with this text.
-    pub arrow: Option<String>,
+    /// Where something moves.
+    pub arrow: Option<Arrow>,
+}
+
+/// A direction with a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Arrow {
+    /// What moves.
+    pub text: String,
+    /// Towards −x, not +x.
+    pub backwards: bool,
 }
 
 /// Meaning of the values of a field.

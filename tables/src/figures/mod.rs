@@ -22,7 +22,7 @@ use std::path::Path;
 use crate::netcdf::write_atomically;
 use axis::Range;
 use canvas::{Anchor, Group, Page};
-pub use field::{Colors, Field, above};
+pub use field::{Arrow, Colors, Field, above};
 pub use svg::escaped;
 pub use table::PANELS as TABLE_PANELS;
 

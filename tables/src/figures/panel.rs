@@ -4,7 +4,7 @@ use super::axis::{Range, Ticks, signed};
 use super::canvas::{Anchor, BLACK, CURVE_WIDTH, Color, GAP, Group, Mark, Point, SMALL, width};
 use super::field::{bands, scale};
 use super::legend::{Legend, STYLES, marker};
-use super::{Colors, Curve, Drawn, Panel};
+use super::{Arrow, Colors, Curve, Drawn, Panel};
 
 /// Width and height of a panel in points: 85 mm, a column of a journal, and 66 mm.
 pub(super) const SIZE: Point = (241.0, 187.0);
@@ -185,13 +185,20 @@ impl Frame {
         {
             self.color_bar(label, &range, &bands(from, to), group);
         }
-        if let Some(text) = &field.arrow {
-            let (x, y) = (self.left + GAP, self.bottom - GAP);
-            let (tip, height) = (x + 16.0, y - 0.35 * SMALL);
-            group.line(vec![(x, height), (tip - 3.0, height)], 0.8);
-            group.fill(vec![(tip, height), (tip - 4.5, height - 1.8), (tip - 4.5, height + 1.8)], BLACK);
-            group.text((tip + 2.0, y), text, SMALL, Anchor::Start);
+        if let Some(arrow) = &field.arrow {
+            self.arrow(arrow, group);
         }
+    }
+
+    fn arrow(&self, arrow: &Arrow, group: &mut Group) {
+        const LENGTH: f64 = 16.0;
+        let (left, y) = (self.left + GAP, self.bottom - GAP);
+        let (right, height) = (left + LENGTH, y - 0.35 * SMALL);
+        let (start, tip, forwards) = if arrow.backwards { (right, left, -1.0) } else { (left, right, 1.0) };
+        group.line(vec![(start, height), (tip - 3.0 * forwards, height)], 0.8);
+        let barbs = tip - 4.5 * forwards;
+        group.fill(vec![(tip, height), (barbs, height - 1.8), (barbs, height + 1.8)], BLACK);
+        group.text((right + 2.0, y), &arrow.text, SMALL, Anchor::Start);
     }
 
     fn color_bar(&self, label: &str, range: &Range, bands: &[(f64, f64, Color)], group: &mut Group) {

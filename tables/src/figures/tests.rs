@@ -21,7 +21,11 @@ fn map(from: f64, to: f64) -> Panel {
     let row = |i: usize| (0..20).map(|j| [j as f64, i as f64, (i * j) as f64]).collect();
     let rows: Vec<Vec<[f64; 3]>> = (0..20).map(row).collect();
     let colors = Colors::Bands { label: "temperature T (K)".into(), from, to };
-    let field = Field { cells: Field::quadrilaterals(&rows), colors, arrow: Some("flat".into()) };
+    let field = Field {
+        cells: Field::quadrilaterals(&rows),
+        colors,
+        arrow: Some(Arrow { text: "flat".into(), backwards: false }),
+    };
     Panel { name: "map".into(), equal: true, field: Some(field), ..Panel::default() }
 }
 
