@@ -29,6 +29,10 @@ const LARGE_STRAIN: f64 = 0.2;
 const BALANCE: f64 = 1e-5;
 const BALANCE_AT_FINITE_STRAIN: f64 = 1e-4;
 
+/// Friction coefficient whose work is the smallest that balances are relative to: without friction all terms are rounding
+/// errors of the pressed state.
+const NEGLIGIBLE_FRICTION: f64 = 1e-3;
+
 /// The outcome of the finest main run, with the errors of `budget` (none: unknown); in the error where
 /// the run failed or was stopped.
 pub(super) fn report(
@@ -190,8 +194,11 @@ fn released_press(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
 fn warnings_of_balances(problem: &Problem, history: &[SlideState]) -> Option<Warning> {
     let limit = if problem.finite_strain { BALANCE_AT_FINITE_STRAIN } else { BALANCE };
     let end = history.last()?;
+    let path: f64 = history.windows(2).map(|pair| (pair[1].slip - pair[0].slip).abs()).sum();
+    // Of the half body.
+    let negligible = 0.5 * NEGLIGIBLE_FRICTION * end.load * path;
     let relative = |missing: f64, terms: &[f64]| {
-        let largest = terms.iter().fold(0.0, |most: f64, term| most.max(term.abs()));
+        let largest = terms.iter().fold(negligible, |most: f64, term| most.max(term.abs()));
         if largest > 0.0 { missing.abs() / largest } else { 0.0 }
     };
     let energy = relative(end.energy_missing(), &[&end.energies()[..], &[end.work]].concat());

@@ -231,6 +231,22 @@ fn a_main_run_that_cannot_begin_leaves_the_auxiliary_run() {
     );
 }
 
+/// Without friction every term of the balance is a rounding error, and so is what is missing.
+#[test]
+fn balances_without_friction_are_not_relative_to_rounding() {
+    let text = "[material]\nyoungs_modulus = 200e9\npoisson_ratio = 0.3\nyield_strength = 1e9\ndensity = 7800\n\
+                specific_heat = 460\nthermal_conductivity = 45\nthermal_expansion = 0\n\
+                hardening = { law = \"linear\", modulus = 1e9 }\n[asperity]\nradius = 100e-6\n\
+                [interface]\nlaw = \"frictionless\"\n\
+                [loading]\ninterference = 0.5\nslip_rate = 0\nslip_distance = 0.5\n\
+                [numerics]\nelements_per_radius = 4\nsectors = 4\n";
+    let outcome = simulate(&parse_scene(text, "this test", &[]).unwrap(), &Unwatched).unwrap();
+    let is_unbalanced = |warning: &Warning| matches!(warning, Warning::Unbalanced { .. });
+    assert!(!outcome.account.warnings.iter().any(is_unbalanced), "{:?}", outcome.account.warnings);
+    let weakening = outcome.scalars[Quantity::EnergyWeakening].value;
+    assert!(weakening == 0.0 && weakening.is_sign_positive(), "{weakening:?}");
+}
+
 /// On the coarsest meshes the auxiliary ones are finer: the layers of elements that heat requires fit into both.
 #[test]
 fn the_layers_of_a_fast_slide_fit_into_the_coarsest_mesh() {
