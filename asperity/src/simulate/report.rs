@@ -50,7 +50,7 @@ pub(super) fn report(
     let mut run = ladder.main.pop().expect("there is a main run");
     let budget = budget.unwrap_or_else(|| {
         let modelling_error = runner.conditions.modelling_error(runner.pressed, &run);
-        ErrorBudget::unknown(&run.values, &modelling_error)
+        ErrorBudget::unknown(&run.values.unknown(), &modelling_error)
     });
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let interference = runner.pressed.scene.loading.interference;

@@ -223,6 +223,7 @@ fn a_main_run_that_cannot_begin_leaves_the_auxiliary_run() {
     let SimulationError::NotConverged { partial: Some(outcome), .. } = error else { panic!("{text}") };
     assert_eq!((outcome.account.elements_per_radius, outcome.account.sectors), (4, 4));
     assert!(outcome.steady || outcome.slide.len() > 10, "{}", outcome.slide.len());
+    assert!(outcome.scalars.iter().all(|(_, estimate)| estimate.error.is_nan()), "{:?}", outcome.scalars);
     let expected = [Warning::ErrorsUnknown, Warning::NoMainRun { elements_per_radius: 4, sectors: 4 }];
     assert!(
         expected.iter().all(|warning| outcome.account.warnings.contains(warning)),

@@ -2,7 +2,7 @@
 
 use roots::{SimpleConvergency, find_root_brent};
 use tables::interpolation::steffen::Steffen;
-use tables::quantity::Quantity;
+use tables::quantity::{Estimate, Quantity, Scalars};
 use tables::table::Cell;
 
 use crate::simulate::outcome::Outcome;
@@ -47,7 +47,7 @@ impl Finished {
     /// The part of `outcome` that a table stores; `temperature` is that at the start, K.
     pub fn new(outcome: &Outcome, slips: &[f64], temperature: f64) -> Self {
         let mut cell = Cell {
-            scalars: outcome.scalars,
+            scalars: bounded(&outcome.scalars, temperature),
             steady: outcome.steady,
             wall_time: outcome.account.wall_time,
             warnings: outcome.account.warnings.iter().map(ToString::to_string).collect(),
@@ -59,6 +59,16 @@ impl Finished {
         let notes = outcome.account.notes.iter().map(ToString::to_string).collect();
         Self { cell, timings: outcome.account.timings, notes }
     }
+}
+
+/// Scalars whose unknown errors are as large as the values, temperatures counted from the initial one: what is
+/// interpolated between cells needs a bound.
+fn bounded(scalars: &Scalars, temperature: f64) -> Scalars {
+    Scalars::from_fn(|quantity| {
+        let Estimate { value, error } = scalars[quantity];
+        let bound = (value - quantity.origin(temperature)).abs();
+        Estimate { value, error: if error.is_nan() { bound } else { error } }
+    })
 }
 
 /// Histories of a table at the slips `slips` (in a₀), from the pressed state at the initial
@@ -137,6 +147,14 @@ mod tests {
         assert_eq!(ends(Quantity::TemperatureMax), (298.0, last(Quantity::TemperatureMax)));
         assert_eq!(ends(Quantity::Mu), (0.0, last(Quantity::Friction) / last(Quantity::Load)));
         assert_eq!(cell[Quantity::Mu], outcome.scalars[Quantity::Mu]);
+    }
+
+    #[test]
+    fn unknown_errors_have_the_values_as_bounds() {
+        let mut outcome = fake::outcome(&fake::scene(20.0, 1.0));
+        outcome.scalars = Scalars::from_fn(|_| Estimate { value: 400.0, error: f64::NAN });
+        let cell = Finished::new(&outcome, &slip_grid(2.0), 298.0).cell;
+        assert_eq!((cell[Quantity::Load].error, cell[Quantity::TemperatureMax].error), (400.0, 102.0));
     }
 
     #[test]
