@@ -69,11 +69,18 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     Failure::all([drawn, report(&tabulation, &spent, arguments, display)])?;
     match tabulation.failures().count() {
         0 => Ok(()),
-        failed => Err(Failure::Run(format!(
-            "{failed} of {} cells failed; the others are in {}",
-            wanted(&tabulation),
-            arguments.output.display()
-        ))),
+        failed => Err(Failure::Run(failure(failed, wanted(&tabulation), &arguments.output))),
+    }
+}
+
+/// That cells failed, and what is in the table, which is written nevertheless.
+fn failure(failed: usize, of: usize, output: &Path) -> String {
+    let output = output.display();
+    let reasons = format!("the reasons are in {output} (`asperity table info {output}`)");
+    match (failed, of) {
+        (1, 1) => format!("the only cell failed; {reasons}"),
+        _ if failed == of => format!("all {of} cells failed; {reasons}"),
+        _ => format!("{failed} of {of} cells failed; the others are in {output}"),
     }
 }
 
@@ -229,4 +236,17 @@ fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
         "cells": cells,
         "warnings": tabulation.warnings(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_without_results_holds_reasons_only() {
+        let said = |failed, of| failure(failed, of, Path::new("x.nc"));
+        assert!(said(1, 1).starts_with("the only cell failed; the reasons are in x.nc"));
+        assert!(said(4, 4).starts_with("all 4 cells failed; the reasons are in x.nc"));
+        assert_eq!(said(1, 4), "1 of 4 cells failed; the others are in x.nc");
+    }
 }
