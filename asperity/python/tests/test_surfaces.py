@@ -61,7 +61,7 @@ def test_a_mat_file_has_the_friction_and_its_law(folder):
     found, dataset = loadmat("f.MAT"), xarray.load_dataset("f.nc")
     for name in ("mu", "mu_error"):
         assert np.array_equal(found[name][:, :, 0], dataset[name])
-    assert np.array_equal(found["pressure"][:, 0], dataset.pressure) and np.isnan(found["temperature"]).all()
+    assert np.array_equal(found["pressure"][:, 0], dataset.pressure) and (found["temperature"] == 298.0).all()
     assert np.array_equal(found["slip_rate"][0], dataset.slip_rate)
     drop = found["mu_0"] - found["mu_inf"]
     fitted = found["mu_inf"] + drop / (1 + (found["slip_rate"] / found["V_star"]) ** found["n"])

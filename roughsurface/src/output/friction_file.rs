@@ -20,6 +20,9 @@ asperities, quadrature, slip grid and pressure. Independent asperities of one ra
 Under held load the flat sinks as asperities lose load; each asperity then follows the slide tabulated \
 at its present interference.";
 
+/// Attribute with the initial temperature, K, where there is one.
+pub(super) const INITIAL_TEMPERATURE: &str = "initial_temperature";
+
 /// Results that a comparison with a model of the literature has.
 pub(super) const COMPARED: [&str; 4] = ["mu", "mu_static", "real_area_fraction", "outside_table_fraction"];
 
@@ -31,6 +34,9 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
     file.attribute("comment", COMMENT)?;
     file.attribute("plasticity_index", prediction.plasticity_index)?;
     file.attribute("regime", regime(prediction.plasticity_index))?;
+    if let Some(kelvin) = results.temperature {
+        file.attribute(INITIAL_TEMPERATURE, kelvin)?;
+    }
 
     let row = grid_coordinates(&mut file, &prediction.query)?;
     file.coordinate("slip", &prediction.slip, &described("m", "slip of the flat along the surface"))?;

@@ -26,11 +26,13 @@ pub struct Results {
     pub cutoffs: Vec<AtCutoff>,
     /// Changes of the results with the uncertain parameters.
     pub propagated: Option<Propagated>,
+    /// Initial temperature of asperities and flat, K: that of the query, or the only one of the table.
+    pub temperature: Option<f64>,
 }
 
 impl From<Prediction> for Results {
     fn from(prediction: Prediction) -> Self {
-        Self { prediction, comparisons: Vec::new(), cutoffs: Vec::new(), propagated: None }
+        Self { prediction, comparisons: Vec::new(), cutoffs: Vec::new(), propagated: None, temperature: None }
     }
 }
 
@@ -137,6 +139,7 @@ impl Case {
         let settings = Settings { melting_temperature, inception_time, ..*settings };
         let (law, surface, query) = (source.law.as_ref(), &file.surface, &file.query);
         let mut results = Results::from(predict(law, surface, query, &settings, show)?);
+        results.temperature = file.temperature.or_else(|| initial_temperature(law.request()));
         if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
             let propagated = propagate(file, &self.table, &results.prediction, &settings, show)?;
             results.propagated = Some(propagated);
@@ -167,6 +170,21 @@ impl Case {
         samples.warnings.splice(..0, self.warnings());
         Ok(samples)
     }
+}
+
+/// Initial temperature (K) by the request of a table: that of its loading, or the only one of a list.
+fn initial_temperature(request: &str) -> Option<f64> {
+    let request: toml::Table = request.parse().ok()?;
+    let of = |section: &str| request.get(section)?.get("temperature");
+    let value = match of("table") {
+        Some(toml::Value::Array(several)) => match &several[..] {
+            [only] => Some(only),
+            _ => None,
+        },
+        Some(only) => Some(only),
+        None => of("loading"),
+    };
+    value.and_then(|kelvin| kelvin.as_float().or(kelvin.as_integer().map(|whole| whole as f64)))
 }
 
 /// The surface file of a characterised topography, with `overrides`; `place` is the topography, named in messages.

@@ -123,6 +123,26 @@ fn several_files_are_a_dependence_on_temperature() {
     folder.refused("export 298.nc 298.nc -o f.inp", "298 K, as another one");
 }
 
+/// The query does not repeat the temperature of a table that has only one.
+#[test]
+fn the_temperature_is_that_of_the_table() {
+    let folder = folder();
+    for (request, expected) in [
+        ("[loading]\ntemperature = 300.0\n", "300,"),
+        ("[loading]\ntemperature = 298.0\n[table]\ntemperature = [350.0]\n", "350,"),
+    ] {
+        let mut slice = table(&Weakening::new(), 200.0);
+        slice.set_metadata(Metadata { scene: request.into(), ..slice.metadata().clone() });
+        slice.write(&folder.path("at.nc")).unwrap();
+        folder.run_well("predict surface.toml --table at.nc -o friction.nc --quiet");
+        folder.run_well("export friction.nc -o friction.csv");
+        assert!(
+            folder.read("friction.csv").lines().skip(1).all(|line| line.starts_with(expected)),
+            "{request}"
+        );
+    }
+}
+
 #[test]
 fn what_cannot_be_exported_is_refused() {
     let folder = folder();

@@ -34,7 +34,7 @@ def export(
         law: values of the fitted rate law, ten slip rates a decade, in place of the values computed.
 
     A ``.mat`` file has ``mu`` and ``mu_error`` (1) over pressure, slip rate and temperature, the axes ``pressure`` (Pa),
-    ``slip_rate`` (m/s) and ``temperature`` (K; NaN where the query has none), and of the fitted law ``mu_0``, ``mu_inf`` (1),
+    ``slip_rate`` (m/s) and ``temperature`` (K; NaN with a closed form), and of the fitted law ``mu_0``, ``mu_inf`` (1),
     ``V_star`` (m/s) and ``n`` (1) over pressure and temperature, NaN where none is fitted:
     ``mu_inf + (mu_0 - mu_inf)/(1 + (V/V_star)^n)``.
 

@@ -3,6 +3,7 @@
 mod formats;
 
 use crate::friction::rate_law::{FORMS, RateLaw};
+use crate::output::friction_file::INITIAL_TEMPERATURE;
 use std::path::Path;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetReader};
@@ -84,7 +85,7 @@ pub struct FrictionTable {
 
 /// Friction at one initial temperature.
 pub struct Layer {
-    /// K, where the query states it.
+    /// K, where the query or the table states it.
     pub temperature: Option<f64>,
     /// Sliding friction, slip rates of a pressure beside each other, 1.
     pub mu: Vec<Estimate>,
@@ -165,10 +166,7 @@ impl FrictionTable {
             }))
         };
         let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
-        let query: toml::Table = file.attribute_text("surface")?.parse().unwrap_or_default();
-        let temperature = query.get("query").and_then(|query| query.get("temperature"));
-        let temperature = temperature
-            .and_then(|kelvin| kelvin.as_float().or(kelvin.as_integer().map(|whole| whole as f64)));
+        let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
         Ok(Self {
             sources: vec![shown],
             pressures,
