@@ -52,6 +52,11 @@ pub fn plot(table: &Table, plot: &Path, panels: &[String]) -> Result<(), Failure
     Ok(())
 }
 
+/// Whether the figure will have the panels that are asked for, before the work begins.
+pub fn check_panels(asked: &[String], panels: &[&str]) -> Result<(), Failure> {
+    Figure::check_panels(asked, panels).map_err(Failure::input)
+}
+
 /// Writes some panels of a figure, or all; elsewhere where `plot` cannot take it.
 pub fn draw(figure: Figure, panels: &[String], plot: &Path) -> Result<(), Failure> {
     let figure = figure.only(panels).map_err(Failure::run)?;

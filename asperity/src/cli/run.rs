@@ -37,6 +37,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
         )));
     }
     check_outputs(arguments)?;
+    outputs::check_panels(&arguments.panel, &figures::panels(&scene))?;
     let remarks = scene.remarks();
     display.printer().warn(&remarks);
     if !display.quiet {

@@ -10,6 +10,7 @@ use asperity::simulate::outcome::Note;
 use asperity::solver::timings::{Kernel, Timings};
 use asperity::tabulate::{self, Journal, Options, TabulateError, Tabulation};
 use serde_json::{Value, json};
+use tables::figures::{TABLE_PANELS, table_panels};
 use tables::netcdf::streams::say;
 use tables::numbers;
 use tables::quantity::Quantity;
@@ -23,6 +24,12 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
     let journal = Journal::beside(&arguments.output);
     check_outputs(arguments, &request.temperatures, &journal)?;
+    // Refinement adds points, and with them maps.
+    let panels = match request.goal {
+        Some(_) => TABLE_PANELS.to_vec(),
+        None => table_panels(request.interferences.len(), &request.slip_rates),
+    };
+    outputs::check_panels(&arguments.panel, &panels)?;
     display.printer().warn(request.remarks());
     if display.verbose {
         say(format!("note: {}", Note::Defaults(request.template.defaults_in_effect())));

@@ -5,7 +5,7 @@ use tables::quantity::Quantity;
 
 use crate::output::contact_maps::contact_maps;
 use crate::output::scale::scaled;
-use crate::scene::Scene;
+use crate::scene::{Scene, Switch};
 use crate::simulate::outcome::Outcome;
 use tables::numbers::plain;
 
@@ -25,6 +25,20 @@ pub const PANELS: [&str; 13] = [
     "slip-map",
     "temperature-map",
 ];
+
+/// Those of [`PANELS`] with heat.
+const OF_HEAT: [&str; 3] = ["temperature", "heat", "temperature-map"];
+
+/// Panels that the figure of a run of `scene` may have: those of heat unless it is left out whatever its effect.
+pub fn panels(scene: &Scene) -> Vec<&'static str> {
+    let Scene { model, loading, interface, .. } = scene;
+    let heated = match model.heat {
+        Switch::Off => false,
+        Switch::On => true,
+        Switch::Auto => loading.slip_rate != 0.0 && interface.law.has_friction(),
+    };
+    PANELS.into_iter().filter(|name| heated || !OF_HEAT.contains(name)).collect()
+}
 
 /// A label and the quantity that it is for.
 type Labelled = (&'static str, Quantity);
@@ -216,9 +230,14 @@ mod tests {
         assert!(x.log && (curves[0].x.last().unwrap() - 2.0).abs() < 1e-12);
         outcome.account.heat = false;
         let cold = run_figure(&scene, &outcome);
-        let hot = ["temperature", "heat", "temperature-map"];
-        let expected: Vec<&str> = PANELS.into_iter().filter(|name| !hot.contains(name)).collect();
-        assert_eq!(names(&cold), expected);
+        let off = fake::scene(20.0, 0.0);
+        assert_eq!(names(&cold), panels(&off));
+        assert_eq!(panels(&scene), PANELS);
+        // Of several rows of maps each name once.
+        let mut rows = cold.clone();
+        rows.panels.extend(cold.panels);
+        let error = rows.only(&["temperature".into()]).unwrap_err().to_string();
+        assert!(error.ends_with(&format!("it has {}", panels(&off).join(", "))), "{error}");
     }
 
     /// Forwards by 2 a₀, backwards by 1 a₀.

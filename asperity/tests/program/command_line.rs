@@ -32,6 +32,13 @@ fn bad_input_is_refused_before_any_work() {
         ),
         (format!("{run} --plot run.gif"), &["run.gif", "svg, png, pdf"]),
         (
+            format!("{run} --plot run.svg --panel temperature --set model.heat=off"),
+            &[
+                "has no panel temperature: it has friction, forces, area, onset, plastic-strain, energies, status-map",
+            ],
+        ),
+        (format!("{tabulate} --plot t.svg --panel friction-map"), &["it has friction, stress, energy"]),
+        (
             format!("{run} --fields-at 1,5"),
             &["--fields-at 5", "a slip of 2 contact radii (loading.slip_distance"],
         ),

@@ -8,7 +8,7 @@ use clap::builder::PossibleValuesParser;
 use roughsurface::friction::Settings;
 use roughsurface::friction::regime::plasticity_index;
 use roughsurface::friction::warning::Warning;
-use roughsurface::output::figure::{PANELS, figure};
+use roughsurface::output::figure::{PANELS, figure, panels};
 use roughsurface::output::{Origin, Results, friction_file, report, summary, summary_json};
 use roughsurface::sampling::case::Case;
 use roughsurface::surface::query::Surface;
@@ -113,6 +113,7 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
         ("--plot", options.plot.as_deref()),
         ("--report", options.report.as_deref()),
     ])?;
+    Figure::check_panels(&options.panel, &panels(&case, &models)).map_err(Failure::input)?;
     // At once: the prediction may be refused for what they are about.
     let of_input = case.warnings();
     display.printer().warn(Warning::condensed(&of_input));

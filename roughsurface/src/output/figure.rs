@@ -4,7 +4,7 @@ use crate::friction::quantities::Quantity;
 use crate::friction::rate_law::RateLaw;
 use crate::friction::rate_step::RateStepResponse;
 use crate::friction::{Friction, Prediction};
-use crate::sampling::case::Results;
+use crate::sampling::case::{Case, Results};
 use crate::surface::query::NormalLoading;
 use tables::figures::{Axis, Curve, Drawn, Figure, Panel};
 use tables::law::Estimate;
@@ -15,9 +15,44 @@ const MOST_CURVES: usize = 6;
 
 const FRICTION_LABEL: &str = "Friction coefficient μ";
 
-/// Names of the panels; `step` is drawn for a step of the slip rate, `models` in a comparison with models.
-pub const PANELS: [&str; 9] =
-    ["rate", "friction", "static", "slide", "area", "separation", "regimes", "step", "models"];
+/// Names of the panels; `temperature` is drawn where the table states it, `step` for a step of the slip rate, `models`
+/// in a comparison with models.
+pub const PANELS: [&str; 11] = [
+    "rate",
+    "friction",
+    "static",
+    "slide",
+    "area",
+    "separation",
+    "load",
+    "regimes",
+    "temperature",
+    "step",
+    "models",
+];
+
+/// The panels that the figure of a case beside the models `compared` has.
+pub fn panels(case: &Case, compared: &[String]) -> Vec<&'static str> {
+    let drawn = |name: &&str| match *name {
+        "temperature" => states_temperature(case),
+        "step" => case.file.query.rate_step.is_some(),
+        "models" => !compared.is_empty(),
+        _ => true,
+    };
+    PANELS.into_iter().filter(drawn).collect()
+}
+
+/// Whether the law has a temperature in any of its rows: closed forms and some tables have none.
+fn states_temperature(case: &Case) -> bool {
+    let (law, query) = (&case.source.law, &case.file.query);
+    let radius = case.file.surface.asperity_radius.mean();
+    let rows = law.breaks().into_iter().chain([law.interference_limit()]);
+    let states = |interference: f64, rate: f64| {
+        let mean = law.temperature_mean(radius, interference, rate);
+        matches!(mean, Ok(Some(mean)) if mean.value.is_finite())
+    };
+    rows.into_iter().any(|row| query.slip_rates.iter().any(|rate| states(row, *rate)))
+}
 
 /// Friction against slip rate, pressure and slip, real contact area, separation, and the regimes of the
 /// contacts; with models of the literature if there are any.

@@ -236,3 +236,28 @@ fn names_may_be_anything_and_links_are_followed() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("it is not a regular file"));
 }
+
+/// Of the panels that the option names, those that this figure will not have are refused at once.
+#[test]
+fn a_panel_is_refused_before_the_computation_or_drawn() {
+    let folder = Folder::with(SURFACE);
+    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    let predict = "predict surface.toml -o friction.nc --plot f.svg";
+    let panels = "rate, friction, static, slide, area, separation, load, regimes";
+    for (arguments, found) in [
+        ("--table copper --panel step", format!("no panel step: it has {panels}, temperature")),
+        ("--table table.nc --panel temperature", format!("no panel temperature: it has {panels}")),
+        ("--table model:hertz --compare all --panel temperature", format!("it has {panels}, models")),
+    ] {
+        folder.refused(&format!("{predict} {arguments}"), &found);
+        assert!(!folder.path("friction.nc").exists());
+    }
+    let asked = "--panel load --panel temperature --pressure 1e5,1e6 -q";
+    folder.run_well(&format!("{predict} --table copper {asked}"));
+    let figure = folder.read("f.svg");
+    assert!(figure.contains("panel load") && figure.contains("panel temperature"));
+    folder.run_well(&format!("{predict} --table table.nc --panel rate --pressure 1e5,1e6 -q"));
+    let figure = folder.read("f.svg");
+    assert!(figure.contains("1e5 Pa"));
+    assert!(!figure.contains("100000 Pa"));
+}

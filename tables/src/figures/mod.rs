@@ -24,7 +24,7 @@ use axis::Range;
 use canvas::{Anchor, Group, Page};
 pub use field::{Arrow, Colors, Field, above};
 pub use svg::escaped;
-pub use table::PANELS as TABLE_PANELS;
+pub use table::{PANELS as TABLE_PANELS, panels as table_panels};
 
 /// Panels in rows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -165,11 +165,14 @@ impl Figure {
         if names.is_empty() {
             return Ok(self);
         }
-        if let Some(name) = names.iter().find(|name| !self.panels.iter().any(|panel| panel.name == **name)) {
-            let mut panels: Vec<&str> = self.panels.iter().map(|panel| panel.name.as_str()).collect();
-            panels.dedup();
-            return Err(FigureError::Panel { name: name.clone(), panels: panels.join(", ") });
+        let mut panels: Vec<&str> = Vec::new();
+        for panel in &self.panels {
+            // A name may be that of a column of panels.
+            if !panels.contains(&panel.name.as_str()) {
+                panels.push(&panel.name);
+            }
         }
+        Self::check_panels(names, &panels)?;
         self.panels.retain(|panel| names.contains(&panel.name));
         self.panels.iter_mut().for_each(|panel| panel.new_row = false);
         self.title.clear();
@@ -177,6 +180,14 @@ impl Figure {
             panel.title.clear();
         }
         Ok(self)
+    }
+
+    /// Whether a figure of these panels has all that are asked for by `names`: to be checked before a long computation.
+    pub fn check_panels(names: &[String], panels: &[&str]) -> Result<(), FigureError> {
+        match names.iter().find(|name| !panels.contains(&name.as_str())) {
+            Some(name) => Err(FigureError::Panel { name: name.clone(), panels: panels.join(", ") }),
+            None => Ok(()),
+        }
     }
 
     /// Whether `path` has an extension that [`Figure::save`] supports: to be checked before a long

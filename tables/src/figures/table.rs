@@ -26,6 +26,21 @@ pub const PANELS: [&str; 9] = [
     "temperature-map",
 ];
 
+/// The panels that a table of so many interferences and these slip rates (m/s) has.
+pub fn panels(interferences: usize, slip_rates: &[f64]) -> Vec<&'static str> {
+    let has_maps = is_mapped(interferences, slip_rates);
+    PANELS.into_iter().filter(|name| has_maps || !SHOWN.iter().any(|shown| shown.map == *name)).collect()
+}
+
+/// Whether both axes have an extent, of the slip rates on a logarithmic scale.
+fn is_mapped(interferences: usize, slip_rates: &[f64]) -> bool {
+    interferences >= 2 && positive(slip_rates) >= 2
+}
+
+fn positive(slip_rates: &[f64]) -> usize {
+    slip_rates.iter().filter(|rate| **rate > 0.0).count()
+}
+
 /// What a panel shows.
 struct Shown {
     name: &'static str,
@@ -82,8 +97,7 @@ impl Slice {
     /// two positive slip rates, and no maps then); friction along the slide.
     pub fn figure(&self) -> Figure {
         let axes = self.axes();
-        let positive = axes.slip_rate.iter().filter(|rate| **rate > 0.0).count();
-        let mapped = positive >= 2 && axes.interference.len() >= 2;
+        let mapped = is_mapped(axes.interference.len(), &axes.slip_rate);
         let (table, _) = self.with_failed_cells_interpolated();
         let table = table.interpolated();
         let mut panels = Vec::new();
@@ -91,7 +105,7 @@ impl Slice {
             if mapped {
                 panels.push(map(&table, shown));
             }
-            panels.push(self.over(positive >= 2, shown));
+            panels.push(self.over(positive(&axes.slip_rate) >= 2, shown));
         }
         panels.push(self.along_the_slide());
         Figure::new(self.metadata().title.replace("omega_c", "ω_{c}"), panels)

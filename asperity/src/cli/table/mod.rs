@@ -123,7 +123,7 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
         TableCommand::Diff(arguments) => diff::diff(arguments, display),
         TableCommand::Plot { table, output, panel, at } => {
             outputs::check(&[("the table", Path::new(table))], &[(outputs::PLOT, output)])?;
-            let figure = read(table, at)?.figure().only(panel).map_err(Failure::run)?;
+            let figure = read(table, at)?.figure().only(panel).map_err(Failure::input)?;
             figure.save(output).map_err(Failure::run)?;
             printed(output, display)
         }
