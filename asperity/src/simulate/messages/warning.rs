@@ -109,9 +109,8 @@ impl Display for Warning {
             }
             Self::ErrorAboveValue { quantity } => write!(
                 f,
-                "{} is undetermined: its estimated error is larger than its value; where the \
-                 body softens or shears below the interface the deformation localises and no mesh converges, and a \
-                 smaller strength_factor or slip_distance avoids it",
+                "{} is undetermined: its estimated error is larger than its value; where the body softens or shears below the \
+                 interface no mesh converges, and a smaller strength_factor or slip_distance avoids it",
                 quantity.descriptor().name
             ),
             Self::EqualStrength { plateau } => equal_strength(f, *plateau),
