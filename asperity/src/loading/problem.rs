@@ -42,7 +42,7 @@ pub struct Problem {
     pub control: Control,
     pub strength: InterfaceStrength,
     pub strength_factor: f64,
-    /// Speed of shear waves √(G/ρ), over κ/R.
+    /// Speed of shear waves in the asperity itself, over κ/R.
     pub wave_speed: f64,
     /// ρc·(1 K)/σ_Y at T₀; also k·(1 K), as κ = 1.
     pub heat_capacity: f64,
@@ -94,6 +94,7 @@ impl Units {
 
 impl Problem {
     pub fn new(scene: &Scene) -> Self {
+        let wave_speed = wave_speed(&scene.material);
         let scene = &scene.with_combined_modulus();
         let material = &scene.material;
         let body = material.elastic_plastic();
@@ -101,7 +102,6 @@ impl Problem {
         let capacity = material.density * material.specific_heat;
         let diffusivity = material.thermal_conductivity / capacity;
         let heat_capacity = capacity / material.yield_strength;
-        let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
         let counterface = half_space(scene, heat_capacity);
         Self {
             solid: Solid::new(material, scene.loading.temperature),
@@ -114,7 +114,7 @@ impl Problem {
             control: scene.loading.control,
             strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,
-            wave_speed: (shear_modulus / material.density).sqrt() * scene.radius / diffusivity,
+            wave_speed: wave_speed * scene.radius / diffusivity,
             heat_capacity,
             thermal_properties: thermal_properties(material, scene.loading.temperature),
             heat_partition: if counterface.is_some() { 1.0 } else { scene.interface.heat_partition },
@@ -139,6 +139,11 @@ impl Problem {
         // A_c = πRω_c.
         (area * self.critical_interference).sqrt()
     }
+}
+
+/// Speed of shear waves √(G/ρ), m/s.
+pub(crate) fn wave_speed(material: &Material) -> f64 {
+    (0.5 * material.youngs_modulus / ((1.0 + material.poisson_ratio) * material.density)).sqrt()
 }
 
 /// The counterface of a scene, if it conducts, beside an asperity of heat capacity `capacity`, which is k also.

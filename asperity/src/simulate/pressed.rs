@@ -39,6 +39,7 @@ pub(super) struct PressedMesh {
 
 /// Asperity after the press, in full stick: start of slides at any slip rate.
 pub struct Pressed {
+    /// With the combined modulus of asperity and counterface.
     pub(super) scene: Scene,
     pub(super) problem: Problem,
     /// Strain measure, where the scene leaves the choice.
@@ -96,8 +97,8 @@ const ACCURACY_OF_UNLIMITED_SHEAR: f64 = 0.1;
 /// Press on the coarse mesh alone; there the strain measure is decided, where the scene leaves it, and the accuracy
 /// to plan for.
 pub(super) fn press_coarsely(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, SimulationError> {
-    let scene = &scene.with_combined_modulus();
     let mut problem = Problem::new(scene);
+    let scene = &scene.with_combined_modulus();
     let mut numerics = scene.numerics.clone();
     let choose =
         |numerics: &Numerics| Resolution::choose(numerics).for_scatter(numerics, scene.loading.interference);

@@ -5,12 +5,13 @@ use tables::quantity::{Estimate, History, Quantity, Scalars};
 
 use super::ladder::Ladder;
 use super::messages::{Note, Warning};
+use super::pressed::Pressed;
 use super::run::Run;
 use super::runs::Runner;
 use super::{SimulationError, slide_error};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::press::Increment;
-use crate::loading::problem::{Problem, Units};
+use crate::loading::problem::{Problem, Units, wave_speed};
 use crate::loading::recording::Fields;
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
@@ -175,7 +176,10 @@ fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     let exact = |quantity| Estimate::exact(run.values.value(quantity));
     let (friction, radius) = (exact(Quantity::FrictionStatic), exact(Quantity::ContactRadius));
     let slip_rate = runner.conditions.programme.first()?.slip_rate();
-    let time = inception_time(&runner.pressed.scene, slip_rate, friction, radius)?.value;
+    let Pressed { scene, problem, .. } = runner.pressed;
+    // Both bodies are displaced, the wave passes the asperity.
+    let faster = problem.wave_speed * problem.units.speed() / wave_speed(&scene.material);
+    let time = faster * inception_time(scene, slip_rate, friction, radius)?.value;
     (time < SHORTEST_INCEPTION).then_some(Warning::FastInception { time, limit: SHORTEST_INCEPTION })
 }
 

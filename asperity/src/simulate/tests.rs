@@ -90,6 +90,22 @@ fn what_did_not_happen_has_no_numbers() {
     assert!(named(&scene, &simulate(&scene, &Unwatched).unwrap()));
 }
 
+/// The warning of a fast inception has the number that the results have, also beside an elastic counterface.
+#[test]
+fn a_fast_inception_is_stated_once() {
+    let mut scene = hot_scene("copper", 1.0, 10.0, "off");
+    scene.loading.slip_distance = 0.1;
+    (scene.counterface.youngs_modulus, scene.counterface.poisson_ratio) = (Some(200e9), Some(0.3));
+    let outcome = simulate(&scene, &Unwatched).unwrap();
+    let stated = outcome.account.warnings.iter().find_map(|warning| match warning {
+        Warning::FastInception { time, .. } => Some(*time),
+        _ => None,
+    });
+    let of_run = derived::of_run(&scene, &outcome);
+    let (.., time) = of_run.iter().find(|(name, ..)| *name == "inception_time").unwrap();
+    assert!((stated.unwrap() / time.value - 1.0).abs() < 1e-9, "{stated:?} {time:?}");
+}
+
 /// In a hold both bodies exchange heat with hardly any friction: the partition stays that of the slip before.
 #[test]
 fn a_hold_keeps_the_heat_partition_of_the_slip_before() {

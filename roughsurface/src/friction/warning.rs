@@ -6,7 +6,7 @@ use crate::topography::warning;
 use std::fmt;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw};
-use tables::numbers::{digits, plain};
+use tables::numbers::{beside, digits, plain};
 
 /// Pressure or separation and slip rate that a warning is about.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,11 +49,14 @@ pub enum Warning {
     )]
     BeyondFormulae { law: String, limit: f64, share: f64, count: usize, of: usize, without_friction: bool },
     #[error(
-        "{at}: the hottest contacts reach {highest:.0} K, above the melting temperature of {melting:.0} K"
+        "{at}: the hottest contacts reach {} K, above the melting temperature of {} K",
+        beside(*.highest, *.melting, 4),
+        plain(*.melting)
     )]
     AboveMelting { at: Place, highest: f64, melting: f64 },
     #[error(
-        "the table is of a strength that grows with the strain rate: it holds at its own radius; at {radius:e} m friction and load are uncertain by {:.1} % more",
+        "the table is of a strength that grows with the strain rate: it holds at its own radius; at {} m friction and load are uncertain by {:.1} % more",
+        digits(*.radius, 6),
         100.0 * .share
     )]
     StrainRate { radius: f64, share: f64 },
@@ -73,7 +76,8 @@ pub enum Warning {
     #[error("{at}: mu_steady is uncertain by {:.0} %, as slides of the table end before they are steady", 100.0 * .error)]
     SteadyUncertain { at: Place, error: f64 },
     #[error(
-        "{at}: sliding begins within {time:.1} times the time of a shear wave across a contact: below {SHORTEST_INCEPTION}, inertia changes mu_static and G, which are those of a slow onset"
+        "{at}: sliding begins within {} times the time of a shear wave across a contact: below {SHORTEST_INCEPTION}, inertia changes mu_static and G, which are those of a slow onset",
+        beside(*.time, SHORTEST_INCEPTION, 2)
     )]
     FastInception { at: Place, time: f64 },
     #[error(
