@@ -155,7 +155,7 @@ mod tests {
     /// A programme of six steps beside a conducting counterface, at two accuracies, and of seven steps without one.
     #[test]
     fn measured_times_of_programmes_are_within_the_stated_factor() {
-        let contact = "counterface={ preset = \"steel-1045\" }";
+        let contact = "counterface.preset=\"steel-1045\"";
         let seven = "loading.steps=[{ slip_rate = 1e-2, slip_distance = 0.5 }, { slip_rate = 1.0, slip_distance = 1.0 }, \
                      { slip_rate = 1e-2, slip_distance = 0.2 }, { slip_rate = 1.0, slip_distance = 0.5 }, { hold = 1e-3 }, \
                      { slip_rate = 1.0, slip_distance = 0.5 }, { slip_rate = -1.0, slip_distance = 1.0 }]";

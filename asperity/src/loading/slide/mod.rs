@@ -287,11 +287,16 @@ impl<'a> Slide<'a> {
         }
     }
 
-    /// Time in which a shear wave passes the contact: equilibrium has no meaning in a shorter one, and the heat of a contact
-    /// that relaxes at once as the flat stops would enter within it. Of no influence on a slip.
+    /// Shortest increment of a hold: the time in which a shear wave passes the contact. Equilibrium has no meaning in a shorter
+    /// one, and the heat of a contact that relaxes at once as the flat stops would enter within it.
     fn time_of_waves(&self) -> f64 {
+        /// Of the time in which temperatures change: where waves are slower, as of nanometre contacts, it decides.
+        const LARGEST_SHARE: f64 = 0.003;
         match self.motion {
-            Motion::Hold { .. } => (self.last().area / std::f64::consts::PI).sqrt() / self.problem.wave_speed,
+            Motion::Hold { .. } => {
+                let waves = (self.last().area / std::f64::consts::PI).sqrt() / self.problem.wave_speed;
+                waves.min(LARGEST_SHARE * self.time_before.min(self.last().area))
+            }
             Motion::Slip { .. } => 0.0,
         }
     }
