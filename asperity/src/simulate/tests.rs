@@ -349,4 +349,24 @@ fn negligible_heat_is_left_out() {
     assert_eq!(auto.slide, off.slide);
     let rise = auto.scalars[Quantity::TemperatureMax].value - off.scalars[Quantity::TemperatureMax].value;
     assert!(rise > 0.0 && auto.scalars[Quantity::TemperatureMax].error >= rise, "{rise}");
+    // Beside a counterface of five times the conductivity and capacity e/(e + e₂) = k/(k + k₂) = 1/6; of the same capacity
+    // 1/(1 + √5) at first.
+    for (capacity, change) in [(5.0, 0.0), (1.0, 1.0 / (1.0 + 5f64.sqrt()) - 1.0 / 6.0)] {
+        let mut scene = hot_scene("steel-4340", 2.0, 1e-5, "auto");
+        let material = &scene.material;
+        (
+            scene.counterface.thermal_conductivity,
+            scene.counterface.specific_heat,
+            scene.counterface.density,
+        ) = (
+            Some(5.0 * material.thermal_conductivity),
+            Some(capacity * material.specific_heat),
+            Some(material.density),
+        );
+        let partition = simulate(&scene, &Unwatched).unwrap().scalars[Quantity::HeatPartition];
+        assert!(
+            (partition.error - 2.0 / 3f64.sqrt() * change).abs() < 1e-9,
+            "{capacity}: {partition:?} {change}"
+        );
+    }
 }
