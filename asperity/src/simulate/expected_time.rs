@@ -200,5 +200,6 @@ mod tests {
         };
         assert_eq!(time("numerics.accuracy=0.02"), time("numerics.accuracy=0.001"));
         assert_eq!(time("numerics.sectors=16"), 2.0 * time("numerics.sectors=8"));
+        assert_eq!(time("counterface.preset=\"copper\""), CONDUCTION * time("numerics.sectors=4"));
     }
 }
