@@ -26,7 +26,7 @@ pub const PANELS: [&str; 9] = [
     "temperature-map",
 ];
 
-/// The panels that a table of so many interferences and these slip rates (m/s) has.
+/// The panels of a table by its number of interferences and its slip rates (m/s).
 pub fn panels(interferences: usize, slip_rates: &[f64]) -> Vec<&'static str> {
     let has_maps = is_mapped(interferences, slip_rates);
     PANELS.into_iter().filter(|name| has_maps || !SHOWN.iter().any(|shown| shown.map == *name)).collect()

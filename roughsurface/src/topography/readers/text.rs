@@ -152,7 +152,7 @@ impl Header {
         }
     }
 
-    /// What is said of so many columns, the last of which are heights.
+    /// Titles and units of the columns; the last one holds the heights.
     fn columns(&self, count: usize) -> Vec<Column> {
         let mut columns = self.titles.columns(count);
         if let (Some(heights), Some(unit)) = (columns.last_mut(), self.unit) {

@@ -58,7 +58,7 @@ impl Titles {
         }
     }
 
-    /// What is said of so many columns, by the last of the lines that fit them.
+    /// Titles and units of `count` columns, by the last of the lines that have as many cells.
     pub fn columns(&self, count: usize) -> Vec<Column> {
         let mut columns = vec![Column::default(); count];
         if let Some(unit) = &self.of_all {
