@@ -15,15 +15,19 @@ Example:
   Sliding friction of 500 specimens with 1000 asperities each:
     roughsurface sample surface.toml --table table.nc --asperities 1000 --realizations 500 --seed 7 -o mc.nc";
 
+/// Most asperities of a surface and most surfaces, so that they fit into memory.
+const MOST_ASPERITIES: i64 = 100_000_000;
+const MOST_SURFACES: i64 = 1_000_000;
+
 #[derive(Args)]
 pub struct Sample {
     #[command(flatten)]
     input: InputOptions,
     /// Asperities of one surface, in contact or not
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=MOST_ASPERITIES))]
     asperities: u32,
     /// Surfaces to draw
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(2..))]
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(2..=MOST_SURFACES))]
     realizations: u32,
     /// Seed of the heights: the same seed, the same surfaces
     #[arg(long, value_name = "S", allow_negative_numbers = true, default_value_t = 1)]

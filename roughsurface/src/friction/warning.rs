@@ -100,6 +100,12 @@ pub enum Warning {
     Implausible(String),
     #[error("topography: {0}")]
     Topography(warning::Warning),
+    #[error(
+        "{key} = {} in [material] is not used: the constants are those of the table, {}; [material] is that of closed forms",
+        plain(*.stated),
+        plain(*.of_table)
+    )]
+    MaterialUnused { key: &'static str, stated: f64, of_table: f64 },
     #[error("cells without results, interpolated around: {}", .cells.join("; "))]
     CellsInterpolated { cells: Vec<String> },
     #[error(

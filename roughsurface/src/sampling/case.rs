@@ -13,6 +13,7 @@ use crate::surface::file::{SurfaceFile, SurfaceFileError};
 use crate::surface::query::{NormalLoading, Query};
 use crate::topography::characterize::Characterization;
 use crate::topography::report;
+use tables::closed_forms::ElasticPlastic;
 use tables::netcdf::input::Override;
 use tables::quantity::plausible::remarks;
 
@@ -81,6 +82,7 @@ impl Case {
             heights.and_then(toml::Value::as_table_mut).map(|heights| heights.insert("std".into(), std));
         }
         warnings.extend(remarks(&sections).into_iter().map(Warning::Implausible));
+        warnings.extend(self.unused_material());
         warnings.extend(self.strain_rate());
         let cells = &self.source.interpolated_cells;
         if !cells.is_empty() {
@@ -114,6 +116,24 @@ impl Case {
             defaults.push(format!("tolerance = {:e}", settings.tolerance));
         }
         defaults
+    }
+
+    /// Constants of the surface file that a table has other values of.
+    fn unused_material(&self) -> Vec<Warning> {
+        const ROUNDING: f64 = 0.01;
+        let constants = |of: &ElasticPlastic| {
+            [
+                ("youngs_modulus", of.youngs_modulus),
+                ("poisson_ratio", of.poisson_ratio),
+                ("yield_strength", of.yield_strength),
+            ]
+        };
+        let Some(stated) = &self.file.material else { return Vec::new() };
+        let pairs = constants(stated).into_iter().zip(constants(&self.source.material));
+        pairs
+            .filter(|((_, stated), (_, of_table))| (stated - of_table).abs() > ROUNDING * of_table)
+            .map(|((key, stated), (_, of_table))| Warning::MaterialUnused { key, stated, of_table })
+            .collect()
     }
 
     /// Of the radius at which the law is most uncertain, where that counts.

@@ -7,6 +7,9 @@ use super::warning::Warning;
 /// Lengths (m) above which a rough surface was hardly measured: those of machined ones are micrometres.
 const LONG: f64 = 1e-3;
 
+/// Root mean square heights (m) below which none was measured: a tenth of an atom.
+const SHORT: f64 = 1e-11;
+
 /// Standard deviations of a spike; one of 1e15 Gaussian heights lies beyond.
 const SPIKE: f64 = 8.0;
 
@@ -14,9 +17,12 @@ const SPIKE: f64 = 8.0;
 /// of Hurst exponents from 0.3 to 1 and roll-offs up to twice their size.
 const FORM: f64 = 0.7;
 
-/// A warning if heights or distances look like micrometres: that no unit was stated, or that it may be another one.
-pub(super) fn micrometres(topography: &Topography) -> Option<Warning> {
+/// A warning if heights or distances are those of another unit: of micrometres read as metres where none was stated.
+pub(super) fn units(topography: &Topography) -> Option<Warning> {
     let (rms, pixel) = (mean_square_about_mean(&topography.heights).sqrt(), topography.pixel());
+    if rms < SHORT {
+        return Some(Warning::Short { rms });
+    }
     (rms.max(pixel) > LONG).then_some(match topography.remarks.contains(&Warning::NoUnit) {
         true => Warning::Micrometres { rms, pixel },
         false => Warning::Long { rms, pixel },
@@ -99,7 +105,7 @@ mod tests {
     #[test]
     fn spikes_form_and_units_are_noticed_where_they_are() {
         let map = SelfAffine::default().quarter(1);
-        for warning in [micrometres, seems_periodic, spikes, form].map(|doubt| doubt(&map)) {
+        for warning in [units, seems_periodic, spikes, form].map(|doubt| doubt(&map)) {
             assert_eq!(warning, None);
         }
         let mut spiked = map.clone();
@@ -119,8 +125,8 @@ mod tests {
             let step = lengths * map.row_step;
             Topography::map((map.rows, step), (map.columns, step), scaled)
         };
-        for (lengths, heights) in [(1e6, 1e6), (1.0, 1e6), (1e6, 1.0)] {
-            assert!(micrometres(&scaled(lengths, heights)).is_some());
+        for (lengths, heights) in [(1e6, 1e6), (1.0, 1e6), (1e6, 1.0), (1.0, 1e-6)] {
+            assert!(units(&scaled(lengths, heights)).is_some());
         }
     }
 

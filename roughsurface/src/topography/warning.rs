@@ -23,6 +23,8 @@ pub enum Warning {
          positions those of the file?"
     )]
     Long { rms: f64, pixel: f64 },
+    #[error("heights of {rms:.1e} m rms are shorter than atoms: is the unit of heights that of the file?")]
+    Short { rms: f64 },
     #[error(
         "positions are whole numbers, one unit apart: if they count the points, --pixel gives their distance"
     )]

@@ -50,6 +50,19 @@ fn a_table_of_slides_at_held_load_is_refused() {
     assert!(!folder.path("f.nc").exists());
 }
 
+/// A table has the constants that it was made with.
+#[test]
+fn constants_that_a_table_has_other_values_of_are_named() {
+    let folder = Folder::with(&SHARP.replace("separation = -1e-3", "separation = 0"));
+    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    let predict = "predict surface.toml --table table.nc -o f.nc";
+    assert!(!stderr(&folder.run(predict)).contains("[material]"));
+    let other = format!("{predict} --set material.yield_strength=1e9");
+    let said = stderr(&folder.run(&other));
+    assert!(said.contains("yield_strength = 1e9 in [material] is not used"), "{said}");
+    assert!(!said.contains("poisson_ratio"), "{said}");
+}
+
 /// Files of heights have no key that states their size or their decimal sign.
 #[test]
 fn heights_in_other_units_or_with_decimal_commas_are_noticed() {

@@ -12,13 +12,16 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// A set of at least two different finite heights (m).
+    /// A set of at least two different finite heights (m), beyond the rounding of their mean.
     pub fn new(mut heights: Vec<f64>) -> Option<Self> {
+        const ROUNDING: f64 = 1e-12;
         heights.sort_unstable_by(|one, other| other.total_cmp(one));
         let count = heights.len() as f64;
         let mean = heights.iter().sum::<f64>() / count;
         let variance = heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / count;
-        (variance > 0.0 && variance.is_finite()).then_some(Self { heights, std: variance.sqrt() })
+        let highest = heights.iter().fold(0.0, |highest: f64, z| highest.max(z.abs()));
+        (variance.sqrt() > ROUNDING * highest && variance.is_finite())
+            .then_some(Self { heights, std: variance.sqrt() })
     }
 
     /// Any finite heights (m), be they one or none: a part of a set, never searched by itself.

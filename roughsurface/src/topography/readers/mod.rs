@@ -68,7 +68,7 @@ pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyErro
 /// Heights that do not come from a file, checked like those of a file: undefined points are filled in.
 pub fn checked(mut topography: Topography) -> Result<Topography, String> {
     check(&mut topography)?;
-    if let Some(warning) = plausibility::micrometres(&topography) {
+    if let Some(warning) = plausibility::units(&topography) {
         topography.remarks.retain(|remark| *remark != Warning::NoUnit);
         topography.remarks.push(warning);
     }

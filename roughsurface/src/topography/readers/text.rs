@@ -12,6 +12,7 @@ use super::units::{units_of_columns, unknown_unit};
 use crate::surface::text::Commas;
 use crate::topography::Topography;
 use crate::topography::warning::Warning;
+use tables::numbers::plain;
 
 pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String> {
     // Spreadsheets begin with a byte order mark.
@@ -51,8 +52,16 @@ fn matrix(
     mut remarks: Vec<Warning>,
 ) -> Result<Topography, String> {
     let (rows, columns) = (lines.len(), lines[0].len());
-    let (row_step, column_step) = match (reading.pixel, header.width, header.height) {
-        (None, Some(width), Some(height)) => (height / rows as f64, width / columns as f64),
+    if has_axes(lines) {
+        return Err(
+            "its first row and first column are evenly spaced and their common cell is empty: positions, \
+             not heights; leave them out and give their distance with --pixel LENGTH"
+                .into(),
+        );
+    }
+    let (row_step, column_step) = match (reading.pixel, header.width.zip(header.height)) {
+        (Some(_), Some(_)) => return Err("states its width and height; leave out --pixel".into()),
+        (None, Some((width, height))) => (height / rows as f64, width / columns as f64),
         _ => (reading.pixel()?, reading.pixel()?),
     };
     let stated = match (header.unit, header.titles.of_matrix()) {
@@ -62,10 +71,24 @@ fn matrix(
         }
         _ => None,
     };
+    if stated.is_some_and(|stated| reading.unit.is_some_and(|given| given != stated)) {
+        return Err("states another unit of its heights; leave out --unit".into());
+    }
     let unit = reading.unit(stated, &mut remarks);
     let heights = lines.iter().flatten().map(|height| unit * height).collect();
     let map = Topography::map((rows, row_step), (columns, column_step), heights);
     Ok(Topography { remarks, ..map })
+}
+
+/// Whether a matrix has positions in its first row and column, and nothing in the cell of both, as spreadsheets
+/// export it.
+fn has_axes(lines: &[Vec<f64>]) -> bool {
+    let even = |positions: &[f64]| {
+        let step = positions[1] - positions[0];
+        step != 0.0 && positions.windows(2).all(|pair| (pair[1] - pair[0] - step).abs() <= EVEN * step.abs())
+    };
+    let column: Vec<f64> = lines.iter().skip(1).map(|line| line[0]).collect();
+    lines[0][0].is_nan() && column.len() > 1 && even(&lines[0][1..]) && even(&column)
 }
 
 /// What of a line is not a comment, and the comment.
@@ -82,6 +105,12 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
         // Titles and their units are before the first number.
         header.take(comment.trim_start_matches(['#', '%', ' ']), lines.is_empty());
         let with_points = if decimal_commas { content.replace(',', ".") } else { content.to_owned() };
+        if with_points.contains(';') && with_points.contains(',') {
+            return Err(format!(
+                "line {}: has commas and semicolons: where commas separate thousands, write numbers without them",
+                index + 1
+            ));
+        }
         let words = words(&with_points);
         // Titles of the columns, before the first number.
         if lines.is_empty() && !words.is_empty() && words.iter().all(|word| number(word).is_none()) {
@@ -170,7 +199,17 @@ fn grid(x: &[f64], y: &[f64], z: &[f64], remarks: Vec<Warning>) -> Result<Topogr
     let mut heights = vec![f64::NAN; rows * columns];
     for ((x, y), z) in x.iter().zip(y).zip(z) {
         let place = |value: f64, from: f64, step: f64| ((value - from) / step).round() as usize;
-        heights[place(*y, y_from, y_step) * columns + place(*x, x_from, x_step)] = *z;
+        let height = &mut heights[place(*y, y_from, y_step) * columns + place(*x, x_from, x_step)];
+        if !height.is_nan() && !z.is_nan() && *height != *z {
+            return Err(format!(
+                "two points at x = {} m, y = {} m have different heights: each position may appear once",
+                plain(*x),
+                plain(*y)
+            ));
+        }
+        if !z.is_nan() {
+            *height = *z;
+        }
     }
     Ok(Topography { remarks, ..Topography::map((rows, y_step), (columns, x_step), heights) })
 }
@@ -214,6 +253,9 @@ mod tests {
         assert_eq!(map.heights, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
         let hole = read("0 0 1\n2 0 3\n1 0 2\n0 1 4\n2 1 6\n").unwrap();
         assert!(hole.heights[4].is_nan());
+        assert_eq!(read("0 0 1\n1 0 2\n0 1 4\n1 1 5\n0 0 1\n").unwrap().heights, [1.0, 2.0, 4.0, 5.0]);
+        let twice = read("0 0 1\n1 0 2\n0 1 4\n1 1 5\n1 0 3\n").unwrap_err();
+        assert!(twice.contains("x = 1 m, y = 0 m"), "{twice}");
         assert!(read("0 0 1\n1 0 2\n3 0 3\n0 1 4\n1 1 5\n3 1 6\n").unwrap_err().contains("x is not evenly"));
     }
 
@@ -250,6 +292,23 @@ mod tests {
         let map = read(&format!("{gwyddion}{text}")).unwrap();
         assert!((map.column_step - 2e-6).abs() < 1e-18 && (map.row_step - 1.5e-6).abs() < 1e-18);
         assert!((map.heights[0] - 1e-9).abs() < 1e-22 && map.remarks.is_empty());
+        for (unit, pixel, refused) in [(Some(1e-6), None, "--unit"), (None, Some(2e-6), "--pixel")] {
+            let error = parse(&format!("{gwyddion}{text}"), &Reading { unit, pixel }).unwrap_err();
+            assert!(error.contains(&format!("leave out {refused}")), "{error}");
+        }
+        let same = parse(&format!("{gwyddion}{text}"), &Reading { unit: Some(1e-9), pixel: None }).unwrap();
+        assert_eq!(same.heights[..7], map.heights[..7]);
+    }
+
+    #[test]
+    fn positions_beside_a_matrix_are_no_heights() {
+        let reading = Reading { unit: Some(1.0), pixel: Some(1.0) };
+        let spreadsheet = ",0,2,4,6\n0,1,3,2,5\n2,4,4,1,3\n4,2,2,6,1\n";
+        assert!(parse(spreadsheet, &reading).unwrap_err().contains("positions, not heights"));
+        // A plane is even too, but whole; a missing corner is that of a rough surface.
+        for heights in ["0,2,4,6\n2,4,6,8\n4,6,8,10\n", ",0.1,4,6\n0,1,3,2\n2,4,4,1\n"] {
+            assert_eq!(parse(heights, &reading).unwrap().columns, 4, "{heights}");
+        }
     }
 
     #[test]
@@ -282,6 +341,8 @@ mod tests {
         }
         assert_eq!(heights("1.5,2.5 3.5,4.5").0, [1.5, 2.5, 3.5, 4.5]);
         assert!(heights("1,,2,3").0[1].is_nan());
+        let thousands = parse("5,000.5;4,000;3,000;2,000\n", &Reading::default()).unwrap_err();
+        assert!(thousands.contains("thousands"), "{thousands}");
         let titled = read("\u{feff}x [um]; z [um]\n0,0; 1,5\n0,1; 2,5\n0,2; 3,5\n").unwrap();
         assert!((titled.column_step - 1e-7).abs() < 1e-18 && (titled.heights[1] - 2.5e-6).abs() < 1e-18);
         // A single column with decimal commas is two columns by its letters.
