@@ -70,6 +70,19 @@ impl FrictionLaw {
         }
     }
 
+    /// τ_0 (Pa) and α of a limit τ_0 + αp at `temperature`, K.
+    pub(crate) fn film(&self, temperature: f64) -> Option<(f64, f64)> {
+        match *self {
+            _ if !self.has_friction() => None,
+            Self::Coulomb { friction, .. } => Some((0.0, friction)),
+            Self::BriscoeTabor { film_strength, pressure_coefficient, .. } => {
+                let factor = self.softening_factor(temperature);
+                Some((factor * film_strength, factor * pressure_coefficient))
+            }
+            Self::ShearStrength | Self::FullStick | Self::Frictionless => None,
+        }
+    }
+
     /// Whether the interface may be as strong as the body below it, which then shears.
     pub(crate) fn as_strong_as_bulk(&self) -> bool {
         matches!(self, Self::ShearStrength | Self::FullStick)

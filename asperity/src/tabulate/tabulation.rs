@@ -131,6 +131,26 @@ impl Tabulation {
         self.shard.map_or(String::new(), |shard| shard.to_string())
     }
 
+    fn title(&self) -> String {
+        let (interferences, slip_rates) = (&self.interferences, &self.slip_rates);
+        let temperatures = match &self.request.temperatures[..] {
+            [from, .., to] => {
+                format!("{} initial temperatures from {from} to {to} K, ", self.request.temperatures.len())
+            }
+            _ => String::new(),
+        };
+        format!(
+            "Friction of one asperity, {temperatures}{} interferences from {} to {} omega_c, \
+                 {} slip rates from {} to {} m/s",
+            interferences.len(),
+            interferences[0],
+            interferences[interferences.len() - 1],
+            slip_rates.len(),
+            slip_rates[0],
+            slip_rates[slip_rates.len() - 1],
+        )
+    }
+
     fn metadata(&self, scene: &Scene) -> Metadata {
         let combined = scene.with_combined_modulus();
         let (material, interface) = (&combined.material, &scene.interface);
@@ -139,24 +159,11 @@ impl Tabulation {
             Rate::JohnsonCook { coefficient, reference } => (Some(coefficient), Some(reference)),
         };
         let body = material.elastic_plastic();
-        let (interferences, slip_rates) = (&self.interferences, &self.slip_rates);
-        let temperatures = match &self.request.temperatures[..] {
-            [from, .., to] => {
-                format!("{} initial temperatures from {from} to {to} K, ", self.request.temperatures.len())
-            }
-            _ => String::new(),
-        };
+        let law = &interface.law;
+        let has_strength = law.is_material_strength() || law.has_cap();
+        let film = law.film(scene.loading.temperature);
         Metadata {
-            title: format!(
-                "Friction of one asperity, {temperatures}{} interferences from {} to {} omega_c, \
-                 {} slip rates from {} to {} m/s",
-                interferences.len(),
-                interferences[0],
-                interferences[interferences.len() - 1],
-                slip_rates.len(),
-                slip_rates[0],
-                slip_rates[slip_rates.len() - 1],
-            ),
+            title: self.title(),
             history: String::new(),
             source: SOURCE.into(),
             fingerprint: FINGERPRINT.into(),
@@ -168,7 +175,9 @@ impl Tabulation {
             contact_modulus: body.contact_modulus(),
             poisson_ratio: material.poisson_ratio,
             yield_strength: material.yield_strength,
-            strength_factor: interface.law.is_material_strength().then_some(interface.strength_factor),
+            strength_factor: has_strength.then_some(interface.strength_factor),
+            film_strength: film.map(|(strength, _)| strength),
+            pressure_coefficient: film.map(|(_, coefficient)| coefficient),
             rate_coefficient,
             rate_reference,
             temperature: scene.loading.temperature,

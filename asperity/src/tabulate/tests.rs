@@ -185,7 +185,7 @@ fn table_has_every_cell_and_says_which_failed() {
     assert!(matches!(table.status(1, 2), Status::Failed(reason) if reason.contains("did not converge")));
     let metadata = table.metadata();
     assert_eq!(metadata.asperity_radius, 1e-3);
-    assert_eq!(metadata.strength_factor, Some(1.0));
+    assert_eq!((metadata.strength_factor, metadata.film_strength), (Some(1.0), None));
     assert!(metadata.comment.contains("of one cell [1 omega_c at 0.1 m/s]"));
     assert_eq!(parse_request(&metadata.scene, "attribute", &[]).unwrap(), request(GRID));
     let hot = whole(TEMPERATURES, &Fake::default(), 1);

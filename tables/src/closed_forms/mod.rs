@@ -15,6 +15,7 @@ pub mod jackson_green;
 pub mod kogut_etsion;
 mod model;
 pub mod partial_slip;
+pub mod shear_limit;
 
 pub use elastic_plastic::ElasticPlastic;
 pub use model::{ClosedForm, NAMES, UnknownClosedForm, closed_form};

@@ -72,6 +72,9 @@ pub mod constant_shear {
 /// With u_s = 3μP/(16G*a): Q = μP(1 − (1 − u/u_s)^{3/2}), c/a = (1 − u/u_s)^{1/2}.
 /// C. Cattaneo (1938); R. D. Mindlin, J. Appl. Mech. 16, 259 (1949), doi 10.1115/1.4009973.
 pub mod mindlin {
+    /// Frictional dissipation up to gross slip, over μP·u_s: work 3/5, elastic energy 2/5.
+    pub const DISSIPATED_AT_GROSS_SLIP: f64 = 0.2;
+
     /// u_s = 3μP/(16G*a), m: displacement at which the last point slips.
     pub fn gross_slip_displacement(friction: f64, load: f64, g_star: f64, contact_radius: f64) -> f64 {
         3.0 * friction * load / (16.0 * g_star * contact_radius)

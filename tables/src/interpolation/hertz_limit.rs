@@ -1,7 +1,7 @@
 //! Extrapolation towards the Hertz limit, below the first interference ω₁ of a table.
 //!
 //! The elastic sphere has Hertz's load P, the area A = πRω, and the friction force Q of partial slip under the
-//! constant shear strength τ_c = f_τσ_Y/√3 of the initial temperature. So that the response is continuous at ω₁,
+//! [`ShearLimit`] of the interface at the initial temperature. So that the response is continuous at ω₁,
 //! each of the three is multiplied by a power of the ratio of the first row to the elastic sphere:
 //!
 //! x(ω) = x_el(ω)·(x₁/x_el(ω₁))^w
@@ -12,12 +12,12 @@
 //!   (1968), doi 10.1098/rspa.1968.0105). Softening by heat changes Q/A; it is in proportion to the contact radius,
 //!   and w = √(ω/ω₁) for Q/A.
 //!
-//! The temperature rise is in proportion to the contact radius. If the law of the interface has no shear strength, Q/P
-//! has the value of the first row.
+//! The temperature rise is in proportion to the contact radius. If the interface has no limit of the shear traction, or
+//! the table does not state it, Q/P has the value of the first row.
 
 use super::nodes::{COEFFICIENT, Errors, FIELDS, Field, Values};
 use crate::closed_forms::hertz;
-use crate::closed_forms::partial_slip::constant_shear;
+use crate::closed_forms::shear_limit::{GrossSlip, ShearLimit};
 use crate::table::Metadata;
 
 /// Friction-induced uplift: relative decrease of P and A of a sliding light contact, over f_τ²·ω_c/ω. Fitted to the
@@ -39,10 +39,9 @@ pub(super) struct ElasticSphere {
     contact_modulus: f64,
     /// G* = G/(2−ν), Pa.
     tangential_modulus: f64,
-    /// τ_c, Pa.
-    shear_strength: Option<f64>,
-    /// f_τ.
-    strength_factor: Option<f64>,
+    shear_limit: Option<ShearLimit>,
+    /// σ_Y/√3, Pa.
+    shear_strength: f64,
 }
 
 impl ElasticSphere {
@@ -54,10 +53,15 @@ impl ElasticSphere {
             contact_modulus: metadata.contact_modulus,
             // G/(2−ν) with E = E*(1−ν²).
             tangential_modulus: metadata.contact_modulus * (1.0 - nu) / (2.0 * (2.0 - nu)),
-            shear_strength: (metadata.strength_factor)
-                .map(|factor| factor * metadata.yield_strength / 3f64.sqrt()),
-            strength_factor: metadata.strength_factor,
+            shear_limit: metadata.shear_limit(),
+            shear_strength: metadata.yield_strength / 3f64.sqrt(),
         }
+    }
+
+    /// Gross slip, where the shear traction has a limit.
+    fn gross_slip(&self, interference: f64) -> Option<GrossSlip> {
+        let peak = 1.5 * self.load(interference) / self.area(interference);
+        Some(self.shear_limit?.gross_slip(peak))
     }
 
     /// a, m, at ω/ω_c.
@@ -78,34 +82,34 @@ impl ElasticSphere {
 
     /// Q, N, after the slip s = `slip`·a.
     fn friction(&self, interference: f64, slip: f64) -> Option<f64> {
-        let strength = self.shear_strength?;
-        let gross = constant_shear::gross_slip_displacement(strength, self.tangential_modulus, 1.0);
-        let mobilised = constant_shear::force_fraction(slip / gross);
-        Some(strength * self.area(interference) * mobilised)
+        let sliding = self.gross_slip(interference)?;
+        let mobilised = sliding.force_fraction(slip / sliding.displacement(self.tangential_modulus, 1.0));
+        Some(sliding.mean * self.area(interference) * mobilised)
     }
 
     /// Q of gross slip, N.
     pub(super) fn sliding_friction(&self, interference: f64) -> Option<f64> {
-        Some(self.shear_strength? * self.area(interference))
+        Some(self.gross_slip(interference)?.mean * self.area(interference))
     }
 
     /// Slip at which the last point slips, m.
     pub(super) fn inception_slip(&self, interference: f64) -> Option<f64> {
         let a = self.contact_radius(interference);
-        let strength = self.shear_strength?;
-        Some(constant_shear::gross_slip_displacement(strength, self.tangential_modulus, a))
+        Some(self.gross_slip(interference)?.displacement(self.tangential_modulus, a))
     }
 
     /// Frictional dissipation up to gross slip per area, J/m².
     pub(super) fn energy_release(&self, interference: f64) -> Option<f64> {
-        let (_, _, dissipated) = constant_shear::energies_at_gross_slip();
-        Some(self.shear_strength? * self.inception_slip(interference)? * dissipated)
+        let sliding = self.gross_slip(interference)?;
+        Some(sliding.mean * self.inception_slip(interference)? * sliding.dissipated())
     }
 
     /// Relative uncertainty of P and A by friction-induced uplift, of which the first row has that at ω₁.
     pub(super) fn uplift_uncertainty(&self, below: BelowFirstRow) -> f64 {
-        let Some(factor) = self.strength_factor else { return 0.0 };
-        let uplift = |interference: f64| UPLIFT * factor * factor / interference;
+        let uplift = |interference: f64| {
+            let factor = self.gross_slip(interference).map_or(0.0, |slip| slip.mean / self.shear_strength);
+            UPLIFT * factor * factor / interference
+        };
         (uplift(below.interference()) - uplift(below.first_row)).min(1.0)
     }
 

@@ -174,7 +174,10 @@ impl Content {
             metadata.gap_conductance,
             optional(metadata.interpolation_tolerance),
         ]);
-        // Files without a rate law keep their checksum.
+        // Files without a film or a rate law keep their checksum.
+        if metadata.film_strength.is_some() {
+            self.reals(&[optional(metadata.film_strength), optional(metadata.pressure_coefficient)]);
+        }
         if metadata.rate_coefficient.is_some() {
             self.reals(&[optional(metadata.rate_coefficient), optional(metadata.rate_reference)]);
         }

@@ -54,8 +54,10 @@ pub(super) const TEXT_ATTRIBUTES: [TextAttribute; 8] = [
 /// A number of the metadata that need not be there.
 pub(super) type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Option<f64>);
 
-pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 4] = [
+pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 6] = [
     ("strength_factor", |m| &mut m.strength_factor),
+    ("film_strength", |m| &mut m.film_strength),
+    ("pressure_coefficient", |m| &mut m.pressure_coefficient),
     ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
     ("rate_coefficient", |m| &mut m.rate_coefficient),
     ("rate_reference", |m| &mut m.rate_reference),

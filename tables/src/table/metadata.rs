@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::FractureEnergy;
+use crate::closed_forms::shear_limit::ShearLimit;
 
 /// Origin and constants of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,8 +32,12 @@ pub struct Metadata {
     pub poisson_ratio: f64,
     /// σ_Y at the initial temperature, Pa.
     pub yield_strength: f64,
-    /// f_τ; none where the law has no shear strength (Coulomb, full stick, frictionless).
+    /// f_τ; none where the strength of the material does not limit the shear traction.
     pub strength_factor: Option<f64>,
+    /// τ₀ of a film at the initial temperature, Pa, 0 of Coulomb's law; none of other laws.
+    pub film_strength: Option<f64>,
+    /// α of a film, or the coefficient of Coulomb's law.
+    pub pressure_coefficient: Option<f64>,
     /// C of the growth 1 + C ln(ε̇/ε̇₀) of the strength with the strain rate; none without. Results at another radius
     /// are then uncertain by it.
     pub rate_coefficient: Option<f64>,
@@ -54,6 +59,18 @@ pub struct Metadata {
 }
 
 impl Metadata {
+    /// Limit of the shear traction at the initial temperature; none in full stick, without friction, and where the file does
+    /// not state it.
+    pub fn shear_limit(&self) -> Option<ShearLimit> {
+        let cap = self.strength_factor.map(|factor| factor * self.yield_strength / 3f64.sqrt());
+        match (self.film_strength, self.pressure_coefficient) {
+            (Some(film), Some(coefficient)) => {
+                Some(ShearLimit { film, coefficient, cap: cap.unwrap_or(f64::INFINITY) })
+            }
+            _ => cap.map(ShearLimit::constant),
+        }
+    }
+
     /// The body on the other side in words.
     pub fn counterface_in_words(&self) -> String {
         match self.counterface.as_str() {

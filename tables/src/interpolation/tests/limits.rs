@@ -85,6 +85,42 @@ fn scalars_below_the_first_row_are_elastic() {
     assert!((hot.unwrap().value - BASE).abs() < 0.1);
 }
 
+/// A film shears at its own strength under any load: Q/A stays, Q/P rises as P/A falls. The first row has 0.9 of the
+/// pressure of Hertz, so that friction that depends on it is not exactly that of the sphere.
+#[test]
+fn a_film_shears_at_its_own_strength_below_the_first_row() {
+    let film = 25e6;
+    for (coefficient, tolerance) in [(0.0, 1e-12), (0.06, 0.01)] {
+        let table = changed(|slice| {
+            for (row, rate) in slice.grid().collect::<Vec<_>>() {
+                let cell = slice.cell(row, rate).unwrap().clone();
+                let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| cell[quantity].value);
+                let friction = film * area + coefficient * load;
+                let history = vec![friction; slice.axes().slip.len()];
+                let cell = (cell.with(Quantity::Friction, friction, 0.0))
+                    .with(Quantity::Mu, friction / load, 0.0)
+                    .with_history(Quantity::Friction, history);
+                slice.set_cell(row, rate, cell).unwrap();
+            }
+            let metadata = slice.metadata().clone();
+            slice.set_metadata(Metadata {
+                film_strength: Some(film),
+                pressure_coefficient: Some(coefficient),
+                strength_factor: None,
+                ..metadata
+            });
+        });
+        for omega in [0.4, 0.1, 0.01] {
+            let state = table.response(RADIUS, omega, 0.0, 1e-3).unwrap();
+            let expected = film * state.area.value + coefficient * state.load.value;
+            let off = relative(state.friction.value, expected);
+            assert!(off < tolerance, "{coefficient}, {omega}: {off}");
+            let mu = table.estimate(Quantity::Mu, RADIUS, omega, 0.0).unwrap();
+            assert!(relative(mu.value, expected / state.load.value) < tolerance, "{omega}: {mu:?}");
+        }
+    }
+}
+
 #[test]
 fn the_isothermal_limit_is_that_of_the_table() {
     let table = table();
