@@ -83,11 +83,6 @@ impl FrictionLaw {
         }
     }
 
-    /// Whether the interface may be as strong as the body below it, which then shears.
-    pub(crate) fn as_strong_as_bulk(&self) -> bool {
-        matches!(self, Self::ShearStrength | Self::FullStick)
-    }
-
     /// Factor on the strength of a film, 1 for other laws; T in K.
     pub(crate) fn softening_factor(&self, temperature: f64) -> f64 {
         match self {

@@ -1,6 +1,7 @@
 //! What is worth knowing about a scene before it is run: implausible values, strengths that make the result depend on
 //! the mesh, defaults in effect.
 
+use tables::closed_forms::hertz::yield_coefficient;
 use tables::numbers::{digits, plain};
 use tables::quantity::plausible;
 use toml::{Table, Value};
@@ -84,20 +85,40 @@ impl Scene {
     /// Body and interface are equally strong, and the body does not harden.
     fn equal_strength(&self) -> Option<String> {
         let perfect = self.material.hardening.plateau() == f64::INFINITY;
+        let law = &self.interface.law;
+        let weaker = match law.has_cap() || law.film(self.loading.temperature).is_none() {
+            true => "[interface] strength_factor below 1",
+            false => "an interface weaker than the material",
+        };
         (perfect && self.interface_as_strong()).then(|| {
             let modulus = digits(MODULUS_SUGGESTED * self.material.yield_strength, 1);
             format!(
                 "the material does not harden and the interface is as strong as the material: shear may localise in \
                  one layer of elements, mu then follows the mesh and is accurate to 10 % at best; give [material] \
                  hardening = {{ law = \"linear\", modulus = {modulus} }} (Pa; a plausible value for this yield \
-                 strength), or [interface] strength_factor below 1"
+                 strength), or {weaker}"
             )
         })
     }
 
-    /// Whether the interface is as strong as the body below it, which then shears.
+    /// Whether the interface is as strong as the body below it, which then shears: at the highest pressure, that of Hertz
+    /// or the hardness of 3σ_Y (Tabor 1951), where its strength depends on it.
     pub(crate) fn interface_as_strong(&self) -> bool {
-        self.interface.law.as_strong_as_bulk() && self.interface.strength_factor >= 1.0
+        const HARDNESS: f64 = 3.0;
+        let Interface { ref law, strength_factor, .. } = self.interface;
+        let body = self.material.elastic_plastic().shear_strength();
+        let of_metal = strength_factor * body;
+        let limit = match law.film(self.loading.temperature) {
+            Some((film, coefficient)) => {
+                let elastic =
+                    yield_coefficient(self.material.poisson_ratio) * self.loading.interference.sqrt();
+                let limit = film + coefficient * elastic.min(HARDNESS) * self.material.yield_strength;
+                if law.has_cap() { limit.min(of_metal) } else { limit }
+            }
+            None if law.has_friction() => of_metal,
+            None => 0.0,
+        };
+        limit >= body
     }
 
     /// Bounds of the errors where shear localises in one layer of elements under the interface at the plastic strain of a contact
@@ -282,6 +303,33 @@ mod tests {
             );
         }
         assert!(scene_with(&["interface.strength_factor=0.9"]).localised_shear(0.01).is_none());
+    }
+
+    /// A film of 10 GPa with the strength of the metal as its limit is that strength; Coulomb's law reaches it where the
+    /// pressure is high enough.
+    #[test]
+    fn other_laws_are_as_strong_as_the_body_where_their_limit_is() {
+        let strong = |law: &[String], interference: f64| {
+            let law = law.iter().map(String::as_str);
+            let at = format!("loading.interference={interference}");
+            scene_with(&law.chain([&*at]).collect::<Vec<_>>()).interface_as_strong()
+        };
+        let film = |strength: &str| {
+            ["interface.law=briscoe-tabor".into(), format!("interface.film_strength={strength}")]
+        };
+        let coulomb =
+            |friction: f64| ["interface.law=coulomb".to_owned(), format!("interface.friction={friction}")];
+        assert!(strong(&film("1e10"), 1.0) && !strong(&film("1e7"), 1.0));
+        // At first yield p0 is 1.6 and in a deep contact 3 times the yield strength: 1/sqrt(3) of it at 0.36 and 0.19.
+        for (friction, interference, expected) in [
+            (0.33, 1.0, false),
+            (0.37, 1.0, true),
+            (0.3, 0.5, false),
+            (0.3, 100.0, true),
+            (0.18, 100.0, false),
+        ] {
+            assert_eq!(strong(&coulomb(friction), interference), expected, "{friction} at {interference}");
+        }
     }
 
     #[test]
