@@ -45,7 +45,7 @@ pub struct HeatEffect {
     pub softening: f64,
     /// Share by which expansion and softening moduli change the load at constant interference.
     pub load: f64,
-    /// Relative change of the heat partition from the start to steady sliding at a small Péclet number.
+    /// Largest relative change of the heat partition from the start to a steady state, at rest or at the slip rate.
     pub partition: f64,
     /// Share of the strength of the interface that frictional heat takes before sliding begins.
     pub inception: f64,
@@ -89,9 +89,13 @@ impl HeatEffect {
         Self {
             rise,
             softening: metal(rise).max(film(rise)),
-            partition: scene
-                .resting_heat_partition()
-                .map_or(0.0, |steady| (steady / scene.initial_heat_partition() - 1.0).abs()),
+            partition: [
+                scene.resting_heat_partition(),
+                scene.moving_heat_partition(slip_rate, contact_radius),
+            ]
+            .into_iter()
+            .flatten()
+            .fold(0.0, |most: f64, steady| most.max((steady / scene.initial_heat_partition() - 1.0).abs())),
             inception: if flux > 0.0 { (limited * metal(at_inception)).max(film(at_inception)) } else { 0.0 },
             inception_depth,
             load: LOAD_OF_EXPANSION * bulge.abs() / interference + (1.0 - solid.stiffness_factor(rise)).abs(),

@@ -101,6 +101,7 @@ impl Conditions {
         let small = pressed.scene.model.kinematics == Kinematics::Auto && !pressed.problem.finite_strain;
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
+            heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition },
             strain: if small { run.plastic_strain() } else { 0.0 },
             localised_shear: pressed.scene.localised_shear(run.plastic_strain_in_stick()),
         }

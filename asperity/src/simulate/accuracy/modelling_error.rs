@@ -10,6 +10,8 @@ use crate::scene::fitted_constants::localised_shear;
 pub struct ModellingError {
     /// Heat, where its effect is negligible.
     pub heat: Option<HeatEffect>,
+    /// Relative change of the heat partition where heat is left out for any reason.
+    pub heat_partition: f64,
     /// Largest plastic strain of a slide at small strain.
     pub strain: f64,
     /// Bounds where shear localises in one layer of elements: values follow the mesh.
@@ -43,7 +45,7 @@ impl ModellingError {
                 // The whole rise is an expected one.
                 TemperatureMax | TemperatureMean if self.heat.is_some() => 1.0,
                 TemperatureMax | TemperatureMean => self.strain,
-                HeatPartition => self.heat.map_or(0.0, |effect| effect.partition),
+                HeatPartition => self.heat_partition,
                 _ => 0.0,
             }
     }
