@@ -29,6 +29,9 @@ const LARGE_STRAIN: f64 = 0.2;
 /// at small strain balances close to the tolerance of the solver, at finite strain to second order in the increments.
 const BALANCE: f64 = 1e-5;
 const BALANCE_AT_FINITE_STRAIN: f64 = 1e-4;
+/// Difference of the heat from that of friction and plastic flow, relative: the heat of an increment is by the traction at
+/// its end, its dissipation by the mean one.
+const BALANCE_OF_SOURCES: f64 = 0.03;
 
 /// Friction coefficient whose work is the smallest that balances are relative to: without friction all terms are rounding
 /// errors of the pressed state.
@@ -207,7 +210,11 @@ fn warnings_of_balances(problem: &Problem, history: &[SlideState]) -> Option<War
     };
     let energy = relative(end.energy_missing(), &[&end.energies()[..], &[end.work]].concat());
     let heat = relative(end.heat_missing(), &[end.heat_in, end.heat_stored, end.heat_out]);
-    (energy.max(heat) > limit).then_some(Warning::Unbalanced { energy, heat })
+    let dissipated = problem.heat_partition * end.friction_work + problem.taylor_quinney * end.plastic;
+    let taken = end.heat_in + end.heat_counterface;
+    let sources = if taken == 0.0 { 0.0 } else { relative(taken - dissipated, &[dissipated]) };
+    let is_unbalanced = energy.max(heat) > limit || sources > BALANCE_OF_SOURCES;
+    is_unbalanced.then_some(Warning::Unbalanced { energy, heat, sources })
 }
 
 /// An interface as strong as a body that flows.

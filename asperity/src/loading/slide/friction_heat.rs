@@ -1,6 +1,6 @@
 //! Heat of friction and of plastic work over a step of the slide.
 
-use super::shear_limits::shear_strength;
+use super::shear_limits::shear_limit_at;
 use crate::discretisation::body::Body;
 use crate::heat::conduction::{Conduction, ContactHeat, HeatBalance, HeatError};
 use crate::interface::contact::{Contact, Status};
@@ -27,16 +27,13 @@ impl ContactHeat for FrictionHeat<'_> {
         let area = self.contact.areas[point];
         let gap = self.conductance(point);
         let power = problem.heat_partition * area * self.speed[point];
-        let (traction, slope) = if problem.law.is_material_strength() {
-            let strength = |t: f64| {
-                shear_strength(problem, self.hardened[point], t) * self.contact.contact_fraction[point]
-            };
-            let h = 0.01;
-            (strength(rise), ((strength(rise + h) - strength(rise - h)) / (2.0 * h)).min(0.0))
-        } else {
-            let [r, t] = self.contact.trial.traction[point];
-            (r.hypot(t), 0.0)
-        };
+        // A point that sticks, as all do without a limit, has no speed.
+        if power == 0.0 {
+            return (-gap * rise, -gap);
+        }
+        let limit = |t: f64| shear_limit_at(problem, self.contact, point, self.hardened[point], t);
+        let h = 0.01;
+        let (traction, slope) = (limit(rise), ((limit(rise + h) - limit(rise - h)) / (2.0 * h)).min(0.0));
         (power * traction - gap * rise, power * slope - gap)
     }
 

@@ -30,6 +30,19 @@ pub fn interface_hardening(
     }
 }
 
+/// Limit of the shear traction at a contact point whose interface has hardened by the factor `hardened`, at a temperature
+/// rise.
+pub fn shear_limit_at(problem: &Problem, contact: &Contact, point: usize, hardened: f64, rise: f64) -> f64 {
+    let at = ContactPoint {
+        pressure: contact.trial.pressure[point],
+        contact_fraction: contact.contact_fraction[point],
+        strength: shear_strength(problem, hardened, rise),
+        temperature: problem.units.temperature + rise,
+        unit: problem.units.stress,
+    };
+    shear_limit(&problem.law, &at)
+}
+
 /// Limit of the shear traction at each contact point.
 pub fn shear_limits(
     problem: &Problem,
@@ -37,17 +50,6 @@ pub fn shear_limits(
     hardened: &[f64],
     rise: Option<&[f64]>,
 ) -> Vec<f64> {
-    (0..contact.len())
-        .map(|i| {
-            let theta = rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
-            let point = ContactPoint {
-                pressure: contact.trial.pressure[i],
-                contact_fraction: contact.contact_fraction[i],
-                strength: shear_strength(problem, hardened[i], theta),
-                temperature: problem.units.temperature + theta,
-                unit: problem.units.stress,
-            };
-            shear_limit(&problem.law, &point)
-        })
-        .collect()
+    let rise_at = |i: usize| rise.map_or(0.0, |field| field[contact.scalar_place(i)]);
+    (0..contact.len()).map(|i| shear_limit_at(problem, contact, i, hardened[i], rise_at(i))).collect()
 }

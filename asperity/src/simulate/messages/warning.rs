@@ -59,10 +59,12 @@ pub enum Warning {
         time: f64,
         limit: f64,
     },
-    /// Energies or heat of the slide that are not accounted for, relative to their largest term.
+    /// Energies or heat of the slide that are not accounted for, relative to their largest term, and the difference of the
+    /// heat from that of friction and plastic flow.
     Unbalanced {
         energy: f64,
         heat: f64,
+        sources: f64,
     },
     /// The contact is hotter than the melting temperature of the metal, K.
     AboveMelting {
@@ -148,10 +150,11 @@ impl Display for Warning {
                  inertia changes mu_static and G, which are those of a slow onset",
                 beside(*time, *limit, 2)
             ),
-            Self::Unbalanced { energy, heat } => write!(
+            Self::Unbalanced { energy, heat, sources } => write!(
                 f,
                 "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither \
-                 stored nor lost: a finer mesh or a smaller accuracy lets the balances close"
+                 stored nor lost, and {sources:.0e} of it more or less than friction and plastic flow dissipate: a finer \
+                 mesh or a smaller accuracy lets the balances close"
             ),
             Self::AboveMelting { highest, melting } => write!(
                 f,

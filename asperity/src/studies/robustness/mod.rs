@@ -15,13 +15,15 @@ use crate::scene::file::{SceneFileError, parse_scene};
 use crate::simulate::accuracy::error_budget::CONTROLLED;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{SimulationError, Watch, simulate};
-use crate::studies::verification::ledgers::{energy_missing, heat_missing};
+use crate::studies::verification::ledgers::{energy_missing, heat_missing, heat_over_dissipation};
 
 const BASE: &str = include_str!("base.toml");
 const CASES: &str = include_str!("cases.toml");
 
 /// Tolerance of the two ledgers, relative to their largest entry; on ordinary scenes they close to 1e-6.
 const LEDGER: f64 = 1e-3;
+/// Difference of the heat from the dissipation that a slide may have, by its increments.
+const SOURCES: f64 = 0.05;
 
 /// Longest run of a case; those that converge take seconds.
 const TIME_LIMIT: Duration = Duration::from_secs(120);
@@ -203,6 +205,12 @@ pub fn contradictions(scene: &Scene, outcome: &Outcome) -> Vec<String> {
         check(off <= LEDGER, format!("the energies of the slide miss the work of the flat by {off:.1e}"));
         let off = heat_missing(end);
         check(off <= LEDGER, format!("the heat in the body differs from the heat input by {off:.1e}"));
+        let off = (heat_over_dissipation(scene, end) - 1.0).abs();
+        let is_heated = end[Quantity::HeatIn] != 0.0;
+        check(
+            !is_heated || off <= SOURCES,
+            format!("the heat differs from that of friction and plastic flow by {off:.1e}"),
+        );
     }
     wrong
 }
