@@ -8,8 +8,7 @@
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
 //! inception bracket Q is not smooth, as single points begin to slip.
 
-use tables::interpolation::steffen::Steffen;
-
+use super::energy_release::energy_release;
 use super::mobilisation::slip_of_full_mobilisation;
 use super::state::{NO_STICK, SlideState};
 use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
@@ -18,6 +17,9 @@ use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
 const STIFFNESS_SHARE: f64 = 0.01;
 /// Other thresholds; the spread is a part of the error.
 const OTHER_STIFFNESS_SHARES: [f64; 3] = [0.1, 0.05, 0.02];
+
+/// Stick area fraction by which is judged whether a contact sticks again.
+const STICKS_AGAIN: f64 = 0.1;
 
 /// Which of the two criteria of sliding inception was met first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,9 +55,26 @@ pub fn inception(history: &[SlideState]) -> Inception {
         InceptionCriterion::FullSlip => slip_of_full_mobilisation(history),
         InceptionCriterion::Stiffness | InceptionCriterion::None => None,
     };
-    let Some(slip) = mobilised else { return first };
-    let energy_release = energy_release(history).value(slip);
-    Inception { slip, energy_release, slip_bracket: 0.0, energy_bracket: 0.0, ..first }
+    let found = match mobilised {
+        Some(slip) => {
+            let energy_release = energy_release(history).value(slip);
+            Inception { slip, energy_release, slip_bracket: 0.0, energy_bracket: 0.0, ..first }
+        }
+        None => first,
+    };
+    found.with_stick_slip(history)
+}
+
+/// Slips in the first motion between which the contact alternately sticks and slips: heat takes its strength faster than its
+/// elasticity unloads it, and it is increments and not the mesh that decide when sliding begins. None if its stick area falls
+/// for good.
+pub fn stick_slip(history: &[SlideState]) -> Option<[f64; 2]> {
+    let mut motion =
+        history.iter().take_while(|state| state.step == 0).skip_while(|state| !state.is_along_motion());
+    let sticks = |state: &SlideState| state.stick_fraction > STICKS_AGAIN;
+    let first = motion.find(|state| !sticks(state))?;
+    let last = motion.filter(|state| sticks(state)).last()?;
+    Some([first.slip, last.slip])
 }
 
 /// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last
@@ -104,6 +123,25 @@ impl Inception {
         }
     }
 
+    /// With the uncertainties of a contact that alternately sticks and slips.
+    fn with_stick_slip(self, history: &[SlideState]) -> Self {
+        let Some([first, last]) = stick_slip(history) else { return self };
+        let within = history.iter().filter(|state| (first..=last).contains(&state.slip));
+        let release = energy_release(history);
+        let farther = |value: f64, other: f64| (value - other).abs();
+        let of_ends =
+            |value: f64, at: &dyn Fn(f64) -> f64| farther(value, at(first)).max(farther(value, at(last)));
+        Self {
+            friction_bracket: within
+                .map(|state| farther(self.friction, state.friction))
+                .fold(self.friction_bracket, f64::max),
+            slip_bracket: of_ends(self.slip, &|slip| slip).max(self.slip_bracket),
+            energy_bracket: of_ends(self.energy_release, &|slip| release.value(slip))
+                .max(self.energy_bracket),
+            ..self
+        }
+    }
+
     /// At `slip`, somewhere between the states n − 1 and n.
     fn at(history: &[SlideState], slip: f64, n: usize, criterion: InceptionCriterion) -> Self {
         let state = between(history, slip);
@@ -125,46 +163,6 @@ impl Inception {
             energy_bracket: share * (release.value(high.slip) - release.value(low.slip)).abs(),
         }
     }
-}
-
-/// (work of the flat − change of elastic energy)/A of the whole body over the slip. The work of friction, which the
-/// increments sum by the trapezoidal rule, is corrected for the curvature of Q(s).
-fn energy_release(history: &[SlideState]) -> Steffen {
-    let mut curved = 0.0;
-    let (mut slips, mut release) = (Vec::new(), Vec::new());
-    for (state, beyond) in history.iter().zip(work_of_curvature(history)) {
-        curved += beyond;
-        if slips.last().is_none_or(|&last| state.slip > last) {
-            slips.push(state.slip);
-            let energy = 2.0 * (state.work - state.elastic) + curved;
-            release.push(if state.area > 0.0 { energy / state.area } else { 0.0 });
-        }
-    }
-    Steffen::new(slips, release)
-}
-
-/// Work of friction in the increment before each state beyond that of the trapezoidal rule: h²(Q'₀ − Q'₁)/12 in an increment
-/// h, with slopes of parabolas through three states. Over the six to thirteen increments before inception the rule loses
-/// 0.4 to 2 % of G, as Q(s) is concave.
-fn work_of_curvature(history: &[SlideState]) -> Vec<f64> {
-    let lengths: Vec<f64> = history.windows(2).map(|pair| pair[1].slip - pair[0].slip).collect();
-    let moved = || (0..lengths.len()).filter(|&n| lengths[n] > 0.0);
-    let secants: Vec<(f64, f64)> =
-        moved().map(|n| (lengths[n], (history[n + 1].friction - history[n].friction) / lengths[n])).collect();
-    let mut work = vec![0.0; history.len()];
-    // Slopes at the inner states, and from the same parabolas at the two ends.
-    let inner = secants.windows(2).map(|w| (w[1].0 * w[0].1 + w[0].0 * w[1].1) / (w[0].0 + w[1].0));
-    let inner: Vec<f64> = inner.collect();
-    let ([first, .., last], [next, .., before]) = (&secants[..], &inner[..]) else { return work };
-    let slopes: Vec<f64> = [2.0 * first.1 - next]
-        .into_iter()
-        .chain(inner.iter().copied())
-        .chain([2.0 * last.1 - before])
-        .collect();
-    for (n, ((h, _), slope)) in moved().zip(secants.iter().zip(slopes.windows(2))) {
-        work[n + 1] = h * h * (slope[0] - slope[1]) / 12.0;
-    }
-    work
 }
 
 /// Of the slip at which the stick area vanishes between the last two states: the difference from that which the two states
@@ -225,28 +223,6 @@ mod tests {
         slips.iter().enumerate().map(state).collect()
     }
 
-    /// ∫(1 − e^−s) ds in 8 increments of unequal lengths: the correction leaves a fiftieth of the error of the trapezoidal
-    /// rule, and at most an eighth of that in increments half as long.
-    #[test]
-    fn work_is_integrated_to_third_order_at_least() {
-        let error = |steps: usize| {
-            let slip = |n: usize| 2.0 * (n as f64 / steps as f64).powf(1.2);
-            let state =
-                |n| SlideState { slip: slip(n), friction: 1.0 - (-slip(n)).exp(), ..SlideState::default() };
-            let history: Vec<SlideState> = (0..=steps).map(state).collect();
-            let rule: f64 = history
-                .windows(2)
-                .map(|pair| 0.5 * (pair[1].slip - pair[0].slip) * (pair[0].friction + pair[1].friction))
-                .sum();
-            let exact = 2.0 - (1.0 - (-2.0f64).exp());
-            [rule, rule + work_of_curvature(&history).iter().sum::<f64>()].map(|work| work - exact)
-        };
-        let ([rule, corrected], [_, finer]) = (error(8), error(16));
-        assert!(corrected.abs() < 0.02 * rule.abs(), "{rule} {corrected}");
-        assert!(finer.abs() < corrected.abs() / 8.0, "{corrected} {finer}");
-        assert_eq!(work_of_curvature(&[SlideState::default(); 3]), [0.0; 3]);
-    }
-
     /// Savkoor's contact of unit strength, radius and slip δ_s, which sticks at the edge for longer than in its middle: slip
     /// and G are those of the closed form, ∫Q ds = 1 − 4/(3π), friction that of the last point.
     #[test]
@@ -298,6 +274,42 @@ mod tests {
         assert_eq!(smooth.friction_bracket, smooth.slip_bracket);
         let sudden = slides(|slip| if slip < 0.96 { 1.0 } else { 0.0 });
         assert!((sudden.slip_bracket - 0.0225).abs() < 1e-3, "{sudden:?}");
+    }
+
+    /// A contact whose stick area falls, recovers and falls again: any of the slips between may be its inception.
+    #[test]
+    fn a_contact_that_sticks_again_is_uncertain_by_the_slips_between() {
+        let history = |fractions: [f64; 8]| -> Vec<SlideState> {
+            let slips = [0.0, 0.3, 0.6, 0.9, 1.0, 1.1, 1.2, 1.5];
+            let at = |(slip, stick_fraction): (f64, f64)| {
+                let mobilised = 1.0 - stick_fraction;
+                let (friction, work) = (mobilised, 0.25 * slip);
+                SlideState {
+                    slip,
+                    friction,
+                    work,
+                    stick_fraction,
+                    mobilised,
+                    load: 1.0,
+                    area: 1.0,
+                    ..Default::default()
+                }
+            };
+            slips.into_iter().zip(fractions).map(at).collect()
+        };
+        let steady = history([1.0, 0.7, 0.4, 0.1, 0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(stick_slip(&steady), None);
+        let again = history([1.0, 0.7, 0.4, 0.05, 0.0, 0.3, 0.0, 0.0]);
+        assert_eq!(stick_slip(&again), Some([0.9, 1.1]));
+        let found = inception(&again);
+        assert_eq!(found.criterion, InceptionCriterion::FullSlip);
+        assert_eq!(found.slip_bracket, (found.slip - 0.9).abs().max((found.slip - 1.1).abs()));
+        // Friction is interpolated to a stick area of 1 %, 0.99, and falls to 0.7.
+        assert!((found.friction_bracket - 0.29).abs() < 1e-12, "{found:?}");
+        // What sticks after another motion has begun is another inception.
+        let mut stopped = again;
+        stopped[5..].iter_mut().for_each(|state| state.step = 1);
+        assert_eq!(stick_slip(&stopped), None);
     }
 
     /// All points slip radially in the first increment, and stick again before they slide.

@@ -8,6 +8,7 @@
 //! Depends on `crate::heat` and the rooms below it. Chapters "One asperity" and "Equilibrium" of the book.
 
 pub mod body_fields;
+mod energy_release;
 pub(crate) mod inception;
 mod mobilisation;
 pub(crate) mod press;

@@ -9,7 +9,7 @@ use super::pressed::Pressed;
 use super::run::Run;
 use super::runs::Runner;
 use super::{SimulationError, slide_error};
-use crate::loading::inception::InceptionCriterion;
+use crate::loading::inception::{InceptionCriterion, stick_slip};
 use crate::loading::press::Increment;
 use crate::loading::problem::{Problem, Units, wave_speed};
 use crate::loading::recording::Fields;
@@ -131,6 +131,9 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
         Some(budget) => warnings.extend(warning_of_errors(budget, run, scene.numerics.accuracy)),
     }
     let inception = run.values.inception;
+    if inception != InceptionCriterion::None && stick_slip(&run.history).is_some() {
+        warnings.push(Warning::StickSlip);
+    }
     if inception == InceptionCriterion::None && run.history.len() > 1 && scene.interface.law.has_friction() {
         warnings.push(Warning::NotSliding);
     }

@@ -59,6 +59,8 @@ pub enum Warning {
         time: f64,
         limit: f64,
     },
+    /// The contact alternately sticks and slips before it slides.
+    StickSlip,
     /// Energies or heat of the slide that are not accounted for, relative to their largest term, and the difference of the
     /// heat from that of friction and plastic flow.
     Unbalanced {
@@ -92,6 +94,10 @@ impl Warning {
             Self::NotSliding => {
                 "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are \
                  those of its end; a longer slip_distance lets it begin"
+            }
+            Self::StickSlip => {
+                "points that slip stick again before the contact slides, as heat takes its strength faster than its elasticity \
+                 unloads it: mu_static, G and inception_slip depend on the increments, and their errors contain this"
             }
             Self::HardenedInterface => {
                 "the interface is as strong as the hardened body: the top layer of elements shears before the \
