@@ -35,8 +35,6 @@ pub(super) struct Nodes {
     misfit: [Vec<Errors>; 3],
 }
 
-const RISE: usize = Field::TemperatureRise as usize;
-
 impl Nodes {
     pub(super) fn new(table: &Slice, log_interference: &[f64], rate_coordinate: &[f64]) -> Self {
         let slip = table.axes().slip.clone();
@@ -153,9 +151,6 @@ impl Nodes {
     }
 
     /// Misfits along the axis `along` of (interference, slip rate, slip).
-    ///
-    /// The rise starts from zero at rest, and its prediction from there is far less certain than that between
-    /// positive slip rates: these have the misfit without the point at rest.
     fn misfits(&self, axis: &[f64], along: usize) -> Vec<Errors> {
         let value = |[i, j, k]: [usize; 3]| Some(self.histories[i * self.rates + j].as_ref()?[k][0]);
         let slips = self.slip.len();
@@ -163,22 +158,14 @@ impl Nodes {
             .flat_map(|cell| (0..slips).map(move |k| (cell, k)))
             .map(|(cell, k)| [cell / self.rates, cell % self.rates, k]);
         let misfit = |point: [usize; 3]| -> Errors {
-            let from = |start: usize| {
-                let line = |n: usize| {
-                    let mut at = point;
-                    at[along] = n + start;
-                    value(at)
-                };
-                let axis = &axis[start..];
-                // End points cannot be left out: they take the misfit of their neighbour.
-                let inner = (point[along] - start).clamp(1, axis.len().saturating_sub(2).max(1));
-                left_out(axis, line, inner)
+            let line = |n: usize| {
+                let mut at = point;
+                at[along] = n;
+                value(at)
             };
-            let mut errors = from(0).unwrap_or_default();
-            if along == 1 && axis[0] == 0.0 && point[1] > 0 {
-                errors[RISE] = from(1).map_or(errors[RISE], |moving| moving[RISE]);
-            }
-            errors
+            // End points cannot be left out: they take the misfit of their neighbour.
+            let inner = point[along].clamp(1, axis.len().saturating_sub(2).max(1));
+            left_out(axis, line, inner).unwrap_or_default()
         };
         points.map(misfit).collect()
     }
