@@ -2,7 +2,7 @@
 //!
 //! For every pressure (or separation) and slip rate the surface is pressed, then slid; after the
 //! slip s its friction coefficient is μ(s) = ∫ Q(ω, V, s) φ dz / ∫ P(ω, V, s) φ dz ([`predict()`]). Static
-//! friction and the weakening energy follow from that curve ([`slip_curve`]). Sliding friction is that with Q and P
+//! friction ([`slip_curve`]) and the weakening energy ([`weakening`]) follow from that curve. Sliding friction is that with Q and P
 //! averaged over the life of each contact; dμ/d ln V and a law of rate dependence follow from it at several slip
 //! rates ([`rate_dependence`], [`rate_law`]). [`rate_step`] is the response of steady sliding to a step of the slip rate.
 //! [`contacts`] gives the temperatures of the contacts and the shares of the load by regime, [`regime`] the shares of
@@ -32,6 +32,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 pub mod warning;
+pub mod weakening;
 
 pub use predict::predict;
 pub use result::{Friction, Prediction};

@@ -5,8 +5,8 @@ use crate::friction::rate_law;
 use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
-use crate::friction::slip_curve::SlipState;
-use crate::friction::sweep::{Slide, Sweep};
+use crate::friction::slip_curve::{SlipState, resampled, slip_grid};
+use crate::friction::sweep::{Slide, Sweep, loaded_radii};
 use crate::friction::warning::Warning;
 use crate::integral::separation::EquilibriumState;
 use crate::surface::query::{ContactLife, Query, Surface};
@@ -17,10 +17,14 @@ use tables::law::{AsperityLaw, Estimate};
 /// Neighbouring slips that one thread computes in order, each starting from the one before.
 const SLIPS_PER_TASK: usize = 20;
 
+/// Row (pressure or separation) and slip rate.
+type Cell = (usize, usize);
+
 /// Predicts the friction of `surface` from the `law` of its asperities.
 ///
-/// `progress` receives the number of slips done and the total; the result does not depend on the number of
-/// threads, because every integral is computed by one.
+/// Rows do not depend on each other, but for the slips at which [`Prediction`] states the histories. `progress` receives the
+/// number of slips done and the total; the result does not depend on the number of threads, because every integral is
+/// computed by one.
 pub fn predict(
     law: &dyn AsperityLaw,
     surface: &Surface,
@@ -29,36 +33,37 @@ pub fn predict(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Prediction, PredictionError> {
     let sweep = Sweep::new(law, surface, query, settings)?;
-    let pressed = sweep.press_all()?;
-    let slip = sweep.slip_grid(&pressed);
-    let states = slide_all(&sweep, &slip, &pressed, progress)?;
-    let end = slip.len() - 1;
-    let at_end = |rate: usize| states[rate][end].iter().map(SlipState::effective_separation);
-    let rate_by_rate = (0..states.len()).into_par_iter();
-    let contacts: Vec<_> =
-        rate_by_rate.map(|rate| sweep.contacts(rate, slip[end], at_end(rate))).collect::<Result<_, _>>()?;
-
-    let of_all_ages = |life: ContactLife| -> Result<Vec<_>, PredictionError> {
-        let rates = (0..states.len()).into_par_iter();
-        rates.map(|rate| sweep.slide_steadily(rate, life, &pressed[rate])).collect()
-    };
-    let rate_step = sweep.rate_step(&pressed[0])?;
+    let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
+    let cells: Vec<Cell> = (0..rows).flat_map(|row| (0..rates).map(move |rate| (row, rate))).collect();
+    let place = |(row, rate): Cell| row * rates + rate;
+    let pressed = in_order(&cells, |(row, rate)| sweep.press(row, rate))?;
+    let grid = |row: &[EquilibriumState]| slip_grid(loaded_radii(row), settings.slip_points);
+    let (slip, slips) = (grid(&pressed), pressed.chunks(rates).map(grid).collect::<Vec<_>>());
+    let curves = slide_all(&sweep, &cells, &slips, |cell| &pressed[place(cell)], progress)?;
+    let contacts = in_order(&cells, |(row, rate)| {
+        let end = slips[row].len() - 1;
+        let separation = curves[place((row, rate))][end].effective_separation();
+        Ok(sweep.contacts(rate, slips[row][end], separation)?)
+    })?;
+    let of_all_ages =
+        |life: ContactLife| in_order(&cells, |cell| sweep.slide_steadily(cell, life, &pressed[place(cell)]));
+    let at_first_rate: Vec<&EquilibriumState> = pressed.iter().step_by(rates).collect();
+    let rate_step = sweep.rate_step(&at_first_rate)?;
     let (sliding, lasting) = (of_all_ages(query.contact_life)?, of_all_ages(ContactLife::Steady)?);
 
-    let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
     let mut warnings = Vec::new();
-    let mut cell = |row: usize, rate: usize| {
-        let slide = Slide {
-            curve: states[rate].iter().map(|rows| rows[row]).collect(),
-            contacts: contacts[rate][row],
-            sliding: sliding[rate][row],
-            lasting: lasting[rate][row],
-        };
-        sweep.evaluate((row, rate), &pressed[rate][row], &slip, slide, &mut warnings)
+    let mut evaluated = |cell: Cell, curve: Vec<SlipState>| {
+        let (place, slips) = (place(cell), &slips[cell.0]);
+        let (contacts, sliding, lasting) = (contacts[place], sliding[place], lasting[place]);
+        let slide = Slide { curve, contacts, sliding, lasting };
+        let mut friction = sweep.evaluate(cell, &pressed[place], slips, slide, &mut warnings);
+        friction.mu_history = resampled(slips, &friction.mu_history, &slip);
+        friction
     };
-    let mut friction: Vec<Vec<Friction>> =
-        (0..rows).map(|row| (0..rates).map(|rate| cell(row, rate)).collect()).collect();
-    if lasting.iter().flatten().any(|state| state.unsteady > 0.0 && state.mu.value.is_nan()) {
+    let friction: Vec<Friction> =
+        cells.iter().zip(curves).map(|(cell, curve)| evaluated(*cell, curve)).collect();
+    let mut friction: Vec<Vec<Friction>> = friction.chunks(rates).map(<[_]>::to_vec).collect();
+    if lasting.iter().any(|state| state.unsteady > 0.0 && state.mu.value.is_nan()) {
         warnings.push(Warning::NoSteadyFriction);
     }
     let mut rate_laws = Vec::new();
@@ -84,27 +89,33 @@ pub fn predict(
     })
 }
 
-/// For every slip rate and slip the states under every pressure or separation. Each task starts from the
-/// press.
-fn slide_all(
+/// Of every cell. In order: the failure that is reported does not depend on the threads.
+fn in_order<C: Copy + Sync, T: Send>(
+    cells: &[C],
+    of: impl Fn(C) -> Result<T, PredictionError> + Sync,
+) -> Result<Vec<T>, PredictionError> {
+    let all: Vec<_> = cells.par_iter().map(|cell| of(*cell)).collect();
+    all.into_iter().collect()
+}
+
+/// The states of every cell after the `slips` (m) of its row. Each task starts from the surface that is `pressed`.
+fn slide_all<'p>(
     sweep: &Sweep,
-    slip: &[f64],
-    pressed: &[Vec<EquilibriumState>],
+    cells: &[Cell],
+    slips: &[Vec<f64>],
+    pressed: impl Fn(Cell) -> &'p EquilibriumState + Sync,
     progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<Vec<Vec<Vec<SlipState>>>, PredictionError> {
-    let tasks: Vec<(usize, &[f64])> = (0..pressed.len())
-        .flat_map(|rate| slip.chunks(SLIPS_PER_TASK).map(move |slips| (rate, slips)))
+) -> Result<Vec<Vec<SlipState>>, PredictionError> {
+    let tasks: Vec<(Cell, &[f64])> = cells
+        .iter()
+        .flat_map(|&cell| slips[cell.0].chunks(SLIPS_PER_TASK).map(move |slips| (cell, slips)))
         .collect();
-    let (done, total) = (AtomicUsize::new(0), pressed.len() * slip.len());
-    let states: Vec<_> = tasks
-        .into_par_iter()
-        .map(|(rate, slips)| {
-            let states = sweep.slide(rate, slips, &pressed[rate]);
-            progress(done.fetch_add(slips.len(), Ordering::Relaxed) + slips.len(), total);
-            states
-        })
-        .collect();
-    // In order: the failure that is reported does not depend on the threads.
-    let states = states.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
-    Ok(states.chunks(slip.len()).map(<[_]>::to_vec).collect())
+    let each = slips[0].len();
+    let (done, total) = (AtomicUsize::new(0), cells.len() * each);
+    let states = in_order(&tasks, |(cell, slips)| {
+        let states = sweep.slide(cell, slips, pressed(cell));
+        progress(done.fetch_add(slips.len(), Ordering::Relaxed) + slips.len(), total);
+        states
+    })?;
+    Ok(states.concat().chunks(each).map(<[_]>::to_vec).collect())
 }

@@ -17,10 +17,10 @@ pub struct Friction {
     /// Slip at which it is reached, m.
     pub inception_slip: Estimate,
     /// Energy released by weakening, J per m² of nominal area, see
-    /// [`weakening_energy`](crate::friction::slip_curve::weakening_energy).
+    /// [`weakening_energy`](crate::friction::weakening::weakening_energy).
     pub weakening_energy: Estimate,
     /// Slip over which friction weakens, m, see
-    /// [`weakening_distance`](crate::friction::slip_curve::weakening_distance).
+    /// [`weakening_distance`](crate::friction::weakening::weakening_distance).
     pub weakening_distance: Estimate,
     /// Energy that the asperities release from full stick to full slip, J per m² of nominal area; none
     /// where the law does not state it.

@@ -1,6 +1,6 @@
-//! The friction–slip curve: static friction, sliding friction, weakening energy.
+//! The friction–slip curve: states, static friction.
 
-use crate::integral::contact_state::ContactState;
+use crate::integral::contact_state::{ContactState, Integral};
 use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::Sensitivity;
 use crate::integral::separation::EquilibriumState;
@@ -38,29 +38,55 @@ pub struct SlipState {
 impl SlipState {
     /// State of a surface under the prescribed pressure `asked` (Pa): the error of the law's load becomes one of the
     /// separation, and through the sensitivities of all other quantities.
-    pub fn at_pressure(equilibrium: &EquilibriumState, asked: f64, plane: MeanPlane) -> Self {
+    pub fn at_pressure(equilibrium: &EquilibriumState, asked: Estimate, plane: MeanPlane) -> Self {
         let state = &equilibrium.state;
-        let (shift, sensitivity) = (equilibrium.separation_error(asked), &equilibrium.sensitivity);
-        let mut mu = state.friction_coefficient();
-        mu.error += shift * (sensitivity.friction_coefficient * mu.value).abs();
-        let mut area_fraction = state.area_fraction.estimate();
-        area_fraction.error += shift * (sensitivity.area_fraction * area_fraction.value).abs();
-        let pressure = Estimate { value: asked, error: (state.pressure.value - asked).abs() };
+        let (shift, sensitivity) = (equilibrium.separation_error(asked.value), &equilibrium.sensitivity);
+        let off = (state.pressure.value - asked.value).abs();
+        let pressure = Estimate { error: off + asked.error, ..asked };
         let displacement = plane.displacement(pressure);
-        Self {
-            mu,
-            shear: Estimate { value: mu.value * asked, error: mu.error * asked },
-            pressure,
-            separation: Estimate { value: equilibrium.separation - displacement.value, error: shift },
-            displacement,
-            area_fraction,
-            contact_density: Estimate {
-                value: state.contact_density,
-                error: shift * (sensitivity.contact_density * state.contact_density).abs(),
-            },
-            outside: state.outside,
-            beyond: state.beyond,
-            unsteady: unsteady(state),
+        let separation = Estimate { value: equilibrium.separation - displacement.value, error: shift };
+        let mut found = Self { pressure, separation, displacement, ..Self::at_separation(0.0, state, plane) };
+        found.move_by(shift, sensitivity);
+        let mu = found.mu;
+        let shear_error = mu.error * asked.value + mu.value * asked.error;
+        found.shear = Estimate { value: mu.value * asked.value, error: shear_error };
+        found
+    }
+
+    /// State of a surface at a `held` separation, which a displacement of the mean plane uncertain as the law's load
+    /// adds to.
+    ///
+    /// A load of the law too high by δp/p moves the separation that was found from the load before the slide by δd, away;
+    /// there the load of the slide, of the same asperities, is wrong by |δp/p − |d ln p/dd| δd|.
+    pub fn held(equilibrium: &EquilibriumState, held: HeldSeparation, plane: MeanPlane) -> Self {
+        let EquilibriumState { separation, state, sensitivity, .. } = equilibrium;
+        let mut found = Self::at_separation(*separation, state, plane);
+        let (Integral { value, law_error, quadrature_error }, slope) =
+            (state.pressure, sensitivity.pressure.abs());
+        let relief = plane.relief(value, slope);
+        let of_law = (law_error - value * slope * held.law_error).abs();
+        let others = quadrature_error + value * slope * (held.error - held.law_error);
+        let shift = held.error / relief + plane.displacement_error(found.pressure, slope);
+        found.pressure.error = (of_law + others) / relief;
+        found.displacement = plane.displacement(found.pressure);
+        found.separation.error = held.error;
+        found.move_by(shift, sensitivity);
+        // Of Q itself, or of μ and p.
+        let SlipState { mu, pressure, .. } = found;
+        let of_product = mu.error * pressure.value + mu.value * pressure.error;
+        found.shear.error = found.shear.error.min(of_product);
+        found
+    }
+
+    /// Adds the errors of a `shift` (m) of the effective separation.
+    fn move_by(&mut self, shift: f64, sensitivity: &Sensitivity) {
+        for (quantity, slope) in [
+            (&mut self.mu, sensitivity.friction_coefficient),
+            (&mut self.shear, sensitivity.pressure + sensitivity.friction_coefficient),
+            (&mut self.area_fraction, sensitivity.area_fraction),
+            (&mut self.contact_density, sensitivity.contact_density),
+        ] {
+            quantity.error += shift * (slope * quantity.value).abs();
         }
     }
 
@@ -71,20 +97,6 @@ impl SlipState {
             value: separation.value + displacement.value,
             error: separation.error + displacement.error,
         }
-    }
-
-    /// The state of a plane whose displacement is uncertain by `shift` (m), as the law's load is.
-    pub fn with_displacement_error(mut self, shift: f64, sensitivity: &Sensitivity) -> Self {
-        self.displacement.error += shift;
-        for (quantity, slope) in [
-            (&mut self.mu, sensitivity.friction_coefficient),
-            (&mut self.shear, sensitivity.pressure + sensitivity.friction_coefficient),
-            (&mut self.area_fraction, sensitivity.area_fraction),
-            (&mut self.contact_density, sensitivity.contact_density),
-        ] {
-            quantity.error += shift * (slope * quantity.value).abs();
-        }
-        self
     }
 
     /// The same with unknown friction.
@@ -111,7 +123,26 @@ impl SlipState {
     }
 }
 
-/// Share of [`Additional::UnsteadyLoad`](crate::integral::asperity_at_slip::Additional): sliding surfaces ask for no other
+/// Error of a separation that is held during the slide, m.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct HeldSeparation {
+    /// All of it.
+    error: f64,
+    /// The part that comes from the error of the law, which the loads of the slide have as well.
+    law_error: f64,
+}
+
+impl HeldSeparation {
+    /// Of the separation at which the law has the `pressure` (Pa) before the slide.
+    pub fn found(before: &EquilibriumState, pressure: f64) -> Self {
+        let load = before.state.pressure;
+        let slope = (before.sensitivity.pressure * load.value).abs();
+        let law_error = if slope > 0.0 { load.law_error / slope } else { 0.0 };
+        Self { error: before.separation_error(pressure), law_error }
+    }
+}
+
+/// Share of [`Additional::UnsteadyLoad`](crate::integral::asperity_at_slip::Additional) : sliding surfaces ask for no other
 /// additional quantity.
 fn unsteady(state: &ContactState) -> f64 {
     state.additional.map_or(0.0, |load| load.value / state.pressure.value)
@@ -177,76 +208,6 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
     found(place, Estimate { value: mu[knee].value + rise, error: mu[knee].error }, true)
 }
 
-/// Drop relative to the peak that is within the tolerance of the integrals.
-const NO_DROP: f64 = 1e-5;
-
-/// Energy released by weakening, ∫ (τ − τ_end) ds from the peak of the friction
-/// stress τ (Pa) to the end of the slip (m), J per m² of nominal area.
-///
-/// Errors of τ at different slips come from the same asperities: only their change along the curve counts
-/// fully, besides the same relative error of the whole. The error of the slip grid is the difference from
-/// every second point.
-pub fn weakening_energy(slip: &[f64], shear: &[Estimate]) -> Estimate {
-    let Some(end) = shear.last() else {
-        return Estimate::default();
-    };
-    let peak = shear.iter().map(|point| point.value).fold(end.value, f64::max);
-    if peak - end.value <= NO_DROP * peak.abs() {
-        return Estimate { value: 0.0, error: (peak - end.value) * (slip[slip.len() - 1] - slip[0]) };
-    }
-    let value = released(slip, shear, |point| point.value - end.value);
-    let changed = released(slip, shear, |point| (point.error - end.error).abs());
-    let relative = shear
-        .iter()
-        .map(|point| point.error / point.value.abs().max(f64::MIN_POSITIVE))
-        .filter(|relative| relative.is_finite())
-        .fold(0.0, |largest: f64, relative| largest.max(relative.min(1.0)));
-    // The last point is included: the energy is relative to the end value.
-    let kept = |i: &usize| i % 2 == (slip.len() - 1) % 2;
-    let coarse_slip: Vec<f64> = (0..slip.len()).filter(kept).map(|i| slip[i]).collect();
-    let coarse_shear: Vec<Estimate> = (0..slip.len()).filter(kept).map(|i| shear[i]).collect();
-    let coarse = released(&coarse_slip, &coarse_shear, |point| point.value - end.value);
-    Estimate::with_errors(value, [changed, relative * value, value - coarse])
-}
-
-/// Slip-weakening distance D_w = 2 ∫ (τ − τ_end) ds/(τ_peak − τ_end), m: over it a stress τ (Pa)
-/// that weakens linearly from the same peak to the same end releases the same energy (Ida 1972,
-/// doi 10.1029/JB077i020p03796). NaN where friction does not weaken.
-pub fn weakening_distance(slip: &[f64], shear: &[Estimate]) -> Estimate {
-    let unknown = Estimate::UNKNOWN;
-    let Some(end) = shear.last() else {
-        return unknown;
-    };
-    let highest = |one: &Estimate, other: &Estimate| one.value.total_cmp(&other.value);
-    let Some(peak) = shear.iter().copied().max_by(highest) else {
-        return unknown;
-    };
-    let drop = peak.value - end.value;
-    if drop <= NO_DROP * peak.value.abs() {
-        return unknown;
-    }
-    let energy = weakening_energy(slip, shear);
-    let value = 2.0 * energy.value / drop;
-    // The relative error that peak and end have in common is in the energy as well and cancels.
-    let of_drop = (peak.error - end.error).abs() / drop;
-    let common = peak.error / peak.value;
-    let of_energy = (energy.error / energy.value.abs() - common).max(0.0);
-    Estimate::with_errors(value, [value * of_energy, value * of_drop])
-}
-
-/// Trapezoidal integral from the peak of τ to the end.
-fn released(slip: &[f64], shear: &[Estimate], height: impl Fn(&Estimate) -> f64) -> f64 {
-    let mut peak = 0;
-    for (index, point) in shear.iter().enumerate() {
-        if point.value > shear[peak].value {
-            peak = index;
-        }
-    }
-    (peak + 1..slip.len())
-        .map(|i| (slip[i] - slip[i - 1]) * 0.5 * (height(&shear[i]) + height(&shear[i - 1])))
-        .sum()
-}
-
 /// Slips for the curve, m: zero, then geometric from 1e-4 of the smallest contact radius to four times the
 /// largest. Asperities stop sticking after some thousandths of their contact radius; tables end after two.
 pub fn slip_grid([smallest_radius, largest_radius]: [f64; 2], points: usize) -> Vec<f64> {
@@ -257,11 +218,33 @@ pub fn slip_grid([smallest_radius, largest_radius]: [f64; 2], points: usize) -> 
     grid
 }
 
+/// A curve over ascending `slip` (m), linear between them, at other slips; unknown after its end.
+pub fn resampled(slip: &[f64], curve: &[Estimate], at: &[f64]) -> Vec<Estimate> {
+    let last = slip.len() - 1;
+    let value = |&at: &f64| match slip.partition_point(|known| *known <= at) {
+        // Ends that are meant to agree differ by rounding.
+        after if after > last => {
+            if at <= slip[last] * (1.0 + 1e-12) {
+                curve[last]
+            } else {
+                Estimate::UNKNOWN
+            }
+        }
+        after => {
+            let (from, to) = (curve[after - 1], curve[after]);
+            let share = (at - slip[after - 1]) / (slip[after] - slip[after - 1]);
+            let between = |from: f64, to: f64| from + share * (to - from);
+            Estimate { value: between(from.value, to.value), error: between(from.error, to.error) }
+        }
+    };
+    at.iter().map(value).collect()
+}
+
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn curve(mu: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<Estimate>) {
+    pub(crate) fn curve(mu: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<Estimate>) {
         let slip = slip_grid([1.0; 2], 97);
         let values = slip.iter().map(|&s| Estimate::exact(mu(s)));
         let values = values.collect();
@@ -294,35 +277,18 @@ mod tests {
     fn a_rigid_curve_slides_at_once_and_a_rising_one_never() {
         let (slip, mu) = curve(|_| 0.5);
         assert_eq!(inception(&slip, &mu).slip.value, 0.0);
-        assert_eq!(weakening_energy(&slip, &mu).value, 0.0);
-        assert!(weakening_distance(&slip, &mu).value.is_nan());
         let (slip, mu) = curve(|s| s);
         let found = inception(&slip, &mu);
         assert!(!found.reached && found.mu.value == 4.0);
     }
 
     #[test]
-    fn errors_of_a_negative_energy_are_positive() {
-        // After the peak the stress falls below its end value for most of the slide: held separation.
-        let (slip, _) = curve(|s| s);
-        let stress = |s: f64| 1e6 * (if s < 0.01 { s / 0.01 } else { 0.5 + 0.1 * s });
-        let shear: Vec<Estimate> =
-            slip.iter().map(|&s| Estimate { value: stress(s), error: 0.1 * stress(s) }).collect();
-        let (energy, distance) = (weakening_energy(&slip, &shear), weakening_distance(&slip, &shear));
-        assert!(energy.value < 0.0 && energy.error > 0.1 * energy.value.abs(), "{energy:?}");
-        assert!(distance.value < 0.0 && distance.error > 0.0, "{distance:?}");
-    }
-
-    #[test]
-    fn exponential_weakening_releases_stress_drop_times_length() {
-        let (slip, shear) = curve(|s| 1e6 + 2e6 * (-s / 0.1).exp());
-        let energy = weakening_energy(&slip, &shear);
-        // ∫_0^4 (τ − τ_end) ds with e^{−40} left; trapezoids on 12 % steps have an error of 1e-3.
-        assert!((energy.value / 2e5 - 1.0).abs() < 5e-3, "{}", energy.value);
-        assert!((energy.value - 2e5).abs() <= energy.error);
-        // D_w = 2 L for a drop that is exponential over L.
-        let distance = weakening_distance(&slip, &shear);
-        assert!((distance.value / 0.2 - 1.0).abs() < 5e-3, "{}", distance.value);
-        assert!((distance.value - 0.2).abs() <= distance.error);
+    fn a_curve_is_linear_between_its_slips_and_unknown_after_its_end() {
+        let slip = [0.0, 1.0, 3.0];
+        let curve = [0.0, 2.0, 1.0].map(|value| Estimate { value, error: 0.1 * value });
+        let found = resampled(&slip, &curve, &[0.0, 0.5, 1.0, 2.0, 3.0 * (1.0 + 1e-15), 3.1]);
+        let values: Vec<f64> = found.iter().map(|mu| mu.value).collect();
+        assert_eq!(values[..5], [0.0, 1.0, 2.0, 1.5, 1.0]);
+        assert!(values[5].is_nan() && (found[3].error - 0.15).abs() < 1e-15);
     }
 }

@@ -4,8 +4,9 @@ use crate::friction::contacts::{Contacts, ContactsAtSlip};
 use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::friction::result::Friction;
 use crate::friction::settings::{PredictionError, Settings};
-use crate::friction::slip_curve::{SlipState, inception, slip_grid, weakening_distance, weakening_energy};
+use crate::friction::slip_curve::{HeldSeparation, SlipState, inception};
 use crate::friction::warning::{Place, Warning};
+use crate::friction::weakening::{weakening_distance, weakening_energy};
 use crate::integral::asperity_at_slip::{Additional, UNKNOWN_STEADY_FRICTION};
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::mean_plane::MeanPlane;
@@ -66,91 +67,94 @@ impl<'a> Sweep<'a> {
         SurfaceIntegral::new(asperities, heights, self.surface.asperity_density, self.settings.tolerance)
     }
 
-    /// For every slip rate the surface under every pressure or separation, before the slide.
-    pub(crate) fn press_all(&self) -> Result<Vec<Vec<EquilibriumState>>, PredictionError> {
-        let rates = (0..self.query.slip_rates.len()).into_par_iter();
-        let pressed: Vec<_> = rates.map(|rate| self.press(rate)).collect();
-        pressed.into_iter().collect()
-    }
-
-    fn press(&self, rate: usize) -> Result<Vec<EquilibriumState>, PredictionError> {
-        let heights = self.surface.heights.as_ref();
+    /// The surface under the pressure or separation of a row, before the slide.
+    pub(crate) fn press(&self, row: usize, rate: usize) -> Result<EquilibriumState, PredictionError> {
+        let (heights, tolerance) = (self.surface.heights.as_ref(), self.settings.tolerance);
         let mut integral = self.integral(&self.asperities[rate].with(Additional::EnergyRelease));
-        let mut predictor = Predictor::at(heights.mode(), heights);
-        let mut pressed = Vec::new();
-        for (row, &value) in self.query.loading.values().iter().enumerate() {
-            let equilibrium = match self.query.loading {
-                NormalLoading::Pressure(_) => {
-                    separation_for(&mut integral, heights, value, predictor, self.settings.tolerance)?
-                }
-                NormalLoading::Separation(_) => {
-                    let tolerance = self.settings.tolerance;
-                    let effective =
-                        self.plane.effective_separation(&mut integral, heights, value, tolerance)?;
-                    EquilibriumState::at(&mut integral, heights, effective)?
-                }
-            };
-            if equilibrium.state.pressure.value <= 0.0 {
-                return Err(PredictionError::NoContact { loading: self.query.loading.describe(row) });
+        let equilibrium = match &self.query.loading {
+            NormalLoading::Pressure(pressures) => {
+                let predictor = Predictor::at(heights.mode(), heights);
+                separation_for(&mut integral, heights, pressures[row], predictor, tolerance)?
             }
-            predictor = equilibrium.predictor();
-            pressed.push(equilibrium);
+            NormalLoading::Separation(separations) => {
+                let effective =
+                    self.plane.effective_separation(&mut integral, heights, separations[row], tolerance)?;
+                EquilibriumState::at(&mut integral, heights, effective)?
+            }
+        };
+        match equilibrium.state.pressure.value > 0.0 {
+            true => Ok(equilibrium),
+            false => Err(PredictionError::NoContact { loading: self.query.loading.describe(row) }),
         }
-        Ok(pressed)
     }
 
-    /// Slips (m) of the curve, by the contact radii of the loaded asperities.
-    pub(crate) fn slip_grid(&self, pressed: &[Vec<EquilibriumState>]) -> Vec<f64> {
-        slip_grid(loaded_radii(pressed.iter().flatten()), self.settings.slip_points)
+    /// Pressure (Pa) before the slide; it has an error where the query gives the separation.
+    fn pressure(&self, row: usize, pressed: &EquilibriumState) -> Estimate {
+        match &self.query.loading {
+            NormalLoading::Pressure(pressures) => Estimate::exact(pressures[row]),
+            NormalLoading::Separation(_) => {
+                SlipState::held(pressed, HeldSeparation::default(), self.plane).pressure
+            }
+        }
     }
 
-    /// The surface after each of the neighbouring `slips` (m), for every pressure or separation.
+    /// Separation (m) before the slide and its error; it has one where the query gives the pressure.
+    fn separation(&self, row: usize, pressed: &EquilibriumState) -> (f64, HeldSeparation) {
+        let pressure = self.pressure(row, pressed).value;
+        let separation = pressed.separation - self.plane.displacement(Estimate::exact(pressure)).value;
+        match &self.query.loading {
+            NormalLoading::Pressure(_) => (separation, HeldSeparation::found(pressed, pressure)),
+            NormalLoading::Separation(_) => (separation, HeldSeparation::default()),
+        }
+    }
+
+    /// The surface of a row before the slide.
+    fn at_rest(&self, row: usize, pressed: &EquilibriumState) -> SlipState {
+        match &self.query.loading {
+            NormalLoading::Pressure(_) => {
+                SlipState::at_pressure(pressed, self.pressure(row, pressed), self.plane)
+            }
+            NormalLoading::Separation(_) => SlipState::held(pressed, HeldSeparation::default(), self.plane),
+        }
+    }
+
+    /// The surface of a row after each of the neighbouring `slips` (m).
     pub(crate) fn slide(
         &self,
-        rate: usize,
+        (row, rate): (usize, usize),
         slips: &[f64],
-        pressed: &[EquilibriumState],
-    ) -> Result<Vec<Vec<SlipState>>, PredictionError> {
-        let mut histories: Vec<PredictorHistory> =
-            pressed.iter().map(|before| PredictorHistory::from(before.predictor())).collect();
-        let mut states = Vec::new();
-        for &slip in slips {
+        before: &EquilibriumState,
+    ) -> Result<Vec<SlipState>, PredictionError> {
+        let mut history = PredictorHistory::from(before.predictor());
+        let after = |&slip: &f64| {
             let mut integral = self.integral(&self.asperities[rate].after(slip));
-            let rows = pressed.iter().zip(&mut histories).enumerate();
-            let slip_rate = self.query.slip_rates[rate];
-            let rows = rows
-                .map(|(row, (before, history))| self.slid((row, slip_rate), &mut integral, before, history));
-            states.push(rows.collect::<Result<_, _>>()?);
-        }
-        Ok(states)
+            self.slid((row, self.query.slip_rates[rate]), &mut integral, before, &mut history)
+        };
+        slips.iter().map(after).collect()
     }
 
-    /// The surface in steady sliding with contacts of all ages of their `life`, for every pressure or separation.
+    /// The surface of a row in steady sliding with contacts of all ages of their `life`.
     pub(crate) fn slide_steadily(
         &self,
-        rate: usize,
+        (row, rate): (usize, usize),
         life: ContactLife,
-        pressed: &[EquilibriumState],
-    ) -> Result<Vec<SlipState>, PredictionError> {
-        self.steady(&self.asperities[rate], self.query.slip_rates[rate], life, pressed)
+        pressed: &EquilibriumState,
+    ) -> Result<SlipState, PredictionError> {
+        self.steady(&self.asperities[rate], (row, self.query.slip_rates[rate]), life, pressed)
     }
 
     fn steady(
         &self,
         asperities: &Asperities<'a>,
-        slip_rate: f64,
+        cell: (usize, f64),
         life: ContactLife,
-        pressed: &[EquilibriumState],
-    ) -> Result<Vec<SlipState>, PredictionError> {
+        pressed: &EquilibriumState,
+    ) -> Result<SlipState, PredictionError> {
         let asperities = asperities.of_all_ages(life).with(Additional::UnsteadyLoad);
         let known = asperities.classes().iter().all(|(_, asperity)| asperity.has_friction_of_all_ages());
-        let mut integral = self.integral(&asperities);
-        let rows = pressed.iter().enumerate().map(|(row, before)| {
-            let mut history = PredictorHistory::from(before.predictor());
-            let state = self.slid((row, slip_rate), &mut integral, before, &mut history)?;
-            Ok(if known { state } else { state.without_friction() })
-        });
-        rows.collect()
+        let mut history = PredictorHistory::from(pressed.predictor());
+        let state = self.slid(cell, &mut self.integral(&asperities), pressed, &mut history)?;
+        Ok(if known { state } else { state.without_friction() })
     }
 
     /// One pressure or separation with the asperities of `integral`; `history` predicts its separation.
@@ -161,27 +165,18 @@ impl<'a> Sweep<'a> {
         before: &EquilibriumState,
         history: &mut PredictorHistory,
     ) -> Result<SlipState, PredictionError> {
-        let heights = self.surface.heights.as_ref();
+        let (heights, tolerance) = (self.surface.heights.as_ref(), self.settings.tolerance);
         let state = match self.query.control {
             LoadingControl::Separation => {
-                let pressure = Estimate::exact(before.state.pressure.value);
-                let held = before.separation - self.plane.displacement(pressure).value;
-                let tolerance = self.settings.tolerance;
-                let effective = self.plane.effective_separation(integral, heights, held, tolerance)?;
-                let mut state = integral.at(effective)?;
-                integral.complete_errors(effective, &mut state)?;
-                let shift =
-                    self.plane.displacement_error(state.pressure.estimate(), before.sensitivity.pressure);
-                SlipState::at_separation(effective, &state, self.plane)
-                    .with_displacement_error(shift, &before.sensitivity)
+                let (separation, held) = self.separation(row, before);
+                let effective = self.plane.effective_separation(integral, heights, separation, tolerance)?;
+                let equilibrium = EquilibriumState::at(integral, heights, effective)?;
+                SlipState::held(&equilibrium, held, self.plane)
             }
             LoadingControl::Load => {
-                let pressure = match &self.query.loading {
-                    NormalLoading::Pressure(pressures) => pressures[row],
-                    NormalLoading::Separation(_) => before.state.pressure.value,
-                };
-                let tolerance = self.settings.tolerance;
-                let equilibrium = separation_for(integral, heights, pressure, history.next(), tolerance)?;
+                let pressure = self.pressure(row, before);
+                let equilibrium =
+                    separation_for(integral, heights, pressure.value, history.next(), tolerance)?;
                 history.add(equilibrium.predictor(), equilibrium.own_sensitivity);
                 SlipState::at_pressure(&equilibrium, pressure, self.plane)
             }
@@ -192,11 +187,11 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Steady sliding before, through and after the step of the slip rate that the query asks for; `pressed` is the surface
+    /// Steady sliding of all rows before, through and after the step of the slip rate that the query asks for; `pressed` is the surface
     /// before the slide.
     pub(crate) fn rate_step(
         &self,
-        pressed: &[EquilibriumState],
+        pressed: &[&EquilibriumState],
     ) -> Result<Option<RateStepResponse>, PredictionError> {
         let (Some(rates), ContactLife::Diameters(diameters)) =
             (self.query.rate_step, self.query.contact_life)
@@ -210,11 +205,13 @@ impl<'a> Sweep<'a> {
         let [before, after] = rates;
         let asperities = |rate: f64| Asperities::new(self.law, self.surface, rate);
         let [slow, fast] = [asperities(before)?, asperities(after)?];
-        let steady = |asperities: &Asperities<'a>, rate: f64| {
-            self.steady(asperities, rate, self.query.contact_life, pressed)
+        let steady = |asperities: &Asperities<'a>, rate: f64| -> Result<Vec<SlipState>, _> {
+            let rows = pressed.iter().enumerate();
+            rows.map(|(row, pressed)| self.steady(asperities, (row, rate), self.query.contact_life, pressed))
+                .collect()
         };
         let (start, target) = (steady(&slow, before)?, steady(&fast, after)?);
-        let slip = rate_step::slip_grid(loaded_radii(pressed), diameters);
+        let slip = rate_step::slip_grid(loaded_radii(pressed.iter().copied()), diameters);
         let stepping = fast.stepping_from(before, diameters)?;
         let states: Vec<Vec<SlipState>> = slip
             .par_iter()
@@ -236,17 +233,16 @@ impl<'a> Sweep<'a> {
         Ok(Some(RateStepResponse { rates, slip, rows }))
     }
 
-    /// The contacts after `slip` (m) at one slip rate, under every separation (m).
+    /// The contacts after `slip` (m) at one slip rate under one separation (m).
     pub(crate) fn contacts(
         &self,
         rate: usize,
         slip: f64,
-        separations: impl Iterator<Item = Estimate>,
-    ) -> Result<Vec<Contacts>, LookupError> {
+        separation: Estimate,
+    ) -> Result<Contacts, LookupError> {
         let Settings { tolerance, melting_temperature, .. } = *self.settings;
         let asperities = self.asperities[rate].after(slip);
-        let mut contacts = ContactsAtSlip::new(asperities, self.surface, tolerance, melting_temperature);
-        separations.map(|separation| contacts.at(separation)).collect()
+        ContactsAtSlip::new(asperities, self.surface, tolerance, melting_temperature).at(separation)
     }
 
     /// Static friction, energies and warnings of one cell.
@@ -260,8 +256,8 @@ impl<'a> Sweep<'a> {
     ) -> Friction {
         let Slide { curve, contacts, sliding, lasting } = &slide;
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
-        let shear: Vec<Estimate> = curve.iter().map(|state| state.shear).collect();
         let start = inception(slip, &mu_history);
+        let at_rest = self.at_rest(row, pressed);
         let outside_table =
             curve.iter().chain([&slide.sliding]).map(|state| state.outside).fold(0.0, f64::max);
         let stuck = contacts.stuck_load > NEGLIGIBLE_SHARE;
@@ -269,13 +265,13 @@ impl<'a> Sweep<'a> {
         let friction = Friction {
             mu_static: start.mu,
             inception_slip: start.slip,
-            weakening_energy: weakening_energy(slip, &shear),
-            weakening_distance: weakening_distance(slip, &shear),
+            weakening_energy: weakening_energy(slip, &mu_history, at_rest.pressure),
+            weakening_distance: weakening_distance(slip, &mu_history),
             contacts: *contacts,
             // Follows from all slip rates together.
             rate_sensitivity: Estimate::UNKNOWN,
             energy_release: self.energy_release(row, pressed).filter(|_| !sliding.mu.value.is_nan()),
-            pressed: curve[0],
+            pressed: at_rest,
             sliding: *sliding,
             mu_steady: lasting.mu,
             mu_history,
@@ -359,7 +355,7 @@ impl<'a> Sweep<'a> {
 }
 
 /// Smallest and largest contact radius (m) averaged over the load.
-fn loaded_radii<'a>(pressed: impl IntoIterator<Item = &'a EquilibriumState>) -> [f64; 2] {
+pub(crate) fn loaded_radii<'a>(pressed: impl IntoIterator<Item = &'a EquilibriumState>) -> [f64; 2] {
     let radii = pressed.into_iter().map(|equilibrium| equilibrium.state.loaded_radius);
     radii.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)])
 }

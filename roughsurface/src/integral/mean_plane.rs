@@ -40,9 +40,15 @@ impl MeanPlane {
     }
 
     /// Error (m) of the displacement at a given separation, from that of a `pressure` (Pa) that changes by `slope`
-    /// (1/m) relatively: a higher pressure moves the plane away, which takes part of it back.
+    /// (1/m) relatively.
     pub fn displacement_error(self, pressure: Estimate, slope: f64) -> f64 {
-        self.displacement(pressure).error / (1.0 + self.compliance * (slope * pressure.value).abs())
+        self.displacement(pressure).error / self.relief(pressure.value, slope)
+    }
+
+    /// What errors are divided by at a given separation, as a higher pressure moves the plane away, which takes part of it
+    /// back: 1 + |dw/dd|.
+    pub fn relief(self, pressure: f64, slope: f64) -> f64 {
+        1.0 + self.compliance * (slope * pressure).abs()
     }
 
     /// The effective separation (m) of a flat at `separation` (m) from the undisplaced plane, to a `tolerance` in

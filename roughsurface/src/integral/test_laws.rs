@@ -52,6 +52,8 @@ pub struct PowerLaw {
     pub mean_rise: Option<f64>,
     /// Friction as a factor of slip rate (m/s), slip (m) and contact radius (m).
     pub history: fn(f64, f64, f64) -> f64,
+    /// Share by which load and friction grow within a slip of some 0.1 µm.
+    pub load_growth: f64,
     /// Strength at a slip rate (m/s) over that at rest, and the smallest slip rate.
     pub rate_factor: fn(f64) -> f64,
     pub slowest: f64,
@@ -76,6 +78,7 @@ impl PowerLaw {
             temperature: |_| 0.0,
             mean_rise: None,
             history: |_, _, _| 1.0,
+            load_growth: 0.0,
             rate_factor: |_| 1.0,
             slowest: 0.0,
             last_slip: f64::INFINITY,
@@ -129,9 +132,12 @@ impl AsperityLaw for PowerLaw {
         let area = estimate(self.area);
         let contact_radius = (area.value / std::f64::consts::PI).sqrt();
         let history = (self.history)(slip_rate, slip.min(self.last_slip * contact_radius), contact_radius);
-        let friction = estimate((self.friction.0 * history * (self.rate_factor)(slip_rate), self.friction.1));
+        let growth = 1.0 - self.load_growth * (-slip / 1e-7).exp_m1();
+        let friction =
+            estimate((growth * self.friction.0 * history * (self.rate_factor)(slip_rate), self.friction.1));
         let temperature_max = Estimate::exact((self.temperature)(interference));
-        Ok(Response::new(estimate(self.load), friction, area, temperature_max))
+        let load = estimate((growth * self.load.0, self.load.1));
+        Ok(Response::new(load, friction, area, temperature_max))
     }
     fn last_slip(&self) -> f64 {
         self.last_slip
