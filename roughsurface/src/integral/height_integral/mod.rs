@@ -22,6 +22,14 @@ const MOST_ROUNDS: usize = 60;
 /// panel is halved without an error estimate.
 const DENSITY_RANGE: f64 = 25.0;
 
+/// Power of ω with which the share of an octave of ω in the load grows at equal density: P ∝ ω^{3/2} of elastic spheres, the
+/// fastest growth of what is integrated.
+const GROWTH: f64 = 2.5;
+
+/// Margin of ln(φ ω^{5/2}) below the tolerance, a factor of 10⁷: friction and area grow more slowly than the load, and the
+/// interferences that are left out are many octaves.
+const MARGIN: f64 = 16.0;
+
 /// First panel of a law without kinks, in √(ω/ω_c). Beyond the last kink each panel is twice as long as the
 /// one before.
 const FIRST_PANEL: f64 = 1.0;
@@ -155,14 +163,10 @@ impl<'a> HeightIntegral<'a> {
     /// Covers all interferences of weight with panels in which the density is smooth and resolved by the
     /// points.
     fn cover(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
-        let (lowest, highest) = self.heights.support();
-        let peak = self.heights.ln_peak(separation.max(lowest), highest);
-        // Loads grow as a power of ω; 16 leaves a factor of 10⁷ for that growth.
-        let negligible = peak + self.tolerance.ln() - 16.0;
-
+        let (negligible, reach) = self.weight(separation);
         let mut pending = std::mem::take(&mut self.pending);
         pending.clear();
-        self.roots_of_weight(separation, negligible, &mut pending)?;
+        self.roots_of_weight(separation, (negligible, reach), &mut pending)?;
         // Panels leave the stack by ascending interference.
         pending.reverse();
         while let Some((kept, index)) = pending.pop() {
@@ -185,11 +189,39 @@ impl<'a> HeightIntegral<'a> {
         Ok(())
     }
 
+    /// ln(φ ω^{5/2}), ω in metres, below which interferences are negligible at `separation` (m), and the interference (m) from
+    /// which on all are. The heights of a wide distribution that carry the load are far above those that are most frequent:
+    /// by 3/2 of the variance of ln z where ln z is Gaussian.
+    fn weight(&self, separation: f64) -> (f64, f64) {
+        /// Octaves below the standard deviation, in which the densities of light contacts fall.
+        const SMALL: i32 = 12;
+        let (lowest, highest) = self.heights.support();
+        let mut end = (highest - separation).min(self.heights.standard_deviation()) * 0.5f64.powi(SMALL);
+        let (mut negligible, mut reach, mut before) = (f64::NEG_INFINITY, 0.0, f64::NEG_INFINITY);
+        let mut start = 0.0;
+        while separation + start < highest {
+            let (from, to) = ((separation + start).max(lowest), (separation + end).min(highest));
+            let weight = match from < to {
+                true => self.heights.ln_peak(from, to) + GROWTH * end.ln(),
+                false => f64::NEG_INFINITY,
+            };
+            negligible = negligible.max(weight + self.tolerance.ln() - MARGIN);
+            if weight >= negligible {
+                reach = end;
+            } else if weight < before && highest == f64::INFINITY && from > self.heights.mode() {
+                // Heights of several peaks have a highest one.
+                break;
+            }
+            (start, end, before) = (end, 2.0 * end, weight);
+        }
+        (negligible, reach)
+    }
+
     /// Adds the panels between kinks of the law in which the density is not negligible.
     fn roots_of_weight(
         &mut self,
         separation: f64,
-        negligible: f64,
+        (negligible, reach): (f64, f64),
         pending: &mut Vec<(bool, usize)>,
     ) -> Result<(), LookupError> {
         let critical = self.asperity.critical_interference();
@@ -200,12 +232,12 @@ impl<'a> HeightIntegral<'a> {
                 self.roots.push(Root { from, to: 2.0 * from, panel: None });
             }
             let root = &mut self.roots[position];
-            let start = separation + critical * root.from.powi(2);
-            let end = separation + critical * root.to.powi(2);
-            if start >= highest || self.heights.ln_peak(start.max(lowest), highest) < negligible {
+            let [start, end] = [root.from, root.to].map(|root| critical * root * root);
+            if start >= reach {
                 break;
             }
-            if end <= lowest || self.heights.ln_peak(lowest, end) < negligible {
+            let highest = (separation + end).min(highest);
+            if highest <= lowest || self.heights.ln_peak(lowest, highest) + GROWTH * end.ln() < negligible {
                 continue;
             }
             let panel = match root.panel {
@@ -218,7 +250,7 @@ impl<'a> HeightIntegral<'a> {
         Ok(())
     }
 
-    /// How a panel fits the density at `separation` (m).
+    /// How a panel fits the density at `separation` (m), with the bound of [`weight`](Self::weight).
     fn fit(&self, kept: bool, index: usize, separation: f64, negligible: f64) -> Fit {
         let critical = self.asperity.critical_interference();
         let (lowest, highest) = self.heights.support();
@@ -229,6 +261,7 @@ impl<'a> HeightIntegral<'a> {
             return Fit::Negligible;
         }
         let largest = self.heights.ln_peak(bottom, top);
+        let negligible = negligible - GROWTH * (top - separation).ln();
         if largest < negligible {
             return Fit::Negligible;
         }

@@ -72,12 +72,15 @@ fn moments_of_skewed_and_truncated_heights_in_closed_form() {
         let reference = length.powf(exponent) * gamma(exponent);
         assert_close(moment(&weibull, exponent, 0.0, 1e-7), reference, 1e-12, "Weibull");
 
-        let spread: f64 = 0.8;
-        let log_normal = LogNormal::new(STD, spread);
-        let variance = spread * spread;
-        let median = 1.0 / (variance.exp() * (variance.exp() - 1.0)).sqrt();
-        let reference = median.powf(exponent) * (0.5 * exponent * exponent * variance).exp();
-        assert_close(moment(&log_normal, exponent, 0.0, 1e-7), reference, 1e-12, "log-normal");
+        // Up to the largest shape of a surface file.
+        for spread in [0.01, 0.8, 2.0f64] {
+            let log_normal = LogNormal::new(STD, spread);
+            let variance = spread * spread;
+            let median = 1.0 / (variance.exp() * variance.exp_m1()).sqrt();
+            let reference = median.powf(exponent) * (0.5 * exponent * exponent * variance).exp();
+            let what = format!("log-normal of {spread}, {exponent}");
+            assert_close(moment(&log_normal, exponent, 0.0, 1e-7), reference, 1e-11, &what);
+        }
     }
     // Mean of a Gaussian cut at a and b above a flat at h < a: [φ(a) − φ(b)]/Z − h.
     let (a, b) = (-0.5f64, 1.5f64);
