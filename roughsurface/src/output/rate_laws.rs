@@ -34,11 +34,9 @@ const GOODNESS: [Goodness; 4] = [
         law.r_squared
     }),
     ("condition", "condition number of the Jacobian with columns of equal length", |law| law.condition),
-    (
-        "reliable",
-        "1 where the share of the variance is at least 0.99 and the velocity is known to half of itself, 0 elsewhere",
-        |law| f64::from(u8::from(law.is_reliable())),
-    ),
+    ("reliable", "1 where the law explains the data and they determine its parameters, 0 elsewhere", |law| {
+        f64::from(u8::from(law.doubt().is_none()))
+    }),
 ];
 
 /// Variables over the pressures or separations.
@@ -76,7 +74,14 @@ fn variables(
         let (name, long_name) = (format!("{prefix}_{name}"), format!("{long_name}, {prefix} fit"));
         file.reals(&name, &[row], &values, &described("1", &long_name))?;
     }
-    Ok(())
+    let reason = |fit: &&Fit| match fit {
+        Ok(law) => law.doubt().map_or(String::new(), |doubt| doubt.to_string()),
+        Err(reason) => reason.to_string(),
+    };
+    let reasons: Vec<String> = fits.iter().map(reason).collect();
+    let reasons: Vec<&str> = reasons.iter().map(String::as_str).collect();
+    let meaning = format!("why there is no law or it is not reliable, empty elsewhere, {prefix} fit");
+    file.texts(&format!("{prefix}_doubt"), &[row], &reasons, &[("long_name", meaning.as_str().into())])
 }
 
 /// The law that is chosen, and every form with its misfit or the reason why it is refused; one entry a row.
@@ -109,7 +114,10 @@ fn fit(row: &str, load: f64, fit: &Fit, parameters: &[Parameter]) -> Value {
     for (name, _, of) in GOODNESS {
         entry[name] = of(law).into();
     }
-    entry["reliable"] = law.is_reliable().into();
+    entry["reliable"] = law.doubt().is_none().into();
+    if let Some(doubt) = law.doubt() {
+        entry["doubt"] = doubt.to_string().into();
+    }
     entry
 }
 
@@ -136,7 +144,7 @@ pub(super) fn rows(results: &Results) -> Rows {
                     row.extend([law.mu_0, law.plateau, law.velocity, law.exponent].map(shown));
                     row.push(format!("{:.3}", 100.0 * law.misfit / law.mu_0.value));
                     row.push(format!("{:.4}", law.r_squared));
-                    let flag = if law.is_reliable() { "" } else { " (not reliable)" };
+                    let flag = law.doubt().map_or(String::new(), |doubt| format!(" (not reliable: {doubt})"));
                     row.push(format!("{}{flag}", law.form.formula));
                 }
                 Err(reason) => row.push(format!("not fitted: {reason}")),

@@ -28,6 +28,12 @@ impl Curve {
         }
     }
 
+    /// Without the lowest third, and without the highest third of the slip rates.
+    fn parts(&self) -> [Self; 2] {
+        let (count, third) = (self.len(), self.len() / 3);
+        [third..count, 0..count - third].map(|part| Self { points: self.points[part].to_vec() })
+    }
+
     pub fn len(&self) -> usize {
         self.points.len()
     }
@@ -104,6 +110,15 @@ impl Parameters {
         }
     }
 
+    /// The parameters in the order of the columns of the Jacobian; those that are not fitted do not change.
+    fn fitted(&self, form: &Form) -> [f64; 4] {
+        let Self { mu_0, plateau, ln_velocity, exponent } = *self;
+        match form.exponent {
+            None => [mu_0, ln_velocity, exponent, plateau],
+            Some(_) => [mu_0, ln_velocity, plateau, exponent],
+        }
+    }
+
     /// The friction coefficients that fit best at this velocity and exponent, for which the problem is linear.
     fn with_best_friction(mut self, form: &Form, curve: &Curve) -> Self {
         let columns = if form.has_plateau { 2 } else { 1 };
@@ -139,8 +154,18 @@ fn start(form: &Form, curve: &Curve) -> Parameters {
 
 /// The least squares of `form`.
 pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, NoFit> {
+    let (place, residuals, jacobian) = descend(form, curve, start(form, curve));
+    // Where friction rises, the best falling law is a constant.
+    let explains = residuals.norm_squared() < (1.0 - TOLERANCE) * curve.variance();
+    match explains && place.mu_0 > place.plateau && place.exponent > 0.0 {
+        true => law(form, curve, place, &residuals, jacobian).ok_or(NoFit::Undetermined(f64::INFINITY)),
+        false => Err(NoFit::NoWeakening),
+    }
+}
+
+/// From a place to the least squares, with residuals and Jacobian there.
+fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> (Parameters, DVector<f64>, DMatrix<f64>) {
     const MOST_STEPS: usize = 300;
-    let mut place = start(form, curve);
     let (mut residuals, mut jacobian) = place.residuals(form, curve);
     let mut damping = 1e-3;
     for _ in 0..MOST_STEPS {
@@ -164,12 +189,27 @@ pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, No
             damping *= 5.0;
         }
     }
-    // Where friction rises, the best falling law is a constant.
-    let explains = residuals.norm_squared() < (1.0 - TOLERANCE) * curve.variance();
-    match explains && place.mu_0 > place.plateau && place.exponent > 0.0 {
-        true => law(form, curve, place, &residuals, jacobian).ok_or(NoFit::Undetermined(f64::INFINITY)),
-        false => Err(NoFit::NoWeakening),
+    (place, residuals, jacobian)
+}
+
+/// Largest change of each parameter, in the order of the columns of the Jacobian, where a third of the slip rates is left out
+/// and a plateau is still seen.
+fn spread(form: &Form, curve: &Curve, whole: Parameters) -> [f64; 4] {
+    let mut spread = [0.0; 4];
+    let ln_velocity = whole.ln_velocity;
+    let seen = |part: &Curve| {
+        let above = part.rates().filter(|rate| rate.ln() > ln_velocity).count();
+        part.len() >= form.parameters() && (!form.has_plateau || (above >= 2 && above < part.len()))
+    };
+    for part in curve.parts().iter().filter(|part| seen(part)) {
+        let of_part = descend(form, part, whole).0;
+        for (largest, (one, other)) in
+            spread.iter_mut().zip(of_part.fitted(form).into_iter().zip(whole.fitted(form)))
+        {
+            *largest = f64::max(*largest, (one - other).abs());
+        }
     }
+    spread
 }
 
 /// The law with its errors; none where the Jacobian has no full rank.
@@ -195,9 +235,10 @@ fn law(
     let squares = residuals.norm_squared();
     let variance = if count > parameters { squares / (count - parameters) as f64 } else { 0.0 };
     let errors = DVector::from_iterator(count, curve.points.iter().map(|(_, mu)| mu.error));
+    let spread = spread(form, curve, place);
     let error = |i: usize| {
         let row = gain.row(i) / lengths[i];
-        row.norm() * variance.sqrt() + (row * &errors)[0].abs()
+        f64::max(row.norm() * variance.sqrt(), spread[i]) + (row * &errors)[0].abs()
     };
     let free = usize::from(form.exponent.is_none());
     let velocity = place.ln_velocity.exp();
@@ -215,5 +256,6 @@ fn law(
         r_squared: 1.0 - squares / curve.variance(),
         criterion: curve.criterion(parameters, squares),
         condition,
+        fastest: curve.points[count - 1].0,
     })
 }

@@ -85,6 +85,8 @@ pub struct RateLaw {
     pub criterion: f64,
     /// Condition number of the Jacobian with columns of equal length.
     pub condition: f64,
+    /// Largest slip rate of the fit, m/s.
+    pub fastest: f64,
 }
 
 impl RateLaw {
@@ -95,11 +97,34 @@ impl RateLaw {
         self.plateau.value + (self.mu_0.value - self.plateau.value) * share
     }
 
-    /// Whether law and data agree: R² of at least 0.99 over more slip rates than a curve with as many parameters can pass
-    /// through (the information criterion is a number), and a velocity known to half of itself.
-    pub fn is_reliable(&self) -> bool {
-        !self.criterion.is_nan() && self.r_squared >= 0.99 && self.velocity.error <= 0.5 * self.velocity.value
+    /// Why law and data do not agree or its parameters are not determined; none of a reliable law.
+    pub fn doubt(&self) -> Option<Doubt> {
+        if self.criterion.is_nan() {
+            Some(Doubt::FewSlipRates)
+        } else if self.r_squared < 0.99 {
+            Some(Doubt::Misfit(self.r_squared))
+        } else if self.velocity.value > self.fastest {
+            Some(Doubt::Extrapolated(self.fastest))
+        } else if self.velocity.error > 0.5 * self.velocity.value {
+            Some(Doubt::Uncertain)
+        } else {
+            None
+        }
     }
+}
+
+/// Why a law is not reliable.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum Doubt {
+    #[error("no more slip rates than a curve with as many parameters can pass through")]
+    FewSlipRates,
+    #[error("R2 = {0:.4} is below 0.99")]
+    Misfit(f64),
+    /// Where V ≪ V*, μ is μ_0 [1 − (V/V*)^n].
+    #[error("V* is above the slip rates, which end at {0} m/s and determine mu_0 and mu_0 V*^-n only")]
+    Extrapolated(f64),
+    #[error("the velocity is not known to half of itself")]
+    Uncertain,
 }
 
 /// Reason of a failed fit.
@@ -139,10 +164,11 @@ pub struct RateLaws {
 }
 
 /// Fits friction coefficients `mu` at `slip_rates` (m/s) by every form, and chooses the one with the least information
-/// criterion. Below five slip rates, which leave no degree of freedom to compare with, it is the form of two parameters.
+/// criterion. Below six slip rates, which forms of three parameters need, it is the form of two.
 ///
-/// The isothermal limit V = 0 is left out. The errors of the parameters are the standard errors from the
-/// scatter about the fit plus the effect of the errors of `mu`, which have one sign at all slip rates.
+/// The isothermal limit V = 0 is left out. Errors of the parameters: the larger one of the standard error from the scatter
+/// about the fit and of the change without the lowest or the highest third of the slip rates, as a form that is not that of
+/// the data leaves residuals that are no scatter, plus the effect of the errors of `mu`, which have one sign at all slip rates.
 pub fn choose(slip_rates: &[f64], mu: &[Estimate]) -> RateLaws {
     let curve = match Curve::new(slip_rates, mu) {
         Ok(curve) => curve,

@@ -31,7 +31,10 @@ fn every_form_comes_back_from_its_own_curve() {
         ] {
             assert!((one - other).abs() <= 1e-5 * other, "{one} {other}");
         }
-        assert!(found.misfit < 1e-9 && found.r_squared > 1.0 - 1e-9 && found.is_reliable());
+        assert!(found.misfit < 1e-9 && found.r_squared > 1.0 - 1e-9);
+        // Of the first one V* is an extrapolation.
+        let doubt = (velocity > 300.0).then_some(Doubt::Extrapolated(rates[16]));
+        assert_eq!(found.doubt(), doubt, "{found:?}");
         for rate in [0.1, 10.0] {
             assert!((found.friction_coefficient(rate) - law(rate)).abs() < 1e-8);
         }
@@ -57,8 +60,9 @@ fn standard_errors_cover_the_parameters_of_noisy_curves() {
         covered += usize::from(within(found.exponent, 0.6)) + usize::from(within(found.velocity, 80.0));
         assert!(laws.candidates[2..].iter().all(Result::is_err), "no plateau is in these curves");
     }
-    // Student's t of 10 degrees of freedom: 92.7 % within two standard errors, ± 2 % of 400 numbers.
-    assert!((0.89..=0.97).contains(&(covered as f64 / (2 * CURVES) as f64)), "{covered}");
+    // Student's t of 10 degrees of freedom: 92.7 % within two standard errors, ± 2 % of 400 numbers; more of them as changes
+    // without a third of the slip rates are larger where there is only scatter.
+    assert!(covered as f64 > 0.89 * (2 * CURVES) as f64, "{covered}");
     assert!(power > CURVES * 9 / 10, "{power}");
 }
 
@@ -132,11 +136,31 @@ fn flash_heating_comes_back_from_its_curve_and_is_flagged_elsewhere() {
         assert!((fitted.plateau.value - 0.15).abs() < 1e-6);
         assert!((fitted.velocity.value - 0.2).abs() < 1e-6);
         // Three parameters pass through any three points.
-        assert_eq!(fitted.is_reliable(), rates.len() > 3);
+        assert_eq!(fitted.doubt(), (rates.len() == 3).then_some(Doubt::FewSlipRates));
     }
     let beyond = [1.0, 2.0, 4.0, 8.0];
     assert_eq!(choose(&beyond, &exact(&beyond, flash_heating)).flash_heating, Err(NoFit::OnsetOutside));
     let rates = Log.range(0.1, 10.0, 9);
     let laws = choose(&rates, &exact(&rates, |rate| 0.45 / (1.0 + (rate / 80.0f64).sqrt())));
-    assert!(!laws.flash_heating.unwrap().is_reliable());
+    assert!(matches!(laws.flash_heating.unwrap().doubt(), Some(Doubt::Misfit(_))));
+}
+
+#[test]
+fn errors_cover_the_parameters_of_other_ranges_where_the_form_is_another() {
+    // Exponential weakening is none of the forms: the law of one range of slip rates is not that of another.
+    let fitted = |from: f64, to: f64, count: usize| {
+        let rates = Log.range(from, to, count);
+        choose(&rates, &exact(&rates, |rate| 0.1 + 0.3 * (-(rate / 3.0f64).sqrt()).exp())).chosen.unwrap()
+    };
+    let reliable: Vec<RateLaw> =
+        [(0.01, 10.0, 13), (0.1, 10.0, 9), (0.1, 30.0, 10), (0.3, 30.0, 9), (0.01, 100.0, 17)]
+            .map(|(from, to, count)| fitted(from, to, count))
+            .into_iter()
+            .filter(|law| law.doubt().is_none())
+            .collect();
+    let ends =
+        |law: &RateLaw| [law.velocity.value - law.velocity.error, law.velocity.value + law.velocity.error];
+    let lowest = reliable.iter().map(|law| ends(law)[1]).fold(f64::INFINITY, f64::min);
+    let highest = reliable.iter().map(|law| ends(law)[0]).fold(0.0, f64::max);
+    assert!(reliable.len() > 1 && highest <= lowest, "{reliable:?}");
 }

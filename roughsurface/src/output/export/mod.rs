@@ -163,6 +163,7 @@ impl FrictionTable {
                 r_squared: f64::NAN,
                 criterion: f64::NAN,
                 condition: f64::NAN,
+                fastest: f64::NAN,
             }))
         };
         let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
