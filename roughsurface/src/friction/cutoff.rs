@@ -3,11 +3,7 @@
 use crate::friction::predict::predict;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
-use crate::surface::heights::Gaussian;
 use crate::surface::query::Surface;
-use crate::surface::radii::Radii;
-use crate::topography::characterize::Characterization;
-use crate::topography::nayak::Nayak;
 use tables::law::AsperityLaw;
 
 /// A topography with another cut-off.
@@ -15,30 +11,37 @@ use tables::law::AsperityLaw;
 pub struct AtCutoff {
     /// m.
     pub cutoff: f64,
-    pub summits: Nayak,
+    /// Summits per nominal area, 1/m².
+    pub asperity_density: f64,
+    /// Mean radius of the summits, m.
+    pub asperity_radius: f64,
+    /// Standard deviation of their heights, m.
+    pub heights_std: f64,
     /// By row (pressure or separation) and slip rate, as in [`Prediction`].
     pub friction: Result<Vec<Vec<Friction>>, PredictionError>,
 }
 
 impl AtCutoff {
-    /// The `prediction` of the summits of `measured` from their moments, and those at half and at twice the
-    /// cut-off, by ascending cut-off.
+    /// The `prediction` of the `surface` of a topography with a cut-off (m), and those of the surfaces of `others`, by
+    /// ascending cut-off.
     pub fn around(
-        measured: &Characterization,
+        (cutoff, surface): (f64, &Surface),
+        others: impl IntoIterator<Item = (f64, Surface)>,
         law: &dyn AsperityLaw,
         prediction: &Prediction,
         settings: &Settings,
     ) -> Vec<Self> {
-        let (cutoff, summits) = (measured.cutoff, measured.summits);
-        let mut all = vec![Self { cutoff, summits, friction: Ok(prediction.friction.clone()) }];
-        all.extend(measured.other_cutoffs.iter().map(|other| {
-            let Nayak { density, radius, std, .. } = other.summits;
-            let heights = Box::new(Gaussian::new(std));
-            let surface =
-                Surface { asperity_density: density, asperity_radius: Radii::from(radius), heights };
+        let at = |cutoff: f64, surface: &Surface, friction| Self {
+            cutoff,
+            asperity_density: surface.asperity_density,
+            asperity_radius: surface.asperity_radius.mean(),
+            heights_std: surface.heights.standard_deviation(),
+            friction,
+        };
+        let mut all = vec![at(cutoff, surface, Ok(prediction.friction.clone()))];
+        all.extend(others.into_iter().map(|(cutoff, surface)| {
             let predicted = predict(law, &surface, &prediction.query, settings, &|_, _| ());
-            let friction = predicted.map(|prediction| prediction.friction);
-            Self { cutoff: other.cutoff, summits: other.summits, friction }
+            at(cutoff, &surface, predicted.map(|prediction| prediction.friction))
         }));
         all.sort_by(|one, other| one.cutoff.total_cmp(&other.cutoff));
         all

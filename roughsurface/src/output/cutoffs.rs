@@ -14,9 +14,9 @@ const SHOWN: [&str; 2] = ["mu_static", "mu"];
 /// A parameter of the summits: name, unit, meaning, formula.
 type Summit = (&'static str, &'static str, &'static str, fn(&AtCutoff) -> f64);
 const SUMMITS: [Summit; 3] = [
-    ("asperity_density", "m-2", "summits per nominal area", |at| at.summits.density),
-    ("asperity_radius", "m", "radius of the summits", |at| at.summits.radius),
-    ("heights_std", "m", "standard deviation of the summit heights", |at| at.summits.std),
+    ("asperity_density", "m-2", "summits per nominal area", |at| at.asperity_density),
+    ("asperity_radius", "m", "radius of the summits", |at| at.asperity_radius),
+    ("heights_std", "m", "standard deviation of the summit heights", |at| at.heights_std),
 ];
 
 /// Variables over the dimension `cutoff`.

@@ -10,8 +10,8 @@ use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
-use crate::surface::query::{NormalLoading, Query};
-use crate::topography::characterize::Characterization;
+use crate::surface::query::{NormalLoading, Query, Surface};
+use crate::topography::characterize::{AtCutoff as AtOtherCutoff, Characterization};
 use crate::topography::report;
 use tables::closed_forms::ElasticPlastic;
 use tables::netcdf::input::Override;
@@ -165,7 +165,8 @@ impl Case {
             results.propagated = Some(propagated);
         }
         if let Some(measured) = &self.measured {
-            results.cutoffs = AtCutoff::around(measured, law, &results.prediction, &settings);
+            let (here, others) = ((measured.cutoff, surface), self.at_other_cutoffs(measured));
+            results.cutoffs = AtCutoff::around(here, others, law, &results.prediction, &settings);
         }
         results.comparisons = compare(compared, &source.material, surface, query, &settings)?;
         let models = compared.iter().map(String::as_str).chain(self.table.strip_prefix("model:"));
@@ -173,6 +174,17 @@ impl Case {
         warnings.splice(..0, self.warnings());
         warnings.extend(models.filter_map(|model| caveat(model, &source.material)));
         Ok(results)
+    }
+
+    /// The surface with other cut-offs of the topography (m), and the same keys in place of those of the summits.
+    fn at_other_cutoffs(&self, measured: &Characterization) -> Vec<(f64, Surface)> {
+        let others = measured.other_cutoffs.iter();
+        let surface = |other: &AtOtherCutoff| {
+            let found = Characterization { summits: other.summits, ..measured.clone() };
+            let file = self.file.with_text(report::surface_file(&found, "", None)).ok()?;
+            Some((other.cutoff, file.surface))
+        };
+        others.filter_map(surface).collect()
     }
 
     /// Finite surfaces, at `slip` (m) or where [`predict`](Case::predict) ends; `show` is told surfaces done and in all.

@@ -51,6 +51,26 @@ fn one_command_does_what_two_do() {
 }
 
 #[test]
+fn keys_in_place_of_those_of_the_summits_hold_at_every_cutoff() {
+    let folder = Folder::new();
+    let map = map("map.x3p");
+    let set = "--set surface.asperity_radius=1e-4 --set surface.heights.std=2e-8";
+    let rest = format!("--table model:jackson-green {STEEL} {set} --pressure 1e6 --slip-rate 1");
+    folder.run_well(&format!("predict {map} --cutoff 1.2um {rest} -o all.nc"));
+    let all = DatasetReader::open(&folder.path("all.nc")).unwrap();
+    assert_eq!(all.reals("asperity_radius_cutoff", &[3]).unwrap(), [1e-4; 3]);
+    assert_eq!(all.reals("heights_std_cutoff", &[3]).unwrap(), [2e-8; 3]);
+    let density = all.reals("asperity_density_cutoff", &[3]).unwrap();
+    assert!(density[0] > density[1] && density[1] > density[2], "{density:?}");
+    let mu = all.reals("mu_cutoff", &[3, 1, 1]).unwrap();
+    for (index, cutoff) in ["0.6um", "1.2um", "2.4um"].into_iter().enumerate() {
+        folder.run_well(&format!("predict {map} --cutoff {cutoff} {rest} -o one.nc"));
+        let one = DatasetReader::open(&folder.path("one.nc")).unwrap();
+        assert_eq!(one.reals("mu", &[1, 1]).unwrap(), mu[index..=index]);
+    }
+}
+
+#[test]
 fn a_material_names_a_shipped_table() {
     let folder = Folder::new();
     let map = map("map.x3p");

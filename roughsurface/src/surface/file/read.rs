@@ -30,6 +30,8 @@ pub struct SurfaceFile {
     pub heights_file: Option<PathBuf>,
     /// The text of the file with the overrides, stored with the results.
     pub text: String,
+    /// Keys laid over the file.
+    overrides: Vec<Override>,
     /// The file itself, named in errors.
     file: PathBuf,
 }
@@ -87,7 +89,9 @@ impl SurfaceFile {
             change.lay_over(&mut sections).map_err(explained)?;
         }
         let text = toml::to_string(&sections).map_err(|error| content(file, None, error.to_string()))?;
-        Self::parse_moved(file, text, None).map_err(|error| match error {
+        let parsed =
+            Self::parse_moved(file, text, None).map(|file| Self { overrides: overrides.to_vec(), ..file });
+        parsed.map_err(|error| match error {
             // Lines have other numbers now.
             SurfaceFileError::Content { what, .. } => {
                 let given = overrides.iter().any(|change| what.starts_with(&change.key()));
@@ -100,6 +104,11 @@ impl SurfaceFile {
     /// The same surface, query and material with one parameter moved by `change`.
     pub fn varied(&self, parameter: Parameter, change: f64) -> Result<Self, SurfaceFileError> {
         Self::parse_moved(&self.file, self.text.clone(), Some((parameter, change)))
+    }
+
+    /// Another surface file with the same keys laid over it.
+    pub fn with_text(&self, text: String) -> Result<Self, SurfaceFileError> {
+        Self::parse_with(&self.file, text, &self.overrides)
     }
 
     fn parse_moved(
@@ -182,6 +191,7 @@ fn build(mut keys: FileKeys, file: &Path, text: &str) -> Result<SurfaceFile, Str
         uncertain_tables,
         heights_file,
         text: text.to_string(),
+        overrides: Vec::new(),
         file: file.to_path_buf(),
     })
 }
