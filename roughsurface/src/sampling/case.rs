@@ -50,6 +50,8 @@ pub enum CaseError {
 pub struct Case {
     pub file: SurfaceFile,
     pub source: LawSource,
+    /// Whether cells of tables without results are interpolated around.
+    pub interpolate_missing: bool,
     /// The table as given: file, shipped name or `model:NAME`.
     pub table: String,
     /// The topography that the surface is of, if it is not a surface file.
@@ -66,7 +68,7 @@ impl Case {
     ) -> Result<Self, LawSourceError> {
         let source = LawSource::open(table, file.material.as_ref(), file.temperature, interpolate_missing)?;
         file.counterface.as_ref().map_or(Ok(()), |asked| source.check_counterface(table, asked))?;
-        Ok(Self { file, source, table: table.to_owned(), measured })
+        Ok(Self { file, source, interpolate_missing, table: table.to_owned(), measured })
     }
 
     /// Warnings of the input, the first of all results: of the topography, of implausible values, and of cells of the
@@ -161,7 +163,8 @@ impl Case {
         let mut results = Results::from(predict(law, surface, query, &settings, show)?);
         results.temperature = file.temperature.or_else(|| initial_temperature(law.request()));
         if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
-            let propagated = propagate(file, &self.table, &results.prediction, &settings, show)?;
+            let tables = (self.table.as_str(), self.interpolate_missing);
+            let propagated = propagate(file, tables, &results.prediction, &settings, show)?;
             results.propagated = Some(propagated);
         }
         if let Some(measured) = &self.measured {

@@ -72,10 +72,11 @@ pub enum UncertaintyError {
 }
 
 /// Repeats the prediction `base` for the law called `table` with every uncertain parameter of
-/// `file` moved up and down, and with its other tables.
+/// `file` moved up and down, and with its other tables, around whose cells without results `interpolate_missing` says
+/// to interpolate.
 pub fn propagate(
     file: &SurfaceFile,
-    table: &str,
+    (table, interpolate_missing): (&str, bool),
     base: &Prediction,
     settings: &Settings,
     progress: &(dyn Fn(usize, usize) + Sync),
@@ -89,7 +90,7 @@ pub fn propagate(
         return Err(UncertaintyError::NoTable);
     }
     let again = |file: &SurfaceFile, table: &str, key: &str, direction| {
-        let law = LawSource::open(table, file.material.as_ref(), file.temperature, false)?.law;
+        let law = LawSource::open(table, file.material.as_ref(), file.temperature, interpolate_missing)?.law;
         predict(law.as_ref(), &file.surface, &file.query, settings, progress)
             .map_err(|error| UncertaintyError::Prediction { key: key.into(), direction, error })
     };
@@ -140,7 +141,7 @@ yield_strength = 4e6
         let law = LawSource::open("model:hertz", file.material.as_ref(), None, false).unwrap().law;
         let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
         let mu = base.friction[0][0].sliding.mu.value;
-        let found = propagate(&file, "model:hertz", &base, &settings, &|_, _| ()).unwrap();
+        let found = propagate(&file, ("model:hertz", false), &base, &settings, &|_, _| ()).unwrap();
         let relative = [0.0, 0.005, -0.01, -0.005, 0.01];
         for (change, expected) in found.contributions[0][0].iter().zip(relative) {
             // Second order in one to two per cent.
@@ -151,6 +152,38 @@ yield_strength = 4e6
         let place = outputs().position(|output| output.name == "separation").unwrap();
         let separation = found.contributions[0][place][0];
         assert!((separation / 1e-9 - 0.01).abs() < 1e-5, "{separation:e}");
+    }
+
+    #[test]
+    fn tables_with_failed_cells_are_read_as_for_the_prediction() {
+        let mut table = tables::shipped::load("steel-4340").unwrap().only().unwrap().clone();
+        let (i, j) = (table.axes().interference.len() / 2, table.axes().slip_rate.len() / 2);
+        table.mark_failed(i, j, "no convergence");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("gap.nc");
+        table.write(&path).unwrap();
+        let path = path.to_str().unwrap();
+        let text = format!(
+            "
+[surface]
+asperity_density = 1e8
+asperity_radius = 1e-3
+heights = {{ distribution = \"gaussian\", std = 0.4e-6 }}
+[query]
+pressure = [1e6]
+slip_rate = [{}]
+[uncertainty]
+asperity_density = 1e7
+",
+            table.axes().slip_rate[j]
+        );
+        let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
+        let settings = Settings { slip_points: 8, ..Settings::default() };
+        let law = LawSource::open(path, None, None, true).unwrap().law;
+        let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
+        let found = |missing| propagate(&file, (path, missing), &base, &settings, &|_, _| ());
+        assert!(found(true).unwrap().std(0, 0) > 0.0);
+        assert!(found(false).unwrap_err().to_string().contains("no convergence"));
     }
 
     #[test]
@@ -178,11 +211,11 @@ uncertainty = { KEY }
         let law = LawSource::open("model:hertz", file.material.as_ref(), None, false).unwrap().law;
         let settings = Settings::default();
         let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
-        let error = propagate(&file, "table.nc", &base, &settings, &|_, _| ()).unwrap_err();
+        let error = propagate(&file, ("table.nc", false), &base, &settings, &|_, _| ()).unwrap_err();
         assert!(error.to_string().starts_with("uncertainty.youngs_modulus: constants"));
         let file = parse("tables = { yield_strength = \"up.nc\" }").unwrap();
         assert_eq!(file.uncertain_tables, [("yield_strength".to_string(), "up.nc".into())]);
-        let error = propagate(&file, "model:hertz", &base, &settings, &|_, _| ()).unwrap_err();
+        let error = propagate(&file, ("model:hertz", false), &base, &settings, &|_, _| ()).unwrap_err();
         assert!(error.to_string().starts_with("uncertainty.tables: has no meaning"));
     }
 }

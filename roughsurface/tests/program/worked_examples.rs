@@ -64,7 +64,8 @@ fn brake_disc() {
         prediction.friction.iter().flatten().all(|cell| (cell.contacts.shares.plastic - 0.99).abs() < 0.005)
     );
     let propagated =
-        propagate(&file, "model:jackson-green", &prediction, &Settings::default(), &|_, _| ()).unwrap();
+        propagate(&file, ("model:jackson-green", false), &prediction, &Settings::default(), &|_, _| ())
+            .unwrap();
     let std = propagated.std(0, 0);
     assert!((std - 0.002).abs() < 5e-4, "{std}");
 }
