@@ -4,7 +4,7 @@ use roots::{SimpleConvergency, find_root_brent};
 
 use super::ROUNDING;
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
-use super::nodes::{self, Absent, Errors, Nodes, Values, blend};
+use super::nodes::{self, Absent, Errors, Nodes, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
 use crate::law::LARGEST_CONTACT;
@@ -57,7 +57,7 @@ impl Interpolant {
     pub(super) fn new(table: &Slice) -> Self {
         let slip_rate = table.axes().slip_rate.clone();
         let [log_interference, rate_coordinate] = coordinates(table.axes());
-        let nodes = Nodes::new(table, &log_interference, &rate_coordinate);
+        let nodes = Nodes::new(table, &log_interference);
         let filled = |i: &usize| (0..slip_rate.len()).any(|j| nodes.is_present(*i, j));
         let rows = 0..log_interference.len();
         let first = rows.clone().find(filled);
@@ -245,13 +245,4 @@ pub(crate) fn coordinates(axes: &Axes) -> [Vec<f64>; 2] {
     let rates = &axes.slip_rate;
     let rate = rates.iter().map(|rate| rate_coordinate(rates, *rate)).collect();
     [axes.interference.iter().map(|omega| omega.ln()).collect(), rate]
-}
-
-/// ξ(V): logarithmic from the first positive slip rate on, linear below it.
-fn rate_coordinate(slip_rates: &[f64], slip_rate: f64) -> f64 {
-    match slip_rates.iter().find(|rate| **rate > 0.0) {
-        None => 0.0,
-        Some(first) if slip_rate < *first => slip_rate / first,
-        Some(first) => 1.0 + (slip_rate / first).ln(),
-    }
 }

@@ -36,7 +36,7 @@ pub(super) struct Nodes {
 }
 
 impl Nodes {
-    pub(super) fn new(table: &Slice, log_interference: &[f64], rate_coordinate: &[f64]) -> Self {
+    pub(super) fn new(table: &Slice, log_interference: &[f64]) -> Self {
         let slip = table.axes().slip.clone();
         let (_, rates) = table.shape();
         let base = table.metadata().temperature;
@@ -48,13 +48,20 @@ impl Nodes {
             slip,
         };
         let slips = nodes.slip.clone();
-        let along_slip = nodes.misfits(&slips, 2);
+        let along_slip = nodes.misfits(slips.len(), 2, |own| without(&slips, own));
         if table.metadata().interpolation_tolerance.is_some() {
             // The errors of the points include that of interpolating between them.
             nodes.misfit = [Vec::new(), Vec::new(), along_slip];
             return nodes;
         }
-        nodes.misfit = [nodes.misfits(log_interference, 0), nodes.misfits(rate_coordinate, 1), along_slip];
+        let along_interference =
+            nodes.misfits(log_interference.len(), 0, |own| without(log_interference, own));
+        // Without the first positive slip rate the next one is the first of a table.
+        let along_rate = nodes.misfits(rates, 1, |own| {
+            let (rest, own) = without(&table.axes().slip_rate, own);
+            (rest.iter().map(|rate| rate_coordinate(&rest, *rate)).collect(), rate_coordinate(&rest, own))
+        });
+        nodes.misfit = [along_interference, along_rate, along_slip];
         nodes
     }
 
@@ -150,8 +157,14 @@ impl Nodes {
         }
     }
 
-    /// Misfits along the axis `along` of (interference, slip rate, slip).
-    fn misfits(&self, axis: &[f64], along: usize) -> Vec<Errors> {
+    /// Misfits along the axis `along` of (interference, slip rate, slip) of `length` points; `without` has the coordinates
+    /// of all others and of a point itself in an axis that it is left out of.
+    fn misfits(
+        &self,
+        length: usize,
+        along: usize,
+        without: impl Fn(usize) -> (Vec<f64>, f64),
+    ) -> Vec<Errors> {
         let value = |[i, j, k]: [usize; 3]| Some(self.histories[i * self.rates + j].as_ref()?[k][0]);
         let slips = self.slip.len();
         let points = (0..self.histories.len())
@@ -164,8 +177,8 @@ impl Nodes {
                 value(at)
             };
             // End points cannot be left out: they take the misfit of their neighbour.
-            let inner = point[along].clamp(1, axis.len().saturating_sub(2).max(1));
-            left_out(axis, line, inner).unwrap_or_default()
+            let inner = point[along].clamp(1, length.saturating_sub(2).max(1));
+            left_out(length, &without, line, inner).unwrap_or_default()
         };
         points.map(misfit).collect()
     }
@@ -205,9 +218,28 @@ pub(crate) fn neighbours<T>(
     [before, after.flatten()]
 }
 
-/// Relative misfit of the point `own` of a line when predicted from the others.
-fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) -> Option<Errors> {
-    if axis.len() == 2 {
+/// ξ(V): logarithmic from the first positive slip rate on, linear below it.
+pub(super) fn rate_coordinate(slip_rates: &[f64], slip_rate: f64) -> f64 {
+    match slip_rates.iter().find(|rate| **rate > 0.0) {
+        None => 0.0,
+        Some(first) if slip_rate < *first => slip_rate / first,
+        Some(first) => 1.0 + (slip_rate / first).ln(),
+    }
+}
+
+/// The points of an axis but one, and that one.
+fn without(axis: &[f64], own: usize) -> (Vec<f64>, f64) {
+    ([&axis[..own], &axis[own + 1..]].concat(), axis[own])
+}
+
+/// Relative misfit of the point `own` of a line of `length` points when predicted from the others.
+fn left_out(
+    length: usize,
+    without: impl Fn(usize) -> (Vec<f64>, f64),
+    line: impl Fn(usize) -> Option<Values>,
+    own: usize,
+) -> Option<Errors> {
+    if length == 2 {
         // No inner point to leave out: the difference of the two possible means in the middle.
         let (a, b) = (line(0)?, line(1)?);
         let (a, b) = (with_coefficient(&a), with_coefficient(&b));
@@ -217,11 +249,11 @@ fn left_out(axis: &[f64], line: impl Fn(usize) -> Option<Values>, own: usize) ->
             if geometric > 0.0 { misfit.min(1.0) / REFINEMENT } else { 0.0 }
         }));
     }
-    if axis.len() < 2 || own + 1 >= axis.len() {
+    if length < 2 || own + 1 >= length {
         return None;
     }
-    let rest: Vec<f64> = [&axis[..own], &axis[own + 1..]].concat();
-    let place = Location { index: own - 1, t: (axis[own] - axis[own - 1]) / (axis[own + 1] - axis[own - 1]) };
+    let (rest, at) = without(own);
+    let place = Location { index: own - 1, t: (at - rest[own - 1]) / (rest[own] - rest[own - 1]) };
     let of_rest = |n: usize| line(n + usize::from(n >= own)).ok_or((n, 0));
     let (predicted, actual) = (blend(&rest, place, of_rest).ok()?, line(own)?);
     let (predicted, actual) = (with_coefficient(&predicted), with_coefficient(&actual));

@@ -286,3 +286,19 @@ fn cells_that_end_in_stick_are_told_from_those_that_slide() {
     assert!(!begins(omega, rate) && !begins(1.1 * omega, 0.9 * rate));
     assert!(begins(omega, 10.0) && begins(0.1, rate) && begins(200.0, rate) && begins(0.0, rate));
 }
+
+/// Slow rates, at which the rise is in proportion to the rate.
+#[test]
+fn a_rise_in_proportion_to_the_slip_rate_is_known_from_rest_on() {
+    let table = table_of(Log.range(0.5, 100.0, 8), vec![0.0, 1e-4, 4e-4, 1e-3, 2.5e-3]);
+    let omega = table.axes().interference[4];
+    let a0 = (truth(omega, 0.0, 0.0).area.value / std::f64::consts::PI).sqrt();
+    for rate in [2e-5, 5e-5, 9e-5, 2e-4] {
+        let found = table.response(RADIUS, omega, rate, 0.5 * a0).unwrap().temperature_max;
+        let (rise, exact) = (found.value - BASE, truth(omega, rate, 0.5 * a0).temperature_max.value - BASE);
+        assert!(
+            (rise - exact).abs() <= found.error + 1e-4 * rise && found.error < 0.02 * rise,
+            "{rate}: {found:?} {exact}"
+        );
+    }
+}
