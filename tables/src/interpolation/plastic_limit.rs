@@ -7,7 +7,7 @@
 //! with L = ln(ω/ω_n), λ = (1 − e^{−qL})/q, and d = (m − m∞)·(ω_{n−1}/ω_n)^{q/2}, as m is the exponent in the middle of
 //! the last interval. Q/A keeps its exponent, which is 0 without heat. The relative uncertainty is e^u − 1 with
 //!
-//! u = (s + 1.2ω_c/ω_n)·(L − λ) + k·(a₀ − a_n)/R,   of Q/A u = 0.3|m|L + k·(a₀ − a_n)/R.
+//! u = (s + 1.2ω_c/ω_n)·(L − λ) + k·(a₀ − a_n)/R,   of Q/A u = 0.32|m|L + k·(a₀ − a_n)/R.
 //!
 //! The relative error of the last row is multiplied by 1 + λ/(2 ln(ω_n/ω_{n−1})), as half of it enters the exponent:
 //! errors of neighbouring rows mostly have the same sign.
