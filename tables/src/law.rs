@@ -170,8 +170,8 @@ pub trait AsperityLaw: Send + Sync {
 
     /// Slip at which a sphere of `radius` (m) pressed by `interference` (ω/ω_c) begins to slide, m; 0 if the law does not
     /// state it.
-    fn inception_slip(&self, _radius: f64, _interference: f64) -> Result<f64, LookupError> {
-        Ok(0.0)
+    fn inception_slip(&self, _radius: f64, _interference: f64) -> Result<Estimate, LookupError> {
+        Ok(Estimate::default())
     }
 
     /// Whether a sphere begins to slide in the slide of the law. Otherwise the law ends in stick and does not know its static

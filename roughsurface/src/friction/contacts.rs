@@ -27,6 +27,8 @@ pub struct Contacts {
     pub fully_plastic_load: f64,
     /// Share of the load on contacts whose slides end before sliding begins, 1.
     pub stuck_load: f64,
+    /// Relative error of the slip at which a contact begins to slide, mean over the load, 1.
+    pub inception_error: f64,
     /// Temperature of the contacts, mean over the real contact area, K; none if the law has no temperature.
     pub temperature_mean: Option<Estimate>,
     /// Temperature that the hottest point of one contact in a thousand exceeds, K; of fewer contacts that of the
@@ -41,6 +43,8 @@ pub(crate) struct ContactsAtSlip<'a> {
     /// The load of each counted above one of [`REGIMES`]; the first has the temperature, the second the load that does not
     /// slide.
     above: [SurfaceIntegral<'a>; 2],
+    /// With the error of the slip at which a contact begins to slide.
+    beginning: SurfaceIntegral<'a>,
     melting_temperature: Option<f64>,
 }
 
@@ -59,7 +63,9 @@ impl<'a> ContactsAtSlip<'a> {
                 let counted = asperities.counted_above(regime);
                 SurfaceIntegral::new(&counted, heights, surface.asperity_density, tolerance)
             });
-        Self { asperities, heights, above, melting_temperature }
+        let beginning = asperities.with(Additional::InceptionError);
+        let beginning = SurfaceIntegral::new(&beginning, heights, surface.asperity_density, tolerance);
+        Self { asperities, heights, above, beginning, melting_temperature }
     }
 
     /// Under a flat at `separation` (m).
@@ -69,6 +75,9 @@ impl<'a> ContactsAtSlip<'a> {
         let separation = Estimate { error, ..separation };
         let yielded = self.above[0].at(separation.value)?;
         let flowed = self.above[1].at(separation.value)?;
+        let beginning = self.beginning.at(separation.value)?;
+        let of_load =
+            |state: &ContactState| state.additional.map_or(0.0, |part| part.value / state.pressure.value);
         let (plastic, flowing) = (yielded.outside, flowed.outside);
         let temperature_mean = self.temperature_mean(separation, yielded)?;
         let temperature_max = match temperature_mean {
@@ -86,7 +95,8 @@ impl<'a> ContactsAtSlip<'a> {
             // Each of the two is exact to the tolerance of the integrals.
             elastic_plastic_load: (plastic - flowing).max(0.0),
             fully_plastic_load: flowing,
-            stuck_load: flowed.additional.map_or(0.0, |stuck| stuck.value / flowed.pressure.value),
+            stuck_load: of_load(&flowed),
+            inception_error: of_load(&beginning),
             temperature_mean,
             temperature_max,
         })

@@ -63,7 +63,7 @@ pub fn predict(
     let friction: Vec<Friction> =
         cells.iter().zip(curves).map(|(cell, curve)| evaluated(*cell, curve)).collect();
     let mut friction: Vec<Vec<Friction>> = friction.chunks(rates).map(<[_]>::to_vec).collect();
-    if lasting.iter().any(|state| state.unsteady > 0.0 && state.mu.value.is_nan()) {
+    if lasting.iter().any(|state| state.unknown_load > 0.0 && state.mu.value.is_nan()) {
         warnings.push(Warning::NoSteadyFriction);
     }
     let mut rate_laws = Vec::new();

@@ -31,8 +31,9 @@ pub struct SlipState {
     pub outside: f64,
     /// Share of the load beyond the largest contact of the model, 1.
     pub beyond: f64,
-    /// Share of the load on contacts older than the histories of the law, of unknown steady friction, 1.
-    pub unsteady: f64,
+    /// Share of the load on contacts whose friction the law does not know: steadily sliding ones older than its histories, of
+    /// unknown steady friction, or ones whose slides end before sliding begins; 1.
+    pub unknown_load: f64,
 }
 
 impl SlipState {
@@ -118,7 +119,7 @@ impl SlipState {
             contact_density: exact(state.contact_density),
             outside: state.outside,
             beyond: state.beyond,
-            unsteady: unsteady(state),
+            unknown_load: unknown_load(state),
         }
     }
 }
@@ -142,9 +143,9 @@ impl HeldSeparation {
     }
 }
 
-/// Share of [`Additional::UnsteadyLoad`](crate::integral::asperity_at_slip::Additional) : sliding surfaces ask for no other
-/// additional quantity.
-fn unsteady(state: &ContactState) -> f64 {
+/// Share of [`Additional::UnsteadyLoad`](crate::integral::asperity_at_slip::Additional) or `StuckLoad`: sliding surfaces ask for
+/// no other additional quantity.
+fn unknown_load(state: &ContactState) -> f64 {
     state.additional.map_or(0.0, |load| load.value / state.pressure.value)
 }
 
@@ -164,8 +165,9 @@ pub struct Inception {
 /// curve that rises slowly to its end.
 ///
 /// Errors include the difference from every second point of the curve. Up to there friction rises with the
-/// slip, so that the slip is uncertain in proportion, too.
-pub fn inception(slip: &[f64], mu: &[Estimate]) -> Inception {
+/// slip, so that the slip is uncertain in proportion, too, and at least as the slips at which the contacts begin to slide,
+/// `of_contacts` relatively.
+pub fn inception(slip: &[f64], mu: &[Estimate], of_contacts: f64) -> Inception {
     let mut found = inception_on(slip, mu);
     let coarse_slip: Vec<f64> = slip.iter().copied().step_by(2).collect();
     let coarse_mu: Vec<Estimate> = mu.iter().copied().step_by(2).collect();
@@ -174,6 +176,7 @@ pub fn inception(slip: &[f64], mu: &[Estimate]) -> Inception {
         found.mu.error += (found.mu.value - coarse.mu.value).abs();
         found.slip.error += (found.slip.value - coarse.slip.value).abs();
     }
+    found.slip.error = found.slip.error.max(of_contacts * found.slip.value);
     found
 }
 
@@ -255,7 +258,7 @@ pub(crate) mod tests {
     fn a_saturating_curve_slides_where_its_slope_is_one_per_cent() {
         // μ = 0.4 (1 − e^{−s/l}): the slope is 1 % at s = l ln 100.
         let (slip, mu) = curve(|s| 0.4 * (1.0 - (-s / 0.01).exp()));
-        let found = inception(&slip, &mu);
+        let found = inception(&slip, &mu, 0.0);
         assert!(found.reached);
         // Neighbouring slips differ by 12 %, which moves slopes by the square of that.
         assert!((found.slip.value / (0.01 * 100f64.ln()) - 1.0).abs() < 0.02);
@@ -269,16 +272,16 @@ pub(crate) mod tests {
     fn a_curve_with_a_peak_slides_at_the_peak() {
         let (slip, mu) = curve(|s| 0.3 * (s / 0.02) * (1.0 - s / 0.02).exp() + 0.2 * (s / (s + 0.01)));
         let highest = mu.iter().map(|m| m.value).fold(0.0, f64::max);
-        let found = inception(&slip, &mu);
+        let found = inception(&slip, &mu, 0.0);
         assert!((found.mu.value / highest - 1.0).abs() < 2e-3);
     }
 
     #[test]
     fn a_rigid_curve_slides_at_once_and_a_rising_one_never() {
         let (slip, mu) = curve(|_| 0.5);
-        assert_eq!(inception(&slip, &mu).slip.value, 0.0);
+        assert_eq!(inception(&slip, &mu, 0.0).slip.value, 0.0);
         let (slip, mu) = curve(|s| s);
-        let found = inception(&slip, &mu);
+        let found = inception(&slip, &mu, 0.0);
         assert!(!found.reached && found.mu.value == 4.0);
     }
 

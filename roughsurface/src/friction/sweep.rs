@@ -256,7 +256,7 @@ impl<'a> Sweep<'a> {
     ) -> Friction {
         let Slide { curve, contacts, sliding, lasting } = &slide;
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
-        let start = inception(slip, &mu_history);
+        let start = inception(slip, &mu_history, contacts.inception_error);
         let at_rest = self.at_rest(row, pressed);
         let outside_table =
             curve.iter().chain([&slide.sliding]).map(|state| state.outside).fold(0.0, f64::max);
@@ -303,10 +303,10 @@ impl<'a> Sweep<'a> {
         } else if !slides {
             warnings.push(Warning::StillRising { at: at() });
         }
-        if sliding.unsteady > NEGLIGIBLE_SHARE {
+        if sliding.unknown_load > NEGLIGIBLE_SHARE {
             warnings.push(Warning::Unsteady {
                 at: at(),
-                share: sliding.unsteady,
+                share: sliding.unknown_load,
                 known: !sliding.mu.value.is_nan(),
             });
         }

@@ -385,3 +385,20 @@ fn the_surface_at_rest_has_the_same_errors_whatever_is_held() {
     assert!((relative(cell.sliding.pressure) - 0.02).abs() < 1e-4);
     assert!((relative(cell.sliding.shear) - relative(cell.sliding.mu) - 0.02).abs() < 1e-4);
 }
+
+#[test]
+fn inception_is_as_uncertain_as_that_of_the_contacts() {
+    let history = |_: f64, slip: f64, radius: f64| (slip / (2e-3 * radius)).min(1.0);
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    for (inception_error, expected) in [(0.0, 0.02), (0.06, 0.06)] {
+        let law =
+            PowerLaw { history, inception: 1e-9, inception_error, relative_error: 0.01, ..PowerLaw::hertz() };
+        let found = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+        let slip = found.friction[0][0].inception_slip;
+        // That of μ, 1 % of Q and of P, and of the grid of slips.
+        assert!(
+            slip.error >= 0.999_999 * expected * slip.value && slip.error < 0.07 * slip.value,
+            "{slip:?}"
+        );
+    }
+}

@@ -61,6 +61,11 @@ pub enum Warning {
     )]
     StrainRate { radius: f64, share: f64 },
     #[error(
+        "{at}: {:.1} % of the load rests on contacts whose slides in the table end before sliding begins: after a longer slip friction is that of their end; a table of a longer slip_distance goes on",
+        100.0 * .share
+    )]
+    SamplesNotSliding { at: Place, share: f64 },
+    #[error(
         "{at}: {:.1} % of the load rests on contacts whose slides in the table end before sliding begins: mu_static, inception_slip, G, G_weakening, weakening_distance and mu_history beyond these slides are n/a, mu and mu_steady rest on the steady friction of the table; a table of a longer slip_distance states them",
         100.0 * .share
     )]
@@ -157,6 +162,7 @@ impl Warning {
             Self::Extrapolated { at, .. }
             | Self::SamplesExtrapolated { at, .. }
             | Self::NotSliding { at, .. }
+            | Self::SamplesNotSliding { at, .. }
             | Self::StillRising { at }
             | Self::Unsteady { at, .. }
             | Self::SteadyUncertain { at, .. }

@@ -20,6 +20,8 @@ pub enum Additional {
     UnsteadyLoad,
     /// Load of contacts whose slides end before sliding begins, N.
     StuckLoad,
+    /// Load times the relative error of the slip at which the contact begins to slide, N.
+    InceptionError,
 }
 
 /// Relative error from which on steady friction counts as unknown.
@@ -104,7 +106,7 @@ impl<'a> AsperityAtSlip<'a> {
         let probe = self.limit.min(1.0);
         let answer = match additional {
             Additional::None => Ok(None),
-            Additional::StuckLoad => Ok(Some(Estimate::default())),
+            Additional::StuckLoad | Additional::InceptionError => Ok(Some(Estimate::default())),
             Additional::UnsteadyLoad => Ok((self.beyond_histories() > 0.0).then(Estimate::default)),
             Additional::EnergyRelease => self.law.energy_release(self.radius, probe, self.slip_rate),
             Additional::TemperatureRise => self.law.temperature_mean(self.radius, probe, self.slip_rate),
@@ -188,6 +190,12 @@ impl<'a> AsperityAtSlip<'a> {
             Additional::StuckLoad => {
                 let begins = self.law.begins_to_slide(self.radius, inside, self.slip_rate)?;
                 Ok(Estimate::exact(if begins { 0.0 } else { response.load.value }))
+            }
+            Additional::InceptionError => {
+                // A table may not hold it.
+                let slip = self.law.inception_slip(self.radius, inside).unwrap_or_default();
+                let share = if slip.value > 0.0 { slip.error / slip.value } else { 0.0 };
+                Ok(Estimate::exact(share * response.load.value))
             }
             Additional::UnsteadyLoad => {
                 let steady = self.law.steady_friction(self.radius, inside, self.slip_rate)?;

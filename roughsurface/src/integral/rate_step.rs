@@ -58,7 +58,7 @@ impl<'a> RateStep<'a> {
         Ok(SteppedContact {
             step: self,
             interference,
-            begins: law.inception_slip(radius, interference)?,
+            begins: law.inception_slip(radius, interference)?.value,
             factors: [factor(before)?, factor(after)?],
         })
     }

@@ -40,8 +40,9 @@ pub struct PowerLaw {
     pub critical: f64,
     /// Radius (m) at which that is ω_c, which is in proportion to the radius; none if it is at every radius.
     pub reference: Option<f64>,
-    /// Slip of inception, m.
+    /// Slip of inception, m, and its relative error.
     pub inception: f64,
+    pub inception_error: f64,
     /// ω/ω_c above which slides end before it.
     pub stuck_above: f64,
     pub limit: f64,
@@ -72,6 +73,7 @@ impl PowerLaw {
             critical: 1e-7,
             reference: None,
             inception: 0.0,
+            inception_error: 0.0,
             stuck_above: f64::INFINITY,
             limit: f64::INFINITY,
             relative_error: 0.0,
@@ -97,8 +99,8 @@ impl AsperityLaw for PowerLaw {
     fn begins_to_slide(&self, _radius: f64, interference: f64, _slip_rate: f64) -> Result<bool, LookupError> {
         Ok(interference <= self.stuck_above)
     }
-    fn inception_slip(&self, _radius: f64, _interference: f64) -> Result<f64, LookupError> {
-        Ok(self.inception)
+    fn inception_slip(&self, _radius: f64, _interference: f64) -> Result<Estimate, LookupError> {
+        Ok(Estimate { value: self.inception, error: self.inception_error * self.inception })
     }
     fn interference_limit(&self) -> f64 {
         self.limit

@@ -238,13 +238,13 @@ impl AsperityLaw for InterpolatedTable {
     }
 
     /// At the lowest slip rate; heat hardly changes it.
-    fn inception_slip(&self, radius: f64, interference: f64) -> Result<f64, LookupError> {
+    fn inception_slip(&self, radius: f64, interference: f64) -> Result<Estimate, LookupError> {
         if interference <= 0.0 {
-            return Ok(0.0);
+            return Ok(Estimate::default());
         }
         let (slowest, _) = self.slip_rate_range(radius);
-        let slip = self.estimate(Quantity::InceptionSlip, radius, interference, slowest)?.value;
-        Ok(if slip.is_finite() { slip } else { 0.0 })
+        let slip = self.estimate(Quantity::InceptionSlip, radius, interference, slowest)?;
+        Ok(if slip.value.is_finite() { slip } else { Estimate::default() })
     }
 
     fn begins_to_slide(&self, radius: f64, interference: f64, slip_rate: f64) -> Result<bool, LookupError> {

@@ -79,7 +79,7 @@ pub fn sample(
     let with_rate = |&rate: &f64| {
         let before = Asperities::new(law, surface, rate)?;
         let after = match sampling.slip {
-            Some(slip) => before.after(slip),
+            Some(slip) => before.after(slip).with(Additional::StuckLoad),
             None => before.of_all_ages(query.contact_life).with(Additional::UnsteadyLoad),
         };
         Ok(LawAtRate { after, before })
@@ -111,7 +111,7 @@ pub fn sample(
         (0..rows).map(|_| infinite.by_ref().take(rates).collect()).collect();
     let states: Vec<Vec<Vec<SampledState>>> =
         (0..rows).map(|row| (0..rates).map(|rate| cell(row * rates + rate)).collect()).collect();
-    let warnings = warnings(law, query, &states, &infinite);
+    let warnings = warnings(law, query, sampling.slip, &states, &infinite);
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, infinite, warnings })
 }
 
@@ -143,6 +143,7 @@ fn predictors(laws: &[LawAtRate], surface: &Surface, query: &Query, settings: &S
 fn warnings(
     law: &dyn AsperityLaw,
     query: &Query,
+    slip: Option<f64>,
     states: &[Vec<Vec<SampledState>>],
     infinite: &[Vec<Option<SampledState>>],
 ) -> Vec<Warning> {
@@ -155,10 +156,13 @@ fn warnings(
                 warnings.push(Warning::SamplesExtrapolated { at: at(), share: outside });
             }
             if let Some(SampledState { state, .. }) = infinite[row][rate]
-                && state.unsteady > NEGLIGIBLE_SHARE
+                && state.unknown_load > NEGLIGIBLE_SHARE
             {
-                let known = !state.mu.value.is_nan();
-                warnings.push(Warning::Unsteady { at: at(), share: state.unsteady, known });
+                let (share, known) = (state.unknown_load, !state.mu.value.is_nan());
+                warnings.push(match slip {
+                    Some(_) => Warning::SamplesNotSliding { at: at(), share },
+                    None => Warning::Unsteady { at: at(), share, known },
+                });
             }
             let idle = surfaces.iter().filter(|one| one.contacts == 0.0).count();
             if idle > 0 {

@@ -87,3 +87,16 @@ fn samples_that_rest_on_unsteady_friction_say_so() {
         assert_eq!(found.warnings.iter().any(|one| matches!(one, Warning::Unsteady { .. })), said);
     }
 }
+
+#[test]
+fn samples_of_slides_that_end_in_stick_say_so() {
+    let surface = surface(Box::new(Exponential::new(1e-6)));
+    let query = query(NormalLoading::Pressure(vec![1e6]));
+    let sampling = Sampling { asperities: 100, realizations: 5, seed: 1, slip: Some(1e-3) };
+    for stuck_above in [2.0, f64::INFINITY] {
+        let law = PowerLaw { last_slip: 0.01, stuck_above, ..PowerLaw::hertz() };
+        let found = sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap();
+        let said = found.warnings.iter().any(|one| matches!(one, Warning::SamplesNotSliding { .. }));
+        assert_eq!(said, stuck_above == 2.0, "{:?}", found.warnings);
+    }
+}
