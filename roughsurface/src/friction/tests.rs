@@ -402,3 +402,23 @@ fn inception_is_as_uncertain_as_that_of_the_contacts() {
         );
     }
 }
+
+#[test]
+fn results_are_unknown_only_where_their_contacts_have_none() {
+    let steady = Some(Estimate { value: 0.4, error: 0.01 });
+    let temperature = |interference: f64| 300.0 + 100.0 * interference;
+    let law = PowerLaw { temperature, mean_rise: Some(0.5), last_slip: 20.0, steady, ..PowerLaw::hertz() };
+    let law = PowerLaw { missing: (0.5, 2.0), ..law };
+    // All summits are pressed by 9 to 11 ω_c, or by 0.9 to 1.1 ω_c.
+    let surface = surface(Box::new(Uniform::new(0.5e-7)));
+    let at = |separation: f64| {
+        let query = query(NormalLoading::Separation(vec![separation]));
+        predict(&law, &surface, &query, &Settings::default(), &|_, _| ())
+            .map(|found| found.friction[0][0].clone())
+    };
+    let deep = at(-10e-7).unwrap();
+    assert!((deep.mu_steady.value - 0.4).abs() < 1e-6, "{:?}", deep.mu_steady);
+    let mean = deep.contacts.temperature_mean.unwrap().value;
+    assert!((mean - 800.0).abs() < 10.0, "{mean}");
+    assert!(at(-1e-7).is_err());
+}

@@ -5,7 +5,7 @@ use crate::integral::rate_step::RateStep;
 use crate::surface::query::ContactLife;
 use std::f64::consts::PI;
 use std::sync::Arc;
-use tables::law::{AsperityLaw, Estimate, LookupError, Response, SlidingResponse};
+use tables::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
 
 /// A quantity that is integrated beside load, friction and area if it is asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -111,7 +111,8 @@ impl<'a> AsperityAtSlip<'a> {
             Additional::EnergyRelease => self.law.energy_release(self.radius, probe, self.slip_rate),
             Additional::TemperatureRise => self.law.temperature_mean(self.radius, probe, self.slip_rate),
         };
-        let is_stated = matches!(answer, Ok(Some(_)));
+        // A place without a result does not tell about others.
+        let is_stated = !matches!(answer, Ok(None));
         Self { additional: if is_stated { additional } else { Additional::None }, ..self.clone() }
     }
 
@@ -182,9 +183,8 @@ impl<'a> AsperityAtSlip<'a> {
         match self.additional {
             Additional::None => Ok(Estimate::default()),
             Additional::EnergyRelease => {
-                let energy = self.law.energy_release(self.radius, inside, self.slip_rate)?;
-                // Stated at one interference and not at another: unknown.
-                Ok(self.in_proportion(energy.unwrap_or(Estimate::UNKNOWN), interference))
+                let energy = self.law.energy_release(self.radius, inside, self.slip_rate);
+                Ok(self.in_proportion(where_stated(energy), interference))
             }
             Additional::TemperatureRise => Ok(self.temperature_rise(inside)?.scaled(response.area.value)),
             Additional::StuckLoad => {
@@ -220,7 +220,7 @@ impl<'a> AsperityAtSlip<'a> {
     pub fn has_friction_of_all_ages(&self) -> bool {
         let probe = self.limit.min(1.0);
         let stated = || self.law.steady_friction(self.radius, probe, self.slip_rate);
-        self.beyond_histories() == 0.0 || matches!(stated(), Ok(Some(_)))
+        self.beyond_histories() == 0.0 || !matches!(stated(), Ok(None))
     }
 
     /// A contact that lasts: steady friction under the load at the end of the slide of the law.
@@ -291,8 +291,7 @@ impl<'a> AsperityAtSlip<'a> {
         let share = if end.value > 0.0 { now.value / end.value } else { 0.0 };
         // After the slide of the law its end holds, with an error that the mean has as well.
         let held = if share == 1.0 { (now.error - end.error) / end.value } else { 0.0 };
-        let mean = self.law.temperature_mean(self.radius, interference, self.slip_rate)?;
-        let mean = mean.unwrap_or(Estimate::UNKNOWN);
+        let mean = where_stated(self.law.temperature_mean(self.radius, interference, self.slip_rate));
         let rise = share * (mean.value - initial);
         let errors = [share * mean.error, RATIO_UNCERTAINTY * (1.0 - share) * rise, held * rise];
         Ok(Estimate::with_errors(rise, errors))
@@ -302,6 +301,11 @@ impl<'a> AsperityAtSlip<'a> {
         let growth = (interference / self.contact_limit).max(1.0);
         Estimate { value: growth * last.value, error: growth * last.error }
     }
+}
+
+/// Stated at one interference and not at another: unknown.
+fn where_stated(answer: OptionalEstimate) -> Estimate {
+    answer.ok().flatten().unwrap_or(Estimate::UNKNOWN)
 }
 
 #[cfg(test)]

@@ -61,6 +61,18 @@ pub struct PowerLaw {
     /// Slip over contact radius at which the history ends, and the friction coefficient that it tends to.
     pub last_slip: f64,
     pub steady: Option<Estimate>,
+    /// ω/ω_c between which steady friction and mean temperature have no result.
+    pub missing: (f64, f64),
+}
+
+impl PowerLaw {
+    fn found<T>(&self, interference: f64, slip_rate: f64, value: T) -> Result<T, LookupError> {
+        let (from, to) = self.missing;
+        match (from..to).contains(&interference) {
+            true => Err(LookupError::Missing { interference, slip_rate, reason: "none".into() }),
+            false => Ok(value),
+        }
+    }
 }
 
 impl PowerLaw {
@@ -85,6 +97,7 @@ impl PowerLaw {
             slowest: 0.0,
             last_slip: f64::INFINITY,
             steady: None,
+            missing: (0.0, 0.0),
         }
     }
 }
@@ -144,10 +157,11 @@ impl AsperityLaw for PowerLaw {
     fn last_slip(&self) -> f64 {
         self.last_slip
     }
-    fn steady_friction(&self, _radius: f64, _interference: f64, _slip_rate: f64) -> OptionalEstimate {
-        Ok(self.steady)
+    fn steady_friction(&self, _radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
+        self.found(interference, slip_rate, self.steady)
     }
-    fn temperature_mean(&self, _radius: f64, interference: f64, _slip_rate: f64) -> OptionalEstimate {
+    fn temperature_mean(&self, _radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
+        self.found(interference, slip_rate, ())?;
         let initial = (self.temperature)(0.0);
         let rise = self.mean_rise.map(|share| share * ((self.temperature)(interference) - initial));
         Ok(rise.map(|rise| Estimate { value: initial + rise, error: self.relative_error * rise }))

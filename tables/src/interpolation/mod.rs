@@ -279,6 +279,9 @@ impl AsperityLaw for InterpolatedTable {
     }
 
     fn temperature_mean(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
+        if !self.holds(Quantity::TemperatureMean) {
+            return Ok(None);
+        }
         if interference <= 0.0 {
             return Ok(Some(Estimate::exact(self.metadata().temperature)));
         }
@@ -287,6 +290,9 @@ impl AsperityLaw for InterpolatedTable {
 
     /// G times the area at inception.
     fn energy_release(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
+        if !self.holds(Quantity::EnergyRelease) {
+            return Ok(None);
+        }
         if interference <= 0.0 {
             return Ok(Some(Estimate::default()));
         }
