@@ -132,6 +132,10 @@ pub trait AsperityLaw: Send + Sync {
     /// Largest ω/ω_c of the range of the law: of the rows of a table, of the published formulae. Above it holds
     /// [`above_range`](AsperityLaw::above_range).
     fn interference_limit(&self) -> f64;
+    /// Smallest ω/ω_c of the range of the law; less is taken as elastic.
+    fn interference_start(&self) -> f64 {
+        0.0
+    }
     /// ω/ω_c at which the model ends, as the contact radius is [`LARGEST_CONTACT`] of that of the asperity.
     fn contact_limit(&self) -> f64 {
         f64::INFINITY
@@ -153,6 +157,10 @@ pub trait AsperityLaw: Send + Sync {
     }
     /// Range of slip rates (m/s) for a sphere of `radius` metres; 0 and infinity for rate-independent laws.
     fn slip_rate_range(&self, radius: f64) -> (f64, f64);
+    /// Slip rates (m/s) that the law was computed at, for a sphere of `radius` metres; none of a formula.
+    fn slip_rates(&self, _radius: f64) -> Vec<f64> {
+        Vec::new()
+    }
     /// Response of a sphere of `radius` (m) pressed by `interference` (ω/ω_c), after sliding
     /// by `slip` (m) at `slip_rate` (m/s).
     fn response(

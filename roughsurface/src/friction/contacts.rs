@@ -25,6 +25,8 @@ pub struct Contacts {
     pub elastic_plastic_load: f64,
     /// Share of the load on contacts above 110 ω_c, 1.
     pub fully_plastic_load: f64,
+    /// Share of the load on contacts below the range of the law, 1.
+    pub below_law_load: f64,
     /// Share of the load on contacts whose slides end before sliding begins, 1.
     pub stuck_load: f64,
     /// Relative error of the slip at which a contact begins to slide, mean over the load, 1.
@@ -43,7 +45,7 @@ pub(crate) struct ContactsAtSlip<'a> {
     /// The load of each counted above one of [`REGIMES`]; the first has the temperature, the second the load that does not
     /// slide.
     above: [SurfaceIntegral<'a>; 2],
-    /// With the error of the slip at which a contact begins to slide.
+    /// With the error of the slip at which a contact begins to slide, the load counted above the start of the law.
     beginning: SurfaceIntegral<'a>,
     melting_temperature: Option<f64>,
 }
@@ -52,7 +54,7 @@ impl<'a> ContactsAtSlip<'a> {
     pub(crate) fn new(
         asperities: Asperities<'a>,
         surface: &'a Surface,
-        tolerance: f64,
+        (tolerance, law_start): (f64, f64),
         melting_temperature: Option<f64>,
     ) -> Self {
         let heights = surface.heights.as_ref();
@@ -63,7 +65,7 @@ impl<'a> ContactsAtSlip<'a> {
                 let counted = asperities.counted_above(regime);
                 SurfaceIntegral::new(&counted, heights, surface.asperity_density, tolerance)
             });
-        let beginning = asperities.with(Additional::InceptionError);
+        let beginning = asperities.with(Additional::InceptionError).counted_above(law_start);
         let beginning = SurfaceIntegral::new(&beginning, heights, surface.asperity_density, tolerance);
         Self { asperities, heights, above, beginning, melting_temperature }
     }
@@ -95,6 +97,7 @@ impl<'a> ContactsAtSlip<'a> {
             // Each of the two is exact to the tolerance of the integrals.
             elastic_plastic_load: (plastic - flowing).max(0.0),
             fully_plastic_load: flowing,
+            below_law_load: (1.0 - beginning.outside).max(0.0),
             stuck_load: of_load(&flowed),
             inception_error: of_load(&beginning),
             temperature_mean,
@@ -124,6 +127,9 @@ mod tests {
     use crate::integral::test_laws::{PowerLaw, surface};
     use crate::surface::heights::{Exponential, Sample};
 
+    /// ω/ω_c.
+    const LAW_START: f64 = 0.3;
+
     /// T = 300 K + 100 K √(ω/ω_c), the mean rise 0.6 of that; ω_c = 1 µm.
     fn law(relative_error: f64) -> PowerLaw {
         let temperature = |interference: f64| 300.0 + 100.0 * interference.sqrt();
@@ -132,7 +138,7 @@ mod tests {
 
     fn contacts(surface: &Surface, law: &PowerLaw, separation: Estimate) -> Contacts {
         let asperities = Asperities::new(law, surface, 1.0).unwrap().after(1.0);
-        ContactsAtSlip::new(asperities, surface, 1e-10, None).at(separation).unwrap()
+        ContactsAtSlip::new(asperities, surface, (1e-10, LAW_START), None).at(separation).unwrap()
     }
 
     #[test]
@@ -152,6 +158,7 @@ mod tests {
         // P ∝ x^{3/2}: shares of an incomplete gamma function of 5/2 at 1/2 and 55.
         let below = |x: f64| statrs::function::gamma::gamma_lr(2.5, x);
         assert!((found.elastic_load - below(0.5)).abs() < 1e-8, "{found:?}");
+        assert!((found.below_law_load - below(0.5 * LAW_START)).abs() < 1e-8, "{found:?}");
         assert!((found.elastic_plastic_load - (below(55.0) - below(0.5))).abs() < 1e-8);
         assert!((found.fully_plastic_load - (1.0 - below(55.0))).abs() < 1e-12);
         // The mean does not depend on the separation, nor on errors of the area that are in proportion to it.

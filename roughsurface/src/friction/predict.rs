@@ -1,7 +1,7 @@
 //! The prediction, from the press to the friction of every cell.
 
 use crate::friction::rate_dependence::rate_sensitivity;
-use crate::friction::rate_law::{RateLaws, choose};
+use crate::friction::rate_law::choose;
 use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
@@ -66,7 +66,19 @@ pub fn predict(
     if lasting.iter().any(|state| state.unknown_load > 0.0 && state.mu.value.is_nan()) {
         warnings.push(Warning::NoSteadyFriction);
     }
-    let rate_laws = friction.iter_mut().map(|row| rate_dependence(&query.slip_rates, row)).collect();
+    let rates_around = sweep.rates_around();
+    let around = sweep.slide_steadily_around(&rates_around, &at_first_rate)?;
+    let mut rate_laws = Vec::new();
+    for (row, around) in friction.iter_mut().zip(&around) {
+        let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
+        for (cell, rate) in row.iter_mut().zip(&query.slip_rates) {
+            cell.rate_sensitivity = match rates_around.is_empty() {
+                true => rate_sensitivity(&query.slip_rates, &mu, *rate),
+                false => rate_sensitivity(&rates_around, around, *rate),
+            };
+        }
+        rate_laws.push(choose(&query.slip_rates, &mu));
+    }
     let outside = friction.iter().flatten().map(|cell| cell.outside_table);
     warnings.extend(Warning::beyond_formulae(law, outside));
     Ok(Prediction {
@@ -80,15 +92,6 @@ pub fn predict(
         rate_step,
         warnings,
     })
-}
-
-/// The rate law of a row, whose cells get their rate sensitivity.
-fn rate_dependence(slip_rates: &[f64], row: &mut [Friction]) -> RateLaws {
-    let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
-    for (cell, sensitivity) in row.iter_mut().zip(rate_sensitivity(slip_rates, &mu)) {
-        cell.rate_sensitivity = sensitivity;
-    }
-    choose(slip_rates, &mu)
 }
 
 /// Of every cell. In order: the failure that is reported does not depend on the threads.

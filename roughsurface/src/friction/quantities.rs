@@ -33,7 +33,7 @@ pub enum Source {
 }
 
 /// Every result. To add one: a line here.
-pub static QUANTITIES: [Quantity; 29] = [
+pub static QUANTITIES: [Quantity; 30] = [
     Quantity::new("mu", "1", "sliding friction coefficient, mean over the life of the contacts",
         Sliding(|s| s.mu)).propagated(),
     Quantity::new("mu_steady", "1", "sliding friction coefficient of contacts that last",
@@ -100,6 +100,9 @@ pub static QUANTITIES: [Quantity; 29] = [
     Quantity::new("outside_table_fraction", "1",
         "largest share of the load carried above the last interference of the table during the slide",
         Share(|f| f.outside_table)),
+    Quantity::new("below_table_fraction", "1",
+        "share of the load on contacts below the first interference of the table at the end of the slide",
+        Share(|f| f.contacts.below_law_load)),
     Quantity::new("elastic_fraction", "1",
         "share of the asperities in contact pressed less than first yield needs, at the end of the slide",
         Share(|f| f.contacts.shares.elastic)),

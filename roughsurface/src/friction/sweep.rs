@@ -25,6 +25,10 @@ const INTERACTION: f64 = 0.05;
 /// another.
 const MERGING: f64 = 0.1;
 
+/// Share of the load below the first interference of a table above which a warning says that the result rests on the elastic
+/// limit rather than on the table.
+const MOSTLY_BELOW: f64 = 0.5;
+
 /// The slide of one cell.
 pub(crate) struct Slide {
     /// After each slip of the grid.
@@ -157,6 +161,35 @@ impl<'a> Sweep<'a> {
         Ok(if known { state } else { state.without_friction() })
     }
 
+    /// The slip rates (m/s) of the law that it has at all radii; none of a formula.
+    pub(crate) fn rates_around(&self) -> Vec<f64> {
+        let radii = &self.surface.asperity_radius;
+        let ranges = radii.classes().iter().map(|class| self.law.slip_rate_range(class.radius));
+        let (from, to) =
+            ranges.fold((0.0f64, f64::INFINITY), |(low, high), (from, to)| (low.max(from), high.min(to)));
+        let rates = self.law.slip_rates(radii.mean()).into_iter();
+        let inside: Vec<f64> = rates.filter(|rate| *rate > 0.0 && (from..=to).contains(rate)).collect();
+        if inside.len() < 2 { Vec::new() } else { inside }
+    }
+
+    /// Sliding friction of every row at `slip_rates` (m/s); `pressed` is the surface before the slide.
+    pub(crate) fn slide_steadily_around(
+        &self,
+        slip_rates: &[f64],
+        pressed: &[&EquilibriumState],
+    ) -> Result<Vec<Vec<Estimate>>, PredictionError> {
+        let of_rate = |&rate: &f64| -> Result<Vec<Estimate>, PredictionError> {
+            let asperities = Asperities::new(self.law, self.surface, rate)?;
+            let mu = |(row, pressed): (usize, &&EquilibriumState)| {
+                self.steady(&asperities, (row, rate), self.query.contact_life, pressed).map(|state| state.mu)
+            };
+            pressed.iter().enumerate().map(mu).collect()
+        };
+        let by_rate: Vec<_> = slip_rates.par_iter().map(of_rate).collect();
+        let by_rate: Vec<Vec<Estimate>> = by_rate.into_iter().collect::<Result<_, _>>()?;
+        Ok((0..pressed.len()).map(|row| by_rate.iter().map(|mu| mu[row]).collect()).collect())
+    }
+
     /// One pressure or separation with the asperities of `integral`; `history` predicts its separation.
     fn slid(
         &self,
@@ -242,7 +275,8 @@ impl<'a> Sweep<'a> {
     ) -> Result<Contacts, LookupError> {
         let Settings { tolerance, melting_temperature, .. } = *self.settings;
         let asperities = self.asperities[rate].after(slip);
-        ContactsAtSlip::new(asperities, self.surface, tolerance, melting_temperature).at(separation)
+        let first = self.law.interference_start();
+        ContactsAtSlip::new(asperities, self.surface, (tolerance, first), melting_temperature).at(separation)
     }
 
     /// Static friction, energies and warnings of one cell.
@@ -297,6 +331,9 @@ impl<'a> Sweep<'a> {
         let at = || Place::of(self.query, row, rate);
         if outside_table > NEGLIGIBLE_SHARE && self.law.above_range() == AboveRange::Extrapolated {
             warnings.push(Warning::Extrapolated { at: at(), share: outside_table });
+        }
+        if contacts.below_law_load > MOSTLY_BELOW {
+            warnings.push(Warning::BelowTable { at: at(), share: contacts.below_law_load });
         }
         if contacts.stuck_load > NEGLIGIBLE_SHARE {
             warnings.push(Warning::NotSliding { at: at(), share: contacts.stuck_load });

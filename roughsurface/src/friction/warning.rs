@@ -38,6 +38,11 @@ pub enum Warning {
     )]
     Extrapolated { at: Place, share: f64 },
     #[error(
+        "{at}: {:.0} % of the load lies below the first interference of the table and is extrapolated towards elastic contact; a table from a smaller interference on states it",
+        100.0 * .share
+    )]
+    BelowTable { at: Place, share: f64 },
+    #[error(
         "{at}: up to {:.2} % of the load of a surface lies above the last interference of the table and is extrapolated towards the fully plastic limit",
         100.0 * .share
     )]
@@ -160,6 +165,7 @@ impl Warning {
     fn place(&self) -> Option<&Place> {
         match self {
             Self::Extrapolated { at, .. }
+            | Self::BelowTable { at, .. }
             | Self::SamplesExtrapolated { at, .. }
             | Self::NotSliding { at, .. }
             | Self::SamplesNotSliding { at, .. }

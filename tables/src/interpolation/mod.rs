@@ -185,6 +185,10 @@ impl AsperityLaw for InterpolatedTable {
         axis[last]
     }
 
+    fn interference_start(&self) -> f64 {
+        self.axes().interference[self.interpolant.rows.map_or(0, |(first, _)| first)]
+    }
+
     fn contact_limit(&self) -> f64 {
         self.interpolant.log_end.exp()
     }
@@ -207,6 +211,11 @@ impl AsperityLaw for InterpolatedTable {
         let ratio = radius / self.metadata().asperity_radius;
         let rates = &self.axes().slip_rate;
         (rates[0] / ratio, rates[rates.len() - 1] / ratio)
+    }
+
+    fn slip_rates(&self, radius: f64) -> Vec<f64> {
+        let ratio = radius / self.metadata().asperity_radius;
+        self.axes().slip_rate.iter().map(|rate| rate / ratio).collect()
     }
 
     fn response(
