@@ -16,7 +16,7 @@ column of heights with --pixel.
 
 Summit radius and density follow from the shortest wavelengths that are let in. Give what your
 instrument resolves (the width of the tip, the spot, the optical limit) as --cutoff; without it
-four points a wave, or where the spectrum turns into noise, with a warning.
+four points a wave, or the length at which noise contributes 5 % of m4, with a warning.
 
 Examples:
   Surface file from a map:

@@ -12,7 +12,7 @@ use std::path::Path;
 #[command(next_help_heading = "Topography")]
 pub struct TopographyOptions {
     /// Short-wavelength cut-off (Gaussian, ISO 16610): metres or with a unit, 2e-6 or 2um; by default four
-    /// points, or the wavelength below which the spectrum is noise
+    /// points, or the length at which noise contributes 5 % of m4
     #[arg(long, value_name = "LENGTH", value_parser = length::parse)]
     cutoff: Option<f64>,
     /// Trend to take off; by default the plane, of a periodic topography the mean

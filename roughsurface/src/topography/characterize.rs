@@ -1,7 +1,7 @@
 //! Parameters of a rough surface from a topography.
 
 use super::nayak::{Nayak, SMALLEST_ALPHA};
-use super::spectrum::{Limit, Moments, NOISY, Spectrum, Window};
+use super::spectrum::{LONGEST_CUTOFF, Limit, Moments, NOISY, Spectrum, Window};
 use super::summits::{self, Summits};
 use super::warning::{UNIT_REMEDY, Warning};
 use super::{Topography, detrend, plausibility};
@@ -148,7 +148,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
 fn cutoffs(topography: &Topography) -> (f64, f64) {
     let size = topography.size();
     let extent = if topography.is_profile() { size.1 } else { size.0.min(size.1) };
-    (2.0 * topography.pixel(), 0.25 * extent)
+    (2.0 * topography.pixel(), LONGEST_CUTOFF * extent)
 }
 
 /// Why a cut-off is refused; and where metres were assumed, how to change that.
@@ -175,8 +175,8 @@ fn limits(found: &Characterization, spectrum: &Spectrum) -> Vec<Warning> {
     } else if cutoff < limit {
         warnings.push(Warning::CutoffTooShort { cutoff, limit, reason });
     }
-    if let Some(share) = spectrum.noise_share(cutoff, found.moments.m4).filter(|share| *share > NOISY) {
-        warnings.push(Warning::Noise { limit, share: share.min(0.99) });
+    if let Some(share) = spectrum.noise_share(cutoff).filter(|share| *share > NOISY) {
+        warnings.push(Warning::Noise { share: share.min(0.99) });
     }
     let (across, along) = found.moments.principal_slopes;
     if across > ISOTROPIC * along {

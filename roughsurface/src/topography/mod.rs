@@ -11,6 +11,7 @@ mod detrend;
 mod fft;
 pub mod filter;
 pub mod nayak;
+mod noise;
 mod plausibility;
 pub mod readers;
 pub mod report;

@@ -3,6 +3,7 @@
 use super::Topography;
 use super::fft::Waves;
 use super::filter::transmission;
+use super::noise::{Bin, white};
 use std::f64::consts::PI;
 
 /// Mean squares of the height, slope and curvature of a profile along any direction of an
@@ -42,6 +43,15 @@ impl Window {
         };
         move |row, column| hann(row, rows) * hann(column, columns)
     }
+
+    /// Number of independent waves over that without a window: 1/⟨w⁴⟩ for each direction, ⟨w²⟩ = 1.
+    fn independent(self, topography: &Topography) -> f64 {
+        let hann = 18.0f64 / 35.0;
+        match self == Self::Hann && !topography.periodic {
+            true => hann.powi(if topography.is_profile() { 1 } else { 2 }),
+            false => 1.0,
+        }
+    }
 }
 
 /// The spectrum of a topography without trend.
@@ -52,6 +62,10 @@ pub struct Spectrum {
     mean_square: f64,
     pixel: f64,
     longest: f64,
+    /// Share of the powers that are independent: half belong to the same waves, and a window mixes neighbours.
+    independent: f64,
+    /// Power of a wave of white noise, m², where the spectrum shows it.
+    noise: Option<f64>,
 }
 
 impl Spectrum {
@@ -59,13 +73,19 @@ impl Spectrum {
         let weight = window.weight(topography);
         let count = topography.heights.len() as f64;
         let (across, along) = topography.size();
-        Self {
+        let mut spectrum = Self {
             waves: Waves::of(topography, weight),
             profile: topography.is_profile(),
             mean_square: topography.heights.iter().map(|height| height * height).sum::<f64>() / count,
             pixel: topography.pixel(),
             longest: if topography.is_profile() { along } else { across.min(along) },
-        }
+            independent: 0.5 * window.independent(topography),
+            noise: None,
+        };
+        let end = spectrum.bins().into_iter().filter(|bin| bin.q > FITTED * PI / spectrum.pixel);
+        let flattest = if spectrum.profile { FLATTEST_PROFILE } else { FLATTEST_MAP };
+        spectrum.noise = white(&end.collect::<Vec<Bin>>(), flattest);
+        spectrum
     }
 
     /// Moments after the filter of that `cutoff` (m).
@@ -100,30 +120,24 @@ impl Spectrum {
         }
     }
 
-    /// Share of m4 after the filter of that `cutoff` (m) that white noise contributes, where the spectrum ends in
-    /// noise.
-    pub fn noise_share(&self, cutoff: f64, m4: f64) -> Option<f64> {
-        let floor = self.noise_floor(&self.radial())?;
-        let noise = self.waves.powers().map(|(y, x, _)| {
+    /// Share of m4 after the filter of that `cutoff` (m) that white noise contributes, where the spectrum shows it.
+    pub fn noise_share(&self, cutoff: f64) -> Option<f64> {
+        let floor = self.noise?;
+        let (noise, all) = self.waves.powers().fold((0.0, 0.0), |(noise, all), (y, x, power)| {
             let square = y * y + x * x;
-            floor * transmission(square.sqrt(), cutoff).powi(2) * square * square
+            let weight = transmission(square.sqrt(), cutoff).powi(2) * square * square;
+            (noise + weight * floor, all + weight * power)
         });
-        let mean = if self.profile { 1.0 } else { 0.375 };
-        Some(mean * noise.sum::<f64>() / m4)
-    }
-
-    /// Mean power of a wave in the last octave (m²), where the spectrum does not fall there.
-    fn noise_floor(&self, radial: &[(f64, f64)]) -> Option<f64> {
-        let highest = PI / self.pixel;
-        let end: Vec<(f64, f64)> = radial.iter().copied().filter(|(q, _)| *q > 0.5 * highest).collect();
-        let flat = if self.profile { FLAT_PROFILE } else { FLAT_MAP };
-        let floor = end.iter().map(|(_, power)| power).sum::<f64>() / end.len() as f64;
-        slope(&end).is_some_and(|slope| slope >= flat).then_some(floor)
+        Some(noise / all)
     }
 
     /// (wavenumber q in rad/m, mean power of a wave in m²) in bins of equal width in ln q, up to the
     /// Nyquist wavenumber.
     pub fn radial(&self) -> Vec<(f64, f64)> {
+        self.bins().into_iter().map(|bin| (bin.q, bin.power)).collect()
+    }
+
+    fn bins(&self) -> Vec<Bin> {
         let (lowest, highest) = (2.0 * PI / self.longest, PI / self.pixel);
         let bins = (BINS_PER_OCTAVE * (highest / lowest).log2()).ceil().max(1.0) as usize;
         let mut sums = vec![(0.0, 0.0, 0.0); bins];
@@ -136,23 +150,31 @@ impl Spectrum {
             }
         }
         let filled = sums.into_iter().filter(|(count, ..)| *count > 0.0);
-        filled.map(|(count, ln_q, power)| ((ln_q / count).exp(), power / count)).collect()
+        let bin = |(count, ln_q, power): (f64, f64, f64)| Bin {
+            q: (ln_q / count).exp(),
+            power: power / count,
+            count: self.independent * count,
+        };
+        filled.map(bin).collect()
     }
 
-    /// Shortest wavelength (m) resolved by the measurement, and its reason. Noise that contributes little to m4 at the
-    /// limit of sampling, as that of rounding, limits nothing.
+    /// Shortest wavelength (m) resolved by the measurement, and its reason: that of sampling, or the cut-off at which
+    /// white noise contributes the largest accepted share of m4, a quarter of the extent at most.
     pub fn reliability_limit(&self) -> (f64, Limit) {
+        let noisy = |cutoff: f64| self.noise_share(cutoff).is_some_and(|share| share > NOISY);
         let sampling = PIXELS_PER_WAVE * self.pixel;
-        if self.noise_share(sampling, self.moments(sampling).m4).is_none_or(|share| share <= NOISY) {
+        let (mut short, mut long) = (sampling, sampling.max(LONGEST_CUTOFF * self.longest));
+        if !noisy(sampling) {
             return (sampling, Limit::Sampling);
         }
-        let radial = self.radial();
-        let Some(floor) = self.noise_floor(&radial) else {
-            return (sampling, Limit::Sampling);
-        };
-        let buried = radial.iter().find(|(_, power)| *power < ABOVE_NOISE * floor);
-        let noise = buried.map_or(sampling, |(q, _)| 2.0 * PI / q);
-        if noise > sampling { (noise, Limit::Noise) } else { (sampling, Limit::Sampling) }
+        if noisy(long) {
+            return (long, Limit::Noise);
+        }
+        while long > 1.01 * short {
+            let middle = (short * long).sqrt();
+            *if noisy(middle) { &mut short } else { &mut long } = middle;
+        }
+        (long, Limit::Noise)
     }
 }
 
@@ -162,7 +184,7 @@ impl Spectrum {
 pub enum Limit {
     /// Fewer than four points a wave.
     Sampling,
-    /// The spectrum is that of noise: flat.
+    /// White noise contributes to the curvature.
     Noise,
 }
 
@@ -170,7 +192,7 @@ impl std::fmt::Display for Limit {
     fn fmt(&self, formatter: &mut std::fmt::Formatter) -> std::fmt::Result {
         formatter.write_str(match self {
             Self::Sampling => "four points a wave",
-            Self::Noise => "below, the spectrum is that of noise",
+            Self::Noise => "white noise",
         })
     }
 }
@@ -180,32 +202,27 @@ pub const PIXELS_PER_WAVE: f64 = 4.0;
 
 const BINS_PER_OCTAVE: f64 = 4.0;
 
-/// Slopes of ln(power) against ln(q) over the last octave, above which it is noise: self-affine
-/// maps fall with q^{−2−2H}, profiles with q^{−1−2H}, H the Hurst exponent between 0 and 1.
-const FLAT_MAP: f64 = -1.0;
-const FLAT_PROFILE: f64 = -0.5;
+/// Wavenumbers over the Nyquist wavenumber to which noise is fitted: the last three octaves.
+const FITTED: f64 = 0.125;
+
+/// Exponents of the flattest self-affine surface: maps fall with q^{−2−2H}, profiles with q^{−1−2H}, H the Hurst
+/// exponent between 0 and 1.
+const FLATTEST_MAP: f64 = 2.0;
+const FLATTEST_PROFILE: f64 = 1.0;
+
+/// Longest cut-off over the extent of a topography.
+pub const LONGEST_CUTOFF: f64 = 0.25;
 
 /// Largest share of noise in m4 that is accepted: R is then 2.5 % too small.
 pub const NOISY: f64 = 0.05;
-
-/// Ratio to the noise above which a spectrum is used.
-const ABOVE_NOISE: f64 = 4.0;
-
-/// Slope of the straight line through ln(power) against ln(q).
-fn slope(points: &[(f64, f64)]) -> Option<f64> {
-    let logs: Vec<(f64, f64)> =
-        points.iter().filter(|(_, power)| *power > 0.0).map(|(q, power)| (q.ln(), power.ln())).collect();
-    let count = logs.len() as f64;
-    let (x, y) = logs.iter().fold((0.0, 0.0), |(x, y), point| (x + point.0 / count, y + point.1 / count));
-    let square: f64 = logs.iter().map(|point| (point.0 - x).powi(2)).sum();
-    let cross: f64 = logs.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
-    (square > 0.0).then(|| cross / square)
-}
 
 #[cfg(test)]
 mod tests {
     use super::super::synthetic::{SelfAffine, cosine};
     use super::*;
+    use crate::surface::heights::Random;
+    use rand::{RngExt, SeedableRng};
+    use rand_distr::StandardNormal;
 
     #[test]
     fn moments_of_a_wave() {
@@ -247,26 +264,82 @@ mod tests {
         assert!(edges.1 > 1.5 * m4, "the jumps at the edges count: {} {m4}", edges.1);
     }
 
+    /// The same with white noise of that mean square (m²).
+    fn noisy(mut map: Topography, mean_square: f64, seed: u64) -> Topography {
+        let mut random = Random::seed_from_u64(seed);
+        for height in &mut map.heights {
+            *height += mean_square.sqrt() * random.sample::<f64, _>(StandardNormal);
+        }
+        map
+    }
+
     #[test]
-    fn noise_is_seen_and_sampling_is_the_limit_without() {
-        let surface = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() };
-        let map = surface.map(5);
-        let (limit, why) = Spectrum::of(&map, Window::Hann).reliability_limit();
-        assert_eq!((limit, why), (4.0 * map.pixel(), Limit::Sampling));
+    fn the_cutoff_leaves_the_accepted_share_of_noise() {
+        let points = 512;
+        let shape = SelfAffine { points, shortest_pixels: 1.4, ..SelfAffine::default() };
+        // The same power in every wave.
+        let white = SelfAffine { hurst: -1.0, ..shape };
+        for (hurst, seed) in [(0.3, 1), (0.5, 2), (0.8, 3), (1.0, 4)] {
+            let surface = SelfAffine { hurst, ..shape };
+            let map = surface.map(seed);
+            let sampling = PIXELS_PER_WAVE * map.pixel();
+            // Mean square of the noise that contributes that share at four points a wave.
+            let per_share =
+                |share: f64| share / (1.0 - share) * surface.sum(4, sampling) / white.sum(4, sampling);
+            for share in [0.1, 0.3, 0.6] {
+                let ratio = per_share(share);
+                let mean_square = ratio * white.power(1.0) * (points * points) as f64;
+                let spectrum_of = |map| Spectrum::of(&noisy(map, mean_square, 100 + seed), Window::Hann);
+                let spectrum = spectrum_of(map.clone());
+                let stated = spectrum.noise_share(sampling).unwrap();
+                assert!((stated / share - 1.0).abs() < 0.15, "{hurst} {share}: {stated}");
+                let (limit, why) = spectrum.reliability_limit();
+                assert_eq!(why, Limit::Noise, "{hurst} {share}");
+                let noise = ratio * white.sum(4, limit);
+                let left = noise / (noise + surface.sum(4, limit));
+                assert!((left / NOISY - 1.0).abs() < 0.2, "{hurst} {share}: {left}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_noise_is_seen_where_there_is_none() {
+        let sampled = |topography: &Topography| {
+            let limit = Spectrum::of(topography, Window::Hann).reliability_limit();
+            assert_eq!(limit, (PIXELS_PER_WAVE * topography.pixel(), Limit::Sampling));
+        };
+        for (seed, hurst) in (1..=12).zip([0.3, 0.5, 0.8, 1.0].into_iter().cycle()) {
+            for (points, roll_off_pixels) in [(64, 64.0), (128, 16.0), (512, 512.0), (512, 8.0)] {
+                let surface = SelfAffine { points, hurst, roll_off_pixels, shortest_pixels: 1.4 };
+                let map = surface.map(seed);
+                let quarter = surface.quarter(seed);
+                // An instrument that blurs: the mean of four points.
+                let mut blurred = quarter.clone();
+                for place in 0..quarter.heights.len() {
+                    let after = |step: usize| quarter.heights[(place + step) % quarter.heights.len()];
+                    blurred.heights[place] =
+                        0.25 * (after(0) + after(1) + after(quarter.columns) + after(quarter.columns + 1));
+                }
+                let row = Topography::profile(map.column_step, map.heights[..points].to_vec());
+                [&map, &quarter, &blurred, &row].into_iter().for_each(sampled);
+            }
+        }
         // Noise far below a spectrum that ends before the shortest waves contributes nothing to m4.
         let band_limited = SelfAffine::default();
         let faint = 1e-9 * band_limited.power(2.0 * PI / band_limited.shortest());
-        let map = band_limited.with_noise(5, faint);
-        let spectrum = Spectrum::of(&map, Window::Hann);
-        assert!(spectrum.noise_floor(&spectrum.radial()).is_some());
-        assert_eq!(spectrum.reliability_limit(), (4.0 * map.pixel(), Limit::Sampling));
-        // White noise that meets the spectrum at a wavelength of 16 pixels.
-        let power = surface.power(2.0 * PI / (16.0 * map.pixel()));
-        let noisy = surface.with_noise(5, power);
-        let (limit, why) = Spectrum::of(&noisy, Window::Hann).reliability_limit();
-        assert_eq!(why, Limit::Noise);
-        // Twice the noise is where they meet, four times a little before.
-        let pixels = limit / map.pixel();
-        assert!(pixels > 14.0 && pixels < 32.0, "{pixels}");
+        sampled(&band_limited.with_noise(5, faint));
+    }
+
+    #[test]
+    fn noise_alone_is_said_to_be_noise() {
+        let map = noisy(SelfAffine::default().map(1), 1.0, 2);
+        let row = Topography::profile(map.column_step, map.heights[..256].to_vec());
+        for topography in [map, row] {
+            let spectrum = Spectrum::of(&topography, Window::Hann);
+            let (limit, why) = spectrum.reliability_limit();
+            assert_eq!(why, Limit::Noise);
+            assert!((limit / (64.0 * topography.pixel()) - 1.0).abs() < 1e-12, "{limit:e}");
+            assert!(spectrum.noise_share(limit).unwrap() > 0.8);
+        }
     }
 }

@@ -52,12 +52,12 @@ pub enum Warning {
     )]
     Form { share: f64 },
     #[error(
-        "below {limit:.3e} m the spectrum is that of noise, which contributes {:.0} % of m4 at this cut-off: R \
-         without it is larger by a factor of {:.2}; a longer cut-off reduces it",
+        "white noise, or waves shorter than two points, contribute {:.0} % of m4 at this cut-off: R without them is \
+         larger by a factor of {:.2}; a longer cut-off reduces them",
         100.0 * .share,
         1.0 / (1.0 - .share).sqrt()
     )]
-    Noise { limit: f64, share: f64 },
+    Noise { share: f64 },
     #[error(
         "no cut-off was given and the reliability limit of {limit:.3e} m ({reason}) is used: summit radius and \
          density follow from it, twice the cut-off gives {radius_at_twice:.2} times the radius; an instrument may \
