@@ -8,6 +8,7 @@
 
 pub mod characterize;
 mod detrend;
+mod edges;
 mod fft;
 pub mod filter;
 pub mod nayak;

@@ -1,7 +1,7 @@
 //! Summits found one by one, in addition to those of the moments.
 
 use super::Topography;
-use super::fft::Waves;
+use super::edges::Continued;
 use super::filter::transmission;
 use rustfft::num_complex::Complex;
 
@@ -41,30 +41,24 @@ const MOST_POINTS: usize = 1 << 26;
 /// not counted.
 pub fn find(topography: &Topography, cutoff: f64) -> Summits {
     let profile = topography.is_profile();
-    let (more_rows, more_columns) = refinement(topography, cutoff);
-    let (rows, columns) = (topography.rows * more_rows, topography.columns * more_columns);
-    let row_step = topography.row_step / more_rows as f64;
-    let column_step = topography.column_step / more_columns as f64;
+    let surface = Continued::of(topography, topography.periodic, cutoff);
+    let (more_rows, more_columns) = refinement(topography, surface.size.0 * surface.size.1, cutoff);
+    let (rows, columns) = (surface.size.0 * more_rows, surface.size.1 * more_columns);
     // The mean curvature −∇²z/2, of a profile −z'', times the square of the cut-off: as large as the height.
     let scale = if profile { cutoff * cutoff } else { 0.5 * cutoff * cutoff };
-    let fields = Waves::of(topography, |_, _| 1.0).sum((more_rows, more_columns), |y, x| {
+    let fields = surface.waves.sum((more_rows, more_columns), |y, x| {
         let square = y * y + x * x;
         transmission(square.sqrt(), cutoff) * Complex::new(1.0, scale * square)
     });
 
-    let border = |step: f64, count: usize| match topography.periodic || count == 1 {
-        true => 0,
-        false => ((cutoff / step).ceil() as usize).max(1),
-    };
-    let (skip_rows, skip_columns) = (border(row_step, rows), border(column_step, columns));
     let at = |row: isize, column: isize| {
         let wrap = |index: isize, count: usize| index.rem_euclid(count as isize) as usize;
         fields[wrap(row, rows) * columns + wrap(column, columns)].re
     };
     let around = if profile { 0..=0 } else { -1..=1 };
     let (mut heights, mut curvatures) = (Vec::new(), 0.0);
-    for row in skip_rows..rows.saturating_sub(skip_rows) {
-        for column in skip_columns..columns.saturating_sub(skip_columns) {
+    for row in surface.rows.start * more_rows..surface.rows.end * more_rows {
+        for column in surface.columns.start * more_columns..surface.columns.end * more_columns {
             let (r, c) = (row as isize, column as isize);
             let here = at(r, c);
             // Of equal neighbours the later one counts.
@@ -82,20 +76,18 @@ pub fn find(topography: &Topography, cutoff: f64) -> Summits {
         }
     }
     heights.sort_by(|one, other| other.total_cmp(one));
-    let searched = |count: usize, skipped: usize, step: f64| count.saturating_sub(2 * skipped) as f64 * step;
-    let extent = searched(columns, skip_columns, column_step)
-        * if profile { 1.0 } else { searched(rows, skip_rows, row_step) };
+    let along = surface.columns.len() as f64 * topography.column_step;
+    let extent = along * if profile { 1.0 } else { surface.rows.len() as f64 * topography.row_step };
     statistics(heights, curvatures, extent)
 }
 
-/// Factors by which the rows and columns are refined.
-fn refinement(topography: &Topography, cutoff: f64) -> (usize, usize) {
+/// Factors by which the rows and columns of a grid of that many `points` are refined.
+fn refinement(topography: &Topography, points: usize, cutoff: f64) -> (usize, usize) {
     let factors = |points: f64| {
         let factor = |step: f64| (points * step / cutoff - 1e-9).ceil().max(1.0) as usize;
         let across = if topography.is_profile() { 1 } else { factor(topography.row_step) };
         (across, factor(topography.column_step))
     };
-    let points = topography.heights.len();
     let mut per_cutoff = POINTS_PER_CUTOFF;
     while factors(per_cutoff) != (1, 1)
         && points * factors(per_cutoff).0 * factors(per_cutoff).1 > MOST_POINTS
@@ -174,13 +166,13 @@ mod tests {
 
     #[test]
     fn large_maps_are_refined_as_far_as_memory_allows() {
-        let map = |points: usize| Topography {
-            heights: vec![0.0; points * points],
-            ..Topography::map((points, 1.0), (points, 0.5), Vec::new())
+        let refined = |points: usize, cutoff: f64| {
+            let map = Topography::map((points, 1.0), (points, 0.5), Vec::new());
+            refinement(&map, points * points, cutoff)
         };
-        assert_eq!(refinement(&map(64), 4.0), (4, 2));
-        assert_eq!(refinement(&map(64), 40.0), (1, 1));
-        let (across, along) = refinement(&map(3000), 2.0);
+        assert_eq!(refined(64, 4.0), (4, 2));
+        assert_eq!(refined(64, 40.0), (1, 1));
+        let (across, along) = refined(3000, 2.0);
         assert!(across > 1 && 9_000_000 * across * along <= MOST_POINTS, "{across} {along}");
     }
 
