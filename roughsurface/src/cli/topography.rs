@@ -18,7 +18,8 @@ pub struct TopographyOptions {
     /// Trend to take off; by default the plane, of a periodic topography the mean
     #[arg(long, value_enum)]
     detrend: Option<Detrend>,
-    /// Window over a topography that is not periodic; by default hann
+    /// Edges of a topography that is not periodic: left out, with a tapered spectrum, or as of a periodic one; by
+    /// default hann
     #[arg(long, value_enum)]
     window: Option<Window>,
     /// The topography continues at its other side; NetCDF states it

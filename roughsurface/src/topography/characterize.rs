@@ -1,7 +1,8 @@
 //! Parameters of a rough surface from a topography.
 
+use super::moments::Moments;
 use super::nayak::{Nayak, SMALLEST_ALPHA};
-use super::spectrum::{LONGEST_CUTOFF, Limit, Moments, NOISY, Spectrum, Window};
+use super::spectrum::{LONGEST_CUTOFF, Limit, NOISY, Spectrum, Window};
 use super::summits::{self, Summits};
 use super::warning::{UNIT_REMEDY, Warning};
 use super::{Topography, detrend, plausibility};
@@ -105,7 +106,8 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     if cutoff < shortest || cutoff > longest {
         return Err(refused_cutoff(cutoff, (shortest, longest), &warnings));
     }
-    let moments = spectrum.moments(cutoff);
+    let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
+    let moments = moments_at(cutoff);
     let Some(nayak) = Nayak::of(&moments) else {
         return Err(format!(
             "bandwidth alpha = {:.3}: no random surface has one below 0.897; a single wave, or too long a cut-off?",
@@ -113,7 +115,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         ));
     };
     let other = |cutoff: f64| {
-        let summits = Nayak::of(&spectrum.moments(cutoff));
+        let summits = Nayak::of(&moments_at(cutoff));
         summits.filter(|_| (shortest..=longest).contains(&cutoff)).map(|summits| AtCutoff { cutoff, summits })
     };
     let areal_slope = (!topography.is_profile()).then(|| (2.0 * moments.m2).sqrt());
@@ -134,7 +136,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         moments,
         summits: nayak,
         found: summits::find(&topography, cutoff),
-        radius_at_twice_the_cutoff: (moments.m4 / spectrum.moments(2.0 * cutoff).m4).sqrt(),
+        radius_at_twice_the_cutoff: (moments.m4 / moments_at(2.0 * cutoff).m4).sqrt(),
         other_cutoffs: [0.5, 2.0].into_iter().filter_map(|factor| other(factor * cutoff)).collect(),
         spectrum: spectrum.radial(),
         warnings,

@@ -1,8 +1,8 @@
 //! From measured topography to the summits of a rough surface.
 //!
 //! Height maps and profiles are [read](readers::read), a trend is subtracted, and short wavelengths that the
-//! instrument did not resolve are filtered out ([`filter`], ISO 16610). The [`spectrum`] of the remainder
-//! gives the moments m0, m2, m4 (m², 1, 1/m²) and from them the summits of a Gaussian surface ([`nayak`]); the
+//! instrument did not resolve ([`spectrum`]) are filtered out ([`filter`], ISO 16610). The remainder gives the
+//! [`moments`] m0, m2, m4 (m², 1, 1/m²) and from them the summits of a Gaussian surface ([`nayak`]); the
 //! [`summits`] are also searched for directly. [`characterize`](characterize::characterize) performs all steps.
 //! Depends on `surface` for reading files and the wording of messages only. Chapter "Rough surfaces" of the book, "From topography".
 
@@ -11,6 +11,7 @@ mod detrend;
 mod edges;
 mod fft;
 pub mod filter;
+pub mod moments;
 pub mod nayak;
 mod noise;
 mod plausibility;

@@ -1,6 +1,6 @@
 //! Summits of a random surface from its spectral moments m0, m2, m4.
 
-use super::spectrum::Moments;
+use super::moments::Moments;
 use std::f64::consts::PI;
 
 /// Summits of an isotropic Gaussian surface (Nayak 1971, doi 10.1115/1.3451608; McCool 1987,

@@ -1,4 +1,4 @@
-//! Spectral moments, and where a measured spectrum ends.
+//! The spectrum of a topography, and where it ends.
 
 use super::Topography;
 use super::fft::Waves;
@@ -6,29 +6,13 @@ use super::filter::transmission;
 use super::noise::{Bin, white};
 use std::f64::consts::PI;
 
-/// Mean squares of the height, slope and curvature of a profile along any direction of an
-/// isotropic surface (Nayak 1971, doi 10.1115/1.3451608).
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Moments {
-    /// m².
-    pub m0: f64,
-    /// 1.
-    pub m2: f64,
-    /// 1/m².
-    pub m4: f64,
-    /// Mean square slopes across the lay and along it, 1: eigenvalues of ⟨∇z ∇zᵀ⟩; of a profile, m2 twice.
-    pub principal_slopes: (f64, f64),
-    /// Angle of the lay, the direction of the smallest slopes, to the rows, degrees from −90 to 90, positive
-    /// towards later rows.
-    pub lay_angle: f64,
-}
-
-/// Taper at the edges of a topography that is not periodic.
+/// Treatment of the edges of a topography that is not periodic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Window {
-    /// Hann's, scaled to keep the mean square; none for periodic maps.
+    /// Hann's taper for the spectrum, scaled to keep the mean square; moments without the edges.
     #[default]
     Hann,
+    /// As of a periodic topography.
     None,
 }
 
@@ -58,8 +42,6 @@ impl Window {
 pub struct Spectrum {
     waves: Waves,
     profile: bool,
-    /// Mean square height, m².
-    mean_square: f64,
     pixel: f64,
     longest: f64,
     /// Share of the powers that are independent: half belong to the same waves, and a window mixes neighbours.
@@ -71,12 +53,10 @@ pub struct Spectrum {
 impl Spectrum {
     pub fn of(topography: &Topography, window: Window) -> Self {
         let weight = window.weight(topography);
-        let count = topography.heights.len() as f64;
         let (across, along) = topography.size();
         let mut spectrum = Self {
             waves: Waves::of(topography, weight),
             profile: topography.is_profile(),
-            mean_square: topography.heights.iter().map(|height| height * height).sum::<f64>() / count,
             pixel: topography.pixel(),
             longest: if topography.is_profile() { along } else { across.min(along) },
             independent: 0.5 * window.independent(topography),
@@ -86,38 +66,6 @@ impl Spectrum {
         let flattest = if spectrum.profile { FLATTEST_PROFILE } else { FLATTEST_MAP };
         spectrum.noise = white(&end.collect::<Vec<Bin>>(), flattest);
         spectrum
-    }
-
-    /// Moments after the filter of that `cutoff` (m).
-    ///
-    /// Of a map m2 = ⟨|∇z|²⟩/2 and m4 = 3⟨(∇²z)²⟩/8, the means over all directions. m0 is that of
-    /// the heights themselves less the power that the filter removes: a window weakens the longest waves,
-    /// which contribute most of it.
-    pub fn moments(&self, cutoff: f64) -> Moments {
-        let (mut removed, mut across, mut along, mut mixed, mut m4) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for (y, x, power) in self.waves.powers() {
-            let square = y * y + x * x;
-            let passed = transmission(square.sqrt(), cutoff).powi(2);
-            removed += (1.0 - passed) * power;
-            across += passed * power * y * y;
-            along += passed * power * x * x;
-            mixed += passed * power * x * y;
-            m4 += passed * power * square * square;
-        }
-        let m0 = self.mean_square - removed;
-        if self.profile {
-            return Moments { m0, m2: along, m4, principal_slopes: (along, along), lay_angle: 0.0 };
-        }
-        let (mean, half) = (0.5 * (across + along), (0.5 * (along - across)).hypot(mixed));
-        // Of the steepest direction; the lay is across it.
-        let steepest = 0.5 * (2.0 * mixed).atan2(along - across).to_degrees();
-        Moments {
-            m0,
-            m2: mean,
-            m4: 0.375 * m4,
-            principal_slopes: (mean + half, mean - half),
-            lay_angle: if steepest > 0.0 { steepest - 90.0 } else { steepest + 90.0 },
-        }
     }
 
     /// Share of m4 after the filter of that `cutoff` (m) that white noise contributes, where the spectrum shows it.
@@ -218,51 +166,11 @@ pub const NOISY: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {
-    use super::super::synthetic::{SelfAffine, cosine};
+    use super::super::synthetic::SelfAffine;
     use super::*;
     use crate::surface::heights::Random;
     use rand::{RngExt, SeedableRng};
     use rand_distr::StandardNormal;
-
-    #[test]
-    fn moments_of_a_wave() {
-        // z = a cos(q·r): m0 = a²/2, ⟨|∇z|²⟩ = a²q²/2, ⟨(∇²z)²⟩ = a²q⁴/2, times the filter's share.
-        let (map, q, a) = cosine(64, 80, (3, 5));
-        let spectrum = Spectrum::of(&map, Window::Hann);
-        let cutoff = 1e-6;
-        let passed = transmission(q, cutoff).powi(2);
-        let found = spectrum.moments(cutoff);
-        for (value, exact) in [
-            (found.m0, 0.5 * a * a * passed),
-            (found.m2, 0.25 * a * a * q * q * passed),
-            (found.m4, 0.375 * 0.5 * a * a * q.powi(4) * passed),
-        ] {
-            assert!((value / exact - 1.0).abs() < 1e-10, "{value:e} {exact:e}");
-        }
-    }
-
-    #[test]
-    fn a_window_makes_up_for_edges() {
-        // Quarters of periodic maps do not continue at their edges; on average slopes and
-        // curvatures are those of the whole.
-        let surface = SelfAffine { points: 1024, ..SelfAffine::default() };
-        let cutoff = 2.0 * surface.shortest();
-        let mean = |surface: SelfAffine, window: Window| {
-            let of = |seed: u64| Spectrum::of(&surface.quarter(seed), window).moments(cutoff);
-            let all: Vec<Moments> = (1..=4).map(of).collect();
-            (all.iter().map(|m| m.m2).sum::<f64>() / 4.0, all.iter().map(|m| m.m4).sum::<f64>() / 4.0)
-        };
-        let (m2, m4) = (surface.sum(2, cutoff), surface.sum(4, cutoff));
-        let found = mean(surface, Window::Hann);
-        assert!((found.0 / m2 - 1.0).abs() < 0.05, "{} {m2}", found.0);
-        assert!((found.1 / m4 - 1.0).abs() < 0.05, "{} {m4}", found.1);
-        // Without roll-off the long waves jump most at the edges, and a jump has curvature.
-        let rolling = SelfAffine { roll_off_pixels: 1024.0, ..surface };
-        let m4 = rolling.sum(4, cutoff);
-        let (tapered, edges) = (mean(rolling, Window::Hann), mean(rolling, Window::None));
-        assert!((tapered.1 / m4 - 1.0).abs() < 0.05, "{} {m4}", tapered.1);
-        assert!(edges.1 > 1.5 * m4, "the jumps at the edges count: {} {m4}", edges.1);
-    }
 
     /// The same with white noise of that mean square (m²).
     fn noisy(mut map: Topography, mean_square: f64, seed: u64) -> Topography {
