@@ -1,6 +1,6 @@
 //! Parameters of a rough surface from a topography.
 
-use super::moments::Moments;
+use super::moments::{Isotropic, Moments};
 use super::nayak::{Nayak, SMALLEST_ALPHA};
 use super::spectrum::{LONGEST_CUTOFF, Limit, NOISY, Spectrum, Window};
 use super::summits::{self, Summits};
@@ -108,14 +108,16 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     }
     let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
     let moments = moments_at(cutoff);
-    let Some(nayak) = Nayak::of(&moments) else {
+    let Some(nayak) = Nayak::of(&moments.isotropic) else {
+        let Isotropic { m0, m2, m4 } = moments.isotropic;
         return Err(format!(
-            "bandwidth alpha = {:.3}: no random surface has one below 0.897; a single wave, or too long a cut-off?",
-            moments.m0 * moments.m4 / moments.m2.powi(2)
+            "bandwidth alpha = {:.3}: that of a random surface is finite and at least 0.897; a single wave, waves along \
+             one direction only, or too long a cut-off?",
+            m0 * m4 / (m2 * m2)
         ));
     };
     let other = |cutoff: f64| {
-        let summits = Nayak::of(&moments_at(cutoff));
+        let summits = Nayak::of(&moments_at(cutoff).isotropic);
         summits.filter(|_| (shortest..=longest).contains(&cutoff)).map(|summits| AtCutoff { cutoff, summits })
     };
     let areal_slope = (!topography.is_profile()).then(|| (2.0 * moments.m2).sqrt());
@@ -136,7 +138,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         moments,
         summits: nayak,
         found: summits::find(&topography, cutoff),
-        radius_at_twice_the_cutoff: (moments.m4 / moments_at(2.0 * cutoff).m4).sqrt(),
+        radius_at_twice_the_cutoff: (moments.isotropic.m4 / moments_at(2.0 * cutoff).isotropic.m4).sqrt(),
         other_cutoffs: [0.5, 2.0].into_iter().filter_map(|factor| other(factor * cutoff)).collect(),
         spectrum: spectrum.radial(),
         warnings,

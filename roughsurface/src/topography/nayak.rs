@@ -1,6 +1,6 @@
 //! Summits of a random surface from its spectral moments m0, m2, m4.
 
-use super::moments::Moments;
+use super::moments::Isotropic;
 use std::f64::consts::PI;
 
 /// Summits of an isotropic Gaussian surface (Nayak 1971, doi 10.1115/1.3451608; McCool 1987,
@@ -24,8 +24,8 @@ pub const SMALLEST_ALPHA: f64 = 1.5;
 
 impl Nayak {
     /// Of a surface with those moments; none where α is too small for any distribution of summits.
-    pub fn of(moments: &Moments) -> Option<Self> {
-        let Moments { m0, m2, m4, .. } = *moments;
+    pub fn of(moments: &Isotropic) -> Option<Self> {
+        let Isotropic { m0, m2, m4 } = *moments;
         let alpha = m0 * m4 / (m2 * m2);
         (alpha > 0.8968 && alpha.is_finite()).then(|| Self {
             alpha,
@@ -45,14 +45,14 @@ mod tests {
     fn the_constants_of_chang_etsion_and_bogy_are_the_same_statement() {
         // y_s = 0.045944/(ηR) and σ_s² = σ² − 3.717e-4/(ηR)² (CEB 1987), and ηRσ = 0.02035844 √α.
         for (m0, m2, m4) in [(1e-12, 0.01, 1e9), (4e-14, 0.003, 5e10)] {
-            let moments = Moments { m0, m2, m4, principal_slopes: (m2, m2), lay_angle: 0.0 };
+            let moments = Isotropic { m0, m2, m4 };
             let summits = Nayak::of(&moments).unwrap();
             let product = summits.density * summits.radius;
             assert!((product * m0.sqrt() / summits.alpha.sqrt() / 0.02035844 - 1.0).abs() < 1e-6);
             assert!((summits.mean_summit * product / 0.045944 - 1.0).abs() < 1e-4);
             let lost = (m0 - summits.std.powi(2)) * product * product;
             assert!((lost / 3.717e-4 - 1.0).abs() < 1e-4, "{lost}");
-            assert!(Nayak::of(&Moments { m4: 0.89 * m2 * m2 / m0, ..moments }).is_none());
+            assert!(Nayak::of(&Isotropic { m4: 0.89 * m2 * m2 / m0, ..moments }).is_none());
         }
     }
 }

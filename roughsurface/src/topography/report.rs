@@ -27,8 +27,7 @@ pub fn text(found: &Characterization) -> String {
     };
     let (rows, columns) = found.points;
     let profile = rows == 1;
-    let points = if profile { format!("{columns}") } else { format!("{rows} x {columns}") };
-    line("points", points);
+    line("points", if profile { format!("{columns}") } else { format!("{rows} x {columns}") });
     line("distance of points", format!("{:.4e} m", found.pixel));
     line("short-wavelength cut-off (Gaussian, 50 %)", format!("{:.4e} m", found.cutoff));
     line(
@@ -47,16 +46,17 @@ pub fn text(found: &Characterization) -> String {
     line("rms slope of profiles Rdq", format!("{:.4e}", found.profile_slope));
     if !profile {
         let (across, along) = found.moments.principal_slopes;
-        let angle = found.moments.lay_angle;
         line(
             "mean square slopes across and along the lay",
-            format!("{across:.4e}, {along:.4e} at {angle:.0} degrees"),
+            format!("{across:.4e}, {along:.4e} at {:.0} degrees", found.moments.lay_angle),
         );
     }
     line("rms curvature of profiles", format!("{:.4e} 1/m", found.rms_curvature));
     line("m0", format!("{:.4e} m2", found.moments.m0));
     line("m2", format!("{:.4e}", found.moments.m2));
     line("m4", format!("{:.4e} 1/m2", found.moments.m4));
+    let isotropic = found.moments.isotropic;
+    line("m2, m4 of the isotropic surface", format!("{:.4e}, {:.4e} 1/m2", isotropic.m2, isotropic.m4));
     line("bandwidth alpha", format!("{:.3}", found.summits.alpha));
     let product = found.summits.density * found.summits.radius * found.summits.std;
     line("eta R sigma_s", format!("{product:.4}"));
@@ -98,7 +98,10 @@ pub fn json(found: &Characterization) -> Value {
         "Sdq": "1",
         "Rdq": "1",
         "rms_curvature": "m-1",
-        "moments": { "m0": "m2", "m2": "1", "m4": "m-2", "principal_slopes": "1", "lay_angle": "degree" },
+        "moments": {
+            "m0": "m2", "m2": "1", "m4": "m-2", "principal_slopes": "1", "lay_angle": "degree",
+            "isotropic": { "m0": "m2", "m2": "1", "m4": "m-2" }
+        },
         "summits": summits,
         "found": {
             "count": "1", "density": per, "radius": "m", "mean": "m", "std": "m", "skewness": "1", "kurtosis": "1"
@@ -154,9 +157,9 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
         env!("CARGO_PKG_VERSION"),
         found.cutoff,
         found.reliability_limit,
-        found.moments.m0,
-        found.moments.m2,
-        found.moments.m4,
+        found.moments.isotropic.m0,
+        found.moments.isotropic.m2,
+        found.moments.isotropic.m4,
         found.summits.alpha,
     )
 }

@@ -159,7 +159,7 @@ mod tests {
         let surface = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() };
         let map = surface.map(1);
         let cutoff = 4.0 * map.pixel();
-        let theory = Nayak::of(&Moments::of(&map, Window::None, cutoff)).unwrap();
+        let theory = Nayak::of(&Moments::of(&map, Window::None, cutoff).isotropic).unwrap();
         let found = find(&map, cutoff);
         assert!((found.density / theory.density - 1.0).abs() < 0.03, "{} {}", found.density, theory.density);
         assert!((found.radius / theory.radius - 1.0).abs() < 0.02, "{} {}", found.radius, theory.radius);
@@ -186,7 +186,7 @@ mod tests {
         ] {
             let map = surface.map(seed);
             let cutoff = surface.shortest();
-            let theory = Nayak::of(&Moments::of(&map, Window::Hann, cutoff)).unwrap();
+            let theory = Nayak::of(&Moments::of(&map, Window::Hann, cutoff).isotropic).unwrap();
             let found = find(&map, cutoff);
             let off = |value: f64, exact: f64| (value / exact - 1.0).abs();
             // A few thousand summits, correlated over the longest waves.

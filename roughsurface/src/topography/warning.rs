@@ -72,14 +72,16 @@ pub enum Warning {
     CutoffTooShort { cutoff: f64, limit: f64, reason: Limit },
     #[error(
         "the mean square slopes across the lay and along it, at {angle:.0} degrees to the rows, differ by a factor \
-         of {ratio:.2}; summits are those of an isotropic surface"
+         of {ratio:.2}; summits are those of the isotropic surface with the geometric means of slopes and curvatures"
     )]
     Lay { ratio: f64, angle: f64 },
     #[error("the rms slope Sdq or Rdq is {slope:.1}: are heights and positions in the same unit?")]
     Steep { slope: f64 },
     #[error("bandwidth alpha = {alpha:.3}: that of an isotropic surface is at least 1.5")]
     NarrowBand { alpha: f64 },
-    #[error("a profile shows one direction only; summits are those of an isotropic surface")]
+    #[error(
+        "a profile shows one direction only; summits are those of an isotropic surface with such profiles"
+    )]
     Profile,
     #[error("{count} summits were found, too few for statistics")]
     FewSummits { count: usize },
