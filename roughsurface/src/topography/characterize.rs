@@ -112,7 +112,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         let Isotropic { m0, m2, m4 } = moments.isotropic;
         return Err(format!(
             "bandwidth alpha = {:.3}: that of a random surface is finite and at least 0.897; a single wave, waves along \
-             one direction only, or too long a cut-off?",
+             one direction only, noise, or too long a cut-off?",
             m0 * m4 / (m2 * m2)
         ));
     };
