@@ -12,11 +12,51 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// The indices of a point in both tables.
 type Pair = ((usize, usize), (usize, usize));
 
+/// What two requests, or the programs that made two tables, have under a key.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OfKey {
+    /// Name, of a key with its sections.
+    pub key: String,
+    /// Value of the first, "nothing" where it has none.
+    pub here: String,
+    /// That of the second.
+    pub there: String,
+}
+
+/// Keys in which two requests (TOML) differ, in the order of the first, then those that only the second has.
+pub fn request_differences(here: &str, there: &str) -> Vec<OfKey> {
+    let [here, there] = [here, there].map(|text| {
+        let mut leaves = Vec::new();
+        leaves_of("", &text.parse().unwrap_or_default(), &mut leaves);
+        leaves
+    });
+    let value = |leaves: &[(String, String)], key: &str| {
+        let found = leaves.iter().find(|(name, _)| name == key);
+        found.map_or_else(|| "nothing".to_owned(), |(_, value)| value.clone())
+    };
+    let only_there = there.iter().filter(|(key, _)| here.iter().all(|(name, _)| name != key));
+    let keys = here.iter().chain(only_there).map(|(key, _)| key);
+    let pairs =
+        keys.map(|key| OfKey { key: key.clone(), here: value(&here, key), there: value(&there, key) });
+    pairs.filter(|OfKey { here, there, .. }| here != there).collect()
+}
+
+/// Keys with their values, which are no sections.
+fn leaves_of(path: &str, section: &toml::Table, leaves: &mut Vec<(String, String)>) {
+    for (name, value) in section {
+        let key = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
+        match value {
+            toml::Value::Table(inner) => leaves_of(&key, inner, leaves),
+            value => leaves.push((key, value.to_string())),
+        }
+    }
+}
+
 /// How two tables differ; "here" is the first of them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
-    /// Differences of the tables as a whole: (name, here, there).
-    pub metadata: Vec<(&'static str, String, String)>,
+    /// Differences of the tables as a whole, and of the keys of their requests.
+    pub metadata: Vec<OfKey>,
     /// Grid points that both have.
     pub common: usize,
     /// Grid points of the first table only.
@@ -98,28 +138,20 @@ impl Slice {
         worst.map(|worst| Difference { compared, beyond_errors, ..worst })
     }
 
-    fn metadata_differences(&self, other: &Slice) -> Vec<(&'static str, String, String)> {
+    fn metadata_differences(&self, other: &Slice) -> Vec<OfKey> {
         let (here, there) = (self.metadata(), other.metadata());
-        let mut differences = Vec::new();
         let texts = [
             ("source", &here.source, &there.source),
             ("fingerprint", &here.fingerprint, &there.fingerprint),
             ("shard", &here.shard, &there.shard),
         ];
-        for (name, here, there) in texts {
-            if here != there {
-                differences.push((name, here.clone(), there.clone()));
-            }
-        }
-        let mut other_lines = there.scene.lines();
-        for line in here.scene.lines() {
-            let there = other_lines.next().unwrap_or_default();
-            if line != there {
-                differences.push(("request", line.to_string(), there.to_string()));
-            }
-        }
-        differences.extend(other_lines.map(|line| ("request", String::new(), line.to_string())));
-        differences
+        let differing = texts.into_iter().filter(|(_, here, there)| here != there);
+        let of_tables = differing.map(|(name, here, there)| OfKey {
+            key: name.to_owned(),
+            here: format!("{here:?}"),
+            there: format!("{there:?}"),
+        });
+        of_tables.chain(request_differences(&here.scene, &there.scene)).collect()
     }
 }
 
@@ -150,8 +182,20 @@ mod tests {
 
     #[test]
     fn equal_tables_have_no_differences() {
-        let comparison = table(vec![1.0, 2.0], "a").compare(&table(vec![1.0, 2.0], "a"));
+        let comparison = table(vec![1.0, 2.0], "a = 1").compare(&table(vec![1.0, 2.0], "a = 1"));
         assert_eq!(comparison, Comparison { common: 4, ..Comparison::default() });
+    }
+
+    /// A key that one request has does not shift those below it.
+    #[test]
+    fn requests_are_compared_by_key() {
+        let here = "a = 1\n[m]\nlaw = \"none\"\n[n]\nx = [1.0, 2.0]\n";
+        let there = "[m]\nlaw = \"linear\"\nmodulus = 3.0\n[n]\nx = [1.0, 2.0]\n";
+        let differences = request_differences(here, there);
+        let found: Vec<[&str; 3]> =
+            differences.iter().map(|OfKey { key, here, there }| [&key[..], here, there]).collect();
+        let law = ["m.law", "\"none\"", "\"linear\""];
+        assert_eq!(found, [["a", "1", "nothing"], law, ["m.modulus", "nothing", "3.0"]]);
     }
 
     #[test]
@@ -164,7 +208,8 @@ mod tests {
         there.set_cell(1, 1, cell).unwrap();
         let comparison = here.compare(&there);
         assert_eq!((comparison.common, comparison.only_here, comparison.only_there), (4, 0, 2));
-        assert_eq!(comparison.metadata, [("request", "b = 2".to_string(), "b = 3".to_string())]);
+        let [key, here, there] = ["b", "2", "3"].map(String::from);
+        assert_eq!(comparison.metadata, [OfKey { key, here, there }]);
         assert_eq!(comparison.states.len(), 1);
         assert_eq!(comparison.states[0].2, "failed: no memory");
         let mu = &comparison.quantities[0];

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 use tables::numbers::plain;
-use tables::table::comparison::Comparison;
+use tables::table::comparison::{Comparison, OfKey};
 
 use super::{DiffArguments, read};
 use crate::{Display, Failure};
@@ -42,11 +42,15 @@ fn text(comparison: &Comparison) -> String {
     let mut text =
         format!("{common} cells in common, {only_here} in the first only, {only_there} in the second only\n");
     // Writing to a String cannot fail.
-    for (name, here, there) in metadata {
-        let _ = writeln!(text, "{name}: \"{here}\" and \"{there}\"");
+    for OfKey { key, here, there } in metadata {
+        let _ = writeln!(text, "{key}: {here} and {there}");
     }
     for (at, here, there) in states {
         let _ = writeln!(text, "{at}: {here} and {there}");
+    }
+    if *common == 0 {
+        text.push_str("no quantity is compared, as no cell is in common\n");
+        return text;
     }
     if quantities.is_empty() {
         text.push_str("no differences in any quantity\n");
@@ -77,9 +81,8 @@ fn text(comparison: &Comparison) -> String {
 fn as_json(comparison: &Comparison) -> Value {
     let pair =
         |(name, here, there): &(_, String, String)| json!({ "what": name, "first": here, "second": there });
-    let metadata: Vec<Value> = (comparison.metadata.iter())
-        .map(|(name, here, there)| pair(&(name.to_string(), here.clone(), there.clone())))
-        .collect();
+    let of_key = |OfKey { key, here, there }: &OfKey| json!({ "what": key, "first": here, "second": there });
+    let metadata: Vec<Value> = comparison.metadata.iter().map(of_key).collect();
     let states: Vec<Value> = comparison.states.iter().map(pair).collect();
     let quantities: serde_json::Map<String, Value> = (comparison.quantities.iter())
         .map(|difference| {
