@@ -38,7 +38,6 @@ pub fn tabulate(
     };
     let request = request.map_err(errors::of_scene)?;
     if resume
-        && !journal.exists()
         && let Some(table) = completed(&request, None, &output)
             .map_err(|error| errors::input(&error, Some(&output.display().to_string()), None, &error))?
     {

@@ -35,7 +35,6 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
         say(format!("note: {}", Note::Defaults(request.template.defaults_in_effect())));
     }
     if arguments.resume
-        && !journal.exists()
         && let Some(table) =
             tabulate::completed(&request, arguments.shard, &arguments.output).map_err(Failure::input)?
     {
@@ -146,7 +145,7 @@ fn report(
     }
     if display.verbose {
         if arguments.resume {
-            say(format!("{} cells were taken from the interrupted run", tabulation.resumed));
+            say(format!("{} cells were taken from the journal", tabulation.resumed));
         }
         for (index, finished) in tabulation.done() {
             for note in &finished.notes {

@@ -37,13 +37,18 @@ pub fn slip_grid(slip_distance: f64) -> Vec<f64> {
 pub struct Finished {
     /// Scalars, histories on the slips of [`slip_grid`], and warnings.
     pub cell: Cell,
-    /// Time of the run by part of the computation; zero for a run that was taken from a journal.
+    /// Time of the run by part of the computation; zero for a run that was taken from a journal or a table.
     pub timings: Timings,
     /// Of the run's account.
     pub notes: Vec<String>,
 }
 
 impl Finished {
+    /// The results of a cell that a table has.
+    pub fn of_table(cell: &Cell) -> Self {
+        Self { cell: cell.clone(), timings: Timings::default(), notes: Vec::new() }
+    }
+
     /// The part of `outcome` that a table stores; `temperature` is that at the start, K.
     pub fn new(outcome: &Outcome, slips: &[f64], temperature: f64) -> Self {
         let mut cell = Cell {

@@ -14,6 +14,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use tables::netcdf::in_words;
+use tables::table::comparison::{OfKey, request_differences};
+use tables::table::{Status, Table};
 
 use super::cell::Finished;
 use super::shard::Shard;
@@ -53,7 +55,7 @@ enum Fault {
     #[error("unfinished table of an earlier run; continue it with --resume or delete it")]
     Exists,
     /// The journal belongs to another request or build; what differs.
-    #[error("cannot be resumed: {0}")]
+    #[error("cannot be resumed: {0}; delete it, or choose another name with --output")]
     Foreign(String),
     #[error(
         "is not a journal of this table, but has its name; move it away or choose another name with --output"
@@ -150,10 +152,10 @@ impl Journal {
         let begun = found.is_none() && first_line.starts_with(&text);
         match &found {
             None if cells.is_empty() && !begun => return Err(fault(Fault::Unknown)),
-            _ if existed && !resume => return Err(fault(Fault::Exists)),
             Some(found) if *found != header => {
                 return Err(fault(Fault::Foreign(differences(found, &header))));
             }
+            _ if existed && !resume => return Err(fault(Fault::Exists)),
             _ => {}
         }
         if begun {
@@ -161,6 +163,25 @@ impl Journal {
             journal.append(&header)?;
         }
         Ok((journal, cells))
+    }
+
+    /// A journal at `path`, where there is none, of the cells that a `table` of the whole `request` has, in place of the
+    /// journals that they were in.
+    pub fn of_table(path: &Path, request: &str, table: &Table) -> Result<(), JournalError> {
+        let (mut journal, _) = Self::open(path, request, None, false)?;
+        for slice in table.slices() {
+            for (i, j) in slice.grid() {
+                let (interference, slip_rate) = slice.coordinates(i, j);
+                let temperature = slice.metadata().temperature;
+                let result = match slice.status(i, j) {
+                    Status::NotRun => continue,
+                    Status::Failed(reason) => Err(reason.clone()),
+                    Status::Done(cell) => Ok(Finished::of_table(cell)),
+                };
+                journal.record(Point { temperature, interference, slip_rate }, &result)?;
+            }
+        }
+        Ok(())
     }
 
     /// Reserves disk space for a number of further cells, where the system can, so that no result is lost
@@ -195,7 +216,7 @@ impl Journal {
     }
 }
 
-/// The first line in which two headers differ.
+/// The first of the differences of two headers.
 fn differences(found: &Header, asked: &Header) -> String {
     if found.source != asked.source {
         return format!("it was written by {}, this is {}", found.source, asked.source);
@@ -211,10 +232,9 @@ fn differences(found: &Header, asked: &Header) -> String {
             |shard: &Option<String>| shard.clone().map_or("the whole table".into(), |k| format!("shard {k}"));
         return format!("it is of {}, not of {}", name(&found.shard), name(&asked.shard));
     }
-    let mut lines = found.request.lines().zip(asked.request.lines());
-    match lines.find(|(found, asked)| found != asked) {
-        Some((found, asked)) => format!("it has \"{found}\", the request \"{asked}\""),
-        None => "it belongs to another request".into(),
+    match &request_differences(&found.request, &asked.request)[..] {
+        [OfKey { key, here, there }, ..] => format!("of {key} it has {here}, the request {there}"),
+        [] => "it belongs to another request".into(),
     }
 }
 

@@ -174,22 +174,34 @@ pub fn tabulate(
     tabulate_with(&FiniteElements, request, options, watch)
 }
 
-/// The table at `output`, if it is the complete one of this `request` (or of its `shard`) from this program; an error if it is
-/// of another request, which resuming would replace.
+/// The table at `output`, if it is the complete one of this `request` (or of its `shard`) from this program. The cells of one
+/// that lacks some, a partly merged one or a shard of the request, are written to the journal, which resuming continues. An
+/// error if the table is of another request, which resuming would replace. Nothing where there is a journal already.
 pub fn completed(
     request: &Request,
     shard: Option<Shard>,
     output: &Path,
 ) -> Result<Option<Table>, TabulateError> {
+    let journal = Journal::beside(output);
+    if journal.exists() {
+        return Ok(None);
+    }
     let Ok(table) = Table::read(output) else { return Ok(None) };
     let metadata = table.metadata();
-    let same_shard = metadata.shard == shard.map_or(String::new(), |shard| shard.to_string());
-    if metadata.scene != write_request(request) || !same_shard {
+    let other_shard = shard.is_some_and(|shard| shard.to_string() != metadata.shard);
+    let text = write_request(request);
+    if metadata.scene != text || other_shard {
         return Err(TabulateError::OtherTable(output.display().to_string()));
     }
-    // A shard is written only when its cells are done; a merged table may lack some.
-    let complete = metadata.fingerprint == FINGERPRINT && (shard.is_some() || table.missing().is_empty());
-    Ok(complete.then_some(table))
+    if metadata.fingerprint != FINGERPRINT {
+        return Ok(None);
+    }
+    // A shard is written only when its cells are done.
+    if shard.is_some() || table.missing().is_empty() {
+        return Ok(Some(table));
+    }
+    Journal::of_table(&journal, &text, &table)?;
+    Ok(None)
 }
 
 pub(crate) fn tabulate_with<S: Simulator>(

@@ -123,7 +123,7 @@ fn only_cells_in_flight_are_done_again() {
     let kept = journalled(folder.path());
     assert!(kept + JOBS <= CELLS, "all done before it could be killed");
     let said = continued(folder.path());
-    assert!(said.contains(&format!("{kept} cells were taken from the interrupted run")), "{said}");
+    assert!(said.contains(&format!("{kept} cells were taken from the journal")), "{said}");
 }
 
 /// Runs a shell script as root of a mount namespace of its own; none where that is not allowed.

@@ -5,7 +5,6 @@ use tables::quantity::Quantity;
 use tables::table::Cell;
 
 use super::{CellResult, Point};
-use crate::solver::timings::Timings;
 use crate::tabulate::cell::Finished;
 
 #[derive(Serialize, Deserialize)]
@@ -68,7 +67,7 @@ impl RecordedCell {
             cell = cell.with_history(quantity, history.to_vec());
         }
         cell.warnings = self.warnings;
-        Some(Finished { cell, timings: Timings::default(), notes: self.notes })
+        Some(Finished { notes: self.notes, ..Finished::of_table(&cell) })
     }
 }
 
