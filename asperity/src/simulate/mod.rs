@@ -42,8 +42,8 @@ use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::expected_time;
 use crate::simulate::outcome::Outcome;
 use messages::{RunKind, RunProgress};
-pub(crate) use pressed::bisect;
 pub use pressed::{Pressed, PressedContact, press};
+pub(crate) use pressed::{bisect, largest_interference};
 use run::Run;
 use runs::Runner;
 

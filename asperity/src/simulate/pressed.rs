@@ -249,7 +249,7 @@ fn press_mesh(
             }
             contact_radius *= growth_zone;
         }
-        Err(too_deep(problem, contact_radius, |radius| size_for(radius).fits()))
+        Err(too_deep(problem, |radius| size_for(radius).fits()))
     };
     // In as many increments: an error of one per cent in the radius moves the edge by a twelfth of a ring at 8
     // elements, and the load at 100 omega_c by one per cent.
@@ -275,16 +275,24 @@ fn press_mesh(
 const SURE: f64 = 0.8;
 
 /// The contact is so large that its mesh does not fit into the hemisphere.
-fn too_deep(problem: &Problem, radius: f64, fits: impl Fn(f64) -> bool) -> SimulationError {
+fn too_deep(problem: &Problem, fits: impl Fn(f64) -> bool) -> SimulationError {
     SimulationError::Unsupported(format!(
-        "an interference of {} omega_c presses the asperity by {} of its radius, to a contact radius of about {} \
-         of it: the model needs a contact that is small beside the asperity, and with this material and mesh goes \
-         to about {} omega_c",
+        "an interference of {} omega_c presses the asperity by {} of its radius: the model needs a contact that is \
+         small beside the asperity, and with this material and mesh goes to about {} omega_c",
         plain(problem.interference / problem.critical_interference),
         digits(problem.interference, 2),
-        digits(radius, 2),
         digits(SURE * deepest(problem, fits), 2),
     ))
+}
+
+/// The largest interference to offer, in ω_c, where that of the scene is so deep that already the first mesh, which is laid
+/// out for the contact radius to expect, does not fit into the hemisphere.
+pub(crate) fn largest_interference(scene: &Scene) -> Option<f64> {
+    let problem = Problem::new(scene);
+    let chosen = Resolution::choose(&scene.numerics);
+    let coarse = chosen.for_scatter(&scene.numerics, scene.loading.interference).coarse();
+    let fits = |radius: f64| coarse.mesh_size(radius).fits();
+    (!fits(problem.expected_contact_radius())).then(|| SURE * deepest(&problem, fits))
 }
 
 /// Interference, in ω_c, up to which a mesh laid out for the contact radius to expect fits.

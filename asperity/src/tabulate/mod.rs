@@ -23,6 +23,7 @@ mod tabulation;
 
 use std::path::Path;
 
+use tables::numbers::{digits, plain};
 use tables::table::{Axes, Table, TableError};
 
 pub use cell::{Finished, slip_grid};
@@ -34,6 +35,7 @@ use crate::output::provenance::FINGERPRINT;
 use crate::scene::Scene;
 use crate::scene::file::{Request, write_request};
 use crate::simulate::expected_time::expected_time;
+use crate::simulate::largest_interference;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{self, Pressed, STACK_SIZE, SimulationError, Watch};
 use cost::CostModel;
@@ -99,6 +101,19 @@ pub enum TabulateError {
          --resume"
     )]
     OtherTable(String),
+    /// The model does not go so deep.
+    #[error(
+        "table.interference = {asked}: must be at most about {most} (omega_0/omega_c){at}: the model needs a contact that \
+         is small beside the asperity"
+    )]
+    TooDeep {
+        /// ω₀/ω_c, as requested.
+        asked: String,
+        /// ω₀/ω_c.
+        most: String,
+        /// At which initial temperature, where there are several.
+        at: String,
+    },
     /// The threads could not be started.
     #[error("cannot start {jobs} threads: {reason}")]
     Threads {
@@ -213,6 +228,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
     if let (Some(shard), Some(_)) = (options.shard, request.goal) {
         return Err(TabulateError::Shard(shard));
     }
+    check_depth(request)?;
     let (mut journal, found) =
         Journal::open(options.journal, &write_request(request), options.shard, options.resume)?;
     let resumed = found.len();
@@ -258,6 +274,26 @@ pub(crate) fn tabulate_with<S: Simulator>(
             Some(finer) => axes = finer,
             None => return Ok((tabulation, journal)),
         }
+    }
+}
+
+/// Whether the model goes as deep as the largest interference, at every initial temperature.
+fn check_depth(request: &Request) -> Result<(), TabulateError> {
+    let deepest = request.interferences[request.interferences.len() - 1];
+    let limits = request.templates().into_iter().filter_map(|mut scene| {
+        scene.loading.interference = deepest;
+        Some((largest_interference(&scene)?, scene.loading.temperature))
+    });
+    match limits.min_by(|a, b| a.0.total_cmp(&b.0)) {
+        None => Ok(()),
+        Some((most, temperature)) => Err(TabulateError::TooDeep {
+            asked: plain(deepest),
+            most: digits(most, 2),
+            at: match request.temperatures.is_empty() {
+                true => String::new(),
+                false => format!(" at {} K", plain(temperature)),
+            },
+        }),
     }
 }
 

@@ -141,6 +141,56 @@ fn threads_interruptions_and_shards_change_nothing() {
     }
 }
 
+/// What shards of a request lack is computed, and nothing else.
+#[test]
+fn a_partly_merged_table_is_completed() {
+    let fake = || Fake { slide_fails: Some(10.0), ..Fake::default() };
+    let undivided = table(&whole(TEMPERATURES, &fake(), 1));
+    let shard = |shard: &str| {
+        let bench = Bench::new(request(TEMPERATURES));
+        table(&bench.run(&fake(), (1, false, Some(shard)), &Unwatched).unwrap())
+    };
+    let mut partial = shard("1/3");
+    partial.merge(&shard("3/3")).unwrap();
+    let missing = partial.missing().len();
+    assert!((1..24).contains(&missing), "{missing}");
+    let bench = Bench::new(request(TEMPERATURES));
+    let output = bench.folder.path().join("table.nc");
+    partial.write(&output).unwrap();
+    let error = completed(&bench.request, "2/3".parse().ok(), &output).unwrap_err().to_string();
+    assert!(error.contains("another shard") && !bench.journal().exists(), "{error}");
+    assert_eq!(completed(&bench.request, None, &output).unwrap(), None);
+    let rest = fake();
+    let continued = bench.run(&rest, (2, true, None), &Unwatched).unwrap();
+    assert_eq!((continued.resumed, rest.slides.load(Ordering::Relaxed)), (24 - missing, missing));
+    assert_eq!(table(&continued), undivided);
+}
+
+/// The limit is that of the press, which would refuse each cell.
+#[test]
+fn a_request_deeper_than_the_model_is_refused_before_any_press() {
+    let refused = |table: &str| {
+        let (bench, fake) = (Bench::new(request(table)), Fake::default());
+        let error = bench.run(&fake, (1, false, None), &Unwatched).map(drop).unwrap_err();
+        assert!(fake.presses.lock().unwrap().is_empty() && !bench.journal().exists());
+        error.to_string()
+    };
+    let single = refused("[table]\ninterference = [1, 1e6]\nslip_rate = [1]\n");
+    let (_, most) = single.split_once("table.interference = 1e6: must be at most about ").unwrap();
+    let most = most.split(' ').next().unwrap();
+    let scene = |interference: &str| {
+        let mut scene = request(GRID).template;
+        scene.loading.interference = interference.parse().unwrap();
+        scene
+    };
+    let pressed = crate::simulate::press(&scene("1e6"), &Unwatched).err().unwrap().to_string();
+    assert!(pressed.ends_with(&format!("goes to about {most} omega_c")), "{pressed}");
+    assert_eq!(crate::simulate::largest_interference(&scene(most)), None);
+    // Softer when hot, the metal yields at a smaller interference: the lowest temperature has the least.
+    let several = refused("[table]\ninterference = [1, 1e6]\nslip_rate = [1]\ntemperature = [298, 500]\n");
+    assert!(several.contains(&format!("at most about {most} (omega_0/omega_c) at 298 K")), "{several}");
+}
+
 #[test]
 fn an_interrupted_shard_continues() {
     let bench = Bench::new(request(FIVE_ROWS));
