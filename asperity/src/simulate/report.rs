@@ -134,7 +134,9 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     if inception != InceptionCriterion::None && stick_slip(&run.history).is_some() {
         warnings.push(Warning::StickSlip);
     }
-    if inception == InceptionCriterion::None && run.history.len() > 1 && scene.interface.law.has_friction() {
+    let is_stuck = inception == InceptionCriterion::None && run.history.len() > 1;
+    // A slide that failed or was stopped says so; a longer one would end there too.
+    if is_stuck && run.failure.is_none() && scene.interface.law.has_friction() {
         warnings.push(Warning::NotSliding);
     }
     warnings.extend(fast_inception(runner, run));

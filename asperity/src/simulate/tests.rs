@@ -213,6 +213,9 @@ fn a_stop_is_honoured_in_the_innermost_loops() {
         let watch = StopsAfter { allowed, asked: AtomicUsize::new(0) };
         match simulate(&scene, &watch) {
             Err(SimulationError::Cancelled { partial }) => {
+                // A longer slip would not let it begin to slide.
+                let is_stuck = |run: &Outcome| run.account.warnings.contains(&Warning::NotSliding);
+                assert!(!partial.as_deref().is_some_and(is_stuck));
                 kept.push(partial.map_or(0, |run| run.slide.len()))
             }
             other => panic!("{allowed} of {questions}: {other:?}"),

@@ -22,7 +22,7 @@ use crate::loading::recording::Recorder;
 use crate::loading::state::SlideState;
 use crate::scene::{Control, FrictionLaw};
 use crate::solver::StopRequest;
-use crate::solver::newton::{LoadingControl, Mechanics, StepFailure};
+use crate::solver::newton::{LoadingControl, Mechanics, StepFailure, WEAKER_INTERFACE};
 use coupling::Equilibrium;
 use friction_heat::HeatSources;
 use increments::{InceptionBracket, Predictor, StepControl};
@@ -57,8 +57,7 @@ pub enum SlideFailure {
     Impossible(#[from] Violation),
     #[error(
         "{MOST_FAILURES} times an increment failed after one that was taken: there may be no continuous sequence of \
-         states, as where a light contact sticks and lifts off in turn; the law \"coulomb\" or a smaller \
-         strength_factor may have one. The last failure: {0}"
+         states, as where a light contact sticks and lifts off in turn; {WEAKER_INTERFACE} may have one. The last failure: {0}"
     )]
     Discontinuous(Box<SlideFailure>),
     #[error("stopped on request")]

@@ -39,6 +39,9 @@ const FORCING: f64 = 3e-3;
 const COUPLED_FORCING: f64 = 0.05;
 const LARGEST_FORCING: f64 = 0.1;
 
+/// What lets a light contact slide.
+pub const WEAKER_INTERFACE: &str = "the law \"coulomb\", a smaller strength_factor or, with the law \"briscoe-tabor\", a smaller film_strength";
+
 /// Why a step was not solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StepFailure {
@@ -55,8 +58,8 @@ pub enum StepFailure {
     #[error(
         "points of the contact with {:.0} % of its friction neither touch nor lift off: the shear strength \
          of the interface, which does not fall with the pressure, lifts the surface off the flat where it \
-         touches. A contact under so small a load has no equilibrium without adhesion; the law \"coulomb\" or a \
-         smaller strength_factor has one",
+         touches. A contact under so small a load has no equilibrium without adhesion; {WEAKER_INTERFACE} \
+         has one",
         100.0 * .share
     )]
     Chattering { share: f64 },
