@@ -11,7 +11,7 @@ use tables::figures::TABLE_PANELS;
 use tables::netcdf::input::number;
 use tables::netcdf::program::Printer;
 
-use super::{help, table};
+use super::{Failure, help, table};
 
 /// Friction of one spherical elastic-plastic asperity on a rigid flat.
 ///
@@ -46,6 +46,19 @@ pub(super) struct Display {
 impl Display {
     pub(super) fn printer(&self) -> Printer {
         Printer { json: self.json, quiet: self.quiet }
+    }
+
+    /// The result of a command; a failed one has the implausible values of its input with it, also where warnings are not
+    /// printed: one of them may be the cause.
+    pub(super) fn with_implausible(
+        &self,
+        implausible: impl FnOnce() -> Vec<String>,
+        result: Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        if result.is_err() && self.quiet {
+            Printer { json: self.json, quiet: false }.warn(implausible());
+        }
+        result
     }
 }
 

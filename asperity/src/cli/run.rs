@@ -28,6 +28,10 @@ use super::{Display, Failure, RunArguments, command_line, outputs, program, timi
 /// Run the scene, write the results, also those before a failure, and print a summary.
 pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let scene = read_scene(&arguments.scene, &arguments.set).map_err(Failure::input)?;
+    display.with_implausible(|| scene.implausible(), run_scene(&scene, arguments, display))
+}
+
+fn run_scene(scene: &Scene, arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
     let end = scene.loading.slip_distance;
     if let Some(beyond) = arguments.fields_at.iter().find(|slip| **slip > end) {
         return Err(Failure::Input(format!(
@@ -37,16 +41,16 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
         )));
     }
     check_outputs(arguments)?;
-    outputs::check_panels(&arguments.panel, &figures::panels(&scene))?;
+    outputs::check_panels(&arguments.panel, &figures::panels(scene))?;
     let remarks = scene.remarks();
     display.printer().warn(&remarks);
     if !display.quiet {
-        progress::tell_expected_time(expected_time(&scene));
+        progress::tell_expected_time(expected_time(scene));
     }
     watch_for_interrupt();
     let progress = Progress::new(display);
     let recording = Recording { slips: arguments.fields_at.clone(), body: arguments.vtu.is_some() };
-    let result = simulate_recorded(&scene, &recording, &progress);
+    let result = simulate_recorded(scene, &recording, &progress);
     progress.clear();
     let (mut outcome, failure) = match result {
         Ok(outcome) => (outcome, None),
@@ -69,7 +73,7 @@ pub fn run(arguments: &RunArguments, display: &Display) -> Result<(), Failure> {
         true => &arguments.of_incomplete(),
         false => arguments,
     };
-    let reported = report(&scene, &outcome, failure.as_deref(), places, display);
+    let reported = report(scene, &outcome, failure.as_deref(), places, display);
     match failure {
         None => reported,
         Some(reason) if reported.is_ok() => Err(Failure::Run(format!(

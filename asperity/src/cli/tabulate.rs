@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::output::provenance;
-use asperity::scene::file::read_request;
+use asperity::scene::file::{Request, read_request};
 use asperity::simulate::outcome::Note;
 use asperity::solver::timings::{Kernel, Timings};
 use asperity::tabulate::{self, Journal, Options, TabulateError, Tabulation};
@@ -22,6 +22,14 @@ use super::{Display, Failure, TabulateArguments, command_line, outputs, timings}
 /// Run the missing cells of the request, write the table, print a summary.
 pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let request = read_request(&arguments.request, &arguments.set).map_err(Failure::input)?;
+    display.with_implausible(|| request.implausible(), tabulate_request(&request, arguments, display))
+}
+
+fn tabulate_request(
+    request: &Request,
+    arguments: &TabulateArguments,
+    display: &Display,
+) -> Result<(), Failure> {
     let journal = Journal::beside(&arguments.output);
     check_outputs(arguments, &request.temperatures, &journal)?;
     // Refinement adds points, and with them maps.
@@ -36,7 +44,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     }
     if arguments.resume
         && let Some(table) =
-            tabulate::completed(&request, arguments.shard, &arguments.output).map_err(Failure::input)?
+            tabulate::completed(request, arguments.shard, &arguments.output).map_err(Failure::input)?
     {
         return report_complete(&table, arguments, display);
     }
@@ -48,7 +56,7 @@ pub fn tabulate(arguments: &TabulateArguments, display: &Display) -> Result<(), 
     };
     watch_for_interrupt();
     let progress = Progress::new(display);
-    let result = tabulate::tabulate(&request, &options, &progress);
+    let result = tabulate::tabulate(request, &options, &progress);
     progress.clear();
     let (tabulation, journal) = result.map_err(|error| match error {
         TabulateError::Journal(ref journal) if journal.is_of_the_system() => Failure::run(error),

@@ -37,7 +37,12 @@ impl Scene {
         self.remarks_with(&document)
     }
 
-    /// The same, with the implausible values of a document made from the scene.
+    /// Those of values that are probably in another unit.
+    pub fn implausible(&self) -> Vec<String> {
+        plausible::remarks(&Table::try_from(self).expect("a scene is plain data"))
+    }
+
+    /// All, with the implausible values of a document made from the scene.
     pub(crate) fn remarks_with(&self, document: &Table) -> Vec<String> {
         let strength = self.equal_strength().into_iter().chain(self.reference_temperature());
         let strength = strength.chain(self.tensile_strength());

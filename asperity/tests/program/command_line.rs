@@ -86,6 +86,22 @@ fn a_scene_with_the_name_of_a_file_of_vtu_is_kept() {
     crate::refused(directory.path(), line, &["a file of --vtu and the scene are the same file"]);
 }
 
+/// Also where warnings are not printed, as the likely cause.
+#[test]
+fn a_refusal_has_the_implausible_values_with_it() {
+    let _alone = alone();
+    let directory = folder_with("scene.toml", &format!("{LOADING}{COARSE}"));
+    let refused = |more: &str| {
+        let modulus = "counterface.youngs_modulus=330 --set counterface.poisson_ratio=0.2";
+        ended(&asperity(directory.path(), &format!("run scene.toml -o run.nc --set {modulus} {more}")), 2)
+    };
+    for more in ["", "-q"] {
+        let said = refused(more);
+        assert_eq!(said.matches("counterface.youngs_modulus = 330 Pa is implausible").count(), 1, "{said}");
+        assert!(said.contains("small beside the asperity") && !said.contains("inf"), "{said}");
+    }
+}
+
 #[test]
 fn usage_errors_have_status_2_and_help_has_0() {
     let _alone = alone();

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use tables::numbers::Spacing;
+use tables::quantity::plausible;
 use tables::refinement::Goal;
 use toml::{Table, Value};
 
@@ -52,6 +53,11 @@ impl Request {
     /// Warnings about all cells, a sentence each; see [`Scene::remarks`].
     pub fn remarks(&self) -> Vec<String> {
         self.template.remarks_with(&document(self))
+    }
+
+    /// Those of values that are probably in another unit.
+    pub fn implausible(&self) -> Vec<String> {
+        plausible::remarks(&document(self))
     }
 
     /// The same grid at one initial temperature, K.
