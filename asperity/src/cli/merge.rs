@@ -5,6 +5,7 @@ use std::path::Path;
 use asperity::output::provenance;
 use serde_json::json;
 use tables::netcdf::streams::say;
+use tables::shipped;
 use tables::table::Table;
 
 use super::{Display, Failure, MergeArguments, command_line, outputs, program};
@@ -27,6 +28,12 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         )));
     }
     let missing = missing.len();
+    if let [only] = &arguments.shards[..]
+        && missing == 0
+    {
+        let nothing = format!("{} is complete: there is nothing to merge it with", only.display());
+        display.printer().warn([nothing]);
+    }
     program::save(&arguments.output, |path| table.write(path))?;
     if let Some(plot) = &arguments.plot {
         outputs::plot(&table, plot, &arguments.panel)?;
@@ -50,7 +57,10 @@ fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
     let mut whole: Option<(Table, &Path)> = None;
     let mut histories = Vec::new();
     for path in shards.iter().map(AsRef::as_ref) {
-        let shard = Table::read(path).map_err(Failure::input)?;
+        let shard = match path.to_str() {
+            Some(name) => shipped::load(name).map_err(Failure::input)?,
+            None => Table::read(path).map_err(Failure::input)?,
+        };
         histories.push(shard.metadata().history.clone());
         match &mut whole {
             None => whole = Some((shard, path)),

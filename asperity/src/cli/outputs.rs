@@ -65,6 +65,9 @@ pub fn draw(figure: Figure, panels: &[String], plot: &Path) -> Result<(), Failur
 
 /// Whether files can be written into a directory, which is created if it does not exist.
 pub fn check_directory(directory: &Path) -> Result<(), Failure> {
+    if directory.exists() && !directory.is_dir() {
+        return Err(Failure::input(format!("{}: is a file, a folder is needed", directory.display())));
+    }
     std::fs::create_dir_all(directory)
         .map_err(|error| Failure::input(format!("{}: cannot be made: {error}", directory.display())))?;
     probe(directory)

@@ -78,6 +78,32 @@ fn bad_input_is_refused_before_any_work() {
     }
 }
 
+/// Scenes, requests and tables in place of each other, depths and ranges of requests, and folders.
+#[test]
+fn what_was_mistaken_is_named() {
+    let _alone = alone();
+    let tabulate = "tabulate request.toml -o table.nc";
+    for (line, parts) in [
+        (
+            format!("{tabulate} -q --set table.interference=[1,1e6]"),
+            &["table.interference = 1e6: must be at most about"][..],
+        ),
+        (
+            format!("{tabulate} --set table.slip_rate={{from=0,to=10,points=3}}"),
+            &["table.slip_rate.from = 0: must be a positive number; zero needs spacing = \"linear\""],
+        ),
+        ("tabulate scene.toml -o table.nc".into(), &["table is missing", "a scene for `asperity run`"]),
+        (
+            "run scene.toml -o run.nc --vtu request.toml".into(),
+            &["request.toml: is a file, a folder is needed"],
+        ),
+        ("table info request.toml".into(), &["is a request; the table of it is made by `asperity tabulate`"]),
+        ("table info scene.toml".into(), &["is TOML, not a table"]),
+    ] {
+        refused(&line, parts);
+    }
+}
+
 #[test]
 fn a_scene_with_the_name_of_a_file_of_vtu_is_kept() {
     let _alone = alone();

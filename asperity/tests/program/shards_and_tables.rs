@@ -60,6 +60,18 @@ fn merged_shards_are_the_undivided_table_bit_for_bit() {
     assert_eq!(merged.checksum(), whole.checksum());
     let same = done(&folder, "table diff merged.nc whole.nc --tolerance 0");
     assert!(same.contains("no differences in any quantity"));
+    // A table that lacks cells is completed.
+    done(&folder, "merge 2.nc -o completed.nc --partial");
+    done(&folder, "tabulate request.toml -o completed.nc --jobs 1 --resume");
+    done(&folder, "table diff completed.nc whole.nc --tolerance 0");
+    assert!(!folder.join("completed.nc.part").exists());
+    let alone = ended(&asperity(&folder, "merge whole.nc -o alone.nc"), 0);
+    assert!(alone.contains("whole.nc is complete: there is nothing to merge it with"), "{alone}");
+    // A shipped one is found by its name, and is of another request.
+    crate::refused(&folder, "merge whole.nc steel-4340 -o other.nc", &["whole.nc and steel-4340", "differ"]);
+    let other = done(&folder, "table diff whole.nc copper");
+    assert!(other.contains("no cell is in common"), "{other}");
+    assert!(other.contains("material.youngs_modulus: 205000000000.0 and "), "{other}");
 }
 
 #[test]

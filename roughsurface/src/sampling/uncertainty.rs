@@ -199,7 +199,10 @@ uncertainty = { KEY }
                 "heights_std = 0.4e-6",
                 "uncertainty.heights_std = 4e-7: must be positive and at most a third of 1e-6",
             ),
-            ("yield_strength = 1e6", "uncertainty.yield_strength: needs a section [material]"),
+            (
+                "yield_strength = 1e6",
+                "uncertainty.yield_strength: needs a section [material]; beside a table of runs the key uncertainty.tables",
+            ),
             ("heigths_std = 1e-7", "did you mean heights_std?"),
         ] {
             let message = parse(key).unwrap_err().to_string();

@@ -45,7 +45,10 @@ fn check_place(place: &Path) -> Result<(), String> {
         Err(error) if error.kind() == ErrorKind::InvalidFilename => return Err("its name is too long".into()),
         _ => {}
     }
-    probe(folder_of(place)).map_err(|error| match error.kind() {
+    let folder = folder_of(place);
+    probe(folder).map_err(|error| match error.kind() {
+        // Folders of the system, as /proc, say so of every new file.
+        ErrorKind::NotFound if folder.is_dir() => "its folder takes no files".into(),
         ErrorKind::NotFound => "its folder does not exist".into(),
         _ => error.to_string(),
     })

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::input::read_text;
 use super::table_format::{
     FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE, REAL_ATTRIBUTES,
     TEXT_ATTRIBUTES, history_name,
@@ -14,7 +15,8 @@ use crate::table::{Axes, Cell, Metadata, Slice, Table, TableError};
 impl Table {
     /// Reads a table.
     pub fn read(path: &Path) -> Result<Table, DatasetError> {
-        let file = DatasetReader::open(path)?;
+        let file =
+            DatasetReader::open(path).map_err(|error| toml_in_place_of_table(path).unwrap_or(error))?;
         let several = schema::has_temperatures(&file)?;
         let axes = Axes {
             interference: file.coordinate("interference")?,
@@ -55,6 +57,18 @@ impl Table {
         schema::check_content(&file, &slices)?;
         Table::new(slices).map_err(wrong)
     }
+}
+
+/// That a file is the request of a table, or another input, if it is.
+fn toml_in_place_of_table(path: &Path) -> Option<DatasetError> {
+    let sections: toml::Table = read_text(path).ok()?.parse().ok()?;
+    let reason = match sections.contains_key("table") {
+        true => "is a request; the table of it is made by `asperity tabulate`",
+        false => {
+            "is TOML, not a table; a table is made by `asperity tabulate` of a request with a section [table]"
+        }
+    };
+    Some(DatasetError::Open { path: path.display().to_string(), reason: reason.into() })
 }
 
 /// The metadata of each slice.

@@ -17,10 +17,8 @@ pub struct Range {
 
 pub const POSITIVE: Range = Range { text: "a positive number", accepts: |x| x > 0.0 && x.is_finite() };
 const POSITIVE_OR_INFINITE: Range = Range { text: "a positive number or inf", accepts: |x| x > 0.0 };
-pub const POSITIVE_FOR_LOG: Range = Range {
-    text: "a positive number, or any that may be if spacing = \"linear\"",
-    accepts: POSITIVE.accepts,
-};
+pub const POSITIVE_FOR_LOG: Range =
+    Range { text: "a positive number; zero needs spacing = \"linear\"", accepts: POSITIVE.accepts };
 pub const NOT_NEGATIVE: Range =
     Range { text: "zero or a positive number", accepts: |x| x >= 0.0 && x.is_finite() };
 const SHARE: Range = Range { text: "a number from 0 to 1", accepts: |x| (0.0..=1.0).contains(&x) };

@@ -97,7 +97,8 @@ pub fn read_request(path: &Path, overrides: &[String]) -> Result<Request, SceneF
 pub fn parse_request(text: &str, file: &str, overrides: &[String]) -> Result<Request, SceneFileError> {
     let mut document = Document::parse(text, file, overrides)?;
     let Some(Value::Table(table)) = document.sections.remove("table") else {
-        return Err(document.source.missing("table", "a section, which may be empty"));
+        let allowed = "a section, which may be empty; without it this is a scene for `asperity run`";
+        return Err(document.source.missing("table", allowed));
     };
     let source = &document.source;
     let section = table_section(table, source)?;
@@ -188,7 +189,8 @@ fn points(
     let mut table = value.as_table().cloned().unwrap_or_default();
     let default = if spacing == Spacing::Log { "log" } else { "linear" };
     let spacing = table.entry("spacing").or_insert_with(|| default.into());
-    let range = if spacing.as_str() == Some("log") { POSITIVE_FOR_LOG } else { range };
+    let is_log = spacing.as_str() == Some("log");
+    let range = if is_log && range.accepts(0.0) { POSITIVE_FOR_LOG } else { range };
     let path = format!("table.{key}");
     let PointRange { from, to, points, spacing } = read(&path, &table, &range_keys(unit, range), source)?;
     if to <= from {

@@ -169,7 +169,7 @@ impl FileKeys {
             let key = format!("uncertainty.{key}");
             let Some(&mut value) = self.value(parameter) else {
                 let missing = if parameter.is_of_material() {
-                    "needs a section [material]"
+                    "needs a section [material]; beside a table of runs the key uncertainty.tables states uncertain constants"
                 } else {
                     "needs the value itself as a key of [surface]"
                 };
