@@ -55,6 +55,7 @@ pub fn simulate(
     let reason = result.as_ref().err().map(ToString::to_string);
     let of = |mut outcome: Outcome| {
         outcome.account.add_remarks(scene.remarks());
+        outcome.account.notes.extend(scene.strength_where_softened().map(Note::Scene));
         outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
         Run { scene: scene.clone(), outcome, incomplete: reason.clone() }
     };

@@ -68,6 +68,7 @@ fn run_scene(scene: &Scene, arguments: &RunArguments, display: &Display) -> Resu
         }
     };
     outcome.account.add_remarks(remarks);
+    outcome.account.notes.extend(scene.strength_where_softened().map(Note::Scene));
     outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
     let places = match failure.is_some() && holds_complete_run(&arguments.output) {
         true => &arguments.of_incomplete(),

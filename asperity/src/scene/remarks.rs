@@ -10,7 +10,7 @@ use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::{
     FractureData, FrictionLaw, Hardening, Interface, InterfaceStrength, Loading, Material, Model, Numerics,
-    Rate, Scene, Softening,
+    Rate, Scene, Softening, presets,
 };
 
 /// Linear hardening modulus over yield strength that is suggested where none is given: within the range 0.35 to 4.5 of
@@ -140,17 +140,27 @@ impl Scene {
         })
     }
 
-    /// The initial temperature is not the one at which the softening factor is 1, since the constants of the material
-    /// are taken to hold at the initial temperature.
+    /// The constants of a preset, which hold where the softening factor is 1, are taken to hold at an initial temperature
+    /// where it is not.
     fn reference_temperature(&self) -> Option<String> {
+        let said = self.strength_where_softened()?;
+        let preset = presets::all().iter().find(|preset| preset.has_strength_of(&self.material))?;
+        Some(format!(
+            "{said}; the constants of the preset \"{}\" hold where it is 1: use a table with table.temperature = [..] for \
+             other temperatures",
+            preset.name
+        ))
+    }
+
+    /// That the yield strength is taken to hold at an initial temperature at which the softening factor is not 1.
+    pub fn strength_where_softened(&self) -> Option<String> {
         const TOLERANCE: f64 = 0.01;
         let temperature = self.loading.temperature;
         let factor = self.material.softening.factor(temperature);
         ((factor - 1.0).abs() > TOLERANCE).then(|| {
             format!(
                 "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor \
-                 is {factor:.3}; constants of a preset hold where it is 1: use a table with table.temperature = [..] \
-                 for other temperatures"
+                 is {factor:.3}"
             )
         })
     }
@@ -261,6 +271,24 @@ mod tests {
         let defaults = |more: &[&str]| scene_with(more).defaults_in_effect().join("\n");
         assert!(defaults(&[]).contains("interface.heat_partition"));
         assert!(!defaults(&beside[..1]).contains("interface.heat_partition"));
+    }
+
+    /// Those of a preset are of its reference temperature; own ones may be of any.
+    #[test]
+    fn constants_of_a_preset_at_another_temperature_are_noticed() {
+        let own = [
+            "material.softening={law=\"johnson-cook\", reference=298, melting=1200, exponent=1}",
+            "loading.temperature=700",
+            "interface.strength_factor=0.9",
+        ];
+        assert_eq!(remarks(&own), Vec::<String>::new());
+        assert!(scene_with(&own).strength_where_softened().unwrap().contains("= 700 K, where the softening"));
+        let said = |set: &[&str]| of_preset("copper", set).remarks();
+        assert!(
+            said(&["loading.temperature=700"])[0].contains("of the preset \"copper\" hold where it is 1")
+        );
+        assert_eq!(said(&["loading.temperature=298"]), Vec::<String>::new());
+        assert_eq!(said(&["loading.temperature=700", "material.yield_strength=70e6"]), Vec::<String>::new());
     }
 
     /// An engineering tensile strength is that at the largest load.

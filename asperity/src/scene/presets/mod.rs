@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
-use crate::scene::TemperatureTable;
+use crate::scene::{Material, TemperatureTable};
 
 // FILES: name and content of each material file, by name; made by build.rs.
 include!(concat!(env!("OUT_DIR"), "/presets.rs"));
@@ -56,6 +56,15 @@ pub struct Preset {
 }
 
 impl Preset {
+    /// Whether a material has the yield strength and the density of this preset.
+    pub fn has_strength_of(&self, material: &Material) -> bool {
+        let is = |key: &str, value: f64| {
+            let constant = self.constants.iter().find(|constant| constant.key == key);
+            constant.is_some_and(|constant| constant.value == ConstantValue::Number(value))
+        };
+        is("yield_strength", material.yield_strength) && is("density", material.density)
+    }
+
     /// The section `[material]` of this preset; a scene takes `rate` from it only where it names that law.
     pub fn section(&self) -> Table {
         let mut section = Table::new();

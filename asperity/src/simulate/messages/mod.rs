@@ -61,6 +61,8 @@ pub enum Note {
     },
     /// Optional keys of the scene with their default values.
     Defaults(Vec<String>),
+    /// Of the scene.
+    Scene(String),
 }
 
 /// Small or finite strain.
@@ -137,6 +139,7 @@ impl Display for Note {
                 "not refined further: the last refinement changed the largest error from {:.1} to {:.1} times what is asked",
                 before, after
             ),
+            Self::Scene(text) => f.write_str(text),
             Self::Defaults(keys) => write!(f, "at their defaults: {}", keys.join(", ")),
             Self::Remeshed { growth, room } => write!(
                 f,
