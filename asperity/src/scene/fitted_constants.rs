@@ -178,7 +178,8 @@ pub(crate) mod contact_edge {
 ///   more where scatter asks for a finer mesh and in inverse proportion to the interference below LIGHT; for a fixed mesh the
 ///   power of n_c; for a body that may shear without limit (UNLIMITED_SHEAR, SHEAR_DEPTH, SHEAR_POWER, MOST_SHEAR).
 /// - Data: nine runs of a bronze without hardening and 39 of presets, 0.01 to 250 ω_c, 0 to 10 m/s, accuracies of 0.2 to
-///   0.005, and three programmes, on one thread; they are in the tests of the formula. The form is of earlier data of 17 materials.
+///   0.005, three programmes, and six of a cast iron with 15 K to more than its melting temperature (HOT_PROPERTIES), on one
+///   thread; they are in the tests of the formula. The form is of earlier data of 17 materials.
 /// - Residual: the ratios between expected and measured time are within 0.33 to 3.
 /// - NEWTON_ITERATION: s of an iteration per unknown, of main runs of titanium (40 ω_c, 10 m/s, 17 472 unknowns: 2.0e-7)
 ///   and 4340 (20 ω_c, 10 m/s, 9444 unknowns: 1.7e-7). COARSE_SHARE: what the run on the coarse
@@ -199,6 +200,8 @@ pub(crate) mod processor_time {
     pub const REFERENCE_SECTORS: f64 = 4.0;
     /// Of a conducting counterface, and of thermal properties that depend on temperature.
     pub const CONDUCTION: f64 = 2.0;
+    /// Of the latter in a contact that would melt at its full strength.
+    pub const HOT_PROPERTIES: f64 = 4.0;
     /// Bounds: set-up and coarsest mesh, of each step; finest mesh that an accuracy leads to.
     pub const LEAST: f64 = 0.5;
     pub const MOST: f64 = 200.0;

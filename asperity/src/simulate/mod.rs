@@ -39,7 +39,7 @@ use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{Scene, Switch};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::expected_time::expected_time;
+use crate::simulate::expected_time::expected_time_but_for_hot_properties;
 use crate::simulate::outcome::Outcome;
 use messages::{RunKind, RunProgress};
 pub use pressed::{Pressed, PressedContact, press};
@@ -192,7 +192,7 @@ fn slide_in_pool(
     let mut budget = runner.judge(&ladder);
     let mut stopped = false;
     let refinements = if pressed.shears_without_limit { 0 } else { refinements };
-    let expected = expected_time(&pressed.scene);
+    let expected = expected_time_but_for_hot_properties(&pressed.scene);
     while ladder.main.len() <= refinements {
         let finer = budget.as_ref().and_then(|budget| ladder.finer(budget, &pressed.numerics, expected));
         let Some(finer) = finer else { break };
