@@ -14,7 +14,7 @@ use tables::figures::{TABLE_PANELS, table_panels};
 use tables::netcdf::streams::say;
 use tables::numbers;
 use tables::quantity::Quantity;
-use tables::table::Table;
+use tables::table::{LABEL_DIGITS, Table};
 
 use super::progress::{Progress, watch_for_interrupt};
 use super::{Display, Failure, TabulateArguments, command_line, outputs, timings};
@@ -186,8 +186,8 @@ fn summary(tabulation: &Tabulation) -> String {
             let (temperature, interference) = tabulation.row(i);
             let mut line: Vec<String> = Vec::new();
             line.extend(temperature.map(|temperature| format!("{} K", numbers::plain(temperature))));
-            line.push(format!("{} omega_c", numbers::plain(interference)));
-            line.push(format!("{} m/s", numbers::plain(tabulation.slip_rates[j])));
+            line.push(format!("{} omega_c", numbers::digits(interference, LABEL_DIGITS)));
+            line.push(format!("{} m/s", numbers::digits(tabulation.slip_rates[j], LABEL_DIGITS)));
             match cell {
                 Some(Ok(finished)) => line.extend(
                     [Quantity::MuStatic, Quantity::Mu, Quantity::LoadPress, Quantity::Area].map(|quantity| {

@@ -66,7 +66,10 @@ fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate>
     let rise = half_space.highest_rise(radius);
     let mean = outcome.scalars[Quantity::TemperatureMean];
     let mean_rise = mean.value - scene.loading.temperature;
-    let error = if mean_rise > 0.0 { rise * mean.error / mean_rise } else { rise };
+    let error = match mean_rise > 0.0 || mean.error.is_nan() {
+        true => rise * (mean.error / mean_rise),
+        false => rise,
+    };
     Some(Estimate { value: scene.loading.temperature + rise, error })
 }
 
@@ -120,6 +123,22 @@ mod tests {
         let (tensile, error) = energy(FractureData::Tensile { strength: 1e9, uniform_elongation: 0.1 });
         assert!((tensile / 370.86 - 1.0).abs() < 1e-4, "{tensile}");
         assert!((error - 0.02).abs() < 1e-12);
+    }
+
+    /// Also where the contact does not warm.
+    #[test]
+    fn an_unknown_error_of_the_contact_is_one_of_the_counterface() {
+        let text = "[material]\npreset = \"copper\"\n[asperity]\nradius = 1e-3\n[counterface]\npreset = \"copper\"\n\
+                    [loading]\ninterference = 4\nslip_rate = 1\n";
+        let scene = crate::scene::file::parse_scene(text, "this test", &[]).unwrap();
+        let mut outcome = fake::outcome(&scene);
+        outcome.account.heat = true;
+        for rise in [0.0, 3.0] {
+            let value = scene.loading.temperature + rise;
+            outcome.scalars[Quantity::TemperatureMean] = Estimate { value, error: f64::NAN };
+            let highest = counterface_temperature(&scene, &outcome).unwrap();
+            assert!(highest.value.is_finite() && highest.error.is_nan(), "{highest:?}");
+        }
     }
 
     /// Worked by hand: E = 120 GPa, ν = 0.3 and 9000 kg/m³ give G = 46.154 GPa and c_s = 2264.55 m/s; 50 MPa on a radius of

@@ -206,7 +206,7 @@ impl Tabulation {
     /// A cell by its coordinates.
     pub fn label(&self, (i, j): Index) -> String {
         let (temperature, interference) = self.row(i);
-        let cell = format!("{} omega_c at {} m/s", plain(interference), plain(self.slip_rates[j]));
+        let cell = tables::table::label(interference, self.slip_rates[j]);
         match temperature {
             None => cell,
             Some(temperature) => format!("{cell} from {} K", plain(temperature)),

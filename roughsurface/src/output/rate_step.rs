@@ -64,12 +64,8 @@ pub(super) fn rows(results: &Results) -> Rows {
     let mut table = head(results, ["mu before", "direct effect", "mu after", "evolution distance [m]"]);
     for (load, stepped) in results.prediction.query.loading.values().iter().zip(rows) {
         let distance = stepped.evolution_distance(slip);
-        let distance = match distance.value.is_finite() {
-            true => format!("{:.3e} ± {:.0e}", distance.value, distance.error),
-            false => estimate(distance),
-        };
-        let numbers = [stepped.before, stepped.direct_effect(), stepped.after].map(estimate);
-        table.push([format!("{load:.3e}")].into_iter().chain(numbers).chain([distance]).collect());
+        let numbers = [stepped.before, stepped.direct_effect(), stepped.after, distance].map(estimate);
+        table.push([format!("{load:.3e}")].into_iter().chain(numbers).collect());
     }
     table
 }

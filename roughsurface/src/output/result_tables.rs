@@ -37,7 +37,7 @@ fn shown(name: &str, cell: &Friction, errors: bool) -> String {
             false => format!("{value:.1}"),
         },
         (_, Some(Estimate { value, error })) if value.is_finite() => match errors {
-            true => format!("{value:.3e} ± {error:.0e}"),
+            true => self::estimate(Estimate { value, error }),
             false => format!("{value:.3e}"),
         },
         _ => NOT_AVAILABLE.into(),

@@ -1,6 +1,6 @@
 //! Tables made in parts: missing points, shards, added points.
 
-use crate::numbers::plain;
+use crate::numbers::digits;
 use crate::table::warnings::Warning;
 use crate::table::{Axes, Metadata, Slice, Status, TableError};
 
@@ -96,10 +96,10 @@ impl Slice {
         found.into_iter().map(labelled).collect()
     }
 
-    /// A point of the grid by its coordinates, to six digits.
+    /// A point of the grid by its coordinates, rounded.
     pub fn label(&self, i: usize, j: usize) -> String {
         let (interference, slip_rate) = self.coordinates(i, j);
-        format!("{} omega_c at {} m/s", plain(interference), plain(slip_rate))
+        label(interference, slip_rate)
     }
 
     /// (ω₀/ω_c, V in m/s) of a point of the grid.
@@ -138,6 +138,14 @@ impl Slice {
         let (interferences, rates) = self.shape();
         (0..interferences).flat_map(move |i| (0..rates).map(move |j| (i, j)))
     }
+}
+
+/// Digits of the coordinates of a cell in text.
+pub const LABEL_DIGITS: usize = 4;
+
+/// A cell by its interference, ω_c, and slip rate, m/s, rounded.
+pub fn label(interference: f64, slip_rate: f64) -> String {
+    format!("{} omega_c at {} m/s", digits(interference, LABEL_DIGITS), digits(slip_rate, LABEL_DIGITS))
 }
 
 /// The first lines in which two texts differ.

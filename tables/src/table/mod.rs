@@ -18,6 +18,7 @@ mod warnings;
 pub use axes::Axes;
 pub use cell::{Cell, Status};
 pub use fracture::FractureEnergy;
+pub use merge::{LABEL_DIGITS, label};
 pub use metadata::Metadata;
 pub use slice::Slice;
 

@@ -147,7 +147,7 @@ impl Display for Warning {
             Self::ReleasedPress { share } => write!(
                 f,
                 "the interface is too weak for the shear tractions of the press, which is in full stick: they are \
-                 released as the slide begins, and G contains their energy, up to {:.0} % of it",
+                 released as the slide begins, and G contains their energy, {:.0} % of it at most",
                 100.0 * share
             ),
             Self::FastInception { time, limit } => write!(
