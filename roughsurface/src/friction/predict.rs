@@ -6,16 +6,14 @@ use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::{SlipState, resampled, slip_grid};
-use crate::friction::sweep::{Slide, Sweep, loaded_radii};
+use crate::friction::sweep::{Slide, SlidingRow, Sweep, loaded_radii};
 use crate::friction::warning::Warning;
 use crate::integral::separation::EquilibriumState;
 use crate::surface::query::{ContactLife, Query, Surface};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AsperityLaw, Estimate};
-
-/// Neighbouring slips that one thread computes in order, each starting from the one before.
-const SLIPS_PER_TASK: usize = 20;
 
 /// Row (pressure or separation) and slip rate.
 type Cell = (usize, usize);
@@ -39,7 +37,7 @@ pub fn predict(
     let pressed = in_order(&cells, |(row, rate)| sweep.press(row, rate))?;
     let grid = |row: &[EquilibriumState]| slip_grid(loaded_radii(row), settings.slip_points);
     let (slip, slips) = (grid(&pressed), pressed.chunks(rates).map(grid).collect::<Vec<_>>());
-    let curves = slide_all(&sweep, &cells, &slips, |cell| &pressed[place(cell)], progress)?;
+    let curves = slide_all(&sweep, &pressed, &slips, progress)?;
     let contacts = in_order(&cells, |(row, rate)| {
         let end = slips[row].len() - 1;
         let separation = curves[place((row, rate))][end].effective_separation();
@@ -103,24 +101,43 @@ fn in_order<C: Copy + Sync, T: Send>(
     all.into_iter().collect()
 }
 
-/// The states of every cell after the `slips` (m) of its row. Each task starts from the surface that is `pressed`.
-fn slide_all<'p>(
+/// The states of every cell, row by row, after the `slips` (m) of its row. Each task starts from the surface that is
+/// `pressed`, at slips that are its own whatever other rows there are.
+fn slide_all(
     sweep: &Sweep,
-    cells: &[Cell],
+    pressed: &[EquilibriumState],
     slips: &[Vec<f64>],
-    pressed: impl Fn(Cell) -> &'p EquilibriumState + Sync,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Vec<SlipState>>, PredictionError> {
-    let tasks: Vec<(Cell, &[f64])> = cells
-        .iter()
-        .flat_map(|&cell| slips[cell.0].chunks(SLIPS_PER_TASK).map(move |slips| (cell, slips)))
-        .collect();
-    let each = slips[0].len();
-    let (done, total) = (AtomicUsize::new(0), cells.len() * each);
-    let states = in_order(&tasks, |(cell, slips)| {
-        let states = sweep.slide(cell, slips, pressed(cell));
-        progress(done.fetch_add(slips.len(), Ordering::Relaxed) + slips.len(), total);
+    let rates = pressed.len() / slips.len();
+    let mut tasks: BTreeMap<(usize, i64), Vec<SlidingRow>> = BTreeMap::new();
+    for rate in 0..rates {
+        for (row, slips) in slips.iter().enumerate() {
+            for slips in slips.chunk_by(|one, next| task_of(*one) == task_of(*next)) {
+                let pressed = &pressed[row * rates + rate];
+                tasks.entry((rate, task_of(slips[0]))).or_default().push(SlidingRow { row, slips, pressed });
+            }
+        }
+    }
+    let tasks: Vec<(usize, Vec<SlidingRow>)> =
+        tasks.into_iter().map(|((rate, _), rows)| (rate, rows)).collect();
+    let (done, total) = (AtomicUsize::new(0), rates * slips.iter().map(Vec::len).sum::<usize>());
+    let states = in_order(&tasks.iter().collect::<Vec<_>>(), |(rate, rows)| {
+        let states = sweep.slide(*rate, rows);
+        let count: usize = rows.iter().map(|row| row.slips.len()).sum();
+        progress(done.fetch_add(count, Ordering::Relaxed) + count, total);
         states
     })?;
-    Ok(states.concat().chunks(each).map(<[_]>::to_vec).collect())
+    let mut curves = vec![Vec::new(); pressed.len()];
+    for ((rate, rows), states) in tasks.iter().zip(states) {
+        for (row, states) in rows.iter().zip(states) {
+            curves[row.row * rates + rate].extend(states);
+        }
+    }
+    Ok(curves)
+}
+
+/// Number of the task of a slip (m), by its own value: a third of a decade each.
+fn task_of(slip: f64) -> i64 {
+    if slip > 0.0 { (3.0 * slip.log10()).floor() as i64 } else { i64::MIN }
 }

@@ -212,13 +212,16 @@ fn inception_on(slip: &[f64], mu: &[Estimate]) -> Inception {
 }
 
 /// Slips for the curve, m: zero, then geometric from 1e-4 of the smallest contact radius to four times the
-/// largest. Asperities stop sticking after some thousandths of their contact radius; tables end after two.
+/// largest, `points` of them where both are one. Asperities stop sticking after some thousandths of their contact radius;
+/// tables end after two. Between the ends slips are powers of one number, which other rows have too.
 pub fn slip_grid([smallest_radius, largest_radius]: [f64; 2], points: usize) -> Vec<f64> {
+    const SHARE_OF_END: f64 = 1e-3;
     let (from, to) = (1e-4 * smallest_radius, 4.0 * largest_radius);
-    let steps = points.max(4) - 2;
-    let mut grid = vec![0.0];
-    grid.extend((0..=steps).map(|step| from * (to / from).powf(step as f64 / steps as f64)));
-    grid
+    let step = 4e4f64.ln() / (points.max(5) - 3) as f64;
+    let place = |slip: f64| slip.ln() / step;
+    let (first, last) = (place(from) + SHARE_OF_END, place(to) - SHARE_OF_END);
+    let inner = (first.ceil() as i64..=last.floor() as i64).map(|power| (power as f64 * step).exp());
+    [0.0, from].into_iter().chain(inner).chain([to]).collect()
 }
 
 /// A curve over ascending `slip` (m), linear between them, at other slips; unknown after its end.

@@ -30,13 +30,15 @@ fn a_pressure_has_the_same_results_whatever_others_are_asked() {
         let of = |pressures: &[f64]| held(&law, NormalLoading::Pressure(pressures.to_vec()), control);
         let (alone, beside) = (of(&[1e6]).remove(0), of(&[1e4, 1e6, 1e9]).remove(1));
         for quantity in &QUANTITIES {
-            let values = [&alone, &beside].map(|cell| quantity.estimate(cell));
-            let bits = values.map(|Estimate { value, error }| [value.to_bits(), error.to_bits()]);
-            assert_eq!(bits[0], bits[1], "{} {values:?}", quantity.name);
+            let [one, other] = [&alone, &beside].map(|cell| quantity.estimate(cell));
+            let same = |a: f64, b: f64, off: f64| a.to_bits() == b.to_bits() || (a / b - 1.0).abs() < off;
+            // The panels of an integral may have been halved for another row, and its error estimated from them.
+            let agree = same(one.value, other.value, 1e-10) && same(one.error, other.error, 1e-4);
+            assert!(agree, "{} {one:?} {other:?}", quantity.name);
         }
         // Histories are read at common slips, after the end of a row not at all.
         let known = beside.mu_history.iter().filter(|mu| mu.value >= 0.0).count();
-        assert!(known > 100 && known < 200, "{known}");
+        assert!(known > 100 && known < beside.mu_history.len() - 10, "{known}");
     }
 }
 

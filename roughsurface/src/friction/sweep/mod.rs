@@ -1,7 +1,9 @@
-//! The states that a prediction is made of: the surface pressed, and after each slip.
+//! The states that a prediction is made of: the surface pressed, and after each slip; in [`rates`] those at slip rates
+//! that the query has not, and through a step of the slip rate.
+
+mod rates;
 
 use crate::friction::contacts::{Contacts, ContactsAtSlip};
-use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::friction::result::Friction;
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::{HeldSeparation, SlipState, inception};
@@ -14,7 +16,6 @@ use crate::integral::predictor::{Predictor, PredictorHistory};
 use crate::integral::separation::{EquilibriumState, separation_for};
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
-use rayon::prelude::*;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw, Estimate, LookupError};
 
@@ -39,6 +40,13 @@ pub(crate) struct Slide {
     pub(crate) sliding: SlipState,
     /// With contacts that last.
     pub(crate) lasting: SlipState,
+}
+
+/// A row of the query, the surface that is pressed, and neighbouring slips (m) of its slide.
+pub(crate) struct SlidingRow<'s> {
+    pub(crate) row: usize,
+    pub(crate) slips: &'s [f64],
+    pub(crate) pressed: &'s EquilibriumState,
 }
 
 /// One query of one surface.
@@ -122,19 +130,30 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// The surface of a row after each of the neighbouring `slips` (m).
+    /// The surface of each of the `rows` after its neighbouring slips (m). Rows share the responses of the asperities where
+    /// they share a slip, and do not depend on each other.
     pub(crate) fn slide(
         &self,
-        (row, rate): (usize, usize),
-        slips: &[f64],
-        before: &EquilibriumState,
-    ) -> Result<Vec<SlipState>, PredictionError> {
-        let mut history = PredictorHistory::from(before.predictor());
-        let after = |&slip: &f64| {
-            let mut integral = self.integral(&self.asperities[rate].after(slip));
-            self.slid((row, self.query.slip_rates[rate]), &mut integral, before, &mut history)
+        rate: usize,
+        rows: &[SlidingRow<'_>],
+    ) -> Result<Vec<Vec<SlipState>>, PredictionError> {
+        let mut histories: Vec<PredictorHistory> =
+            rows.iter().map(|row| PredictorHistory::from(row.pressed.predictor())).collect();
+        let mut states: Vec<Vec<SlipState>> = rows.iter().map(|_| Vec::new()).collect();
+        let next = |states: &[Vec<SlipState>]| {
+            let slips = rows.iter().zip(states).filter_map(|(row, done)| row.slips.get(done.len()));
+            slips.copied().min_by(f64::total_cmp)
         };
-        slips.iter().map(after).collect()
+        while let Some(slip) = next(&states) {
+            let mut integral = self.integral(&self.asperities[rate].after(slip));
+            for ((row, history), states) in rows.iter().zip(&mut histories).zip(&mut states) {
+                if row.slips.get(states.len()) == Some(&slip) {
+                    let cell = (row.row, self.query.slip_rates[rate]);
+                    states.push(self.slid(cell, &mut integral, row.pressed, history)?);
+                }
+            }
+        }
+        Ok(states)
     }
 
     /// The surface of a row in steady sliding with contacts of all ages of their `life`.
@@ -159,35 +178,6 @@ impl<'a> Sweep<'a> {
         let mut history = PredictorHistory::from(pressed.predictor());
         let state = self.slid(cell, &mut self.integral(&asperities), pressed, &mut history)?;
         Ok(if known { state } else { state.without_friction() })
-    }
-
-    /// The slip rates (m/s) of the law that it has at all radii; none of a formula.
-    pub(crate) fn rates_around(&self) -> Vec<f64> {
-        let radii = &self.surface.asperity_radius;
-        let ranges = radii.classes().iter().map(|class| self.law.slip_rate_range(class.radius));
-        let (from, to) =
-            ranges.fold((0.0f64, f64::INFINITY), |(low, high), (from, to)| (low.max(from), high.min(to)));
-        let rates = self.law.slip_rates(radii.mean()).into_iter();
-        let inside: Vec<f64> = rates.filter(|rate| *rate > 0.0 && (from..=to).contains(rate)).collect();
-        if inside.len() < 2 { Vec::new() } else { inside }
-    }
-
-    /// Sliding friction of every row at `slip_rates` (m/s); `pressed` is the surface before the slide.
-    pub(crate) fn slide_steadily_around(
-        &self,
-        slip_rates: &[f64],
-        pressed: &[&EquilibriumState],
-    ) -> Result<Vec<Vec<Estimate>>, PredictionError> {
-        let of_rate = |&rate: &f64| -> Result<Vec<Estimate>, PredictionError> {
-            let asperities = Asperities::new(self.law, self.surface, rate)?;
-            let mu = |(row, pressed): (usize, &&EquilibriumState)| {
-                self.steady(&asperities, (row, rate), self.query.contact_life, pressed).map(|state| state.mu)
-            };
-            pressed.iter().enumerate().map(mu).collect()
-        };
-        let by_rate: Vec<_> = slip_rates.par_iter().map(of_rate).collect();
-        let by_rate: Vec<Vec<Estimate>> = by_rate.into_iter().collect::<Result<_, _>>()?;
-        Ok((0..pressed.len()).map(|row| by_rate.iter().map(|mu| mu[row]).collect()).collect())
     }
 
     /// One pressure or separation with the asperities of `integral`; `history` predicts its separation.
@@ -218,52 +208,6 @@ impl<'a> Sweep<'a> {
             loading: self.query.loading.describe(row),
             slip_rate,
         })
-    }
-
-    /// Steady sliding of all rows before, through and after the step of the slip rate that the query asks for; `pressed` is the surface
-    /// before the slide.
-    pub(crate) fn rate_step(
-        &self,
-        pressed: &[&EquilibriumState],
-    ) -> Result<Option<RateStepResponse>, PredictionError> {
-        let (Some(rates), ContactLife::Diameters(diameters)) =
-            (self.query.rate_step, self.query.contact_life)
-        else {
-            return Ok(None);
-        };
-        let (life, end) = (2.0 * diameters, self.law.last_slip());
-        if life > end {
-            return Err(PredictionError::LifeBeyondHistories { life, end });
-        }
-        let [before, after] = rates;
-        let asperities = |rate: f64| Asperities::new(self.law, self.surface, rate);
-        let [slow, fast] = [asperities(before)?, asperities(after)?];
-        let steady = |asperities: &Asperities<'a>, rate: f64| -> Result<Vec<SlipState>, _> {
-            let rows = pressed.iter().enumerate();
-            rows.map(|(row, pressed)| self.steady(asperities, (row, rate), self.query.contact_life, pressed))
-                .collect()
-        };
-        let (start, target) = (steady(&slow, before)?, steady(&fast, after)?);
-        let slip = rate_step::slip_grid(loaded_radii(pressed.iter().copied()), diameters);
-        let stepping = fast.stepping_from(before, diameters)?;
-        let states: Vec<Vec<SlipState>> = slip
-            .par_iter()
-            .map(|&since| {
-                let mut integral = self.integral(&stepping.since_step(since));
-                let rows = pressed.iter().enumerate().map(|(row, before)| {
-                    let mut history = PredictorHistory::from(before.predictor());
-                    self.slid((row, after), &mut integral, before, &mut history)
-                });
-                rows.collect()
-            })
-            .collect::<Result<_, PredictionError>>()?;
-        let stepped = |row: usize| Stepped {
-            before: start[row].mu,
-            after: target[row].mu,
-            mu: states.iter().map(|rows| rows[row].mu).collect(),
-        };
-        let rows = (0..pressed.len()).map(stepped).collect();
-        Ok(Some(RateStepResponse { rates, slip, rows }))
     }
 
     /// The contacts after `slip` (m) at one slip rate under one separation (m).

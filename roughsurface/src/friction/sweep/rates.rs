@@ -1,0 +1,86 @@
+//! Steady sliding at the slip rates of the law, and through a step of the slip rate.
+
+use super::{
+    Asperities, EquilibriumState, PredictionError, PredictorHistory, SlipState, Sweep, loaded_radii,
+};
+use crate::friction::rate_step::{self, RateStepResponse, Stepped};
+use crate::surface::query::ContactLife;
+use rayon::prelude::*;
+use tables::law::Estimate;
+
+impl<'a> Sweep<'a> {
+    /// The slip rates (m/s) of the law that it has at all radii; none of a formula.
+    pub(crate) fn rates_around(&self) -> Vec<f64> {
+        let radii = &self.surface.asperity_radius;
+        let ranges = radii.classes().iter().map(|class| self.law.slip_rate_range(class.radius));
+        let (from, to) =
+            ranges.fold((0.0f64, f64::INFINITY), |(low, high), (from, to)| (low.max(from), high.min(to)));
+        let rates = self.law.slip_rates(radii.mean()).into_iter();
+        let inside: Vec<f64> = rates.filter(|rate| *rate > 0.0 && (from..=to).contains(rate)).collect();
+        if inside.len() < 2 { Vec::new() } else { inside }
+    }
+
+    /// Sliding friction of every row at `slip_rates` (m/s); `pressed` is the surface before the slide.
+    pub(crate) fn slide_steadily_around(
+        &self,
+        slip_rates: &[f64],
+        pressed: &[&EquilibriumState],
+    ) -> Result<Vec<Vec<Estimate>>, PredictionError> {
+        let of_rate = |&rate: &f64| -> Result<Vec<Estimate>, PredictionError> {
+            let asperities = Asperities::new(self.law, self.surface, rate)?;
+            let mu = |(row, pressed): (usize, &&EquilibriumState)| {
+                self.steady(&asperities, (row, rate), self.query.contact_life, pressed).map(|state| state.mu)
+            };
+            pressed.iter().enumerate().map(mu).collect()
+        };
+        let by_rate: Vec<_> = slip_rates.par_iter().map(of_rate).collect();
+        let by_rate: Vec<Vec<Estimate>> = by_rate.into_iter().collect::<Result<_, _>>()?;
+        Ok((0..pressed.len()).map(|row| by_rate.iter().map(|mu| mu[row]).collect()).collect())
+    }
+
+    /// Steady sliding of all rows before, through and after the step of the slip rate that the query asks for; `pressed` is the surface
+    /// before the slide.
+    pub(crate) fn rate_step(
+        &self,
+        pressed: &[&EquilibriumState],
+    ) -> Result<Option<RateStepResponse>, PredictionError> {
+        let (Some(rates), ContactLife::Diameters(diameters)) =
+            (self.query.rate_step, self.query.contact_life)
+        else {
+            return Ok(None);
+        };
+        let (life, end) = (2.0 * diameters, self.law.last_slip());
+        if life > end {
+            return Err(PredictionError::LifeBeyondHistories { life, end });
+        }
+        let [before, after] = rates;
+        let asperities = |rate: f64| Asperities::new(self.law, self.surface, rate);
+        let [slow, fast] = [asperities(before)?, asperities(after)?];
+        let steady = |asperities: &Asperities<'a>, rate: f64| -> Result<Vec<SlipState>, _> {
+            let rows = pressed.iter().enumerate();
+            rows.map(|(row, pressed)| self.steady(asperities, (row, rate), self.query.contact_life, pressed))
+                .collect()
+        };
+        let (start, target) = (steady(&slow, before)?, steady(&fast, after)?);
+        let slip = rate_step::slip_grid(loaded_radii(pressed.iter().copied()), diameters);
+        let stepping = fast.stepping_from(before, diameters)?;
+        let states: Vec<Vec<SlipState>> = slip
+            .par_iter()
+            .map(|&since| {
+                let mut integral = self.integral(&stepping.since_step(since));
+                let rows = pressed.iter().enumerate().map(|(row, before)| {
+                    let mut history = PredictorHistory::from(before.predictor());
+                    self.slid((row, after), &mut integral, before, &mut history)
+                });
+                rows.collect()
+            })
+            .collect::<Result<_, PredictionError>>()?;
+        let stepped = |row: usize| Stepped {
+            before: start[row].mu,
+            after: target[row].mu,
+            mu: states.iter().map(|rows| rows[row].mu).collect(),
+        };
+        let rows = (0..pressed.len()).map(stepped).collect();
+        Ok(Some(RateStepResponse { rates, slip, rows }))
+    }
+}
