@@ -6,10 +6,9 @@ use crate::loading::state::SlideState;
 /// Energy and heat that a step may leave unaccounted for, relative to the largest term so far and the elastic energy
 /// of the press: at finite strain the trapezoidal work of a step is accurate to second order.
 const MISSING: f64 = 1e-3;
-/// Heat of a step over that of its dissipation, by the mean traction of the step, at most and at least; heat is by the
-/// traction at its end, which points that lift off in the step no longer have.
+/// Heat of a step over that of its dissipation, by the mean traction of the step; heat is by the traction at its end. It may
+/// be any less: an interface at once as hot as its slip rate makes it has lost its strength by the end of the first step.
 const HEAT_OF_DISSIPATION: f64 = 1.5;
-const LEAST_HEAT_OF_DISSIPATION: f64 = 0.25;
 /// Rise above the melting temperature, relative to that from the initial one, that a step may overshoot by.
 pub const MELTING_OVERSHOOT: f64 = 0.01;
 
@@ -24,8 +23,6 @@ pub enum Violation {
     Heat(f64),
     #[error("it takes up more heat than plastic flow and friction dissipate")]
     HeatOfNothing,
-    #[error("it takes up less heat than plastic flow and friction dissipate")]
-    HeatLost,
     #[error("plastic flow or friction release energy")]
     NegativeDissipation,
     #[error(
@@ -34,19 +31,19 @@ pub enum Violation {
     AboveMelting { temperature: f64, highest: f64 },
 }
 
-/// Checks the step to the state `now`, in which the largest temperature rise of the body is `rise`, none without heat;
-/// `elastic` is the elastic energy after the press.
+/// Checks the step to the state `now`, in which the largest temperature rise of the body is `rise`; `elastic` is the
+/// elastic energy after the press.
 pub fn check(
     problem: &Problem,
     elastic: f64,
     before: &SlideState,
     now: &SlideState,
-    rise: Option<f64>,
+    rise: f64,
 ) -> Result<(), Violation> {
-    if !now.is_finite() || rise.is_some_and(|rise| !rise.is_finite()) {
+    if !now.is_finite() || !rise.is_finite() {
         return Err(Violation::NotFinite);
     }
-    if let (Some(limit), Some(rise)) = (problem.melting_rise, rise)
+    if let Some(limit) = problem.melting_rise
         && rise > (1.0 + MELTING_OVERSHOOT) * limit
     {
         let kelvin = |rise: f64| problem.units.temperature + rise;
@@ -69,12 +66,10 @@ pub fn check(
         return Err(Violation::Heat(missing / exchanged));
     }
     let generated = problem.heat_partition * friction + problem.taylor_quinney * plastic;
-    let taken = of_step(|state| state.heat_in + state.heat_counterface);
-    if taken > HEAT_OF_DISSIPATION * generated + MISSING * largest {
+    if of_step(|state| state.heat_in + state.heat_counterface)
+        > HEAT_OF_DISSIPATION * generated + MISSING * largest
+    {
         return Err(Violation::HeatOfNothing);
-    }
-    if rise.is_some() && taken < LEAST_HEAT_OF_DISSIPATION * generated - MISSING * largest {
-        return Err(Violation::HeatLost);
     }
     Ok(())
 }
@@ -100,15 +95,13 @@ mod tests {
             heat_out: 0.4,
             ..before
         };
-        let of = |now: SlideState, rise| check(&problem, 1.0, &before, &now, Some(rise)).err();
+        let of = |now: SlideState, rise| check(&problem, 1.0, &before, &now, rise).err();
         assert_eq!(of(good, 100.0), None);
         assert_eq!(of(SlideState { elastic: f64::NAN, ..good }, 100.0), Some(Violation::NotFinite));
         assert!(matches!(of(SlideState { work: 3.01, ..good }, 100.0), Some(Violation::Energy(_))));
         assert!(matches!(of(SlideState { heat_out: 0.39, ..good }, 100.0), Some(Violation::Heat(_))));
         let hot = SlideState { heat_in: 2.4, heat_stored: 2.0, ..good };
         assert_eq!(of(hot, 100.0), Some(Violation::HeatOfNothing));
-        let cold = SlideState { heat_in: 0.3, heat_stored: 0.3, heat_out: 0.0, ..good };
-        assert_eq!(of(cold, 100.0), Some(Violation::HeatLost));
         let released = SlideState { plastic: 0.9, friction_work: 2.1, ..good };
         assert_eq!(of(released, 100.0), Some(Violation::NegativeDissipation));
         let melting = 1793.0 - 298.0;

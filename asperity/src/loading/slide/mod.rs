@@ -353,8 +353,8 @@ impl<'a> Slide<'a> {
         if strain > LARGEST_STRAIN_IN_STICK && stick_fraction > STILL_STICKING {
             return Err(self.shears_in_stick(strain, stick_fraction));
         }
-        let largest = |rise: &[f64]| rise.iter().fold(0.0, |most: f64, rise| most.max(*rise));
-        let rise = solved.heated.as_ref().map(|(rise, _)| largest(rise));
+        let rise =
+            solved.heated.iter().flat_map(|(rise, _)| rise).fold(0.0, |most: f64, rise| most.max(*rise));
         invariants::check(self.problem, self.elastic_of_press, self.last(), state, rise)?;
         let contact = &self.mechanics.contact;
         if contact.at_rim(&contact.trial) {
