@@ -217,7 +217,9 @@ fn warnings_of_balances(problem: &Problem, history: &[SlideState]) -> Option<War
     let heat = relative(end.heat_missing(), &[end.heat_in, end.heat_stored, end.heat_out]);
     let dissipated = problem.heat_partition * end.friction_work + problem.taylor_quinney * end.plastic;
     let taken = end.heat_in + end.heat_counterface;
-    let sources = if taken == 0.0 { 0.0 } else { relative(taken - dissipated, &[dissipated]) };
+    // Before sliding begins there is hardly any heat.
+    let is_heated = taken != 0.0 && history.iter().any(SlideState::slides);
+    let sources = if is_heated { relative(taken - dissipated, &[dissipated]) } else { 0.0 };
     let is_unbalanced = energy.max(heat) > limit || sources > BALANCE_OF_SOURCES;
     is_unbalanced.then_some(Warning::Unbalanced { energy, heat, sources })
 }
