@@ -128,4 +128,19 @@ mod tests {
             assert_eq!(law.has_friction(), friction, "{law:?}");
         }
     }
+
+    #[test]
+    fn a_film_has_its_strength_at_the_temperature() {
+        let law = |film_strength, pressure_coefficient| FrictionLaw::BriscoeTabor {
+            film_strength,
+            pressure_coefficient,
+            film_softening: Softening::Table { temperature: vec![300.0, 500.0], factor: vec![1.0, 0.5] },
+            cap: true,
+        };
+        assert_eq!(law(1e8, 0.06).film(300.0), Some((1e8, 0.06)));
+        assert_eq!(law(1e8, 0.06).film(500.0), Some((5e7, 0.03)));
+        assert_eq!(law(0.0, 0.0).film(300.0), None);
+        assert_eq!(FrictionLaw::Coulomb { friction: 0.2, cap: false }.film(500.0), Some((0.0, 0.2)));
+        assert_eq!(FrictionLaw::ShearStrength.film(300.0), None);
+    }
 }

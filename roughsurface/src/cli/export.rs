@@ -4,6 +4,7 @@ use super::common::*;
 use clap::Args;
 use roughsurface::output::export::{Format, FrictionTable};
 use std::path::{Path, PathBuf};
+use tables::numbers::plain;
 
 pub const HELP: &str = "\
 The extension decides on the format:
@@ -33,12 +34,18 @@ pub struct Export {
 }
 
 /// Reads, writes.
-pub fn run(options: &Export) -> Result<(), Failure> {
+pub fn run(options: &Export, display: &Display) -> Result<(), Failure> {
     let format = Format::of(&options.output).map_err(Failure::input)?;
     let inputs: Vec<&Path> = options.friction.iter().map(PathBuf::as_path).collect();
     let roles: Vec<(&str, &Path)> = inputs.iter().map(|path| ("the result", *path)).collect();
     check_outputs(&roles, &[("--output", Some(&options.output))])?;
     let table = FrictionTable::read(&inputs).map_err(Failure::input)?;
+    if options.law {
+        let doubtful = table.doubts().map(|(pressure, doubt)| {
+            format!("the rate law at {} Pa is not reliable: {doubt}", plain(pressure))
+        });
+        display.printer().warn(doubtful);
+    }
     let table = if options.law { table.of_laws().map_err(Failure::input)? } else { table };
     write_whole(&options.output, format.text(&table).as_bytes())
 }

@@ -72,7 +72,7 @@ fn program() -> ExitCode {
         Command::Predict(options) => predict::run(&options, display),
         Command::Sample(options) => sample::run(&options, display),
         Command::Characterize(options) => characterize::run(&options, display),
-        Command::Export(options) => export::run(&options),
+        Command::Export(options) => export::run(&options, display),
         Command::Completions { shell } => manual::completions(shell),
         Command::Man { directory } => manual::man(&directory),
     })

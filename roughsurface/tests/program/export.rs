@@ -1,7 +1,7 @@
 //! Exported friction, read again.
 
 use crate::demonstration::{Weakening, table};
-use crate::folder::Folder;
+use crate::folder::{Folder, stderr};
 use tables::netcdf::DatasetReader;
 use tables::table::Metadata;
 
@@ -64,14 +64,26 @@ fn every_format_has_the_friction_of_the_file() {
         assert!(csv[cell][0].is_nan() && csv[cell][1..4] == [pressure, rate, mu]);
     }
     let json: serde_json::Value = serde_json::from_str(&folder.read("law.json")).unwrap();
-    let velocity = reals(&folder, "rate_V_star", &[3]);
+    let (velocity, reliable) = (reals(&folder, "rate_V_star", &[3]), reals(&folder, "rate_reliable", &[3]));
     for (row, law) in json["laws"].as_array().unwrap().iter().enumerate() {
         assert_eq!(
             (law["pressure"].as_f64(), law["V_star"]["value"].as_f64()),
             (Some(pressures[row]), Some(velocity[row]))
         );
         assert!(law["formula"].as_str().unwrap().starts_with("mu_"));
+        assert_eq!(
+            (law["reliable"] == true, law["doubt"].is_null()),
+            (reliable[row] == 1.0, reliable[row] == 1.0)
+        );
     }
+    // Two parameters through three slip rates.
+    let few = "predict surface.toml --table table.nc --slip-rate 0.1,1,10 -o few.nc";
+    folder.run_well(few);
+    folder.run_well("export few.nc -o few.json");
+    let json: serde_json::Value = serde_json::from_str(&folder.read("few.json")).unwrap();
+    assert!(json["laws"][0]["doubt"].as_str().is_some_and(|doubt| doubt.contains("slip rates")), "{json}");
+    let said = stderr(&folder.run("export few.nc -o few.csv --law"));
+    assert!(said.contains("is not reliable: "), "{said}");
 }
 
 #[test]

@@ -19,6 +19,8 @@ fn table() -> Slice {
         scene: "[asperity]\nradius = 1e-3\n".to_string(),
         asperity_radius: 1e-3,
         strength_factor: Some(0.9),
+        film_strength: Some(25e6),
+        pressure_coefficient: Some(0.06),
         rate_coefficient: Some(0.014),
         rate_reference: Some(2.0),
         ..Metadata::default()

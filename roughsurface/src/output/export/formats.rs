@@ -40,7 +40,7 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
         ],
     );
     for layer in &table.layers {
-        for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
+        for ((law, doubt), pressure) in layer.laws().zip(&table.pressures) {
             let Some(law) = law else { continue };
             let RateLaw { form, mu_0, plateau, velocity, exponent, .. } = law;
             let _ = writeln!(
@@ -48,6 +48,9 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
                 "** Rate law at {pressure:e} Pa: {}, mu_0 = {:.5}, mu_inf = {:.5}, V* = {:.4e} m/s, n = {:.4}",
                 form.formula, mu_0.value, plateau.value, velocity.value, exponent.value
             );
+            if !doubt.is_empty() {
+                let _ = writeln!(text, "** not reliable: {doubt}");
+            }
         }
     }
     text.push_str("*FRICTION\n");
@@ -97,8 +100,8 @@ pub(super) fn csv(table: &FrictionTable) -> String {
 pub(super) fn json(table: &FrictionTable) -> String {
     let mut laws = Vec::new();
     for layer in &table.layers {
-        for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
-            laws.push(entry(law.as_ref(), layer.temperature, *pressure));
+        for (law, pressure) in layer.laws().zip(&table.pressures) {
+            laws.push(entry(law, layer.temperature, *pressure));
         }
     }
     let positive = table.slip_rates.iter().find(|rate| **rate > 0.0);
@@ -113,7 +116,7 @@ pub(super) fn json(table: &FrictionTable) -> String {
     format!("{document:#}\n")
 }
 
-fn entry(law: Option<&RateLaw>, temperature: Option<f64>, pressure: f64) -> Value {
+fn entry((law, doubt): (Option<&RateLaw>, &str), temperature: Option<f64>, pressure: f64) -> Value {
     let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": law.map_or("none", |law| law.form.name)});
     if let Some(law) = law {
         entry["formula"] = law.form.formula.into();
@@ -122,6 +125,10 @@ fn entry(law: Option<&RateLaw>, temperature: Option<f64>, pressure: f64) -> Valu
         entry["V_star"] = json!(law.velocity.in_unit("m s-1"));
         entry["n"] = json!(law.exponent.in_unit("1"));
         entry["rms"] = law.misfit.into();
+        entry["reliable"] = doubt.is_empty().into();
+        if !doubt.is_empty() {
+            entry["doubt"] = doubt.into();
+        }
     }
     entry
 }

@@ -91,9 +91,27 @@ pub struct Layer {
     pub mu: Vec<Estimate>,
     /// The law fitted to it at each pressure.
     pub laws: Vec<Option<RateLaw>>,
+    /// Why that law is not reliable; empty where it is, or where the file does not say.
+    pub doubts: Vec<String>,
+}
+
+impl Layer {
+    /// The law of each pressure, and why it is not reliable.
+    fn laws(&self) -> impl Iterator<Item = (Option<&RateLaw>, &str)> {
+        self.laws.iter().map(Option::as_ref).zip(self.doubts.iter().map(String::as_str))
+    }
 }
 
 impl FrictionTable {
+    /// Pressures (Pa) whose fitted law is not reliable, with the reason.
+    pub fn doubts(&self) -> impl Iterator<Item = (f64, &str)> {
+        self.layers.iter().flat_map(move |layer| {
+            let laws = self.pressures.iter().zip(layer.laws());
+            laws.filter(|(_, (law, doubt))| law.is_some() && !doubt.is_empty())
+                .map(|(pressure, (_, doubt))| (*pressure, doubt))
+        })
+    }
+
     /// Reads one file, or one for each initial temperature.
     pub fn read(paths: &[&Path]) -> Result<Self, ExportError> {
         let mut whole: Option<Self> = None;
@@ -167,12 +185,17 @@ impl FrictionTable {
             }))
         };
         let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
+        let doubt = |row: usize| match file.has("rate_doubt") {
+            true => file.text("rate_doubt", &[row]),
+            false => Ok(String::new()),
+        };
+        let doubts = (0..pressures.len()).map(doubt).collect::<Result<_, _>>()?;
         let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
         Ok(Self {
             sources: vec![shown],
             pressures,
             slip_rates,
-            layers: vec![Layer { temperature, mu, laws }],
+            layers: vec![Layer { temperature, mu, laws, doubts }],
         })
     }
 
