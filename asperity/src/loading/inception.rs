@@ -66,8 +66,8 @@ pub fn inception(history: &[SlideState]) -> Inception {
 }
 
 /// Slips in the first motion between which the contact alternately sticks and slips: heat takes its strength faster than its
-/// elasticity unloads it, and it is increments and not the mesh that decide when sliding begins. None if its stick area falls
-/// for good.
+/// elasticity unloads it, or the interface hardens as it slips. Increments then decide when sliding begins. None if the stick
+/// area falls for good.
 pub fn stick_slip(history: &[SlideState]) -> Option<[f64; 2]> {
     let mut motion =
         history.iter().take_while(|state| state.step == 0).skip_while(|state| !state.is_along_motion());

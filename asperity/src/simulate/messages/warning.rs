@@ -96,8 +96,9 @@ impl Warning {
                  those of its end; a longer slip_distance lets it begin"
             }
             Self::StickSlip => {
-                "points that slip stick again before the contact slides, as heat takes its strength faster than its elasticity \
-                 unloads it: mu_static, G and inception_slip depend on the increments, and their errors contain this"
+                "points that slip stick again before the contact slides, as where heat softens the interface faster than the \
+                 contact unloads, or where it hardens: mu_static, G and inception_slip depend on the increments, and their \
+                 errors contain this"
             }
             Self::HardenedInterface => {
                 "the interface is as strong as the hardened body: the top layer of elements shears before the \
