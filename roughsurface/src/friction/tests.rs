@@ -6,7 +6,7 @@ use super::rate_law::NoFit;
 use super::warning::Warning;
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
-use crate::surface::heights::{Exponential, Gaussian, Uniform};
+use crate::surface::heights::{Exponential, Gaussian, Sample, Uniform};
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
 use tables::closed_forms::{closed_form, hertz};
 use tables::law::{AsperityLaw, Estimate};
@@ -167,6 +167,23 @@ fn contacts_too_large_for_their_asperities_are_refused_unless_extrapolation_is_a
     let cell = &found.friction[0][0];
     assert!(cell.outside_table > 0.01);
     assert!(found.warnings[0].to_string().contains("extrapolated"), "{:?}", found.warnings);
+}
+
+/// A sample of summits in which one is far above the others.
+#[test]
+fn few_heights_of_a_sample_in_contact_are_named() {
+    let heights = (0..40).map(|i| if i == 0 { 5e-6 } else { 1e-8 * f64::from(i) }).collect();
+    let surface = surface(Box::new(Sample::new(heights).unwrap()));
+    let few = |separation: f64| {
+        let query = query(NormalLoading::Separation(vec![separation]));
+        let found = predict(&PowerLaw::hertz(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
+        found.warnings.into_iter().find_map(|warning| match warning {
+            Warning::FewContacts { count, .. } => Some(count),
+            _ => None,
+        })
+    };
+    assert!(few(1e-6).is_some_and(|count| (count - 1.0).abs() < 1e-9), "{:?}", few(1e-6));
+    assert_eq!(few(0.0), None);
 }
 
 #[test]

@@ -43,6 +43,11 @@ pub enum Warning {
     )]
     BelowTable { at: Place, share: f64 },
     #[error(
+        "{at}: {} of the heights of the sample are in contact, and friction is that of these few summits; a larger sample or a distribution describes the surface",
+        digits(*.count, 2)
+    )]
+    FewContacts { at: Place, count: f64 },
+    #[error(
         "{at}: up to {:.2} % of the load of a surface lies above the last interference of the table and is extrapolated towards the fully plastic limit",
         100.0 * .share
     )]
@@ -166,6 +171,7 @@ impl Warning {
         match self {
             Self::Extrapolated { at, .. }
             | Self::BelowTable { at, .. }
+            | Self::FewContacts { at, .. }
             | Self::SamplesExtrapolated { at, .. }
             | Self::NotSliding { at, .. }
             | Self::SamplesNotSliding { at, .. }

@@ -30,6 +30,9 @@ const MERGING: f64 = 0.1;
 /// limit rather than on the table.
 const MOSTLY_BELOW: f64 = 0.5;
 
+/// Number of measured heights in contact below which the result is that of a few summits and not of a surface.
+const FEW_CONTACTS: f64 = 10.0;
+
 /// The slide of one cell.
 pub(crate) struct Slide {
     /// After each slip of the grid.
@@ -275,6 +278,11 @@ impl<'a> Sweep<'a> {
         let at = || Place::of(self.query, row, rate);
         if outside_table > NEGLIGIBLE_SHARE && self.law.above_range() == AboveRange::Extrapolated {
             warnings.push(Warning::Extrapolated { at: at(), share: outside_table });
+        }
+        let measured = self.surface.heights.measured().map(|heights| heights.len() as f64);
+        let density = sliding.contact_density.value / self.surface.asperity_density;
+        if let Some(count) = measured.map(|heights| heights * density).filter(|count| *count < FEW_CONTACTS) {
+            warnings.push(Warning::FewContacts { at: at(), count });
         }
         if contacts.below_law_load > MOSTLY_BELOW {
             warnings.push(Warning::BelowTable { at: at(), share: contacts.below_law_load });
