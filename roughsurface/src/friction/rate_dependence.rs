@@ -11,7 +11,7 @@ const SHARE_OF_BEND: f64 = 0.2;
 /// with a single positive rate.
 ///
 /// Below the first rate friction changes in proportion to V, as heat does. The error is the difference of both parabolas and
-/// [`SHARE_OF_BEND`] of the largest change of slope from this interval to the next ones, twice that at the ends; and the
+/// a fifth of the largest change of slope from this interval to the next ones, twice that at the ends; and the
 /// difference of the errors of μ over the interval: errors of neighbouring rates come from the same asperities and have the
 /// same sign.
 pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimate {

@@ -93,6 +93,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     let usual = if topography.periodic { Detrend::Mean } else { Detrend::Plane };
     let detrend = options.detrend.unwrap_or(usual);
     detrend.subtract(&mut topography);
+    warnings.extend(plausibility::edges_jump(&topography, options.window));
     if detrend == Detrend::Plane {
         warnings.extend(plausibility::form(&topography));
     }

@@ -2,6 +2,7 @@
 
 use super::Topography;
 use super::detrend::Detrend;
+use super::spectrum::Window;
 use super::warning::Warning;
 
 /// Lengths (m) above which a rough surface was hardly measured: those of machined ones are micrometres.
@@ -29,26 +30,47 @@ pub(super) fn units(topography: &Topography) -> Option<Warning> {
     })
 }
 
-/// A warning if a map that is not said to be periodic continues at its other side: heights at opposite edges
-/// differ no more than those of neighbours, and these much less than those of distant points.
-pub(super) fn seems_periodic(topography: &Topography) -> Option<Warning> {
-    let Topography { rows, columns, heights, periodic, .. } = topography;
+/// Mean square steps from the last line to the first and between neighbouring lines, across rows and across columns; of a
+/// profile across columns alone.
+fn steps(topography: &Topography) -> Vec<[f64; 2]> {
+    let Topography { rows, columns, heights, .. } = topography;
     let (rows, columns) = (*rows, *columns);
-    if *periodic || topography.is_profile() {
-        return None;
-    }
-    let distant = 2.0 * mean_square_about_mean(heights);
     let step = |from: usize, to: usize| (heights[to] - heights[from]).powi(2);
-    let fits = |lines: usize, length: usize, place: &dyn Fn(usize, usize) -> usize| {
+    let of = |lines: usize, length: usize, place: &dyn Fn(usize, usize) -> usize| {
         let mean = |from: usize, to: usize| {
             (0..length).map(|i| step(place(from, i), place(to, i))).sum::<f64>() / length as f64
         };
         let neighbours = (1..lines).map(|line| mean(line - 1, line)).sum::<f64>() / (lines - 1) as f64;
-        mean(lines - 1, 0) < 1.5 * neighbours && neighbours < 0.25 * distant
+        [mean(lines - 1, 0), neighbours]
     };
-    let fits = fits(rows, columns, &|row, i| row * columns + i)
-        && fits(columns, rows, &|column, i| i * columns + column);
-    fits.then_some(Warning::SeemsPeriodic)
+    let across_columns = of(columns, rows, &|column, i| i * columns + column);
+    match topography.is_profile() {
+        true => vec![across_columns],
+        false => vec![of(rows, columns, &|row, i| row * columns + i), across_columns],
+    }
+}
+
+/// A warning if a map that is not said to be periodic continues at its other side: heights at opposite edges
+/// differ no more than those of neighbours, and these much less than those of distant points.
+pub(super) fn seems_periodic(topography: &Topography) -> Option<Warning> {
+    if topography.periodic || topography.is_profile() {
+        return None;
+    }
+    let distant = 2.0 * mean_square_about_mean(&topography.heights);
+    let fits = |[across, neighbours]: &[f64; 2]| *across < 1.5 * neighbours && *neighbours < 0.25 * distant;
+    steps(topography).iter().all(fits).then_some(Warning::SeemsPeriodic)
+}
+
+/// A warning if a topography that is taken to continue at its other side, periodic or without a window, has a step there.
+pub(super) fn edges_jump(topography: &Topography, window: Window) -> Option<Warning> {
+    if !topography.periodic && window != Window::None {
+        return None;
+    }
+    // One step of a profile varies more than the mean of those along an edge.
+    let limit = if topography.is_profile() { 4.0 } else { 2.0 };
+    let ratios = steps(topography).into_iter().map(|[across, neighbours]| (across / neighbours).sqrt());
+    let ratio = ratios.fold(0.0, f64::max);
+    (ratio > limit).then_some(Warning::EdgesJump { ratio })
 }
 
 /// A warning if points stand out from the median of their neighbours: eight on a map, four on a profile.
@@ -108,6 +130,10 @@ mod tests {
         for warning in [units, seems_periodic, spikes, form].map(|doubt| doubt(&map)) {
             assert_eq!(warning, None);
         }
+        let jump = edges_jump(&map, Window::None);
+        assert!(matches!(jump, Some(Warning::EdgesJump { ratio }) if ratio > 3.0), "{jump:?}");
+        assert_eq!(edges_jump(&map, Window::Hann), None);
+        assert_eq!(edges_jump(&SelfAffine::default().map(1), Window::None), None);
         let mut spiked = map.clone();
         for place in [20 * map.columns + 30, 90 * map.columns + 77] {
             spiked.heights[place] += 1e-6;

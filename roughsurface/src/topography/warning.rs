@@ -42,6 +42,11 @@ pub enum Warning {
     )]
     SeemsPeriodic,
     #[error(
+        "taken to continue at its other side, by --periodic, --window none or the file, the topography has a step there {ratio:.0} times \
+         as high as between neighbouring points, which counts as slope and curvature"
+    )]
+    EdgesJump { ratio: f64 },
+    #[error(
         "{count} points stand out from the median of their neighbours by more than eight standard deviations: \
          spikes make R too small; remove them"
     )]
