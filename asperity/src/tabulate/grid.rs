@@ -116,8 +116,11 @@ pub fn run<S: Simulator>(
 impl<'a, S: Simulator> Grid<'a, S> {
     /// Press once, then slide at every slip rate that is wanted and not done.
     fn run_row(&self, i: usize) {
-        let pending = self.pending(i);
-        if pending.is_empty() || self.cancelled() {
+        if self.cancelled() {
+            return;
+        }
+        let pending = self.take(i, |pending| pending);
+        if pending.is_empty() {
             return;
         }
         match self.press(i) {
@@ -133,12 +136,12 @@ impl<'a, S: Simulator> Grid<'a, S> {
 
     /// One cell of an interference at a slip rate in the middle.
     fn probe(&self, i: usize) {
-        let pending = self.pending(i);
-        if pending.is_empty() || self.cancelled() {
+        if self.cancelled() {
             return;
         }
-        let at = (i, pending[pending.len() / 2]);
-        self.lock().taken.push(at);
+        let middle = |pending: Vec<usize>| pending.get(pending.len() / 2).copied().into_iter().collect();
+        let Some(&j) = self.take(i, middle).first() else { return };
+        let at = (i, j);
         match self.press(i) {
             Ok(pressed) => self.run_cell(&pressed, at),
             Err(Some(reason)) => self.finish(at, Err(reason)),
@@ -146,14 +149,18 @@ impl<'a, S: Simulator> Grid<'a, S> {
         }
     }
 
-    fn pending(&self, i: usize) -> Vec<usize> {
-        let ledger = self.lock();
-        let pending = |j: &usize| {
+    /// Those that are `chosen` of the cells of an interference that are neither done nor taken, taken at once: another thread
+    /// may begin the same interference.
+    fn take(&self, i: usize, chosen: impl FnOnce(Vec<usize>) -> Vec<usize>) -> Vec<usize> {
+        let mut ledger = self.lock();
+        let is_pending = |j: &usize| {
             self.work.wanted[self.position((i, *j))]
                 && !ledger.taken.contains(&(i, *j))
                 && ledger.known.get(self.work.layout.point((i, *j))).is_none()
         };
-        (0..self.work.layout.slip_rates.len()).filter(pending).collect()
+        let chosen = chosen((0..self.work.layout.slip_rates.len()).filter(is_pending).collect());
+        ledger.taken.extend(chosen.iter().map(|&j| (i, j)));
+        chosen
     }
 
     fn press(&self, i: usize) -> Result<S::Pressed, Option<String>> {
