@@ -128,12 +128,12 @@ impl Inception {
         let Some([first, last]) = stick_slip(history) else { return self };
         let within = history.iter().filter(|state| (first..=last).contains(&state.slip));
         let release = energy_release(history);
-        let farther = |value: f64, other: f64| (value - other).abs();
+        let distance = |value: f64, other: f64| (value - other).abs();
         let of_ends =
-            |value: f64, at: &dyn Fn(f64) -> f64| farther(value, at(first)).max(farther(value, at(last)));
+            |value: f64, at: &dyn Fn(f64) -> f64| distance(value, at(first)).max(distance(value, at(last)));
         Self {
             friction_bracket: within
-                .map(|state| farther(self.friction, state.friction))
+                .map(|state| distance(self.friction, state.friction))
                 .fold(self.friction_bracket, f64::max),
             slip_bracket: of_ends(self.slip, &|slip| slip).max(self.slip_bracket),
             energy_bracket: of_ends(self.energy_release, &|slip| release.value(slip))

@@ -114,13 +114,13 @@ impl Scene {
     }
 
     /// The same while the counterface moves at `slip_rate` (m/s) over a contact of `contact_radius` (m):
-    /// k/(k + k₂√(1 + Pe/1.273)), Pe = Va/(2κ₂), by the mean rise of a moving disc (Tian & Kennedy 1994, J. Tribol. 116,
+    /// k/(k + k₂√(1 + Pe/0.6575)), Pe = Va/(2κ₂), by the mean rise over a moving disc (Tian & Kennedy 1994, J. Tribol. 116,
     /// 167, doi:10.1115/1.2927035).
     pub fn moving_heat_partition(&self, slip_rate: f64, contact_radius: f64) -> Option<f64> {
         let own = self.material.thermal_conductivity;
         self.counterface.conduction().map(|[other, capacity]| {
             let peclet = slip_rate * contact_radius * capacity / (2.0 * other);
-            own / (own + other * (1.0 + peclet / 1.273).sqrt())
+            own / (own + other * (1.0 + peclet / 0.6575).sqrt())
         })
     }
 

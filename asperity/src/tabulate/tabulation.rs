@@ -160,7 +160,7 @@ impl Tabulation {
         };
         let body = material.elastic_plastic();
         let law = &interface.law;
-        let has_strength = law.is_material_strength() || law.has_cap();
+        let has_strength = law.is_material_strength() || law.has_cap() && law.has_friction();
         let film = law.film(scene.loading.temperature);
         Metadata {
             title: self.title(),

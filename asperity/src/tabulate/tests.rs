@@ -242,6 +242,18 @@ fn table_has_every_cell_and_says_which_failed() {
     assert_eq!(hot.label((4, 1)), "1 omega_c at 10 m/s from 500 K");
 }
 
+/// Without friction the strength of the metal limits nothing.
+#[test]
+fn a_table_states_the_limit_of_its_interface() {
+    for (friction, expected) in [("0.0", (None, None, None)), ("0.2", (Some(1.0), Some(0.0), Some(0.2)))] {
+        let request = format!("{GRID}[interface]\nlaw = \"coulomb\"\nfriction = {friction}\n");
+        let slice = table(&whole(&request, &Fake::default(), 1)).at(None).unwrap();
+        let metadata = slice.metadata();
+        let found = (metadata.strength_factor, metadata.film_strength, metadata.pressure_coefficient);
+        assert_eq!(found, expected, "{friction}");
+    }
+}
+
 #[test]
 fn every_temperature_has_the_table_of_its_own_request() {
     let all = table(&whole(TEMPERATURES, &Fake::default(), 2));

@@ -159,8 +159,8 @@ impl Display for Warning {
             ),
             Self::Unbalanced { energy, heat, sources } => write!(
                 f,
-                "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither stored \
-                 nor lost, {sources:.0e} more or less than dissipated: a finer mesh or a smaller accuracy closes the balances"
+                "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither stored nor \
+                 lost, and heat and dissipation differ by {sources:.0e}: a finer mesh or a smaller accuracy closes the balances"
             ),
             Self::AboveMelting { highest, melting } => write!(
                 f,
