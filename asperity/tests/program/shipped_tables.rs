@@ -11,3 +11,21 @@ fn cells_of_shipped_tables_are_computed_again() {
         print!("{}", done(Path::new("."), &format!("table check {name} --cells 1 --seed {seed}")));
     }
 }
+
+/// A place between the points of one is within the errors of what is read there.
+#[test]
+fn places_between_the_cells_are_computed() {
+    let _alone = alone();
+    let text = done(Path::new("."), "table check copper-rigid --between --cells 2 --json");
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let cells = json["cells"].as_array().unwrap();
+    assert_eq!(cells.len(), 2);
+    let axes = tables::shipped::table("copper-rigid").unwrap().axes().clone();
+    for cell in cells {
+        let [interference, slip_rate] = ["interference", "slip_rate"].map(|key| cell[key].as_f64().unwrap());
+        assert!(!axes.interference.contains(&interference) && !axes.slip_rate.contains(&slip_rate));
+        let number = |side: &str, k: usize| cell["values"]["mu"][side][k].as_f64().unwrap();
+        let off = (number("table", 0) - number("again", 0)).abs();
+        assert!(off > 0.0 && off < number("table", 1).hypot(number("again", 1)), "{cell}");
+    }
+}

@@ -8,11 +8,15 @@ use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
 
+/// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the cubic of
+/// third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
+const OF_STRAIGHT: f64 = 0.5;
+
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
     /// sliding at `slip_rate` (m/s); interpolated as the response is, with the error of the
-    /// points (interpolated linearly) and, added as a square unless that includes it, the difference to linear
-    /// interpolation as its bound, of the logarithm where the corners are positive.
+    /// points (interpolated linearly) and, added as a square unless that includes it, half the
+    /// difference to linear interpolation as its bound, of the logarithm where the corners are positive.
     pub fn estimate(
         &self,
         quantity: Quantity,
@@ -109,7 +113,7 @@ impl InterpolatedTable {
         let included = self.metadata().interpolation_tolerance.is_some();
         let straight = if logarithm.is_finite() { logarithm.exp() } else { linear };
         let interpolation =
-            if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * (value - straight).abs() };
+            if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * (value - straight).abs() };
         Ok((value, error.hypot(interpolation)))
     }
 }

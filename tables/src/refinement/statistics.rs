@@ -39,24 +39,28 @@ pub struct Counts {
 fn between_points(table: &InterpolatedTable, quantity: Quantity, nothing: f64) -> Option<[f64; 2]> {
     let Metadata { asperity_radius, temperature, .. } = table.metadata();
     let origin = quantity.origin(*temperature);
-    let middle = |pair: &[f64]| match pair[0] > 0.0 {
-        true => (pair[0] * pair[1]).sqrt(),
-        false => 0.5 * (pair[0] + pair[1]),
-    };
-    let [interferences, rates] = [&table.axes().interference, &table.axes().slip_rate]
-        .map(|axis| axis.windows(2).map(middle).collect::<Vec<_>>());
-    let places = interferences.iter().flat_map(|omega| rates.iter().map(move |rate| (*omega, *rate)));
     let error = |(omega, rate)| {
         let Estimate { value, error } = table.estimate(quantity, *asperity_radius, omega, rate).ok()?;
         let size = (value - origin).abs();
         (size > nothing && error.is_finite()).then_some(error / size)
     };
-    let mut errors: Vec<f64> = places.filter_map(error).collect();
+    let mut errors: Vec<f64> = table.between_points().into_iter().filter_map(error).collect();
     errors.sort_by(f64::total_cmp);
     Some([*errors.get(errors.len() / 2)?, *errors.last()?])
 }
 
 impl Slice {
+    /// (ω₀/ω_c, V in m/s) half-way between neighbouring points of both axes, in the logarithm but next to zero.
+    pub fn between_points(&self) -> Vec<(f64, f64)> {
+        let middle = |pair: &[f64]| match pair[0] > 0.0 {
+            true => (pair[0] * pair[1]).sqrt(),
+            false => 0.5 * (pair[0] + pair[1]),
+        };
+        let [interferences, rates] = [&self.axes().interference, &self.axes().slip_rate]
+            .map(|axis| axis.windows(2).map(middle).collect::<Vec<_>>());
+        interferences.iter().flat_map(|omega| rates.iter().map(move |rate| (*omega, *rate))).collect()
+    }
+
     /// Errors of each quantity that has any values, relative to the value (of temperatures: to the
     /// rise above the initial one).
     pub fn error_statistics(&self) -> Vec<ErrorStatistics> {

@@ -6,7 +6,8 @@ use crate::table::{Slice, Status};
 /// Coordinates closer than this, relatively, are the same.
 const SAME: f64 = 1e-9;
 
-/// Values below this share of the largest value of a quantity are rounding errors.
+/// Values below this share of the largest value of a quantity, and differences below this share of a value, are rounding
+/// errors.
 const NEGLIGIBLE: f64 = 1e-9;
 
 /// The indices of a point in both tables.
@@ -126,8 +127,8 @@ impl Slice {
             }
             let distance = (here.value - there.value).abs();
             compared += 1;
-            beyond_errors += usize::from(distance > here.error + there.error);
             let size = here.value.abs().max(there.value.abs()).max(negligible);
+            beyond_errors += usize::from(distance > here.error + there.error + NEGLIGIBLE * size);
             let largest = if distance == 0.0 { 0.0 } else { distance / size };
             if worst.as_ref().is_none_or(|worst| largest > worst.largest) {
                 let values = (here.value, there.value);

@@ -5,49 +5,49 @@ use asperity::tabulate::{Options, tabulate};
 use rand::SeedableRng;
 use rand::rngs::StdRng;
 use rand::seq::index;
-use serde_json::json;
-use tables::table::Slice;
+use serde_json::{Map, Value, json};
+use tables::interpolation::InterpolatedTable;
+use tables::quantity::{Estimate, Quantity};
+use tables::table::comparison::{Comparison, Difference};
+use tables::table::{Axes, Cell, Slice};
 
 use super::{CheckArguments, read};
 use crate::progress::{Progress, watch_for_interrupt};
 use crate::{Display, Failure, print};
 
-/// Compute some cells again, print how they compare, fail where a difference is beyond the errors.
+/// Compute some cells again, or cells between the points; print how they compare, fail where a difference is beyond the
+/// errors.
 pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failure> {
     let table = read(&arguments.table, &arguments.at)?;
     let request = parse_request(&table.metadata().scene, &arguments.table, &[]).map_err(Failure::input)?;
-    let (rows, columns) = table.shape();
-    let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-    let done: Vec<_> = cells.filter(|&(i, j)| table.cell(i, j).is_some()).collect();
+    let places = match arguments.between {
+        true => table.between_points(),
+        false => {
+            let done = table.grid().filter(|&(i, j)| table.cell(i, j).is_some());
+            done.map(|(i, j)| table.coordinates(i, j)).collect()
+        }
+    };
+    if places.is_empty() {
+        let what = if arguments.between { "two points along each axis" } else { "cell that is done" };
+        return Err(Failure::input(format!("{}: the table has no {what} to check", arguments.table)));
+    }
     let mut random = StdRng::seed_from_u64(arguments.seed);
-    let chosen = index::sample(&mut random, done.len(), usize::from(arguments.cells).min(done.len()));
+    let chosen = index::sample(&mut random, places.len(), usize::from(arguments.cells).min(places.len()));
     watch_for_interrupt();
     let (mut wrong, mut compared) = (Vec::new(), Vec::new());
-    for (i, j) in chosen.into_iter().map(|k| done[k]) {
-        let again = computed_again(&table, &request, (i, j), display)?;
-        let comparison = table.compare(&again);
-        let beyond = comparison.quantities.iter().filter(|difference| difference.beyond_errors > 0);
-        let beyond: Vec<_> = beyond.map(|difference| difference.quantity.descriptor().name).collect();
-        let largest = comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest));
-        let difference = largest.map_or("the same to the last digit".into(), |difference| {
-            let name = difference.quantity.descriptor().name;
-            format!("largest difference {:.2e} of {name}", difference.largest)
-        });
+    for place in chosen.into_iter().map(|k| places[k]) {
+        let expected = expected(&table, place, arguments.between)?;
+        let again = computed_again(&expected, &request, display)?;
+        let comparison = expected.compare(&again);
+        let label = expected.label(0, 0);
         if !display.quiet && !display.json {
-            print(&format!("{}: {}: {difference}\n", arguments.table, table.label(i, j)))?;
+            print(&format!("{}: {label}: {}\n", arguments.table, in_words(&comparison)))?;
         }
-        let (interference, slip_rate) = table.coordinates(i, j);
-        compared.push(json!({
-            "interference": interference,
-            "slip_rate": slip_rate,
-            "quantity": largest.map(|difference| difference.quantity.descriptor().name),
-            "largest": largest.map_or(0.0, |difference| difference.largest),
-            "beyond_errors": beyond,
-        }));
+        compared.push(as_json(&expected, &again, &comparison));
         let states = comparison.states.iter().map(|(_, here, there)| format!("{here} and {there}"));
-        let what: Vec<String> = states.chain(beyond.into_iter().map(str::to_owned)).collect();
+        let what: Vec<String> = states.chain(beyond(&comparison).map(str::to_owned)).collect();
         if !what.is_empty() {
-            wrong.push(format!("{}: {}", table.label(i, j), what.join(", ")));
+            wrong.push(format!("{label}: {}", what.join(", ")));
         }
     }
     if display.json {
@@ -63,21 +63,77 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
     }
 }
 
-/// A table of one cell.
-fn computed_again(
-    table: &Slice,
-    request: &Request,
-    (i, j): (usize, usize),
-    display: &Display,
+/// A table of one cell: what the table has at a place, or is read there.
+fn expected(
+    table: &InterpolatedTable,
+    (interference, slip_rate): (f64, f64),
+    read: bool,
 ) -> Result<Slice, Failure> {
-    let axes = table.axes();
+    let axes = Axes {
+        interference: vec![interference],
+        slip_rate: vec![slip_rate],
+        slip: table.axes().slip.clone(),
+    };
+    let mut only = table.regridded(axes).map_err(Failure::run)?;
+    if read {
+        let radius = table.metadata().asperity_radius;
+        let mut cell = Cell::new();
+        for quantity in Quantity::SCALARS.into_iter().filter(|quantity| table.holds(*quantity)) {
+            let estimate = table.estimate(quantity, radius, interference, slip_rate);
+            cell[quantity] = estimate.map_err(Failure::run)?;
+        }
+        only.set_cell(0, 0, cell).map_err(Failure::run)?;
+    }
+    Ok(only)
+}
+
+/// Names of the quantities that differ by more than both errors together.
+fn beyond(comparison: &Comparison) -> impl Iterator<Item = &'static str> {
+    let beyond = comparison.quantities.iter().filter(|difference| difference.beyond_errors > 0);
+    beyond.map(|difference| difference.quantity.descriptor().name)
+}
+
+fn largest(comparison: &Comparison) -> Option<&Difference> {
+    comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest))
+}
+
+fn in_words(comparison: &Comparison) -> String {
+    largest(comparison).map_or("the same to the last digit".into(), |difference| {
+        let name = difference.quantity.descriptor().name;
+        format!("largest difference {:.2e} of {name}", difference.largest)
+    })
+}
+
+fn as_json(expected: &Slice, again: &Slice, comparison: &Comparison) -> Value {
+    let (interference, slip_rate) = expected.coordinates(0, 0);
+    let values = |slice: &Slice, quantity: Quantity| {
+        let Estimate { value, error } = slice.cell(0, 0)?[quantity];
+        value.is_finite().then_some([value, error])
+    };
+    let both = |quantity: Quantity| {
+        let (here, there) = (values(expected, quantity)?, values(again, quantity)?);
+        Some((quantity.descriptor().name.to_owned(), json!({ "table": here, "again": there })))
+    };
+    let largest = largest(comparison);
+    json!({
+        "interference": interference,
+        "slip_rate": slip_rate,
+        "quantity": largest.map(|difference| difference.quantity.descriptor().name),
+        "largest": largest.map_or(0.0, |difference| difference.largest),
+        "beyond_errors": beyond(comparison).collect::<Vec<_>>(),
+        "values": Quantity::SCALARS.into_iter().filter_map(both).collect::<Map<_, _>>(),
+    })
+}
+
+/// The table of one cell, from a run.
+fn computed_again(only: &Slice, request: &Request, display: &Display) -> Result<Slice, Failure> {
     let request = Request {
-        interferences: vec![axes.interference[i]],
-        slip_rates: vec![axes.slip_rate[j]],
+        interferences: only.axes().interference.clone(),
+        slip_rates: only.axes().slip_rate.clone(),
         goal: None,
         ..match request.temperatures.is_empty() {
             true => request.clone(),
-            false => request.at_temperature(table.metadata().temperature),
+            false => request.at_temperature(only.metadata().temperature),
         }
     };
     let folder = tempfile::tempdir().map_err(Failure::run)?;

@@ -102,6 +102,9 @@ pub struct CheckArguments {
     /// Seed of the random choice of cells
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
+    /// Compute half-way between the interferences and slip rates of the table: error of what is read there
+    #[arg(long)]
+    between: bool,
     #[command(flatten)]
     at: At,
 }
