@@ -16,10 +16,6 @@ use crate::table::{Slice, Status};
 /// Point (row, column) without a result.
 pub(super) type Absent = (usize, usize);
 
-/// Least exponent of what starts from zero: a temperature rise is in proportion to the root of the slip rate at large
-/// Péclet numbers, and bounded by melting.
-const LEAST_EXPONENT: f64 = 0.25;
-
 /// Error of the interpolation over that of the prediction of left-out points.
 const REFINEMENT: f64 = 0.5;
 
@@ -272,9 +268,7 @@ pub(super) fn with_coefficient(values: &Values) -> Errors {
 }
 
 /// Monotone cubic between two points with optional outer ones; of the logarithms if both are
-/// positive, without outer ones that are not. From zero to a positive value y with the exponent p beyond it the function
-/// y t/(p + (1 − p)t): in proportion to t at first, as a temperature rise to the slip rate, then less. `outer` as from
-/// [`neighbours`].
+/// positive, without outer ones that are not. From zero [`from_zero`]. `outer` as from [`neighbours`].
 pub(crate) fn blend_one(h: f64, t: f64, outer: [Option<(f64, f64)>; 2], inner: [f64; 2]) -> f64 {
     let [start, end] = inner;
     if start > 0.0 && end > 0.0 {
@@ -284,10 +278,17 @@ pub(crate) fn blend_one(h: f64, t: f64, outer: [Option<(f64, f64)>; 2], inner: [
     if let (0.0, [None, Some((gap, next))]) = (start, outer)
         && (0.0..next).contains(&end)
     {
-        let exponent = ((next / end).ln() / gap).clamp(LEAST_EXPONENT, 1.0);
-        return end * t / (exponent + (1.0 - exponent) * t);
+        return end * from_zero(t, gap.exp(), next / end);
     }
     cubic(h, t, outer, inner)
+}
+
+/// cV/√(1 + bV), over its value at V₁, at V = tV₁: a temperature rise against the slip rate, in proportion to it at rest
+/// and to its root at large Péclet numbers (Tian & Kennedy 1994, J. Tribol. 116, 167). V₂ = `rates` V₁ with the value
+/// `values` times that at V₁; a ratio that no b has is taken as the nearest that one has.
+fn from_zero(t: f64, rates: f64, values: f64) -> f64 {
+    let square = (values / rates).powi(2).clamp(1.0 / rates, 1.0);
+    t * (square * (rates - 1.0) / (square * rates - 1.0 + t * (1.0 - square))).sqrt()
 }
 
 /// The same of the values as they are.

@@ -312,3 +312,17 @@ fn energy_is_that_of_the_area_at_inception() {
     let energy = table.energy_release(RADIUS, omega, rate).unwrap().unwrap();
     assert!(relative(energy.value, 1e-3 * a0 * 1.05 * area) < 1e-9, "{energy:?}");
 }
+
+/// Between V = 0 and the first slip rate, with one beyond; steeper and flatter rises are the limits of the law.
+#[test]
+fn a_rise_from_zero_is_that_of_a_moving_disc() {
+    let read =
+        |t: f64, values: f64| super::blend_one(1.0, t, [None, Some((4f64.ln(), 30.0 * values))], [0.0, 30.0]);
+    for b in [0.0_f64, 0.3, 50.0] {
+        let law = |v: f64| v * ((1.0 + b) / (1.0 + b * v)).sqrt();
+        for t in [1e-6, 0.2, 0.7] {
+            assert!((read(t, law(4.0)) / (30.0 * law(t)) - 1.0).abs() < 1e-12, "{b} {t}");
+        }
+    }
+    assert!((read(0.25, 5.0) - 7.5).abs() < 1e-12 && (read(0.25, 1.2) - 15.0).abs() < 1e-12);
+}
