@@ -2,8 +2,8 @@
 
 use tables::law::Estimate;
 
-/// Slips at which the response is computed.
-const POINTS: usize = 48;
+/// Slips per decade at which the response is computed: powers of ten, whatever the other pressures are.
+const PER_DECADE: f64 = 12.0;
 
 /// First slip since the step after zero, over the smallest contact radius.
 const FIRST: f64 = 1e-3;
@@ -66,8 +66,10 @@ impl Stepped {
 
 /// Slips since the step (m), for contacts with the radii (m) of the smallest and of the largest load and a life in diameters.
 pub(crate) fn slip_grid([smallest, largest]: [f64; 2], diameters: f64) -> Vec<f64> {
-    let (first, last) = (FIRST * smallest, LAST * largest * diameters);
-    let points = (0..POINTS).map(|i| first * (last / first).powf(i as f64 / (POINTS - 1) as f64));
+    let place = |slip: f64| PER_DECADE * slip.log10();
+    let first = place(FIRST * smallest).floor() as i32;
+    let last = place(LAST * largest * diameters).ceil() as i32;
+    let points = (first..=last).map(|k| 10f64.powf(f64::from(k) / PER_DECADE));
     std::iter::once(0.0).chain(points).collect()
 }
 
@@ -103,12 +105,18 @@ mod tests {
             for row in &found.rows {
                 assert!(row.direct_effect().value.abs() < 1e-6, "{row:?}");
                 let fall = row.before.value - row.after.value;
-                assert!((row.mu[POINTS].value - row.after.value).abs() < 0.01 * fall.abs(), "{row:?}");
+                assert!(
+                    (row.mu[row.mu.len() - 1].value - row.after.value).abs() < 0.01 * fall.abs(),
+                    "{row:?}"
+                );
                 assert!(
                     row.mu.windows(2).all(|pair| (pair[0].value - pair[1].value) * fall > -1e-9 * fall.abs())
                 );
                 let distance = row.evolution_distance(&found.slip).value;
-                assert!(distance > found.slip[1] && distance < found.slip[POINTS], "{distance}");
+                assert!(
+                    distance > found.slip[1] && distance < found.slip[found.slip.len() - 1],
+                    "{distance}"
+                );
             }
         }
         let found = stepped(&law, [2.0, 2.0], 1.0).unwrap();
