@@ -45,8 +45,11 @@ pub struct HeatEffect {
     pub softening: f64,
     /// Share by which expansion and softening moduli change the load at constant interference.
     pub load: f64,
-    /// Largest relative change of the heat partition from the start to a steady state, at rest or at the slip rate.
+    /// Heat partition where heat is left out: that of the start, at V = 0 the steady one.
     pub partition: f64,
+    /// Its relative error: the largest change to a steady state, at rest or at the slip rate; at V = 0 that of the
+    /// constriction.
+    pub partition_error: f64,
     /// Share of the strength of the interface that frictional heat takes before sliding begins.
     pub inception: f64,
     /// Depth that it has reached then, √(κt), over the contact radius; infinite at V = 0.
@@ -85,17 +88,13 @@ impl HeatEffect {
         let flux = scene.largest_heat_partition() * strength * slip_rate;
         let at_inception = flux * inception_depth * contact_radius * 2.0
             / (std::f64::consts::PI.sqrt() * material.thermal_conductivity);
+        let (partition, partition_error) = expected_partition(scene, slip_rate, contact_radius);
         let limited = if interface.law.is_limited_by_strength() { 1.0 } else { 0.0 };
         Self {
             rise,
             softening: metal(rise).max(film(rise)),
-            partition: [
-                scene.resting_heat_partition(),
-                scene.moving_heat_partition(slip_rate, contact_radius),
-            ]
-            .into_iter()
-            .flatten()
-            .fold(0.0, |most: f64, steady| most.max((steady / scene.initial_heat_partition() - 1.0).abs())),
+            partition,
+            partition_error,
             inception: if flux > 0.0 { (limited * metal(at_inception)).max(film(at_inception)) } else { 0.0 },
             inception_depth,
             load: LOAD_OF_EXPANSION * bulge.abs() / interference + (1.0 - solid.stiffness_factor(rise)).abs(),
@@ -105,6 +104,26 @@ impl HeatEffect {
     /// Relative change of the friction coefficient.
     pub fn friction(&self) -> f64 {
         self.softening + self.load
+    }
+}
+
+/// Error of the constriction ρ of the asperity over ρ − 1.
+const CONSTRICTION_ERROR: f64 = 0.2;
+
+/// Heat partition where heat is left out, and its relative error.
+fn expected_partition(scene: &Scene, slip_rate: f64, contact_radius: f64) -> (f64, f64) {
+    let initial = scene.initial_heat_partition();
+    let steady = |slip_rate: f64| scene.steady_heat_partition(slip_rate, contact_radius);
+    match (steady(0.0), steady(slip_rate)) {
+        (Some(resting), _) if slip_rate == 0.0 => {
+            let constriction = scene.constriction(contact_radius);
+            (resting, CONSTRICTION_ERROR * (1.0 - resting) * (1.0 - 1.0 / constriction))
+        }
+        (Some(resting), Some(moving)) => {
+            let change = |steady: f64| (steady / initial - 1.0).abs();
+            (initial, change(resting).max(change(moving)))
+        }
+        _ => (initial, 0.0),
     }
 }
 

@@ -96,12 +96,17 @@ impl Conditions {
         if self.heat == HeatChoice::Off(NoHeat::Negligible) { self.effect.rise } else { 0.0 }
     }
 
+    /// Heat partition to report where heat is left out.
+    pub fn expected_partition(&self) -> Option<f64> {
+        (!self.heat.is_coupled()).then_some(self.effect.partition)
+    }
+
     /// Effects that a run neglects other than by choice of the scene, or does not resolve.
     pub fn modelling_error(&self, pressed: &Pressed, run: &Run) -> ModellingError {
         let small = pressed.scene.model.kinematics == Kinematics::Auto && !pressed.problem.finite_strain;
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
-            heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition },
+            heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
             localised_shear: pressed.scene.localised_shear(run.plastic_strain_in_stick()),
         }

@@ -261,6 +261,9 @@ impl<'a> Runner<'a> {
             .map_err(|e| press_error(e.into()))?;
         let mut slide = self.start(&press, &discretisation, resolution)?;
         slide.mechanics.timings.since(Kernel::Setup, clock);
+        if let Some(partition) = self.conditions.expected_partition() {
+            slide.history[0].heat_partition = partition;
+        }
         // Each mesh slides as far in units of its own contact radius.
         let radius = press.contact.radius(&press.contact.committed);
         slide.recorder = Recorder::new(recording, radius, &slide.history[0]);

@@ -352,9 +352,9 @@ fn negligible_heat_is_left_out() {
     assert_eq!(auto.slide, off.slide);
     let rise = auto.scalars[Quantity::TemperatureMax].value - off.scalars[Quantity::TemperatureMax].value;
     assert!(rise > 0.0 && auto.scalars[Quantity::TemperatureMax].error >= rise, "{rise}");
-    // Beside a counterface of five times the conductivity and capacity e/(e + e₂) = k/(k + k₂) = 1/6; of the same capacity
-    // 1/(1 + √5) at first.
-    for (capacity, change) in [(5.0, 0.0), (1.0, 1.0 / (1.0 + 5f64.sqrt()) - 1.0 / 6.0)] {
+    // Beside a counterface of five times the conductivity and capacity e/(e + e₂) = 1/6, of the same capacity
+    // 1/(1 + √5) at first; k/(k + ρk₂) at last.
+    for (capacity, first) in [(5.0, 1.0 / 6.0), (1.0, 1.0 / (1.0 + 5f64.sqrt()))] {
         let mut scene = hot_scene("steel-4340", 2.0, 1e-5, "auto");
         let material = &scene.material;
         (
@@ -366,11 +366,17 @@ fn negligible_heat_is_left_out() {
             Some(capacity * material.specific_heat),
             Some(material.density),
         );
-        let partition = simulate(&scene, &Unwatched).unwrap().scalars[Quantity::HeatPartition];
-        assert!(
-            (partition.error - 2.0 / 3f64.sqrt() * change).abs() < 1e-6,
-            "{capacity}: {partition:?} {change}"
-        );
+        let scalars = simulate(&scene, &Unwatched).unwrap().scalars;
+        let partition = scalars[Quantity::HeatPartition];
+        let steady = 1.0 / (1.0 + 5.0 * scene.constriction(scalars[Quantity::ContactRadius].value));
+        let expected = 2.0 / 3f64.sqrt() * (first - steady);
+        assert!((partition.value / first - 1.0).abs() < 1e-12, "{capacity}: {partition:?}");
+        assert!((partition.error - expected).abs() < 1e-5, "{capacity}: {partition:?} {expected}");
+        // With V = 0 it is the steady one.
+        scene.loading.slip_rate = 0.0;
+        let resting = simulate(&scene, &Unwatched).unwrap().scalars[Quantity::HeatPartition];
+        assert!((resting.value / steady - 1.0).abs() < 1e-4, "{resting:?} {steady}");
+        assert!(resting.error > 0.0 && resting.error < 0.01 * steady, "{resting:?}");
         // At 10 m/s the counterface takes up much more than at rest.
         (scene.loading.slip_rate, scene.model.heat) = (10.0, Switch::Off);
         let fast = simulate(&scene, &Unwatched).unwrap().scalars[Quantity::HeatPartition];

@@ -13,6 +13,9 @@ use crate::simulate::steady::steady_friction;
 /// Relative change of μ over the last quarter of the slide below which it is steady.
 const STEADY_CHANGE: f64 = 0.02;
 
+/// Share of ∫τ̄ ds below which its loss by weakening is a rounding error.
+const ROUNDING: f64 = 1e-9;
+
 /// The scalars of one run, SI, without errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Values {
@@ -171,7 +174,8 @@ fn mean_friction(history: &[SlideState]) -> f64 {
     if load > 0.0 { integral(|state| state.friction, |slip| slip) / load } else { 0.0 }
 }
 
-/// ∫(τ̄ − τ̄_end) ds from the peak of τ̄ = Q/A to the end, trapezoidal.
+/// ∫(τ̄ − τ̄_end) ds from the peak of τ̄ = Q/A to the end, trapezoidal; 0 where it is a rounding error of ∫τ̄ ds, as at
+/// constant strength: interpolation takes the logarithm of what is positive.
 fn weakening(history: &[SlideState]) -> f64 {
     let stress = |i: &SlideState| {
         if i.area > 0.0 { i.friction / i.area } else { 0.0 }
@@ -179,11 +183,13 @@ fn weakening(history: &[SlideState]) -> f64 {
     let peak =
         (0..history.len()).max_by(|&a, &b| stress(&history[a]).total_cmp(&stress(&history[b]))).unwrap_or(0);
     let end = history.last().map_or(0.0, stress);
-    history[peak..]
-        .windows(2)
-        .map(|w| (0.5 * (stress(&w[0]) + stress(&w[1])) - end) * (w[1].slip - w[0].slip))
-        // A sum of nothing would be -0.
-        .fold(0.0, |sum, energy| sum + energy)
+    let (mut total, mut lost) = (0.0_f64, 0.0_f64);
+    for w in history[peak..].windows(2) {
+        let mean = 0.5 * (stress(&w[0]) + stress(&w[1]));
+        total += mean * (w[1].slip - w[0].slip);
+        lost += (mean - end) * (w[1].slip - w[0].slip);
+    }
+    if lost.abs() > ROUNDING * total.abs() { lost } else { 0.0 }
 }
 
 fn is_steady(history: &[SlideState]) -> bool {

@@ -12,7 +12,7 @@ use tables::closed_forms::hertz;
 use tables::quantity::Quantity;
 
 use super::heat_source::{START, slide_beside};
-use super::setup::{Hertz, last, mesh, plain_material, run_press, scene};
+use super::setup::{Hertz, last, mesh, plain_material, run_press, scene, slide_at_small_strain};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::heat::counterface::HalfSpace;
 use crate::scene::{Counterface, FrictionLaw, Scene, Switch};
@@ -24,9 +24,12 @@ const FIT: &str = "Tian & Kennedy 1994, doi 10.1115/1.2927035";
 const GAP: &str = "Carslaw & Jaeger 1959, sec. 10.5, and Volterra's equation for the flow through the gap";
 const DIVIDED: &str = "rises of half-spaces of one diffusivity, in proportion to 1/k";
 
-pub const CASES: [Case; 4] = [
+const SPHERE: &str = "Neumann function of the sphere, Dassios & Sten 2012, in the mean over a disc";
+
+pub const CASES: [Case; 5] = [
     Case::new("half-space under a disc source", Cost::Quick, |_| Ok(half_space())),
     Case::new("bodies at rest", Cost::Quick, at_rest),
+    Case::new("constriction of the asperity", Cost::Quick, constricted),
     Case::new("elastic counterface", Cost::Quick, elastic),
     Case::new("moving counterface", Cost::Medium, moving),
 ];
@@ -127,6 +130,27 @@ fn at_rest(watch: &dyn Watch) -> Rows {
     rows.push(Row::new(name("heat partition"), found, reference(0.60918), tolerance));
     let rise = (end[Quantity::TemperatureMean] - START) / heated.rise;
     rows.push(Row::new(name("mean rise over qa/k"), rise, reference(0.46473), tolerance));
+    Ok(rows)
+}
+
+/// A contact that is not small beside the asperity, so slow that both bodies are steady.
+fn constricted(watch: &dyn Watch) -> Rows {
+    let mut rows = Vec::new();
+    for interference in [4.0, 64.0, 400.0] {
+        let mut scene = slide_at_small_strain("aluminium-6061", interference, 1e-6, 8);
+        scene.model.heat = Switch::On;
+        scene.counterface = conducting(&scene, 1.0);
+        let scalars = simulate(&scene, watch)?.scalars;
+        let ratio = scalars[Quantity::ContactRadius].value / scene.radius;
+        let rise = 1.0 + 3.0 * PI / 32.0 * ratio * ((4.0 / ratio).ln() - 0.75);
+        let name = format!("heat partition beside a like body at rest, a = {ratio:.3} R");
+        // A fifth of the second term.
+        let flattened = 0.2 * (rise - 1.0) / (1.0 + rise);
+        let reference = Reference::exact(1.0 / (1.0 + rise), SPHERE).known_to(flattened);
+        let tolerance =
+            Tolerance::relative(0.003 + flattened, "mesh, 0.3 %; higher orders of a/R, flattened contact");
+        rows.push(Row::new(name, scalars[Quantity::HeatPartition], reference, tolerance));
+    }
     Ok(rows)
 }
 
