@@ -6,7 +6,8 @@
 //! μ(s) = μ_∞ + c/√s,   μ_∞ = 2μ(s) − μ(s/4)
 //!
 //! While heat has not yet diffused through the contact, Fo = κt/a² < 4, the rise grows as √t instead, and a change by
-//! Δμ from s/4 to s is one by up to 2Δμ/√Fo from s to the steady state.
+//! Δμ from s/4 to s is one by up to 2Δμ/√Fo from s to the steady state. Friction that falls ends between its present
+//! value and zero.
 
 use std::f64::consts::PI;
 
@@ -26,7 +27,15 @@ pub fn steady_friction(history: &[SlideState]) -> Estimate {
     // Without heat friction does not depend on time.
     let fourier = if last.area > 0.0 && last.heat_in != 0.0 { PI * last.time / last.area } else { 0.0 };
     let early = if fourier > 0.0 { (2.0 / fourier.sqrt()).max(1.0) } else { 1.0 };
-    Estimate::with_errors(value, [early * (value - mu(last.slip)), value - tends_to(0.5 * last.slip)])
+    let now = mu(last.slip);
+    let found = Estimate::with_errors(value, [early * (value - now), value - tends_to(0.5 * last.slip)]);
+    match value / now {
+        share if share < 0.0 => Estimate { value: 0.5 * now, error: 0.5 * now.abs() },
+        share if share < 1.0 => {
+            Estimate { error: found.error.min(value.abs().max((now - value).abs())), ..found }
+        }
+        _ => found,
+    }
 }
 
 #[cfg(test)]
@@ -60,6 +69,32 @@ mod tests {
         // Up to Fo = 1 it falls to 0.2.
         let found = steady_friction(&history);
         assert!((found.value - 0.2).abs() < found.error, "{found:?}");
+    }
+
+    /// It cannot fall below zero, nor rise again; also after a reversal.
+    #[test]
+    fn friction_that_falls_ends_between_its_present_value_and_zero() {
+        for direction in [1.0, -1.0] {
+            let of = |fall: f64| {
+                let mut history = slide(2.0, |slip| direction * (0.3 - fall * (slip / 2.0).sqrt()));
+                for state in &mut history {
+                    (state.area, state.heat_in, state.time) = (PI, 1.0, 1e-4 * state.slip / 2.0);
+                }
+                steady_friction(&history)
+            };
+            let (slow, fast) = (of(0.1), of(0.18));
+            // 2 × 0.2 − 0.25 and 2 × 0.12 − 0.21.
+            assert!(
+                (slow.value - direction * 0.15).abs() < 1e-3 && (slow.error - 0.15).abs() < 1e-3,
+                "{slow:?}"
+            );
+            assert!(
+                (fast.value - direction * 0.03).abs() < 1e-3 && (fast.error - 0.09).abs() < 1e-3,
+                "{fast:?}"
+            );
+            let faster = of(0.25);
+            assert!((faster.value - direction * 0.025).abs() < 1e-12 && (faster.error - 0.025).abs() < 1e-12);
+        }
     }
 
     #[test]
