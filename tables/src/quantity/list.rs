@@ -1,6 +1,5 @@
 //! The entries of the list.
 
-use super::Quantity::{self, *};
 use super::{Descriptor, ElasticLimit as Limit, Stored};
 
 /// Exponents (of R; of σ_Y, of E*) of each kind of quantity.
@@ -17,55 +16,97 @@ const ELASTIC_SLIP: Scaling = (1, (2, -2));
 /// A stress over an elastic slip.
 const ELASTIC_SLIP_ENERGY: Scaling = (1, (3, -2));
 
-/// Every quantity, in the order of [`Quantity`].
-#[rustfmt::skip]
-pub(super) const LIST: [Descriptor; HeatOut as usize + 1] = [
-    scalar(Mu, "mu", "1", NUMBER, Limit::SlidingCoefficient, "sliding friction coefficient Q/P").history(Stored::RunAndTable, "last value"),
-    scalar(MuStatic, "mu_static", "1", NUMBER, Limit::StaticCoefficient, "friction coefficient Q/P at sliding inception"),
-    scalar(MuPeak, "mu_peak", "1", NUMBER, Limit::StaticCoefficient, "largest friction coefficient Q/P of the slide"),
-    scalar(MuMean, "mu_mean", "1", NUMBER, Limit::SlidingCoefficient, "mean friction coefficient of the slide, work of friction over the integral of P along the slip").since(1),
-    scalar(Friction, "Q", "N", FORCE, Limit::SlidingFriction, "friction force").history(Stored::RunAndTable, "last value"),
-    scalar(FrictionStatic, "Q_static", "N", FORCE, Limit::StaticFriction, "friction force at sliding inception"),
-    scalar(Load, "P", "N", FORCE, Limit::Load, "normal force").history(Stored::RunAndTable, "last value"),
-    scalar(LoadPress, "P_press", "N", FORCE, Limit::Load, "normal force at the end of the press").history(Stored::Press, "last value").of_press(),
-    scalar(Area, "area", "m2", AREA, Limit::Area, "real contact area").history(Stored::RunAndTable, "last value"),
-    scalar(AreaPress, "area_press", "m2", AREA, Limit::Area, "real contact area at the end of the press").history(Stored::Press, "last value").of_press(),
-    scalar(ContactRadius, "contact_radius", "m", LENGTH, Limit::ContactRadius, "contact radius at the end of the press").of_press(),
-    scalar(EnergyRelease, "G", "J m-2", ELASTIC_SLIP_ENERGY, Limit::EnergyRelease, "energy released from full stick to full slip per contact area"),
-    scalar(EnergyWeakening, "G_weakening", "J m-2", ENERGY_PER_AREA, Limit::Weakening, "energy of slip weakening per contact area"),
-    scalar(TemperatureMax, "temperature_max", "K", NUMBER, Limit::TemperatureRise, "highest temperature of the contact").history(Stored::RunAndTable, "highest of the slide"),
-    scalar(TemperatureMean, "temperature_mean", "K", NUMBER, Limit::TemperatureRise, "mean temperature of the contact").history(Stored::Run, "last value"),
-    scalar(InceptionSlip, "inception_slip", "m", ELASTIC_SLIP, Limit::InceptionSlip, "slip at sliding inception"),
-    scalar(MuSteady, "mu_steady", "1", NUMBER, Limit::SlidingCoefficient, "friction coefficient Q/P that a longer slide tends to").since(2),
-    scalar(HeatPartition, "heat_partition", "1", NUMBER, Limit::FirstRow, "share of the frictional heat that enters the asperity").history(Stored::Run, "last value").since(3),
-    history(InterferencePress, "interference_press", "1", NUMBER, "interference over that of first yield").history(Stored::Press, ""),
-    history(Slip, "slip", "m", LENGTH, "slip: displacement of the flat since the end of the press"),
-    history(Interference, "interference", "1", NUMBER, "interference over that of first yield"),
-    history(Time, "time", "s", (2, (1, -1)), "time since the start of the slide"),
-    history(SlipRate, "slip_rate", "m s-1", (-1, (0, 0)), "rate of the displacement of the flat in the increment"),
-    history(ProgrammeStep, "programme_step", "1", NUMBER, "step of the programme of slip rates and holds, from 1"),
-    history(StickFraction, "stick_fraction", "1", NUMBER, "fraction that sticks of the contact that exists since the start of the motion"),
-    history(StrengthMobilised, "strength_mobilised", "1", NUMBER, "share of the shear strength that is mobilised, of the contact that exists since the start of the motion"),
-    history(PlasticStrainMax, "plastic_strain_max", "1", NUMBER, "largest equivalent plastic strain"),
-    history(Work, "work", "J", ENERGY, "work of the flat since the start of the slide"),
-    history(EnergyElastic, "energy_elastic", "J", ENERGY, "change of the elastic energy"),
-    history(DissipationPlastic, "dissipation_plastic", "J", ENERGY, "plastic dissipation"),
-    history(DissipationFriction, "dissipation_friction", "J", ENERGY, "frictional dissipation"),
-    history(WorkThermalExpansion, "work_thermal_expansion", "J", ENERGY, "work done through thermal expansion"),
-    history(EnergyModuliSoftening, "energy_moduli_softening", "J", ENERGY, "elastic energy released as the moduli fall with temperature"),
-    history(HeatIn, "heat_in", "J", ENERGY, "frictional and plastic heat that entered the body"),
-    history(HeatStored, "heat_stored", "J", ENERGY, "heat stored in the body"),
-    history(HeatCounterface, "heat_counterface", "J", ENERGY, "heat that entered a conducting counterface"),
-    history(HeatOut, "heat_out", "J", ENERGY, "heat that left through base and gap"),
-];
+/// The enumeration of the quantities and the list of their entries, from one line each. The meaning in words is the
+/// documentation of the variant.
+macro_rules! quantities {
+    ($(
+        $(#[$more:meta])*
+        $quantity:ident: $kind:ident($name:literal, $units:literal, $long_name:literal, $($scaling:expr),*)
+            $(.$change:ident($($with:expr),*))*;
+    )*) => {
+        /// A result of one asperity; see [`Quantity::descriptor`].
+        ///
+        /// The scalars come first, in the order in which they are reported.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Quantity {
+            $(
+                #[doc = concat!($long_name, ".")]
+                ///
+                $(#[$more])*
+                $quantity,
+            )*
+        }
+
+        /// Every quantity, in the order of [`Quantity`].
+        pub(super) const LIST: [Descriptor; [$(Quantity::$quantity),*].len()] = [$(
+            $kind(Quantity::$quantity, $name, $units, $long_name, $($scaling),*)$(.$change($($with),*))*,
+        )*];
+    };
+}
+
+quantities! {
+    /// At the end of the slide.
+    Mu: scalar("mu", "1", "sliding friction coefficient Q/P", NUMBER, Limit::SlidingCoefficient).history(Stored::RunAndTable, "last value");
+    MuStatic: scalar("mu_static", "1", "friction coefficient Q/P at sliding inception", NUMBER, Limit::StaticCoefficient);
+    MuPeak: scalar("mu_peak", "1", "largest friction coefficient Q/P of the slide", NUMBER, Limit::StaticCoefficient);
+    /// ∫Q ds/∫P ds.
+    MuMean: scalar("mu_mean", "1", "mean friction coefficient of the slide, work of friction over the integral of P along the slip", NUMBER, Limit::SlidingCoefficient).since(1);
+    /// Q at the end of the slide.
+    Friction: scalar("Q", "N", "friction force", FORCE, Limit::SlidingFriction).history(Stored::RunAndTable, "last value");
+    FrictionStatic: scalar("Q_static", "N", "friction force at sliding inception", FORCE, Limit::StaticFriction);
+    /// P at the end of the slide.
+    Load: scalar("P", "N", "normal force", FORCE, Limit::Load).history(Stored::RunAndTable, "last value");
+    LoadPress: scalar("P_press", "N", "normal force at the end of the press", FORCE, Limit::Load).history(Stored::Press, "last value").of_press();
+    /// A at the end of the slide.
+    Area: scalar("area", "m2", "real contact area", AREA, Limit::Area).history(Stored::RunAndTable, "last value");
+    AreaPress: scalar("area_press", "m2", "real contact area at the end of the press", AREA, Limit::Area).history(Stored::Press, "last value").of_press();
+    /// a₀.
+    ContactRadius: scalar("contact_radius", "m", "contact radius at the end of the press", LENGTH, Limit::ContactRadius).of_press();
+    /// G.
+    EnergyRelease: scalar("G", "J m-2", "energy released from full stick to full slip per contact area", ELASTIC_SLIP_ENERGY, Limit::EnergyRelease);
+    /// G_weakening: from the peak of Q/A to its end value.
+    EnergyWeakening: scalar("G_weakening", "J m-2", "energy of slip weakening per contact area", ENERGY_PER_AREA, Limit::Weakening);
+    /// Of the whole slide.
+    TemperatureMax: scalar("temperature_max", "K", "highest temperature of the contact", NUMBER, Limit::TemperatureRise).history(Stored::RunAndTable, "highest of the slide");
+    /// At the end of the slide.
+    TemperatureMean: scalar("temperature_mean", "K", "mean temperature of the contact", NUMBER, Limit::TemperatureRise).history(Stored::Run, "last value");
+    InceptionSlip: scalar("inception_slip", "m", "slip at sliding inception", ELASTIC_SLIP, Limit::InceptionSlip);
+    MuSteady: scalar("mu_steady", "1", "friction coefficient Q/P that a longer slide tends to", NUMBER, Limit::SlidingCoefficient).since(2);
+    /// Of the last increment.
+    HeatPartition: scalar("heat_partition", "1", "share of the frictional heat that enters the asperity", NUMBER, Limit::FirstRow).history(Stored::Run, "last value").since(3);
+    /// ω/ω_c during the press.
+    InterferencePress: history("interference_press", "1", "interference over that of first yield", NUMBER).history(Stored::Press, "");
+    Slip: history("slip", "m", "slip: displacement of the flat since the end of the press", LENGTH);
+    /// ω/ω_c during the slide; it changes under load control.
+    Interference: history("interference", "1", "interference over that of first yield", NUMBER);
+    Time: history("time", "s", "time since the start of the slide", (2, (1, -1)));
+    SlipRate: history("slip_rate", "m s-1", "rate of the displacement of the flat in the increment", (-1, (0, 0)));
+    ProgrammeStep: history("programme_step", "1", "step of the programme of slip rates and holds, from 1", NUMBER);
+    StickFraction: history("stick_fraction", "1", "fraction that sticks of the contact that exists since the start of the motion", NUMBER);
+    StrengthMobilised: history("strength_mobilised", "1", "share of the shear strength that is mobilised, of the contact that exists since the start of the motion", NUMBER);
+    PlasticStrainMax: history("plastic_strain_max", "1", "largest equivalent plastic strain", NUMBER);
+    Work: history("work", "J", "work of the flat since the start of the slide", ENERGY);
+    /// With that of the normal contact springs.
+    EnergyElastic: history("energy_elastic", "J", "change of the elastic energy", ENERGY);
+    DissipationPlastic: history("dissipation_plastic", "J", "plastic dissipation", ENERGY);
+    DissipationFriction: history("dissipation_friction", "J", "frictional dissipation", ENERGY);
+    /// ∫σ:dε_th.
+    WorkThermalExpansion: history("work_thermal_expansion", "J", "work done through thermal expansion", ENERGY);
+    EnergyModuliSoftening: history("energy_moduli_softening", "J", "elastic energy released as the moduli fall with temperature", ENERGY);
+    HeatIn: history("heat_in", "J", "frictional and plastic heat that entered the body", ENERGY);
+    /// ∫ρc(T − T₀) dV.
+    HeatStored: history("heat_stored", "J", "heat stored in the body", ENERGY);
+    HeatCounterface: history("heat_counterface", "J", "heat that entered a conducting counterface", ENERGY);
+    HeatOut: history("heat_out", "J", "heat that left through base and gap", ENERGY);
+}
 
 const fn scalar(
     quantity: Quantity,
     name: &'static str,
     units: &'static str,
+    long_name: &'static str,
     (radius_exponent, material_exponents): Scaling,
     elastic_limit: Limit,
-    long_name: &'static str,
 ) -> Descriptor {
     Descriptor {
         quantity,
@@ -87,10 +128,10 @@ const fn history(
     quantity: Quantity,
     name: &'static str,
     units: &'static str,
-    scaling: Scaling,
     long_name: &'static str,
+    scaling: Scaling,
 ) -> Descriptor {
-    let entry = scalar(quantity, name, units, scaling, Limit::None, long_name);
+    let entry = scalar(quantity, name, units, long_name, scaling, Limit::None);
     Descriptor { scalar: false, history: Stored::Run, ..entry }
 }
 
@@ -138,7 +179,7 @@ pub(super) const fn count(selection: Selection) -> usize {
 
 /// The quantities of a part, in the order of the list.
 pub(super) const fn select<const N: usize>(selection: Selection) -> [Quantity; N] {
-    let mut selected = [Mu; N];
+    let mut selected = [Quantity::Mu; N];
     let (mut index, mut count) = (0, 0);
     while index < LIST.len() {
         if belongs(&LIST[index], selection) {

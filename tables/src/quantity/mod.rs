@@ -18,89 +18,9 @@ mod scalars;
 mod words;
 
 pub use history::{History, State};
+pub use list::Quantity;
 pub use scalars::{COVERAGE_FACTOR, Estimate, OF_BOUND, Scalars, WithUnit};
 pub use words::{hint, nearest};
-
-/// A result of one asperity; see [`Quantity::descriptor`].
-///
-/// The scalars come first, in the order in which they are reported.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Quantity {
-    /// Q/P at the end of the slide.
-    Mu,
-    /// Q/P at sliding inception.
-    MuStatic,
-    /// Largest Q/P of the slide.
-    MuPeak,
-    /// ∫Q ds/∫P ds over the slide.
-    MuMean,
-    /// Q at the end of the slide.
-    Friction,
-    /// Q at sliding inception.
-    FrictionStatic,
-    /// P at the end of the slide.
-    Load,
-    /// P at the end of the press.
-    LoadPress,
-    /// A at the end of the slide.
-    Area,
-    /// A at the end of the press.
-    AreaPress,
-    /// a₀.
-    ContactRadius,
-    /// G: from full stick to full slip.
-    EnergyRelease,
-    /// G_weakening: from the peak of Q/A to its end value.
-    EnergyWeakening,
-    /// Highest temperature of the contact, of the whole slide.
-    TemperatureMax,
-    /// Mean over the contact at the end of the slide.
-    TemperatureMean,
-    /// s at sliding inception.
-    InceptionSlip,
-    /// Q/P that the slide tends to as it goes on.
-    MuSteady,
-    /// Share of the frictional heat that enters the asperity, of the last increment.
-    HeatPartition,
-    /// ω/ω_c during the press.
-    InterferencePress,
-    /// s: displacement of the flat.
-    Slip,
-    /// ω/ω_c during the slide; it changes under load control.
-    Interference,
-    /// t since the start of the slide.
-    Time,
-    /// V: rate of the flat's displacement in the increment.
-    SlipRate,
-    /// Step of the programme, from 1.
-    ProgrammeStep,
-    /// Fraction of the contact area that sticks.
-    StickFraction,
-    /// Share of the shear strength of the contact that is mobilised.
-    StrengthMobilised,
-    /// Largest equivalent plastic strain of the body.
-    PlasticStrainMax,
-    /// Work of the flat since the start of the slide.
-    Work,
-    /// Change of the elastic energy, with that of the normal contact springs.
-    EnergyElastic,
-    /// Plastic dissipation.
-    DissipationPlastic,
-    /// Frictional dissipation.
-    DissipationFriction,
-    /// ∫σ:dε_th.
-    WorkThermalExpansion,
-    /// Elastic energy released as the elastic moduli fall with temperature.
-    EnergyModuliSoftening,
-    /// Frictional and plastic heat that entered the body.
-    HeatIn,
-    /// ∫ρc(T − T₀) dV.
-    HeatStored,
-    /// Heat that entered a conducting counterface.
-    HeatCounterface,
-    /// Heat that left through the base and the gap.
-    HeatOut,
-}
 
 /// Where the history of a quantity is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
