@@ -61,7 +61,6 @@ pub const NAMES: [&str; 7] =
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no closed form is called \"{name}\"; there are {}", NAMES.join(", "))]
 pub struct UnknownClosedForm {
-    /// The given name.
     pub name: String,
 }
 

@@ -57,46 +57,16 @@ const MOST_EXPANSION: u64 = 1100;
 /// Error of a file.
 #[derive(Debug, thiserror::Error)]
 pub enum DatasetError {
-    /// It cannot be opened.
     #[error("cannot read {path}: {reason}")]
-    Open {
-        /// The file.
-        path: String,
-        /// Message of the system or of the library.
-        reason: String,
-    },
-    /// It cannot be written.
+    Open { path: String, reason: String },
     #[error("cannot write {path}: {reason}")]
-    Write {
-        /// The file.
-        path: String,
-        /// Message of the system or of the library.
-        reason: String,
-    },
-    /// It lacks a variable.
+    Write { path: String, reason: String },
     #[error("{path}: variable \"{variable}\" is missing; not a file of this kind")]
-    VariableMissing {
-        /// The file.
-        path: String,
-        /// Name of the variable.
-        variable: String,
-    },
-    /// It lacks a global attribute.
+    VariableMissing { path: String, variable: String },
     #[error("{path}: global attribute \"{attribute}\" is missing; not a file of this kind")]
-    AttributeMissing {
-        /// The file.
-        path: String,
-        /// Name of the attribute.
-        attribute: String,
-    },
-    /// Its content is wrong.
+    AttributeMissing { path: String, attribute: String },
     #[error("{path}: {what}")]
-    Content {
-        /// The file.
-        path: String,
-        /// Description of the error.
-        what: String,
-    },
+    Content { path: String, what: String },
 }
 
 /// Stops the HDF5 library from printing its error stack in this thread: it does so for

@@ -10,17 +10,10 @@ use super::distinct::{SameFile, check_distinct};
 /// Why an output is refused.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
-    /// It is an input or another output.
     #[error(transparent)]
     Same(#[from] SameFile),
-    /// It cannot be written.
     #[error("{path}: cannot be written: {reason}")]
-    Unwritable {
-        /// The output.
-        path: String,
-        /// What is in the way.
-        reason: String,
-    },
+    Unwritable { path: String, reason: String },
 }
 
 /// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is

@@ -51,33 +51,14 @@ pub fn on_rigid_flat(metal: &str) -> String {
 /// Why a table is unavailable.
 #[derive(Debug, thiserror::Error)]
 pub enum TableSourceError {
-    /// Neither a file nor shipped.
     #[error("{asked}: there is no such file, nor is a table of that name shipped; {hint}")]
-    Unknown {
-        /// File or name.
-        asked: String,
-        /// Nearest name and all names of shipped tables.
-        hint: String,
-    },
-    /// The file is no table.
+    Unknown { asked: String, hint: String },
     #[error(transparent)]
     File(#[from] DatasetError),
-    /// There is no table at the initial temperature.
     #[error("{asked}: {error}")]
-    Temperature {
-        /// File or name.
-        asked: String,
-        /// Why not.
-        error: TemperatureError,
-    },
-    /// A shipped table could not be unpacked.
+    Temperature { asked: String, error: TemperatureError },
     #[error("{name}: cannot be unpacked into a temporary file: {reason}")]
-    Unpacked {
-        /// Name of the shipped table.
-        name: &'static str,
-        /// Message of the system.
-        reason: std::io::Error,
-    },
+    Unpacked { name: &'static str, reason: std::io::Error },
 }
 
 /// The table in the file `asked`, or the shipped one of that name, of one initial temperature.

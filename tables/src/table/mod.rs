@@ -47,35 +47,15 @@ pub enum TableError {
 /// Reason why there is no table at an initial temperature.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TemperatureError {
-    /// The tables are several.
     #[error(
         "has initial temperatures from {from} to {to} K; choose one: asperity by --temperature, roughsurface by \
          query.temperature in the surface file or --set query.temperature=VALUE"
     )]
-    NotChosen {
-        /// The lowest, K.
-        from: f64,
-        /// The highest, K.
-        to: f64,
-    },
-    /// Outside the range: there is no extrapolation.
+    NotChosen { from: f64, to: f64 },
     #[error("initial temperature {asked} K is outside the table, which goes from {from} to {to} K")]
-    Outside {
-        /// K.
-        asked: f64,
-        /// The lowest, K.
-        from: f64,
-        /// The highest, K.
-        to: f64,
-    },
-    /// The table is one.
+    Outside { asked: f64, from: f64, to: f64 },
     #[error("is for an initial temperature of {own} K only, not {asked} K")]
-    Other {
-        /// K.
-        asked: f64,
-        /// Of the table, K.
-        own: f64,
-    },
+    Other { asked: f64, own: f64 },
 }
 
 /// Results of one asperity over initial temperature, interference and slip rate.
