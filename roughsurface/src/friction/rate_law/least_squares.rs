@@ -65,73 +65,62 @@ impl Curve {
 /// Relative error of the integrals over the surface.
 const TOLERANCE: f64 = 1e-6;
 
-/// Parameters of a form: friction at low and high slip rate, logarithm of the velocity, exponent.
-#[derive(Clone, Copy)]
-struct Parameters {
-    mu_0: f64,
-    plateau: f64,
-    ln_velocity: f64,
-    exponent: f64,
-}
+/// Parameters of a form, each at its place, of which the form fits those of [`Form::fitted`].
+type Parameters = [f64; 4];
+/// Friction at low slip rate.
+const MU_0: usize = 0;
+const LN_VELOCITY: usize = 1;
+const EXPONENT: usize = 2;
+/// Friction at high slip rate.
+const PLATEAU: usize = 3;
 
-impl Parameters {
+impl Form {
+    /// The places of the parameters that are fitted, in the order of the columns of the Jacobian.
+    fn fitted(&self) -> &'static [usize] {
+        match (self.exponent, self.has_plateau) {
+            (None, true) => &[MU_0, LN_VELOCITY, EXPONENT, PLATEAU],
+            (None, false) => &[MU_0, LN_VELOCITY, EXPONENT],
+            (Some(_), true) => &[MU_0, LN_VELOCITY, PLATEAU],
+            (Some(_), false) => &[MU_0, LN_VELOCITY],
+        }
+    }
+
+    /// Number of fitted parameters.
+    pub(super) fn parameters(&self) -> usize {
+        self.fitted().len()
+    }
+
     /// Share of μ_0 − μ_∞ that remains, and its derivatives with respect to ln V* and n.
-    fn share(&self, form: &Form, rate: f64) -> [f64; 3] {
-        let (logarithm, m) = (rate.ln() - self.ln_velocity, form.outer_exponent);
-        let power = (self.exponent * logarithm).exp();
+    fn share(&self, at: &Parameters, rate: f64) -> [f64; 3] {
+        let (logarithm, m) = (rate.ln() - at[LN_VELOCITY], self.outer_exponent);
+        let power = (at[EXPONENT] * logarithm).exp();
         let slope = m * power * (1.0 + power).powf(-m - 1.0);
-        [(1.0 + power).powf(-m), self.exponent * slope, -logarithm * slope]
+        [(1.0 + power).powf(-m), at[EXPONENT] * slope, -logarithm * slope]
     }
 
     /// Residuals and, by fitted parameter, their derivatives.
-    fn residuals(&self, form: &Form, curve: &Curve) -> (DVector<f64>, DMatrix<f64>) {
-        let shares: Vec<[f64; 3]> = curve.rates().map(|rate| self.share(form, rate)).collect();
-        let drop = self.mu_0 - self.plateau;
-        let fitted = DVector::from_iterator(shares.len(), shares.iter().map(|s| self.plateau + drop * s[0]));
-        let jacobian = DMatrix::from_fn(shares.len(), form.parameters(), |row, column| {
+    fn residuals(&self, at: &Parameters, curve: &Curve) -> (DVector<f64>, DMatrix<f64>) {
+        let drop = at[MU_0] - at[PLATEAU];
+        let shares: Vec<[f64; 3]> = curve.rates().map(|rate| self.share(at, rate)).collect();
+        let fitted = DVector::from_iterator(shares.len(), shares.iter().map(|s| at[PLATEAU] + drop * s[0]));
+        let jacobian = DMatrix::from_fn(shares.len(), self.parameters(), |row, column| {
             let [share, by_velocity, by_exponent] = shares[row];
-            match column {
-                0 => share,
-                1 => drop * by_velocity,
-                2 if form.exponent.is_none() => drop * by_exponent,
-                _ => 1.0 - share,
-            }
+            [share, drop * by_velocity, drop * by_exponent, 1.0 - share][self.fitted()[column]]
         });
         (fitted - curve.mu(), jacobian)
     }
 
-    fn moved(&self, form: &Form, step: &DVector<f64>) -> Self {
-        let free = usize::from(form.exponent.is_none());
-        Self {
-            mu_0: self.mu_0 + step[0],
-            ln_velocity: self.ln_velocity + step[1],
-            exponent: self.exponent + if free == 1 { step[2] } else { 0.0 },
-            plateau: self.plateau + if form.has_plateau { step[2 + free] } else { 0.0 },
-        }
-    }
-
-    /// The parameters in the order of the columns of the Jacobian; those that are not fitted do not change.
-    fn fitted(&self, form: &Form) -> [f64; 4] {
-        let Self { mu_0, plateau, ln_velocity, exponent } = *self;
-        match form.exponent {
-            None => [mu_0, ln_velocity, exponent, plateau],
-            Some(_) => [mu_0, ln_velocity, plateau, exponent],
-        }
-    }
-
-    /// The friction coefficients that fit best at this velocity and exponent, for which the problem is linear.
-    fn with_best_friction(mut self, form: &Form, curve: &Curve) -> Self {
-        let columns = if form.has_plateau { 2 } else { 1 };
-        let shares: Vec<f64> = curve.rates().map(|rate| self.share(form, rate)[0]).collect();
-        let matrix = DMatrix::from_fn(shares.len(), columns, |row, column| match column {
-            0 => shares[row],
+    /// Sets the friction coefficients that fit best at this velocity and exponent, for which the problem is linear.
+    fn fit_friction(&self, at: &mut Parameters, curve: &Curve) {
+        let friction = if self.has_plateau { &[MU_0, PLATEAU][..] } else { &[MU_0] };
+        let shares: Vec<f64> = curve.rates().map(|rate| self.share(at, rate)[0]).collect();
+        let matrix = DMatrix::from_fn(shares.len(), friction.len(), |row, column| match friction[column] {
+            MU_0 => shares[row],
             _ => 1.0 - shares[row],
         });
-        if let Ok(friction) = matrix.svd(true, true).solve(&curve.mu(), 1e-12) {
-            self.mu_0 = friction[0];
-            self.plateau = if form.has_plateau { friction[1] } else { 0.0 };
+        if let Ok(best) = matrix.svd(true, true).solve(&curve.mu(), 1e-12) {
+            friction.iter().zip(&best).for_each(|(place, value)| at[*place] = *value);
         }
-        self
     }
 }
 
@@ -145,9 +134,9 @@ fn start(form: &Form, curve: &Curve) -> Parameters {
     let exponents = form.exponent.map_or(vec![0.3, 0.5, 0.8, 1.2, 2.0], |exponent| vec![exponent]);
     let places = exponents.iter().flat_map(|n| (0..VELOCITIES).map(move |i| (at(i), *n)));
     let candidates = places.map(|(ln_velocity, exponent)| {
-        let place = Parameters { mu_0: 0.0, plateau: 0.0, ln_velocity, exponent };
-        let place = place.with_best_friction(form, curve);
-        (place.residuals(form, curve).0.norm_squared(), place)
+        let mut place = [0.0, ln_velocity, exponent, 0.0];
+        form.fit_friction(&mut place, curve);
+        (form.residuals(&place, curve).0.norm_squared(), place)
     });
     candidates.min_by(|one, other| one.0.total_cmp(&other.0)).expect("the grid is not empty").1
 }
@@ -157,7 +146,7 @@ pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, No
     let (place, residuals, jacobian) = descend(form, curve, start(form, curve));
     // Where friction rises, the best falling law is a constant.
     let explains = residuals.norm_squared() < (1.0 - TOLERANCE) * curve.variance();
-    match explains && place.mu_0 > place.plateau && place.exponent > 0.0 {
+    match explains && place[MU_0] > place[PLATEAU] && place[EXPONENT] > 0.0 {
         true => law(form, curve, place, &residuals, jacobian).ok_or(NoFit::Undetermined(f64::INFINITY)),
         false => Err(NoFit::NoWeakening),
     }
@@ -166,7 +155,7 @@ pub(super) fn minimise(form: &'static Form, curve: &Curve) -> Result<RateLaw, No
 /// From a place to the least squares, with residuals and Jacobian there.
 fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> (Parameters, DVector<f64>, DMatrix<f64>) {
     const MOST_STEPS: usize = 300;
-    let (mut residuals, mut jacobian) = place.residuals(form, curve);
+    let (mut residuals, mut jacobian) = form.residuals(&place, curve);
     let mut damping = 1e-3;
     for _ in 0..MOST_STEPS {
         let mut normal = jacobian.tr_mul(&jacobian);
@@ -175,8 +164,9 @@ fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> (Parameters, DV
         }
         let Some(factor) = normal.cholesky() else { break };
         let step = -factor.solve(&jacobian.tr_mul(&residuals));
-        let next = place.moved(form, &step);
-        let (there, slopes) = next.residuals(form, curve);
+        let mut next = place;
+        form.fitted().iter().zip(&step).for_each(|(parameter, step)| next[*parameter] += step);
+        let (there, slopes) = form.residuals(&next, curve);
         if there.norm_squared() <= residuals.norm_squared() {
             (place, residuals, jacobian) = (next, there, slopes);
             damping *= 0.2;
@@ -192,20 +182,16 @@ fn descend(form: &Form, curve: &Curve, mut place: Parameters) -> (Parameters, DV
     (place, residuals, jacobian)
 }
 
-/// Largest change of each parameter, in the order of the columns of the Jacobian, where a third of the slip rates is left out
-/// and a plateau is still seen.
-fn spread(form: &Form, curve: &Curve, whole: Parameters) -> [f64; 4] {
+/// Largest change of each parameter where a third of the slip rates is left out and a plateau is still seen.
+fn spread(form: &Form, curve: &Curve, whole: Parameters) -> Parameters {
     let mut spread = [0.0; 4];
-    let ln_velocity = whole.ln_velocity;
     let seen = |part: &Curve| {
-        let above = part.rates().filter(|rate| rate.ln() > ln_velocity).count();
+        let above = part.rates().filter(|rate| rate.ln() > whole[LN_VELOCITY]).count();
         part.len() >= form.parameters() && (!form.has_plateau || (above >= 2 && above < part.len()))
     };
     for part in curve.parts().iter().filter(|part| seen(part)) {
         let of_part = descend(form, part, whole).0;
-        for (largest, (one, other)) in
-            spread.iter_mut().zip(of_part.fitted(form).into_iter().zip(whole.fitted(form)))
-        {
+        for (largest, (one, other)) in spread.iter_mut().zip(of_part.into_iter().zip(whole)) {
             *largest = f64::max(*largest, (one - other).abs());
         }
     }
@@ -236,22 +222,21 @@ fn law(
     let variance = if count > parameters { squares / (count - parameters) as f64 } else { 0.0 };
     let errors = DVector::from_iterator(count, curve.points.iter().map(|(_, mu)| mu.error));
     let spread = spread(form, curve, place);
-    let error = |i: usize| {
-        let row = gain.row(i) / lengths[i];
-        f64::max(row.norm() * variance.sqrt(), spread[i]) + (row * &errors)[0].abs()
+    let estimate = |parameter: usize| {
+        let column = form.fitted().iter().position(|fitted| *fitted == parameter);
+        let error = column.map_or(0.0, |column| {
+            let row = gain.row(column) / lengths[column];
+            f64::max(row.norm() * variance.sqrt(), spread[parameter]) + (row * &errors)[0].abs()
+        });
+        Estimate { value: place[parameter], error }
     };
-    let free = usize::from(form.exponent.is_none());
-    let velocity = place.ln_velocity.exp();
-    let fitted = |is_fitted: bool, value: f64, i: usize| Estimate {
-        value,
-        error: if is_fitted { error(i) } else { 0.0 },
-    };
+    let (ln_velocity, velocity) = (estimate(LN_VELOCITY), place[LN_VELOCITY].exp());
     Some(RateLaw {
         form,
-        mu_0: fitted(true, place.mu_0, 0),
-        velocity: Estimate { value: velocity, error: velocity * error(1) },
-        exponent: fitted(free == 1, place.exponent, 2),
-        plateau: fitted(form.has_plateau, place.plateau, 2 + free),
+        mu_0: estimate(MU_0),
+        velocity: Estimate { value: velocity, error: velocity * ln_velocity.error },
+        exponent: estimate(EXPONENT),
+        plateau: estimate(PLATEAU),
         misfit: (squares / count as f64).sqrt(),
         r_squared: 1.0 - squares / curve.variance(),
         criterion: curve.criterion(parameters, squares),

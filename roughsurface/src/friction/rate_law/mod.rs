@@ -56,11 +56,6 @@ impl Form {
     ) -> Self {
         Self { name, formula, exponent, outer_exponent: 1.0, has_plateau }
     }
-
-    /// Number of fitted parameters.
-    fn parameters(&self) -> usize {
-        2 + usize::from(self.exponent.is_none()) + usize::from(self.has_plateau)
-    }
 }
 
 /// A fitted law.
