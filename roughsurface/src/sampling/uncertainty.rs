@@ -82,9 +82,9 @@ pub fn propagate(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Propagated, UncertaintyError> {
     let is_closed_form = table.starts_with("model:");
-    let fixed = file.uncertain.iter().find(|uncertain| uncertain.parameter.is_of_material());
+    let fixed = file.uncertain.iter().find(|uncertain| uncertain.parameter.is_of_material);
     if let Some(fixed) = fixed.filter(|_| !is_closed_form) {
-        return Err(UncertaintyError::Fixed { key: fixed.parameter.key() });
+        return Err(UncertaintyError::Fixed { key: fixed.parameter.key });
     }
     if is_closed_form && !file.uncertain_tables.is_empty() {
         return Err(UncertaintyError::NoTable);
@@ -96,7 +96,7 @@ pub fn propagate(
     };
     let mut propagated = Propagated::default();
     for uncertain in &file.uncertain {
-        let key = uncertain.parameter.key();
+        let key = uncertain.parameter.key;
         let up = again(&file.varied(uncertain.parameter, uncertain.std)?, table, key, "raised")?;
         let down = again(&file.varied(uncertain.parameter, -uncertain.std)?, table, key, "lowered")?;
         propagated.add(VariedParameter { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);

@@ -1,6 +1,6 @@
 //! The keys of the surface file and the rules for single keys.
 
-use super::parameter::{Parameter, Uncertain};
+use super::parameter::{PARAMETERS, Uncertain};
 use super::values::Values;
 use crate::surface::heights::HeightsKeys;
 use crate::surface::query::{ContactLife, Interaction, LoadingControl};
@@ -124,24 +124,6 @@ pub(super) fn interaction_of(
 }
 
 impl FileKeys {
-    /// Value of a parameter, if the file has it: of a distribution of radii, the mean.
-    fn value(&mut self, parameter: Parameter) -> Option<&mut f64> {
-        match parameter {
-            Parameter::AsperityDensity => Some(&mut self.surface.asperity_density),
-            Parameter::AsperityRadius => self.surface.asperity_radius.as_mut(),
-            Parameter::HeightsStd => self.surface.heights.std.as_mut(),
-            Parameter::YoungsModulus => self.material.as_mut().map(|material| &mut material.youngs_modulus),
-            Parameter::PoissonRatio => self.material.as_mut().map(|material| &mut material.poisson_ratio),
-            Parameter::YieldStrength => self.material.as_mut().map(|material| &mut material.yield_strength),
-        }
-    }
-
-    pub(super) fn shift(&mut self, parameter: Parameter, change: f64) {
-        if let Some(value) = self.value(parameter) {
-            *value += change;
-        }
-    }
-
     /// The other tables of the section `uncertainty`, relative paths in the folder of the surface file.
     pub(super) fn uncertain_tables(&self, folder: &Path) -> Vec<(String, PathBuf)> {
         let tables = self.uncertainty.iter().flat_map(|keys| &keys.tables);
@@ -153,22 +135,14 @@ impl FileKeys {
         let Some(keys) = self.uncertainty.take() else {
             return Ok(Vec::new());
         };
-        let stds = [
-            keys.asperity_density,
-            keys.asperity_radius,
-            keys.heights_std,
-            keys.youngs_modulus,
-            keys.poisson_ratio,
-            keys.yield_strength,
-        ];
         let mut uncertain = Vec::new();
-        for ((parameter, key), std) in Parameter::ALL.into_iter().zip(stds) {
-            let Some(std) = std else {
+        for parameter in &PARAMETERS {
+            let Some(std) = (parameter.std)(&keys) else {
                 continue;
             };
-            let key = format!("uncertainty.{key}");
-            let Some(&mut value) = self.value(parameter) else {
-                let missing = if parameter.is_of_material() {
+            let key = format!("uncertainty.{}", parameter.key);
+            let Some(&mut value) = (parameter.value)(self) else {
+                let missing = if parameter.is_of_material {
                     "needs a section [material]; beside a table of runs the key uncertainty.tables states uncertain constants"
                 } else {
                     "needs the value itself as a key of [surface]"

@@ -1,53 +1,61 @@
 //! Parameters of a surface file that may be given with a standard deviation.
 
+use super::keys::{FileKeys, UncertaintyKeys};
+
 /// A parameter that may be uncertain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Parameter {
-    AsperityDensity,
-    AsperityRadius,
-    HeightsStd,
-    YoungsModulus,
-    PoissonRatio,
-    YieldStrength,
-}
-
-impl Parameter {
-    /// All, with their keys in the section `uncertainty`.
-    pub const ALL: [(Self, &'static str); 6] = [
-        (Self::AsperityDensity, "asperity_density"),
-        (Self::AsperityRadius, "asperity_radius"),
-        (Self::HeightsStd, "heights_std"),
-        (Self::YoungsModulus, "youngs_modulus"),
-        (Self::PoissonRatio, "poisson_ratio"),
-        (Self::YieldStrength, "yield_strength"),
-    ];
-
+#[derive(Debug)]
+pub struct Parameter {
     /// Its key in the section `uncertainty`.
-    pub fn key(self) -> &'static str {
-        Self::ALL[self as usize].1
-    }
-
+    pub key: &'static str,
     /// Whether it belongs to the material, which a table brings with it.
-    pub fn is_of_material(self) -> bool {
-        matches!(self, Self::YoungsModulus | Self::PoissonRatio | Self::YieldStrength)
-    }
+    pub is_of_material: bool,
+    pub(super) std: fn(&UncertaintyKeys) -> Option<f64>,
+    /// Its value, if the file has it: of a distribution of radii, the mean.
+    pub(super) value: fn(&mut FileKeys) -> Option<&mut f64>,
 }
+
+pub(super) static PARAMETERS: [Parameter; 6] = [
+    Parameter {
+        key: "asperity_density",
+        is_of_material: false,
+        std: |keys| keys.asperity_density,
+        value: |file| Some(&mut file.surface.asperity_density),
+    },
+    Parameter {
+        key: "asperity_radius",
+        is_of_material: false,
+        std: |keys| keys.asperity_radius,
+        value: |file| file.surface.asperity_radius.as_mut(),
+    },
+    Parameter {
+        key: "heights_std",
+        is_of_material: false,
+        std: |keys| keys.heights_std,
+        value: |file| file.surface.heights.std.as_mut(),
+    },
+    Parameter {
+        key: "youngs_modulus",
+        is_of_material: true,
+        std: |keys| keys.youngs_modulus,
+        value: |file| Some(&mut file.material.as_mut()?.youngs_modulus),
+    },
+    Parameter {
+        key: "poisson_ratio",
+        is_of_material: true,
+        std: |keys| keys.poisson_ratio,
+        value: |file| Some(&mut file.material.as_mut()?.poisson_ratio),
+    },
+    Parameter {
+        key: "yield_strength",
+        is_of_material: true,
+        std: |keys| keys.yield_strength,
+        value: |file| Some(&mut file.material.as_mut()?.yield_strength),
+    },
+];
 
 /// A parameter with its standard deviation, in the unit of the parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Uncertain {
-    pub parameter: Parameter,
+    pub parameter: &'static Parameter,
     pub std: f64,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_stand_at_their_parameter() {
-        for (index, (parameter, key)) in Parameter::ALL.into_iter().enumerate() {
-            assert_eq!((parameter as usize, parameter.key()), (index, key));
-        }
-    }
 }

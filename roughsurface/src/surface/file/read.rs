@@ -102,7 +102,7 @@ impl SurfaceFile {
     }
 
     /// The same surface, query and material with one parameter moved by `change`.
-    pub fn varied(&self, parameter: Parameter, change: f64) -> Result<Self, SurfaceFileError> {
+    pub fn varied(&self, parameter: &Parameter, change: f64) -> Result<Self, SurfaceFileError> {
         Self::parse_moved(&self.file, self.text.clone(), Some((parameter, change)))
     }
 
@@ -114,7 +114,7 @@ impl SurfaceFile {
     fn parse_moved(
         file: &Path,
         text: String,
-        moved: Option<(Parameter, f64)>,
+        moved: Option<(&Parameter, f64)>,
     ) -> Result<Self, SurfaceFileError> {
         let content = |line: Option<usize>, what: String| content(file, line, what);
         let deserializer = toml::Deserializer::parse(&text)
@@ -124,8 +124,10 @@ impl SurfaceFile {
             let what = explain(&error.path().to_string(), inner.message());
             content(line_of(&text, inner.span()), what)
         })?;
-        if let Some((parameter, change)) = moved {
-            keys.shift(parameter, change);
+        if let Some((parameter, change)) = moved
+            && let Some(value) = (parameter.value)(&mut keys)
+        {
+            *value += change;
         }
         build(keys, file, &text).map_err(|what| content(None, what))
     }
