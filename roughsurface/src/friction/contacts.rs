@@ -5,7 +5,6 @@ use crate::friction::regime::RegimeShares;
 use crate::integral::asperity_at_slip::Additional;
 use crate::integral::contact_state::ContactState;
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
-use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
 use tables::closed_forms::kogut_etsion;
 use tables::law::{Estimate, LookupError, OptionalEstimate};
@@ -38,61 +37,38 @@ pub struct Contacts {
     pub temperature_max: Option<Estimate>,
 }
 
-/// The contacts at one slip rate and slip, for any separation.
-pub(crate) struct ContactsAtSlip<'a> {
-    asperities: Asperities<'a>,
-    heights: &'a dyn Heights,
-    /// The load of each counted above one of [`REGIMES`]; the first has the temperature, the second the load that does not
-    /// slide.
-    above: [SurfaceIntegral<'a>; 2],
-    /// With the error of the slip at which a contact begins to slide, the load counted above the start of the law.
-    beginning: SurfaceIntegral<'a>,
-    melting_temperature: Option<f64>,
-}
-
-impl<'a> ContactsAtSlip<'a> {
-    pub(crate) fn new(
-        asperities: Asperities<'a>,
+impl Contacts {
+    /// Those of `asperities` under a flat at `separation` (m), by integrals to a relative `tolerance`; the law has results
+    /// from the interference `law_start` (ω/ω_c) on.
+    pub(crate) fn of<'a>(
+        asperities: &Asperities<'a>,
         surface: &'a Surface,
+        separation: Estimate,
         (tolerance, law_start): (f64, f64),
         melting_temperature: Option<f64>,
-    ) -> Self {
+    ) -> Result<Self, LookupError> {
         let heights = surface.heights.as_ref();
-        let with_temperature = asperities.with(Additional::TemperatureRise);
-        let with_stick = asperities.with(Additional::StuckLoad);
-        let above =
-            [(&with_temperature, REGIMES[0]), (&with_stick, REGIMES[1])].map(|(asperities, regime)| {
-                let counted = asperities.counted_above(regime);
-                SurfaceIntegral::new(&counted, heights, surface.asperity_density, tolerance)
-            });
-        let beginning = asperities.with(Additional::InceptionError).counted_above(law_start);
-        let beginning = SurfaceIntegral::new(&beginning, heights, surface.asperity_density, tolerance);
-        Self { asperities, heights, above, beginning, melting_temperature }
-    }
-
-    /// Under a flat at `separation` (m).
-    pub(crate) fn at(&mut self, separation: Estimate) -> Result<Contacts, LookupError> {
         // Where the pressure hardly depends on the separation, its error may be infinite.
-        let error = separation.error.min(self.heights.standard_deviation());
+        let error = separation.error.min(heights.standard_deviation());
         let separation = Estimate { error, ..separation };
-        let yielded = self.above[0].at(separation.value)?;
-        let flowed = self.above[1].at(separation.value)?;
-        let beginning = self.beginning.at(separation.value)?;
+        let integral = |additional: Additional, counted_above: f64| {
+            let asperities = asperities.map(|one| one.with(additional).counted_above(counted_above));
+            SurfaceIntegral::new(&asperities, heights, surface.asperity_density, tolerance)
+        };
+        let mut of_yielded = integral(Additional::TemperatureRise, REGIMES[0]);
+        let yielded = of_yielded.at(separation.value)?;
+        let flowed = integral(Additional::StuckLoad, REGIMES[1]).at(separation.value)?;
+        let beginning = integral(Additional::InceptionError, law_start).at(separation.value)?;
         let of_load =
             |state: &ContactState| state.additional.map_or(0.0, |part| part.value / state.pressure.value);
         let (plastic, flowing) = (yielded.outside, flowed.outside);
-        let temperature_mean = self.temperature_mean(separation, yielded)?;
+        let temperature_mean = temperature_mean(asperities, &mut of_yielded, separation, yielded)?;
         let temperature_max = match temperature_mean {
-            Some(_) => highest_temperature(&self.asperities, self.heights, separation)?,
+            Some(_) => highest_temperature(asperities, heights, separation)?,
             None => None,
         };
-        Ok(Contacts {
-            shares: RegimeShares::of(
-                &self.asperities,
-                self.heights,
-                separation.value,
-                self.melting_temperature,
-            ),
+        Ok(Self {
+            shares: RegimeShares::of(asperities, heights, separation.value, melting_temperature),
             elastic_load: 1.0 - plastic,
             // Each of the two is exact to the tolerance of the integrals.
             elastic_plastic_load: (plastic - flowing).max(0.0),
@@ -104,21 +80,27 @@ impl<'a> ContactsAtSlip<'a> {
             temperature_max,
         })
     }
+}
 
-    /// ∫T̄Aφ dz/∫Aφ dz. Errors of the area, with one sign in all asperities, cancel.
-    fn temperature_mean(&mut self, separation: Estimate, mut state: ContactState) -> OptionalEstimate {
-        let mean = |state: &ContactState| Some(state.additional?.value / state.area_fraction.value);
-        self.above[0].complete_errors(separation.value, &mut state)?;
-        let closer = self.above[0].at(separation.value - separation.error)?;
-        let (Some(rise), Some(value), Some(moved)) = (state.additional, mean(&state), mean(&closer)) else {
-            return Ok(None);
-        };
-        let area = state.area_fraction;
-        let of_area = value * area.quadrature_error;
-        let errors = [rise.law_error, rise.quadrature_error, of_area].map(|error| error / area.value);
-        let initial = self.asperities.classes()[0].1.initial_temperature()?;
-        Ok(Some(Estimate::with_errors(initial + value, errors.into_iter().chain([moved - value]))))
-    }
+/// ∫T̄Aφ dz/∫Aφ dz by the `integral` of the temperature rise, which has the `state` at the separation (m). Errors of the
+/// area, with one sign in all asperities, cancel.
+fn temperature_mean(
+    asperities: &Asperities,
+    integral: &mut SurfaceIntegral,
+    separation: Estimate,
+    mut state: ContactState,
+) -> OptionalEstimate {
+    let mean = |state: &ContactState| Some(state.additional?.value / state.area_fraction.value);
+    integral.complete_errors(separation.value, &mut state)?;
+    let closer = integral.at(separation.value - separation.error)?;
+    let (Some(rise), Some(value), Some(moved)) = (state.additional, mean(&state), mean(&closer)) else {
+        return Ok(None);
+    };
+    let area = state.area_fraction;
+    let of_area = value * area.quadrature_error;
+    let errors = [rise.law_error, rise.quadrature_error, of_area].map(|error| error / area.value);
+    let initial = asperities.classes()[0].1.initial_temperature()?;
+    Ok(Some(Estimate::with_errors(initial + value, errors.into_iter().chain([moved - value]))))
 }
 
 #[cfg(test)]
@@ -137,8 +119,8 @@ mod tests {
     }
 
     fn contacts(surface: &Surface, law: &PowerLaw, separation: Estimate) -> Contacts {
-        let asperities = Asperities::new(law, surface, 1.0).unwrap().after(1.0);
-        ContactsAtSlip::new(asperities, surface, (1e-10, LAW_START), None).at(separation).unwrap()
+        let asperities = Asperities::new(law, surface, 1.0).unwrap().map(|asperity| asperity.after(1.0));
+        Contacts::of(&asperities, surface, separation, (1e-10, LAW_START), None).unwrap()
     }
 
     #[test]

@@ -23,39 +23,36 @@ pub(crate) fn highest_temperature(
     heights: &dyn Heights,
     separation: Estimate,
 ) -> OptionalEstimate {
-    let of = |classes, by: ByError| Contacts { classes, heights, separation, by }.temperature();
+    let of = |classes, with_law_error: bool, closer: f64| {
+        Contacts { classes, heights, separation: separation.value, with_law_error, closer }.temperature()
+    };
     let classes = asperities.classes();
-    let Some(value) = of(classes, ByError::None)? else { return Ok(None) };
-    let changed = [(classes, ByError::Law), (classes, ByError::Separation)];
-    let coarse = asperities.coarse_classes().map(|coarse| (coarse, ByError::None));
+    let Some(value) = of(classes, false, 0.0)? else { return Ok(None) };
+    let changed = [(classes, true, 0.0), (classes, false, separation.error)];
+    let coarse = asperities.coarse_classes().map(|coarse| (coarse, false, 0.0));
     let mut errors = Vec::new();
-    for (classes, by) in changed.into_iter().chain(coarse) {
-        errors.extend(of(classes, by)?.map(|other| other - value));
+    for (classes, with_law_error, closer) in changed.into_iter().chain(coarse) {
+        errors.extend(of(classes, with_law_error, closer)?.map(|other| other - value));
     }
     Ok(Some(Estimate::with_errors(value, errors)))
-}
-
-/// The error by which contacts are changed to see what it amounts to.
-#[derive(Clone, Copy)]
-enum ByError {
-    None,
-    Law,
-    Separation,
 }
 
 struct Contacts<'s, 'a> {
     /// Share of the summits and asperity of each radius.
     classes: &'s [(f64, AsperityAtSlip<'a>)],
     heights: &'s dyn Heights,
-    separation: Estimate,
-    by: ByError,
+    separation: f64,
+    /// Whether temperatures are higher by their error, and by how much (m) summits are pressed more, to see what an error
+    /// amounts to.
+    with_law_error: bool,
+    closer: f64,
 }
 
 impl Contacts<'_, '_> {
     fn temperature(&self) -> Result<Option<f64>, LookupError> {
-        let hotter = HOTTER * self.heights.tail(self.separation.value);
+        let hotter = HOTTER * self.heights.tail(self.separation);
         let excess = |height: f64| (self.heights.tail(height) / hotter).ln().max(-1e3);
-        let from = self.separation.value;
+        let from = self.separation;
         let Some(height) = height_of(excess, from, self.heights.standard_deviation()) else {
             return Ok(None);
         };
@@ -78,25 +75,23 @@ impl Contacts<'_, '_> {
 
     /// Highest temperature of the contact of a summit at `height` (m).
     fn at(&self, asperity: &AsperityAtSlip, height: f64) -> Result<f64, LookupError> {
-        let Estimate { value, error } = self.separation;
-        let closer = if matches!(self.by, ByError::Separation) { error } else { 0.0 };
-        let pressed = (height - value + closer) / asperity.critical_interference();
-        let temperature = asperity.response(pressed)?.temperature_max;
-        Ok(temperature.value + if matches!(self.by, ByError::Law) { temperature.error } else { 0.0 })
+        let pressed = (height - self.separation + self.closer) / asperity.critical_interference();
+        let Estimate { value, error } = asperity.response(pressed)?.temperature_max;
+        Ok(if self.with_law_error { value + error } else { value })
     }
 
     /// Share of the summits hotter than `temperature` (K), which the one at `start` (m) or others around it have.
     fn hotter_than(&self, temperature: f64, start: f64) -> Result<f64, LookupError> {
-        let touching = self.heights.tail(self.separation.value);
+        let touching = self.heights.tail(self.separation);
         let mut hotter = 0.0;
         for (share, asperity) in self.classes {
             let excess =
                 |height: f64| -> Result<f64, LookupError> { Ok(self.at(asperity, height)? - temperature) };
-            let (mut low, mut high) = (self.separation.value, start);
+            let (mut low, mut high) = (self.separation, start);
             while excess(high)? < 0.0 && self.heights.tail(high) > NONE * touching {
-                (low, high) = (high, high + (high - self.separation.value));
+                (low, high) = (high, high + (high - self.separation));
             }
-            let accuracy = Accuracy { value: 0.0, width: 1e-9 * (high - self.separation.value) };
+            let accuracy = Accuracy { value: 0.0, width: 1e-9 * (high - self.separation) };
             // A radius that does not get as hot has no such height, nor one that is hotter from the start.
             let height = match excess(high)? < 0.0 {
                 true => f64::INFINITY,
@@ -138,7 +133,7 @@ mod tests {
         let law = PowerLaw { relative_error, ..law };
         let heights = Box::new(Exponential::new(STD));
         let surface = Surface { asperity_radius: radii, ..surface(heights) };
-        let asperities = Asperities::new(&law, &surface, 1.0).unwrap().after(1.0);
+        let asperities = Asperities::new(&law, &surface, 1.0).unwrap().map(|asperity| asperity.after(1.0));
         highest_temperature(&asperities, surface.heights.as_ref(), separation).unwrap().unwrap()
     }
 

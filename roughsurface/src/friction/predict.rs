@@ -6,9 +6,8 @@ use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::{SlipState, resampled, slip_grid};
-use crate::friction::sweep::{Slide, SlidingRow, Sweep, loaded_radii};
+use crate::friction::sweep::{Pressed, Slide, SlidingRow, Sweep, loaded_radii};
 use crate::friction::warning::Warning;
-use crate::integral::separation::EquilibriumState;
 use crate::surface::query::{ContactLife, Query, Surface};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -35,7 +34,7 @@ pub fn predict(
     let cells: Vec<Cell> = (0..rows).flat_map(|row| (0..rates).map(move |rate| (row, rate))).collect();
     let place = |(row, rate): Cell| row * rates + rate;
     let pressed = in_order(&cells, |(row, rate)| sweep.press(row, rate))?;
-    let grid = |row: &[EquilibriumState]| slip_grid(loaded_radii(row), settings.slip_points);
+    let grid = |row: &[Pressed]| slip_grid(loaded_radii(row), settings.slip_points);
     let (slip, slips) = (grid(&pressed), pressed.chunks(rates).map(grid).collect::<Vec<_>>());
     let curves = slide_all(&sweep, &pressed, &slips, progress)?;
     let contacts = in_order(&cells, |(row, rate)| {
@@ -45,7 +44,7 @@ pub fn predict(
     })?;
     let of_all_ages =
         |life: ContactLife| in_order(&cells, |cell| sweep.slide_steadily(cell, life, &pressed[place(cell)]));
-    let at_first_rate: Vec<&EquilibriumState> = pressed.iter().step_by(rates).collect();
+    let at_first_rate: Vec<&Pressed> = pressed.iter().step_by(rates).collect();
     let rate_step = sweep.rate_step(&at_first_rate)?;
     let (sliding, lasting) = (of_all_ages(query.contact_life)?, of_all_ages(ContactLife::Steady)?);
 
@@ -105,7 +104,7 @@ fn in_order<C: Copy + Sync, T: Send>(
 /// `pressed`, at slips that are its own whatever other rows there are.
 fn slide_all(
     sweep: &Sweep,
-    pressed: &[EquilibriumState],
+    pressed: &[Pressed],
     slips: &[Vec<f64>],
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Vec<SlipState>>, PredictionError> {

@@ -1,20 +1,47 @@
 //! Integrals over heights and radii: the sum of those of single radii.
 
-use crate::integral::asperity_at_slip::{Additional, AsperityAtSlip};
+use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::contact_state::{ContactState, Integral};
 use crate::integral::height_integral::HeightIntegral;
 use crate::surface::heights::Heights;
-use crate::surface::query::{ContactLife, Surface};
+use crate::surface::query::Surface;
 use crate::surface::radii::RadiusClass;
-use std::sync::Arc;
+use std::convert::Infallible;
 use tables::law::{AsperityLaw, LookupError};
 
-/// The asperities of each radius at one slip rate and slip, with their share of the summits.
-#[derive(Clone)]
-pub struct Asperities<'a> {
-    classes: Arc<[(f64, AsperityAtSlip<'a>)]>,
-    coarse: Option<Arc<[(f64, AsperityAtSlip<'a>)]>>,
+/// Something for each radius, by ascending radius, with the share of the summits that have it.
+pub struct ByRadius<T> {
+    classes: Vec<(f64, T)>,
+    /// For fewer radii of the same distribution, where it is a continuous one.
+    coarse: Option<Vec<(f64, T)>>,
 }
+
+impl<T> ByRadius<T> {
+    /// Something else for each radius.
+    pub fn map<U>(&self, of: impl Fn(&T) -> U) -> ByRadius<U> {
+        let Ok(mapped) = self.try_map(|one| Ok::<U, Infallible>(of(one)));
+        mapped
+    }
+
+    /// The same, if there is something else for each.
+    pub fn try_map<U, E>(&self, of: impl Fn(&T) -> Result<U, E>) -> Result<ByRadius<U>, E> {
+        let all = |classes: &Vec<(f64, T)>| -> Result<Vec<(f64, U)>, E> {
+            classes.iter().map(|(share, one)| Ok((*share, of(one)?))).collect()
+        };
+        Ok(ByRadius { classes: all(&self.classes)?, coarse: self.coarse.as_ref().map(all).transpose()? })
+    }
+
+    pub fn classes(&self) -> &[(f64, T)] {
+        &self.classes
+    }
+
+    pub fn coarse_classes(&self) -> Option<&[(f64, T)]> {
+        self.coarse.as_deref()
+    }
+}
+
+/// The asperities of each radius at one slip rate and slip.
+pub type Asperities<'a> = ByRadius<AsperityAtSlip<'a>>;
 
 impl<'a> Asperities<'a> {
     /// Asperities of `surface` that slide at `slip_rate` (m/s), before the slide.
@@ -25,66 +52,10 @@ impl<'a> Asperities<'a> {
         let radii = &surface.asperity_radius;
         Ok(Self { classes: of(radii.classes())?, coarse: radii.coarse().map(of).transpose()? })
     }
-
-    fn changed(&self, change: impl Fn(&AsperityAtSlip<'a>) -> AsperityAtSlip<'a>) -> Self {
-        let all = |classes: &Arc<[(f64, AsperityAtSlip<'a>)]>| {
-            classes.iter().map(|(share, asperity)| (*share, change(asperity))).collect()
-        };
-        Self { classes: all(&self.classes), coarse: self.coarse.as_ref().map(all) }
-    }
-
-    /// The same asperities after another slip (m).
-    pub fn after(&self, slip: f64) -> Self {
-        self.changed(|asperity| asperity.after(slip))
-    }
-
-    /// The same asperities in steady sliding, with contacts of all ages of their `life`.
-    pub fn of_all_ages(&self, life: ContactLife) -> Self {
-        self.changed(|asperity| asperity.of_all_ages(life))
-    }
-
-    /// The same asperities with contacts of all ages of a life in `diameters`, which have slid at `before` (m/s) until now.
-    pub fn stepping_from(&self, before: f64, diameters: f64) -> Result<Self, LookupError> {
-        let all = |classes: &Arc<[(f64, AsperityAtSlip<'a>)]>| {
-            let stepping = |(share, asperity): &(f64, AsperityAtSlip<'a>)| {
-                Ok((*share, asperity.stepping_from(before, diameters)?))
-            };
-            classes.iter().map(stepping).collect::<Result<_, LookupError>>()
-        };
-        Ok(Self { classes: all(&self.classes)?, coarse: self.coarse.as_ref().map(all).transpose()? })
-    }
-
-    /// Those after a slip (m) since the step.
-    pub fn since_step(&self, slip: f64) -> Self {
-        self.changed(|asperity| asperity.since_step(slip))
-    }
-
-    /// The same asperities with an additional quantity, if the law states it.
-    pub fn with(&self, additional: Additional) -> Self {
-        self.changed(|asperity| asperity.with(additional))
-    }
-
-    /// The same asperities, the load above `interference` (ω/ω_c) counted in [`ContactState::outside`].
-    pub fn counted_above(&self, interference: f64) -> Self {
-        self.changed(|asperity| asperity.counted_above(interference))
-    }
-
-    /// Share of the summits and asperity of each radius, by ascending radius.
-    pub fn classes(&self) -> &[(f64, AsperityAtSlip<'a>)] {
-        &self.classes
-    }
-
-    /// Fewer radii of the same distribution, where it is a continuous one.
-    pub fn coarse_classes(&self) -> Option<&[(f64, AsperityAtSlip<'a>)]> {
-        self.coarse.as_deref()
-    }
 }
 
 /// A rough surface at one slip rate and slip, for any separation.
-pub struct SurfaceIntegral<'a> {
-    classes: Vec<(f64, HeightIntegral<'a>)>,
-    coarse: Option<Vec<(f64, HeightIntegral<'a>)>>,
-}
+pub struct SurfaceIntegral<'a>(ByRadius<HeightIntegral<'a>>);
 
 impl<'a> SurfaceIntegral<'a> {
     /// `heights` of `asperity_density` (1/m²) summits; `tolerance` as in [`HeightIntegral::new`].
@@ -94,28 +65,25 @@ impl<'a> SurfaceIntegral<'a> {
         asperity_density: f64,
         tolerance: f64,
     ) -> Self {
-        let integrals = |classes: &Arc<[(f64, AsperityAtSlip<'a>)]>| {
-            let integral = |(share, asperity): &(f64, AsperityAtSlip<'a>)| {
-                (*share, HeightIntegral::new(asperity.clone(), heights, asperity_density, tolerance))
-            };
-            classes.iter().map(integral).collect()
+        let integral = |asperity: &AsperityAtSlip<'a>| {
+            HeightIntegral::new(asperity.clone(), heights, asperity_density, tolerance)
         };
-        Self { classes: integrals(&asperities.classes), coarse: asperities.coarse.as_ref().map(integrals) }
+        Self(asperities.map(integral))
     }
 
     /// Asperities of each radius with heights of their own, and the share of the summits.
     pub fn of_parts(classes: Vec<(f64, HeightIntegral<'a>)>) -> Self {
-        Self { classes, coarse: None }
+        Self(ByRadius { classes, coarse: None })
     }
 
     /// The state at `separation` (m).
     pub fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
-        sum(&mut self.classes, separation)
+        sum(&mut self.0.classes, separation)
     }
 
     /// Adds to a state at `separation` (m) the errors that a search for the separation does not need.
     pub fn complete_errors(&mut self, separation: f64, state: &mut ContactState) -> Result<(), LookupError> {
-        if let Some(coarse) = &mut self.coarse {
+        if let Some(coarse) = &mut self.0.coarse {
             let other = sum(coarse, separation)?;
             let widen = |integral: &mut Integral, other: Integral| {
                 integral.quadrature_error += (integral.value - other.value).abs();
@@ -156,7 +124,8 @@ mod tests {
         let law = closed_form(model, &STEEL).unwrap();
         let heights = Box::new(Exponential::new(std));
         let surface = Surface { asperity_density: 1e10, asperity_radius, heights };
-        let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-3);
+        let asperities =
+            Asperities::new(law.as_ref(), &surface, 1.0).unwrap().map(|asperity| asperity.after(1e-3));
         let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-12);
         let mut state = integral.at(separation).unwrap();
         integral.complete_errors(separation, &mut state).unwrap();

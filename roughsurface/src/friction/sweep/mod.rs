@@ -3,7 +3,7 @@
 
 mod rates;
 
-use crate::friction::contacts::{Contacts, ContactsAtSlip};
+use crate::friction::contacts::Contacts;
 use crate::friction::result::Friction;
 use crate::friction::settings::{PredictionError, Settings};
 use crate::friction::slip_curve::{HeldSeparation, SlipState, inception};
@@ -45,11 +45,28 @@ pub(crate) struct Slide {
     pub(crate) lasting: SlipState,
 }
 
+/// The surface under the pressure or separation of a row, before the slide.
+pub(crate) struct Pressed {
+    equilibrium: EquilibriumState,
+    at_rest: SlipState,
+    /// Pressure (Pa), which a held load keeps; it has an error where the query gives the separation.
+    pressure: Estimate,
+    /// Separation (m), which a held separation keeps, and its error; it has one where the query gives the pressure.
+    separation: (f64, HeldSeparation),
+    energy_release: Option<Estimate>,
+}
+
+impl Pressed {
+    fn history(&self) -> PredictorHistory {
+        self.equilibrium.predictor().into()
+    }
+}
+
 /// A row of the query, the surface that is pressed, and neighbouring slips (m) of its slide.
 pub(crate) struct SlidingRow<'s> {
     pub(crate) row: usize,
     pub(crate) slips: &'s [f64],
-    pub(crate) pressed: &'s EquilibriumState,
+    pub(crate) pressed: &'s Pressed,
 }
 
 /// One query of one surface.
@@ -82,55 +99,41 @@ impl<'a> Sweep<'a> {
         SurfaceIntegral::new(asperities, heights, self.surface.asperity_density, self.settings.tolerance)
     }
 
-    /// The surface under the pressure or separation of a row, before the slide.
-    pub(crate) fn press(&self, row: usize, rate: usize) -> Result<EquilibriumState, PredictionError> {
+    pub(crate) fn press(&self, row: usize, rate: usize) -> Result<Pressed, PredictionError> {
         let (heights, tolerance) = (self.surface.heights.as_ref(), self.settings.tolerance);
-        let mut integral = self.integral(&self.asperities[rate].with(Additional::EnergyRelease));
-        let equilibrium = match &self.query.loading {
+        let asperities = self.asperities[rate].map(|asperity| asperity.with(Additional::EnergyRelease));
+        let mut integral = self.integral(&asperities);
+        let (equilibrium, at_rest, pressure, held, shift) = match &self.query.loading {
             NormalLoading::Pressure(pressures) => {
+                let pressure = Estimate::exact(pressures[row]);
                 let predictor = Predictor::at(heights.mode(), heights);
-                separation_for(&mut integral, heights, pressures[row], predictor, tolerance)?
+                let found = separation_for(&mut integral, heights, pressure.value, predictor, tolerance)?;
+                let at_rest = SlipState::at_pressure(&found, pressure, self.plane);
+                let held = HeldSeparation::found(&found, pressure.value);
+                (found, at_rest, pressure, held, found.separation_error(pressure.value))
             }
             NormalLoading::Separation(separations) => {
                 let effective =
                     self.plane.effective_separation(&mut integral, heights, separations[row], tolerance)?;
-                EquilibriumState::at(&mut integral, heights, effective)?
+                let found = EquilibriumState::at(&mut integral, heights, effective)?;
+                let held = HeldSeparation::default();
+                let at_rest = SlipState::held(&found, held, self.plane);
+                let pressure = found.state.pressure.estimate();
+                let shift = self.plane.displacement_error(pressure, found.sensitivity.pressure);
+                (found, at_rest, at_rest.pressure, held, shift)
             }
         };
-        match equilibrium.state.pressure.value > 0.0 {
-            true => Ok(equilibrium),
-            false => Err(PredictionError::NoContact { loading: self.query.loading.describe(row) }),
+        let touches = equilibrium.state.pressure.value > 0.0;
+        if !touches {
+            return Err(PredictionError::NoContact { loading: self.query.loading.describe(row) });
         }
-    }
-
-    /// Pressure (Pa) before the slide; it has an error where the query gives the separation.
-    fn pressure(&self, row: usize, pressed: &EquilibriumState) -> Estimate {
-        match &self.query.loading {
-            NormalLoading::Pressure(pressures) => Estimate::exact(pressures[row]),
-            NormalLoading::Separation(_) => {
-                SlipState::held(pressed, HeldSeparation::default(), self.plane).pressure
-            }
-        }
-    }
-
-    /// Separation (m) before the slide and its error; it has one where the query gives the pressure.
-    fn separation(&self, row: usize, pressed: &EquilibriumState) -> (f64, HeldSeparation) {
-        let pressure = self.pressure(row, pressed).value;
-        let separation = pressed.separation - self.plane.displacement(Estimate::exact(pressure)).value;
-        match &self.query.loading {
-            NormalLoading::Pressure(_) => (separation, HeldSeparation::found(pressed, pressure)),
-            NormalLoading::Separation(_) => (separation, HeldSeparation::default()),
-        }
-    }
-
-    /// The surface of a row before the slide.
-    fn at_rest(&self, row: usize, pressed: &EquilibriumState) -> SlipState {
-        match &self.query.loading {
-            NormalLoading::Pressure(_) => {
-                SlipState::at_pressure(pressed, self.pressure(row, pressed), self.plane)
-            }
-            NormalLoading::Separation(_) => SlipState::held(pressed, HeldSeparation::default(), self.plane),
-        }
+        let displacement = self.plane.displacement(Estimate::exact(pressure.value));
+        let separation = (equilibrium.separation - displacement.value, held);
+        let energy_release = equilibrium.state.additional.map(|energy| {
+            let Estimate { value, error } = energy.estimate();
+            Estimate { value, error: error + shift * (equilibrium.sensitivity.additional * value).abs() }
+        });
+        Ok(Pressed { equilibrium, at_rest, pressure, separation, energy_release })
     }
 
     /// The surface of each of the `rows` after its neighbouring slips (m). Rows share the responses of the asperities where
@@ -140,15 +143,14 @@ impl<'a> Sweep<'a> {
         rate: usize,
         rows: &[SlidingRow<'_>],
     ) -> Result<Vec<Vec<SlipState>>, PredictionError> {
-        let mut histories: Vec<PredictorHistory> =
-            rows.iter().map(|row| PredictorHistory::from(row.pressed.predictor())).collect();
+        let mut histories: Vec<PredictorHistory> = rows.iter().map(|row| row.pressed.history()).collect();
         let mut states: Vec<Vec<SlipState>> = rows.iter().map(|_| Vec::new()).collect();
         let next = |states: &[Vec<SlipState>]| {
             let slips = rows.iter().zip(states).filter_map(|(row, done)| row.slips.get(done.len()));
             slips.copied().min_by(f64::total_cmp)
         };
         while let Some(slip) = next(&states) {
-            let mut integral = self.integral(&self.asperities[rate].after(slip));
+            let mut integral = self.integral(&self.asperities[rate].map(|asperity| asperity.after(slip)));
             for ((row, history), states) in rows.iter().zip(&mut histories).zip(&mut states) {
                 if row.slips.get(states.len()) == Some(&slip) {
                     let cell = (row.row, self.query.slip_rates[rate]);
@@ -164,7 +166,7 @@ impl<'a> Sweep<'a> {
         &self,
         (row, rate): (usize, usize),
         life: ContactLife,
-        pressed: &EquilibriumState,
+        pressed: &Pressed,
     ) -> Result<SlipState, PredictionError> {
         self.steady(&self.asperities[rate], (row, self.query.slip_rates[rate]), life, pressed)
     }
@@ -174,12 +176,11 @@ impl<'a> Sweep<'a> {
         asperities: &Asperities<'a>,
         cell: (usize, f64),
         life: ContactLife,
-        pressed: &EquilibriumState,
+        pressed: &Pressed,
     ) -> Result<SlipState, PredictionError> {
-        let asperities = asperities.of_all_ages(life).with(Additional::UnsteadyLoad);
+        let asperities = asperities.map(|one| one.of_all_ages(life).with(Additional::UnsteadyLoad));
         let known = asperities.classes().iter().all(|(_, asperity)| asperity.has_friction_of_all_ages());
-        let mut history = PredictorHistory::from(pressed.predictor());
-        let state = self.slid(cell, &mut self.integral(&asperities), pressed, &mut history)?;
+        let state = self.slid(cell, &mut self.integral(&asperities), pressed, &mut pressed.history())?;
         Ok(if known { state } else { state.without_friction() })
     }
 
@@ -188,23 +189,22 @@ impl<'a> Sweep<'a> {
         &self,
         (row, slip_rate): (usize, f64),
         integral: &mut SurfaceIntegral,
-        before: &EquilibriumState,
+        before: &Pressed,
         history: &mut PredictorHistory,
     ) -> Result<SlipState, PredictionError> {
         let (heights, tolerance) = (self.surface.heights.as_ref(), self.settings.tolerance);
         let state = match self.query.control {
             LoadingControl::Separation => {
-                let (separation, held) = self.separation(row, before);
+                let (separation, held) = before.separation;
                 let effective = self.plane.effective_separation(integral, heights, separation, tolerance)?;
                 let equilibrium = EquilibriumState::at(integral, heights, effective)?;
                 SlipState::held(&equilibrium, held, self.plane)
             }
             LoadingControl::Load => {
-                let pressure = self.pressure(row, before);
-                let equilibrium =
-                    separation_for(integral, heights, pressure.value, history.next(), tolerance)?;
+                let asked = before.pressure.value;
+                let equilibrium = separation_for(integral, heights, asked, history.next(), tolerance)?;
                 history.add(equilibrium.predictor(), equilibrium.own_sensitivity);
-                SlipState::at_pressure(&equilibrium, pressure, self.plane)
+                SlipState::at_pressure(&equilibrium, before.pressure, self.plane)
             }
         };
         state.within(self.law, self.settings, &|| Place {
@@ -221,16 +221,16 @@ impl<'a> Sweep<'a> {
         separation: Estimate,
     ) -> Result<Contacts, LookupError> {
         let Settings { tolerance, melting_temperature, .. } = *self.settings;
-        let asperities = self.asperities[rate].after(slip);
+        let asperities = self.asperities[rate].map(|asperity| asperity.after(slip));
         let first = self.law.interference_start();
-        ContactsAtSlip::new(asperities, self.surface, (tolerance, first), melting_temperature).at(separation)
+        Contacts::of(&asperities, self.surface, separation, (tolerance, first), melting_temperature)
     }
 
     /// Static friction, energies and warnings of one cell.
     pub(crate) fn evaluate(
         &self,
         (row, rate): (usize, usize),
-        pressed: &EquilibriumState,
+        pressed: &Pressed,
         slip: &[f64],
         slide: Slide,
         warnings: &mut Vec<Warning>,
@@ -238,7 +238,6 @@ impl<'a> Sweep<'a> {
         let Slide { curve, contacts, sliding, lasting } = &slide;
         let mu_history: Vec<Estimate> = curve.iter().map(|state| state.mu).collect();
         let start = inception(slip, &mu_history, contacts.inception_error);
-        let at_rest = self.at_rest(row, pressed);
         let outside_table =
             curve.iter().chain([&slide.sliding]).map(|state| state.outside).fold(0.0, f64::max);
         let stuck = contacts.stuck_load > NEGLIGIBLE_SHARE;
@@ -246,13 +245,13 @@ impl<'a> Sweep<'a> {
         let friction = Friction {
             mu_static: start.mu,
             inception_slip: start.slip,
-            weakening_energy: weakening_energy(slip, &mu_history, at_rest.pressure),
+            weakening_energy: weakening_energy(slip, &mu_history, pressed.at_rest.pressure),
             weakening_distance: weakening_distance(slip, &mu_history),
             contacts: *contacts,
             // Follows from all slip rates together.
             rate_sensitivity: Estimate::UNKNOWN,
-            energy_release: self.energy_release(row, pressed).filter(|_| !sliding.mu.value.is_nan()),
-            pressed: at_rest,
+            energy_release: pressed.energy_release.filter(|_| !sliding.mu.value.is_nan()),
+            pressed: pressed.at_rest,
             sliding: *sliding,
             mu_steady: lasting.mu,
             mu_history,
@@ -262,7 +261,7 @@ impl<'a> Sweep<'a> {
             return friction;
         }
         // Larger contacts slide farther until their slides end.
-        let end = self.law.last_slip() * pressed.state.loaded_radius;
+        let end = self.law.last_slip() * pressed.equilibrium.state.loaded_radius;
         friction.without_inception(slip.iter().take_while(|slip| **slip <= end).count())
     }
 
@@ -329,22 +328,10 @@ impl<'a> Sweep<'a> {
         let slip_rate = self.query.slip_rates[rate];
         (largest > 0.0 && slip_rate > 0.0).then_some(self.settings.inception_time? * largest / slip_rate)
     }
-
-    fn energy_release(&self, row: usize, pressed: &EquilibriumState) -> Option<Estimate> {
-        let mut energy = pressed.state.additional?.estimate();
-        let shift = match &self.query.loading {
-            NormalLoading::Pressure(pressures) => pressed.separation_error(pressures[row]),
-            NormalLoading::Separation(_) => {
-                self.plane.displacement_error(pressed.state.pressure.estimate(), pressed.sensitivity.pressure)
-            }
-        };
-        energy.error += shift * (pressed.sensitivity.additional * energy.value).abs();
-        Some(energy)
-    }
 }
 
 /// Smallest and largest contact radius (m) averaged over the load.
-pub(crate) fn loaded_radii<'a>(pressed: impl IntoIterator<Item = &'a EquilibriumState>) -> [f64; 2] {
-    let radii = pressed.into_iter().map(|equilibrium| equilibrium.state.loaded_radius);
+pub(crate) fn loaded_radii<'a>(pressed: impl IntoIterator<Item = &'a Pressed>) -> [f64; 2] {
+    let radii = pressed.into_iter().map(|pressed| pressed.equilibrium.state.loaded_radius);
     radii.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], radius| [low.min(radius), high.max(radius)])
 }

@@ -1,8 +1,6 @@
 //! Steady sliding at the slip rates of the law, and through a step of the slip rate.
 
-use super::{
-    Asperities, EquilibriumState, PredictionError, PredictorHistory, SlipState, Sweep, loaded_radii,
-};
+use super::{Asperities, PredictionError, Pressed, SlipState, Sweep, loaded_radii};
 use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::surface::query::ContactLife;
 use rayon::prelude::*;
@@ -24,11 +22,11 @@ impl<'a> Sweep<'a> {
     pub(crate) fn slide_steadily_around(
         &self,
         slip_rates: &[f64],
-        pressed: &[&EquilibriumState],
+        pressed: &[&Pressed],
     ) -> Result<Vec<Vec<Estimate>>, PredictionError> {
         let of_rate = |&rate: &f64| -> Result<Vec<Estimate>, PredictionError> {
             let asperities = Asperities::new(self.law, self.surface, rate)?;
-            let mu = |(row, pressed): (usize, &&EquilibriumState)| {
+            let mu = |(row, pressed): (usize, &&Pressed)| {
                 self.steady(&asperities, (row, rate), self.query.contact_life, pressed).map(|state| state.mu)
             };
             pressed.iter().enumerate().map(mu).collect()
@@ -42,7 +40,7 @@ impl<'a> Sweep<'a> {
     /// before the slide.
     pub(crate) fn rate_step(
         &self,
-        pressed: &[&EquilibriumState],
+        pressed: &[&Pressed],
     ) -> Result<Option<RateStepResponse>, PredictionError> {
         let (Some(rates), ContactLife::Diameters(diameters)) =
             (self.query.rate_step, self.query.contact_life)
@@ -63,14 +61,13 @@ impl<'a> Sweep<'a> {
         };
         let (start, target) = (steady(&slow, before)?, steady(&fast, after)?);
         let slip = rate_step::slip_grid(loaded_radii(pressed.iter().copied()), diameters);
-        let stepping = fast.stepping_from(before, diameters)?;
+        let stepping = fast.try_map(|asperity| asperity.stepping_from(before, diameters))?;
         let states: Vec<Vec<SlipState>> = slip
             .par_iter()
             .map(|&since| {
-                let mut integral = self.integral(&stepping.since_step(since));
+                let mut integral = self.integral(&stepping.map(|asperity| asperity.since_step(since)));
                 let rows = pressed.iter().enumerate().map(|(row, before)| {
-                    let mut history = PredictorHistory::from(before.predictor());
-                    self.slid((row, after), &mut integral, before, &mut history)
+                    self.slid((row, after), &mut integral, before, &mut before.history())
                 });
                 rows.collect()
             })

@@ -78,10 +78,10 @@ pub fn sample(
     query.check_slip_rates(law, &surface.asperity_radius)?;
     let with_rate = |&rate: &f64| {
         let before = Asperities::new(law, surface, rate)?;
-        let after = match sampling.slip {
-            Some(slip) => before.after(slip).with(Additional::StuckLoad),
-            None => before.of_all_ages(query.contact_life).with(Additional::UnsteadyLoad),
-        };
+        let after = before.map(|asperity| match sampling.slip {
+            Some(slip) => asperity.after(slip).with(Additional::StuckLoad),
+            None => asperity.of_all_ages(query.contact_life).with(Additional::UnsteadyLoad),
+        });
         Ok(LawAtRate { after, before })
     };
     let laws: Vec<LawAtRate> = query.slip_rates.iter().map(with_rate).collect::<Result<_, LookupError>>()?;

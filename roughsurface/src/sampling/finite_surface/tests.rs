@@ -53,7 +53,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
         let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: Some(1e-8) };
         let settings = Settings::default();
         let samples = sample(law.as_ref(), &surface, &query, &sampling, &settings, &|_, _| ()).unwrap();
-        let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().after(1e-8);
+        let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().map(|one| one.after(1e-8));
         let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-9);
         for (row, &separation) in query.loading.values().iter().enumerate() {
             let state = integral.at(separation).unwrap();
