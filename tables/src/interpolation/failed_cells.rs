@@ -1,9 +1,10 @@
 //! Interpolation across failed cells.
 
 use super::coordinates;
+use super::nodes::reason;
 use crate::law::Estimate;
 use crate::quantity::Quantity;
-use crate::table::{Cell, Slice, Status};
+use crate::table::{Cell, Slice};
 
 impl Slice {
     /// The slice with points that failed or were not run interpolated where results lie on both sides
@@ -17,12 +18,11 @@ impl Slice {
         let mut table = self.clone();
         let mut filled = Vec::new();
         for (i, j) in self.grid() {
-            let reason = match self.status(i, j) {
-                Status::Done(_) => continue,
-                Status::NotRun => "not run".to_string(),
-                Status::Failed(reason) => format!("the run failed: {reason}"),
-            };
+            if self.cell(i, j).is_some() {
+                continue;
+            }
             let Some(mut cell) = self.across(i, j) else { continue };
+            let reason = reason(self.status(i, j));
             cell.warnings = vec![format!("interpolated from neighbouring points ({reason})")];
             table.set_cell(i, j, cell).expect("as long as its neighbours");
             filled.push((i, j));

@@ -52,6 +52,16 @@ pub enum Along {
     SlipRate,
 }
 
+impl Along {
+    /// Indices of interference and slip rate of a point of this axis, at the point `across` of the other.
+    pub(super) fn indices(self, point: usize, across: usize) -> (usize, usize) {
+        match self {
+            Self::Interference => (point, across),
+            Self::SlipRate => (across, point),
+        }
+    }
+}
+
 /// The largest interpolation error of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
@@ -128,11 +138,8 @@ impl CrossValidation {
 
     /// Relative misfit of a point of an axis; none at end points and where a value is unknown.
     pub fn misfit(&self, along: Along, point: usize, across: usize, quantity: Quantity) -> Option<f64> {
-        let position = match along {
-            Along::Interference => point * self.shape.1 + across,
-            Along::SlipRate => across * self.shape.1 + point,
-        };
-        self.along[along as usize].points[position][quantity as usize]
+        let (i, j) = along.indices(point, across);
+        self.along[along as usize].points[i * self.shape.1 + j][quantity as usize]
     }
 
     /// Coordinate in which is interpolated: ln ω, and one that is ln V but for the slowest.

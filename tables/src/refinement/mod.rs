@@ -127,10 +127,7 @@ impl Goal {
 /// The larger relative error of the results at both ends of an interval.
 fn own_error(table: &Slice, along: Along, index: usize, across: usize, quantity: Quantity) -> f64 {
     let of = |point: usize| {
-        let (i, j) = match along {
-            Along::Interference => (point, across),
-            Along::SlipRate => (across, point),
-        };
+        let (i, j) = along.indices(point, across);
         let Some(cell) = table.cell(i, j) else { return 0.0 };
         let Estimate { value, error } = cell[quantity];
         let relative = (error / value).abs();
