@@ -10,31 +10,29 @@ pub(super) const FRACTURE_EXPONENT: &str = "fracture_energy_radius_exponent";
 pub(super) const STATUS_MEANINGS: [&str; 3] = ["done", "not_run", "failed"];
 
 /// A number of the metadata as a global attribute, in SI units.
-pub(super) type RealAttribute = (&'static str, fn(&Metadata) -> f64, fn(&mut Metadata) -> &mut f64);
+pub(super) type RealAttribute = (&'static str, fn(&mut Metadata) -> &mut f64);
 
-macro_rules! real_attributes {
-    ($($name:ident),*) => {
-        [$((stringify!($name), |m| m.$name, |m| &mut m.$name)),*]
-    };
-}
+const CRITICAL_INTERFERENCE: RealAttribute = ("critical_interference", |m| &mut m.critical_interference);
+const CONTACT_MODULUS: RealAttribute = ("contact_modulus", |m| &mut m.contact_modulus);
+const YIELD_STRENGTH: RealAttribute = ("yield_strength", |m| &mut m.yield_strength);
 
-pub(super) const REAL_ATTRIBUTES: [RealAttribute; 8] = real_attributes![
-    asperity_radius,
-    critical_interference,
-    contact_modulus,
-    poisson_ratio,
-    yield_strength,
-    temperature,
-    heat_partition,
-    gap_conductance
+pub(super) const REAL_ATTRIBUTES: [RealAttribute; 8] = [
+    ("asperity_radius", |m| &mut m.asperity_radius),
+    CRITICAL_INTERFERENCE,
+    CONTACT_MODULUS,
+    ("poisson_ratio", |m| &mut m.poisson_ratio),
+    YIELD_STRENGTH,
+    ("temperature", |m| &mut m.temperature),
+    ("heat_partition", |m| &mut m.heat_partition),
+    ("gap_conductance", |m| &mut m.gap_conductance),
 ];
 
 /// Numbers of the metadata that change with the initial temperature: at several they are variables over
-/// it, in addition to the attributes, which are those of the lowest. Name, unit, meaning.
-pub(super) const OVER_TEMPERATURE: [(&str, &str, &str); 3] = [
-    ("critical_interference", "m", "interference of first yield"),
-    ("contact_modulus", "Pa", "contact modulus E/(1-nu^2) at the initial temperature"),
-    ("yield_strength", "Pa", "yield strength at the initial temperature"),
+/// it, in addition to the attributes, which are those of the lowest. Attribute, unit, meaning.
+pub(super) const OVER_TEMPERATURE: [(RealAttribute, &str, &str); 3] = [
+    (CRITICAL_INTERFERENCE, "m", "interference of first yield"),
+    (CONTACT_MODULUS, "Pa", "contact modulus E/(1-nu^2) at the initial temperature"),
+    (YIELD_STRENGTH, "Pa", "yield strength at the initial temperature"),
 ];
 
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.

@@ -24,7 +24,7 @@ impl Table {
             slip: file.coordinate("slip")?,
         };
         let mut metadata = Metadata::default();
-        for (name, _, place) in REAL_ATTRIBUTES {
+        for (name, place) in REAL_ATTRIBUTES {
             *place(&mut metadata) = file.attribute_real(name)?;
         }
         for (name, place) in TEXT_ATTRIBUTES {
@@ -75,15 +75,12 @@ fn toml_in_place_of_table(path: &Path) -> Option<DatasetError> {
 fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Metadata>, DatasetError> {
     let temperatures = file.coordinate("temperature")?;
     let mut members = vec![common.clone(); temperatures.len()];
-    let mut enter = |name: &str, values: Vec<f64>| {
-        let (.., place) = REAL_ATTRIBUTES.iter().find(|(known, ..)| *known == name).expect("is one of them");
-        members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = value);
-    };
     let shape = [temperatures.len()];
-    for (name, ..) in OVER_TEMPERATURE {
-        enter(name, file.reals(name, &shape)?);
+    for ((name, place), ..) in OVER_TEMPERATURE {
+        let values = file.reals(name, &shape)?;
+        members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = value);
     }
-    enter("temperature", temperatures);
+    members.iter_mut().zip(temperatures).for_each(|(member, kelvin)| member.temperature = kelvin);
     if common.fracture_energy.is_some() {
         let coefficients = file.reals(FRACTURE_ENERGY, &shape)?;
         for (member, coefficient) in members.iter_mut().zip(coefficients) {

@@ -6,7 +6,7 @@ use super::table_format::{
     DIMENSIONS, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE, REAL_ATTRIBUTES,
     STATUS_MEANINGS, TEXT_ATTRIBUTES, history_name,
 };
-use super::{AttributeValue, DatasetError, DatasetWriter, schema};
+use super::{AttributeValue, DatasetError, DatasetWriter, described, schema};
 use crate::quantity::{Descriptor, Estimate, Quantity, Stored};
 use crate::table::fracture::FractureEnergy;
 use crate::table::{Cell, Metadata, Slice, Status, Table};
@@ -37,8 +37,8 @@ fn write(path: &Path, slices: &[Slice]) -> Result<(), DatasetError> {
             file.attribute(name, text.as_str())?;
         }
     }
-    for (name, value, _) in REAL_ATTRIBUTES {
-        file.attribute(name, value(&metadata))?;
+    for (name, value) in REAL_ATTRIBUTES {
+        file.attribute(name, *value(&mut metadata))?;
     }
     for (name, value) in OPTIONAL_ATTRIBUTES {
         if let Some(value) = *value(&mut metadata) {
@@ -83,18 +83,16 @@ impl Content<'_> {
                 ("units_metadata", "temperature: on_scale".into()),
             ],
         )?;
-        for (name, units, long_name) in OVER_TEMPERATURE {
-            let (_, value, _) =
-                REAL_ATTRIBUTES.iter().find(|(known, ..)| *known == name).expect("is one of them");
-            let attributes = [("units", units.into()), ("long_name", long_name.into())];
-            file.reals(name, &["temperature"], &of_members(value), &attributes)?;
+        for ((name, value), units, long_name) in OVER_TEMPERATURE {
+            let values = of_members(&|metadata| *value(&mut metadata.clone()));
+            file.reals(name, &["temperature"], &values, &described(units, long_name))?;
         }
         if let Some(law) = self.slices[0].metadata().fracture_energy {
             let units = if law.radius_exponent == 0 { "J m-2" } else { "J m-3" };
             let long_name = "coefficient of the shear fracture energy";
             let coefficient =
                 |metadata: &Metadata| metadata.fracture_energy.map_or(f64::NAN, |law| law.coefficient);
-            let attributes = [("units", units.into()), ("long_name", long_name.into())];
+            let attributes = described(units, long_name);
             file.reals(FRACTURE_ENERGY, &["temperature"], &of_members(&coefficient), &attributes)?;
         }
         Ok(())
@@ -110,14 +108,8 @@ impl Content<'_> {
 
     fn write_coordinates(&self, file: &mut DatasetWriter) -> Result<(), DatasetError> {
         let axes = self.slices[0].axes();
-        file.coordinate(
-            "interference",
-            &axes.interference,
-            &[
-                ("units", "1".into()),
-                ("long_name", "interference over critical interference of first yield".into()),
-            ],
-        )?;
+        let long_name = "interference over critical interference of first yield";
+        file.coordinate("interference", &axes.interference, &described("1", long_name))?;
         file.coordinate(
             "slip_rate",
             &axes.slip_rate,
@@ -127,14 +119,8 @@ impl Content<'_> {
                 ("radius_exponent", (-1).into()),
             ],
         )?;
-        file.coordinate(
-            "slip",
-            &axes.slip,
-            &[
-                ("units", "1".into()),
-                ("long_name", "slip over contact radius at the end of the press".into()),
-            ],
-        )
+        let long_name = "slip over contact radius at the end of the press";
+        file.coordinate("slip", &axes.slip, &described("1", long_name))
     }
 
     fn write_quantity(&self, file: &mut DatasetWriter, descriptor: &Descriptor) -> Result<(), DatasetError> {
