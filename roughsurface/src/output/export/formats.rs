@@ -40,8 +40,8 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
         ],
     );
     for layer in &table.layers {
-        for ((law, doubt), pressure) in layer.laws().zip(&table.pressures) {
-            let Some(law) = law else { continue };
+        for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
+            let Some((law, doubt)) = law else { continue };
             let RateLaw { form, mu_0, plateau, velocity, exponent, .. } = law;
             let _ = writeln!(
                 text,
@@ -100,8 +100,8 @@ pub(super) fn csv(table: &FrictionTable) -> String {
 pub(super) fn json(table: &FrictionTable) -> String {
     let mut laws = Vec::new();
     for layer in &table.layers {
-        for (law, pressure) in layer.laws().zip(&table.pressures) {
-            laws.push(entry(law, layer.temperature, *pressure));
+        for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
+            laws.push(entry(law.as_ref(), layer.temperature, *pressure));
         }
     }
     let positive = table.slip_rates.iter().find(|rate| **rate > 0.0);
@@ -116,9 +116,10 @@ pub(super) fn json(table: &FrictionTable) -> String {
     format!("{document:#}\n")
 }
 
-fn entry((law, doubt): (Option<&RateLaw>, &str), temperature: Option<f64>, pressure: f64) -> Value {
-    let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": law.map_or("none", |law| law.form.name)});
-    if let Some(law) = law {
+fn entry(law: Option<&(RateLaw, String)>, temperature: Option<f64>, pressure: f64) -> Value {
+    let form = law.map_or("none", |(law, _)| law.form.name);
+    let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": form});
+    if let Some((law, doubt)) = law {
         entry["formula"] = law.form.formula.into();
         entry["mu_0"] = json!(law.mu_0.in_unit("1"));
         entry["mu_inf"] = json!(law.plateau.in_unit("1"));
@@ -127,7 +128,7 @@ fn entry((law, doubt): (Option<&RateLaw>, &str), temperature: Option<f64>, press
         entry["rms"] = law.misfit.into();
         entry["reliable"] = doubt.is_empty().into();
         if !doubt.is_empty() {
-            entry["doubt"] = doubt.into();
+            entry["doubt"] = doubt.as_str().into();
         }
     }
     entry

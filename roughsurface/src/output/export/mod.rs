@@ -89,27 +89,17 @@ pub struct Layer {
     pub temperature: Option<f64>,
     /// Sliding friction, slip rates of a pressure beside each other, 1.
     pub mu: Vec<Estimate>,
-    /// The law fitted to it at each pressure.
-    pub laws: Vec<Option<RateLaw>>,
-    /// Why that law is not reliable; empty where it is, or where the file does not say.
-    pub doubts: Vec<String>,
-}
-
-impl Layer {
-    /// The law of each pressure, and why it is not reliable.
-    fn laws(&self) -> impl Iterator<Item = (Option<&RateLaw>, &str)> {
-        self.laws.iter().map(Option::as_ref).zip(self.doubts.iter().map(String::as_str))
-    }
+    /// The law fitted to it at each pressure, and why that is not reliable; empty where it is, or where the file does not
+    /// say.
+    pub laws: Vec<Option<(RateLaw, String)>>,
 }
 
 impl FrictionTable {
     /// Pressures (Pa) whose fitted law is not reliable, with the reason.
     pub fn doubts(&self) -> impl Iterator<Item = (f64, &str)> {
-        self.layers.iter().flat_map(move |layer| {
-            let laws = self.pressures.iter().zip(layer.laws());
-            laws.filter(|(_, (law, doubt))| law.is_some() && !doubt.is_empty())
-                .map(|(pressure, (_, doubt))| (*pressure, doubt))
-        })
+        let laws = self.layers.iter().flat_map(|layer| self.pressures.iter().zip(&layer.laws));
+        let doubts = laws.filter_map(|(pressure, law)| Some((*pressure, law.as_ref()?.1.as_str())));
+        doubts.filter(|(_, doubt)| !doubt.is_empty())
     }
 
     /// Reads one file, or one for each initial temperature.
@@ -169,9 +159,14 @@ impl FrictionTable {
         let parameters: Vec<_> =
             parameters.iter().map(|name| with_error(name, &rows)).collect::<Result<_, _>>()?;
         let misfits = file.reals("rate_rms", &rows)?;
-        let law = |row: usize| -> Result<Option<RateLaw>, DatasetError> {
+        let law = |row: usize| -> Result<Option<(RateLaw, String)>, DatasetError> {
             let name = file.text("rate_law", &[row])?;
-            Ok(FORMS.iter().find(|form| form.name == name).map(|form| RateLaw {
+            let Some(form) = FORMS.iter().find(|form| form.name == name) else { return Ok(None) };
+            let doubt = match file.has("rate_doubt") {
+                true => file.text("rate_doubt", &[row])?,
+                false => String::new(),
+            };
+            let law = RateLaw {
                 form,
                 mu_0: parameters[0][row],
                 plateau: parameters[1][row],
@@ -182,20 +177,16 @@ impl FrictionTable {
                 criterion: f64::NAN,
                 condition: f64::NAN,
                 fastest: f64::NAN,
-            }))
+            };
+            Ok(Some((law, doubt)))
         };
         let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
-        let doubt = |row: usize| match file.has("rate_doubt") {
-            true => file.text("rate_doubt", &[row]),
-            false => Ok(String::new()),
-        };
-        let doubts = (0..pressures.len()).map(doubt).collect::<Result<_, _>>()?;
         let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
         Ok(Self {
             sources: vec![shown],
             pressures,
             slip_rates,
-            layers: vec![Layer { temperature, mu, laws, doubts }],
+            layers: vec![Layer { temperature, mu, laws }],
         })
     }
 
@@ -213,7 +204,8 @@ impl FrictionTable {
             let computed = std::mem::take(&mut layer.mu);
             let rows = computed.chunks(self.slip_rates.len());
             for ((law, &pressure), row) in layer.laws.iter().zip(&self.pressures).zip(rows) {
-                let law = law.as_ref().ok_or(ExportError::NoLaw { path: source.clone(), pressure })?;
+                let no_law = || ExportError::NoLaw { path: source.clone(), pressure };
+                let (law, _) = law.as_ref().ok_or_else(no_law)?;
                 let value = |rate: &f64| Estimate {
                     value: law.friction_coefficient(*rate),
                     error: error_at(&logarithms, row, rate.ln()).hypot(COVERAGE_FACTOR * law.misfit),

@@ -1,10 +1,11 @@
 //! Charts that the reader of the report can change, drawn by uPlot (MIT, `uplot/LICENSE`).
 
-use crate::friction::quantities::QUANTITIES;
+use crate::friction::quantities::{QUANTITIES, Quantity};
 use crate::output::figure::chosen;
 use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 use serde_json::{Value, json};
+use tables::numbers;
 
 const LIBRARY: &str = include_str!("uplot/uPlot.iife.min.js");
 const LICENCE: &str = include_str!("uplot/LICENSE");
@@ -43,9 +44,9 @@ pub(super) fn html(results: &Results) -> String {
     )
 }
 
-/// Five digits, as many as a reader sees.
+/// Five digits, as many as a reader sees; null for what is not finite.
 fn rounded(value: f64) -> Value {
-    json!(format!("{value:.4e}").parse::<f64>().ok().filter(|value| value.is_finite()))
+    json!(numbers::rounded(value, 5))
 }
 
 fn data(results: &Results) -> Value {
@@ -59,7 +60,7 @@ fn data(results: &Results) -> Value {
     let over = |value: &dyn Fn(usize, usize) -> Value| -> Value {
         rows.iter().map(|&row| rates.iter().map(|&rate| value(row, rate)).collect::<Value>()).collect()
     };
-    let quantity = |quantity: &crate::friction::quantities::Quantity| {
+    let quantity = |quantity: &Quantity| {
         let value =
             |row: usize, rate: usize| rounded(quantity.estimate(&prediction.friction[row][rate]).value);
         json!({"name": quantity.name, "long_name": quantity.long_name, "unit": quantity.unit, "values": over(&value)})
@@ -76,16 +77,4 @@ fn data(results: &Results) -> Value {
         "quantities": QUANTITIES.iter().map(quantity).collect::<Value>(),
         "mu_history": over(&history),
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn unknown_numbers_are_null_and_others_have_five_digits() {
-        assert_eq!(rounded(f64::NAN), Value::Null);
-        assert_eq!(rounded(f64::INFINITY), Value::Null);
-        assert_eq!(rounded(0.123_456_78), json!(0.12346));
-    }
 }
