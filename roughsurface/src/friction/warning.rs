@@ -152,7 +152,7 @@ impl Warning {
         let mut sentences: Vec<(&Warning, usize)> = Vec::new();
         for warning in warnings {
             let alike = |known: &Warning| {
-                warning.place().is_some() && std::mem::discriminant(known) == std::mem::discriminant(warning)
+                !warning.stands_alone() && std::mem::discriminant(known) == std::mem::discriminant(warning)
             };
             match sentences.iter_mut().find(|(known, _)| alike(known)) {
                 Some((_, others)) => *others += 1,
@@ -167,23 +167,15 @@ impl Warning {
         sentences.into_iter().map(text).collect()
     }
 
-    fn place(&self) -> Option<&Place> {
-        match self {
-            Self::Extrapolated { at, .. }
-            | Self::BelowTable { at, .. }
-            | Self::FewContacts { at, .. }
-            | Self::SamplesExtrapolated { at, .. }
-            | Self::NotSliding { at, .. }
-            | Self::SamplesNotSliding { at, .. }
-            | Self::StillRising { at }
-            | Self::Unsteady { at, .. }
-            | Self::SteadyUncertain { at, .. }
-            | Self::FastInception { at, .. }
-            | Self::AsperitiesInteract { at, .. }
-            | Self::ContactsMerge { at, .. }
-            | Self::SamplesWithoutContact { at, .. } => Some(at),
-            _ => None,
-        }
+    /// Whether another one of its kind is about something else, not about another place.
+    fn stands_alone(&self) -> bool {
+        matches!(
+            self,
+            Self::Implausible(_)
+                | Self::Topography(_)
+                | Self::MaterialUnused { .. }
+                | Self::PoissonRatioOfChangEtsionBogy { .. }
+        )
     }
 }
 
@@ -199,9 +191,10 @@ mod tests {
         warnings.push(Warning::Extrapolated { at: at(1.0), share: 0.01 });
         for remark in ["one", "two"] {
             warnings.push(Warning::Implausible(remark.into()));
+            warnings.push(Warning::AboveMelting { at: at(1.0), highest: 2000.0, melting: 1800.0 });
         }
         let said = Warning::condensed(&warnings);
-        assert_eq!(said.len(), 4, "{said:?}");
+        assert_eq!(said.len(), 5, "{said:?}");
         assert!(
             said[0].starts_with("1e6 Pa, 1 m/s") && said[0].ends_with("likewise at 8 other points"),
             "{said:?}"
