@@ -114,7 +114,7 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
         let words = words(&with_points);
         // Titles of the columns, before the first number.
         if lines.is_empty() && !words.is_empty() && words.iter().all(|word| number(word).is_none()) {
-            header.titles.add(content);
+            header.titles.add(content, false);
             continue;
         }
         let or_where = |word: &&str| {
@@ -167,7 +167,7 @@ struct Header {
 impl Header {
     fn take(&mut self, comment: &str, before_numbers: bool) {
         if before_numbers && !comment.is_empty() {
-            self.titles.add_comment(comment);
+            self.titles.add(comment, true);
         }
         let Some((key, value)) = comment.split_once(':') else {
             return;

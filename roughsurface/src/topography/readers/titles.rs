@@ -42,19 +42,12 @@ impl Unit {
 }
 
 impl Titles {
-    /// A line of words.
-    pub fn add(&mut self, line: &str) {
-        match general(line) {
-            Some(unit) => self.of_all = Some(unit),
-            None => self.lines.push(line.to_owned()),
-        }
-    }
-
-    /// What follows a comment sign.
-    pub fn add_comment(&mut self, comment: &str) {
-        match general(comment) {
-            Some(unit) => self.of_all = Some(unit),
-            None => self.comments.push(comment.to_owned()),
+    /// A line of words, or what follows a comment sign.
+    pub fn add(&mut self, line: &str, is_comment: bool) {
+        match (general(line), is_comment) {
+            (Some(unit), _) => self.of_all = Some(unit),
+            (None, true) => self.comments.push(line.to_owned()),
+            (None, false) => self.lines.push(line.to_owned()),
         }
     }
 
@@ -156,8 +149,8 @@ mod tests {
         let mut titles = Titles::default();
         for line in lines {
             match line.strip_prefix('#') {
-                Some(comment) => titles.add_comment(comment),
-                None => titles.add(line),
+                Some(comment) => titles.add(comment, true),
+                None => titles.add(line, false),
             }
         }
         let metres = |column: Column| match column.unit {
