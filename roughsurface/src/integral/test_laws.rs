@@ -73,9 +73,7 @@ impl PowerLaw {
             false => Ok(value),
         }
     }
-}
 
-impl PowerLaw {
     /// Unit load and area with Hertz exponents, ω_c = 0.1 µm, Q = 1e8 Pa times A.
     pub fn hertz() -> Self {
         Self {

@@ -181,9 +181,7 @@ impl Interpolant {
         let growth = self.contact_radius_above(last, above) - self.log_contact_radius[last].exp();
         Place::Above(AboveLastRow { contact_growth: growth / self.sphere.radius, ..above })
     }
-}
 
-impl Interpolant {
     /// a₀, m.
     fn contact_radius(&self, (first, last): (usize, usize), place: &Place) -> f64 {
         let of_row = |row: usize| self.log_contact_radius[row].exp();

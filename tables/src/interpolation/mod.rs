@@ -81,9 +81,7 @@ impl InterpolatedTable {
     pub fn into_slice(self) -> Slice {
         self.slice
     }
-}
 
-impl InterpolatedTable {
     /// R/R_t, or why the table cannot be read at that radius.
     fn radius_ratio(&self, radius: f64) -> Result<f64, LookupError> {
         let metadata = self.metadata();
@@ -137,6 +135,22 @@ impl InterpolatedTable {
             temperature_max: Estimate { value: base + rise.value, error: rise.error },
             coefficient_error: errors[COEFFICIENT] + strength,
         })
+    }
+
+    /// A scalar, if the table has it; `unpressed` is that of a sphere that is not pressed.
+    fn stated(
+        &self,
+        quantity: Quantity,
+        radius: f64,
+        interference: f64,
+        slip_rate: f64,
+        unpressed: f64,
+    ) -> OptionalEstimate {
+        match (self.holds(quantity), interference > 0.0) {
+            (false, _) => Ok(None),
+            (true, false) => Ok(Some(Estimate::exact(unpressed))),
+            (true, true) => self.estimate(quantity, radius, interference, slip_rate).map(Some),
+        }
     }
 
     fn located_rate(&self, interference: f64, slip_rate: f64, ratio: f64) -> Result<Location, LookupError> {
@@ -278,35 +292,19 @@ impl AsperityLaw for InterpolatedTable {
     }
 
     fn steady_friction(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
-        if !self.holds(Quantity::MuSteady) {
-            return Ok(None);
-        }
-        if interference <= 0.0 {
-            return Ok(Some(Estimate::default()));
-        }
-        self.estimate(Quantity::MuSteady, radius, interference, slip_rate).map(Some)
+        self.stated(Quantity::MuSteady, radius, interference, slip_rate, 0.0)
     }
 
     fn temperature_mean(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
-        if !self.holds(Quantity::TemperatureMean) {
-            return Ok(None);
-        }
-        if interference <= 0.0 {
-            return Ok(Some(Estimate::exact(self.metadata().temperature)));
-        }
-        self.estimate(Quantity::TemperatureMean, radius, interference, slip_rate).map(Some)
+        let initial = self.metadata().temperature;
+        self.stated(Quantity::TemperatureMean, radius, interference, slip_rate, initial)
     }
 
     /// G times the area at inception.
     fn energy_release(&self, radius: f64, interference: f64, slip_rate: f64) -> OptionalEstimate {
-        if !self.holds(Quantity::EnergyRelease) {
-            return Ok(None);
-        }
-        if interference <= 0.0 {
-            return Ok(Some(Estimate::default()));
-        }
-        let lookup = |quantity| self.estimate(quantity, radius, interference, slip_rate);
-        let (per_area, inception) = (lookup(Quantity::EnergyRelease)?, lookup(Quantity::InceptionSlip)?);
+        let per_area = self.stated(Quantity::EnergyRelease, radius, interference, slip_rate, 0.0)?;
+        let Some(per_area) = per_area.filter(|_| interference > 0.0) else { return Ok(per_area) };
+        let inception = self.estimate(Quantity::InceptionSlip, radius, interference, slip_rate)?;
         let area = self.response(radius, interference, slip_rate, inception.value)?.area;
         Ok(Some(Estimate {
             value: per_area.value * area.value,
