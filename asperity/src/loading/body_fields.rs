@@ -42,59 +42,44 @@ pub struct BodySnapshot {
     pub temperature: Vec<f64>,
 }
 
-/// The fields in one state of a slide, dimensionless.
-#[derive(Clone, Debug)]
-pub struct RecordedBody {
-    slip: f64,
-    time: f64,
-    displacement: Vec<f64>,
-    /// See [`crate::discretisation::body::Body::nodal_means`].
-    means: Vec<f64>,
-    rise: Option<Vec<f64>>,
-}
-
-impl RecordedBody {
-    pub(crate) fn of(now: &SlideState, mechanics: &Mechanics, conduction: Option<&Conduction>) -> Self {
-        Self {
-            slip: now.slip,
-            time: now.time,
-            displacement: mechanics.displacement.clone(),
-            means: mechanics.body.nodal_means(&mechanics.body.committed),
-            rise: conduction.map(|conduction| conduction.committed[..conduction.body_length()].to_vec()),
-        }
-    }
-
-    fn snapshot(&self, units: &Units, nodes: usize) -> BodySnapshot {
+impl BodySnapshot {
+    pub(crate) fn of(
+        now: &SlideState,
+        mechanics: &Mechanics,
+        conduction: Option<&Conduction>,
+        units: &Units,
+    ) -> Self {
+        let means = mechanics.body.nodal_means(&mechanics.body.committed);
+        let columns = mechanics.contact.angles.len();
         let scaled = |values: &[f64], unit: f64| values.iter().map(|value| unit * value).collect();
-        let of_node = self.means.len() / nodes;
-        let columns = of_node / NODAL;
         let part = |from: usize, to: usize, unit: f64| {
-            let per_node = self.means.chunks_exact(of_node);
+            let per_node = means.chunks_exact(NODAL * columns);
             per_node.flat_map(|node| scaled(&node[from * columns..to * columns], unit)).collect()
         };
-        BodySnapshot {
-            slip: self.slip * units.length,
-            time: self.time * units.time,
-            displacement: scaled(&self.displacement, units.length),
+        let temperature = |rise: &f64| units.temperature + rise;
+        Self {
+            slip: now.slip * units.length,
+            time: now.time * units.time,
+            displacement: scaled(&mechanics.displacement, units.length),
             stress: part(0, NODAL - 1, units.stress),
             plastic_strain: part(NODAL - 1, NODAL, 1.0),
-            temperature: match &self.rise {
-                Some(rise) => rise.iter().map(|rise| units.temperature + rise).collect(),
-                None => vec![units.temperature; nodes * columns],
+            temperature: match conduction {
+                Some(c) => c.committed[..c.body_length()].iter().map(temperature).collect(),
+                None => vec![units.temperature; means.len() / NODAL],
             },
         }
     }
 }
 
 impl BodyFields {
-    /// In SI units; none if no states were recorded.
-    pub(crate) fn new(mesh: &RevolvedMesh, states: &[RecordedBody], units: &Units) -> Option<Self> {
+    /// None if no states were recorded.
+    pub(crate) fn new(mesh: &RevolvedMesh, snapshots: Vec<BodySnapshot>, units: &Units) -> Option<Self> {
         let scale = |&[r, z]: &[f64; 2]| [r * units.length, z * units.length];
-        (!states.is_empty()).then(|| Self {
+        (!snapshots.is_empty()).then(|| Self {
             nodes: mesh.meridian.nodes.iter().map(scale).collect(),
             quads: mesh.meridian.quads.clone(),
             angles: mesh.sectors.angles(),
-            snapshots: states.iter().map(|state| state.snapshot(units, mesh.node_count())).collect(),
+            snapshots,
         })
     }
 }

@@ -3,8 +3,9 @@
 //! An increment of the slide ends at each slip that is to be recorded; nothing else is influenced by recording.
 
 use crate::heat::conduction::Conduction;
-use crate::interface::contact::Status;
-use crate::loading::body_fields::RecordedBody;
+use crate::interface::contact::{Contact, Status};
+use crate::loading::body_fields::BodySnapshot;
+use crate::loading::problem::Units;
 use crate::loading::state::SlideState;
 use crate::solver::newton::Mechanics;
 
@@ -18,16 +19,36 @@ pub struct Recording {
     pub body: bool,
 }
 
-/// Contact fields of one state: ring by ring, angles within.
-#[derive(Clone, Debug)]
-pub struct Fields {
+/// Fields over the contact plane in one state, over (theta, r) in row-major order. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Snapshot {
     pub slip: f64,
     pub time: f64,
     pub status: Vec<Status>,
     pub pressure: Vec<f64>,
     pub shear: Vec<f64>,
-    pub rise: Vec<f64>,
-    pub path: Vec<f64>,
+    pub temperature: Vec<f64>,
+    pub slip_distance: Vec<f64>,
+}
+
+impl Snapshot {
+    fn of(now: &SlideState, contact: &Contact, conduction: Option<&Conduction>, units: &Units) -> Self {
+        let state = &contact.committed;
+        let (rings, columns) = (contact.radii.len(), contact.angles.len());
+        // The state is stored ring by ring.
+        let places = || (0..columns).flat_map(|j| (0..rings).map(move |k| k * columns + j));
+        let shear = |at: usize| state.traction[at][0].hypot(state.traction[at][1]);
+        let rise = |at: usize| conduction.map_or(0.0, |c| c.committed[contact.scalar_place(at)]);
+        Self {
+            slip: now.slip * units.length,
+            time: now.time * units.time,
+            status: places().map(|at| state.status[at]).collect(),
+            pressure: places().map(|at| units.stress * state.pressure[at]).collect(),
+            shear: places().map(|at| units.stress * shear(at)).collect(),
+            temperature: places().map(|at| units.temperature + rise(at)).collect(),
+            slip_distance: places().map(|at| units.length * state.slip[at]).collect(),
+        }
+    }
 }
 
 /// Records states of one slide.
@@ -40,8 +61,8 @@ pub struct Recorder {
     body: bool,
     /// Recorded last.
     last: Option<SlideState>,
-    pub contact: Vec<Fields>,
-    pub bodies: Vec<RecordedBody>,
+    pub contact: Vec<Snapshot>,
+    pub bodies: Vec<BodySnapshot>,
 }
 
 impl Recorder {
@@ -68,27 +89,19 @@ impl Recorder {
     }
 
     /// Records the committed state, unless it is already recorded.
-    pub fn keep(&mut self, now: &SlideState, mechanics: &Mechanics, conduction: Option<&Conduction>) {
+    pub fn keep(
+        &mut self,
+        now: &SlideState,
+        mechanics: &Mechanics,
+        conduction: Option<&Conduction>,
+        units: &Units,
+    ) {
         if self.last.replace(*now) == Some(*now) {
             return;
         }
-        let contact = &mechanics.contact;
-        let state = &contact.committed;
-        let rise = match conduction {
-            Some(c) => (0..contact.len()).map(|i| c.committed[contact.scalar_place(i)]).collect(),
-            None => vec![0.0; contact.len()],
-        };
-        self.contact.push(Fields {
-            slip: now.slip,
-            time: now.time,
-            status: state.status.clone(),
-            pressure: state.pressure.clone(),
-            shear: state.traction.iter().map(|t| t[0].hypot(t[1])).collect(),
-            rise,
-            path: state.slip.clone(),
-        });
+        self.contact.push(Snapshot::of(now, &mechanics.contact, conduction, units));
         if self.body {
-            self.bodies.push(RecordedBody::of(now, mechanics, conduction));
+            self.bodies.push(BodySnapshot::of(now, mechanics, conduction, units));
         }
     }
 }

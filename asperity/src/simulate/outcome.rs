@@ -8,6 +8,7 @@ use crate::loading::state::SlideState;
 pub use crate::interface::contact::Status as ContactStatus;
 pub use crate::loading::body_fields::{BodyFields, BodySnapshot};
 pub use crate::loading::inception::InceptionCriterion;
+pub use crate::loading::recording::Snapshot;
 pub use crate::simulate::accuracy::error_budget::{ErrorBudget, ErrorSource};
 pub use crate::simulate::messages::{Note, Warning};
 pub use crate::solver::timings::{Kernel, Timings};
@@ -22,18 +23,6 @@ pub const MAIN: [Quantity; 7] = [
     Quantity::EnergyRelease,
     Quantity::TemperatureMax,
 ];
-
-/// Fields over the contact plane in one state, over (theta, r) in row-major order.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Snapshot {
-    pub slip: f64,
-    pub time: f64,
-    pub status: Vec<ContactStatus>,
-    pub pressure: Vec<f64>,
-    pub shear: Vec<f64>,
-    pub temperature: Vec<f64>,
-    pub slip_distance: Vec<f64>,
-}
 
 /// Grid of the snapshots.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -11,8 +11,7 @@ use super::runs::Runner;
 use super::{SimulationError, slide_error};
 use crate::loading::inception::{InceptionCriterion, stick_slip};
 use crate::loading::press::Increment;
-use crate::loading::problem::{Problem, Units, wave_speed};
-use crate::loading::recording::Fields;
+use crate::loading::problem::{Problem, wave_speed};
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{InterfaceStrength, LoadingStep, Scene};
@@ -20,7 +19,7 @@ use crate::simulate::accuracy::correction::correction;
 use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
-use crate::simulate::outcome::{Account, ContactGrid, ContactStatus, Outcome, Snapshot};
+use crate::simulate::outcome::{Account, ContactGrid, Outcome};
 use crate::solver::timings::Kernel;
 
 /// Plastic strain beyond which small-strain kinematics is inaccurate.
@@ -242,7 +241,6 @@ fn outcome(
     account: Account,
 ) -> Outcome {
     let units = problem.units;
-    let (rings, columns) = (run.contact.radii.len(), run.contact.angles.len());
     Outcome {
         critical_interference: problem.critical_interference * units.length,
         scalars: Scalars::from_fn(|quantity| {
@@ -258,7 +256,7 @@ fn outcome(
             theta: run.contact.angles.clone(),
             r: run.contact.radii.iter().map(|r| r * units.length).collect(),
         },
-        snapshots: run.fields.iter().map(|fields| snapshot(&units, fields, (rings, columns))).collect(),
+        snapshots: std::mem::take(&mut run.snapshots),
         body: run.body.take(),
         account,
     }
@@ -314,20 +312,4 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
         });
     }
     history
-}
-
-/// Fields stored ring by ring, reported angle by angle.
-fn snapshot(units: &Units, fields: &Fields, (rings, columns): (usize, usize)) -> Snapshot {
-    let places = || (0..columns).flat_map(|j| (0..rings).map(move |k| k * columns + j));
-    let reordered = |v: &[f64], scale: f64| -> Vec<f64> { places().map(|at| scale * v[at]).collect() };
-    let status: Vec<ContactStatus> = places().map(|at| fields.status[at]).collect();
-    Snapshot {
-        slip: fields.slip * units.length,
-        time: fields.time * units.time,
-        status,
-        pressure: reordered(&fields.pressure, units.stress),
-        shear: reordered(&fields.shear, units.stress),
-        temperature: places().map(|at| units.temperature + fields.rise[at]).collect(),
-        slip_distance: reordered(&fields.path, units.length),
-    }
 }

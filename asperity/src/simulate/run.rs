@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::pressed::PressedMesh;
 use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
-use crate::loading::recording::Fields;
+use crate::loading::recording::Snapshot;
 use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::simulate::accuracy::resolution::Resolution;
@@ -20,7 +20,7 @@ pub(super) struct Run {
     pub press: Arc<PressedMesh>,
     pub history: Vec<SlideState>,
     pub values: Values,
-    pub fields: Vec<Fields>,
+    pub snapshots: Vec<Snapshot>,
     pub body: Option<BodyFields>,
     /// At its end.
     pub contact: Contact,

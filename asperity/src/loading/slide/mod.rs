@@ -389,7 +389,7 @@ impl<'a> Slide<'a> {
     /// Records the fields of the present state.
     pub fn record_fields(&mut self) {
         let now = self.history.last().expect("starts with the press");
-        self.recorder.keep(now, &self.mechanics, self.heat.as_ref());
+        self.recorder.keep(now, &self.mechanics, self.heat.as_ref(), &self.problem.units);
     }
 }
 
