@@ -20,7 +20,7 @@ use crate::loading::problem::Discretisation;
 use crate::loading::recording::Recorder;
 use crate::loading::slide::increments::inception_width;
 use crate::loading::slide::{Motion, Slide, SlideFailure};
-use crate::simulate::accuracy::error_budget::{AuxiliaryRuns, ErrorBudget, RunValues, estimate};
+use crate::simulate::accuracy::error_budget::{ErrorBudget, RunValues, estimate};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::values::Values;
 use crate::solver::timings::Kernel;
@@ -30,14 +30,10 @@ use crate::solver::timings::Kernel;
 const AUXILIARY: f64 = 0.25;
 const MAIN: f64 = 0.7;
 
-fn auxiliary_values(runs: &[Run]) -> Option<AuxiliaryRuns<'_>> {
-    let [coarse, other_sectors, longer_steps, looser_solver] = runs else { return None };
-    runs.iter().all(|run| run.failure.is_none()).then_some(AuxiliaryRuns {
-        coarse: &coarse.values,
-        other_sectors: &other_sectors.values,
-        longer_steps: &longer_steps.values,
-        looser_solver: &looser_solver.values,
-    })
+/// Of all auxiliary runs; none where one did not finish.
+fn auxiliary_values(runs: &[Run]) -> Option<[&Values; 4]> {
+    let finished = runs.iter().filter(|run| run.failure.is_none());
+    finished.map(|run| &run.values).collect::<Vec<_>>().try_into().ok()
 }
 
 /// What follows the auxiliary runs.
@@ -164,14 +160,14 @@ impl<'a> Runner<'a> {
             .map(|run| RunValues { resolution: &run.resolution, values: &run.values });
         let modelling_error = self.conditions.modelling_error(self.pressed, run);
         let interference = self.pressed.scene.loading.interference;
-        Some(estimate(&ladder.start, &auxiliary, pair, &modelling_error, interference))
+        Some(estimate(&ladder.start, auxiliary, pair, &modelling_error, interference))
     }
 
     /// The resolution of the main run: that of the start, with more sectors and shorter increments where
     /// the auxiliary runs require them.
     fn main_resolution(&self, start: &Resolution, auxiliary: &[Run]) -> Resolution {
         let Some(values) = auxiliary_values(auxiliary) else { return *start };
-        let (_, parts) = ErrorBudget::other_than_mesh(&values, start).worst(values.coarse);
+        let (_, parts) = ErrorBudget::other_than_mesh(values, start).worst(values[0]);
         start.refine_other_than_mesh(&self.pressed.numerics, &parts)
     }
 

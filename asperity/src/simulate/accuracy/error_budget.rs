@@ -83,14 +83,6 @@ pub const CONTROLLED: [Quantity; 6] = [
     Quantity::EnergyRelease,
 ];
 
-/// The auxiliary runs of a main run, all on the coarse mesh.
-pub struct AuxiliaryRuns<'a> {
-    pub coarse: &'a Values,
-    pub other_sectors: &'a Values,
-    pub longer_steps: &'a Values,
-    pub looser_solver: &'a Values,
-}
-
 /// A finished run: its resolution and its values.
 #[derive(Clone, Copy)]
 pub struct RunValues<'a> {
@@ -98,11 +90,11 @@ pub struct RunValues<'a> {
     pub values: &'a Values,
 }
 
-/// Uncertainties of a main run, from it, a run on its coarse mesh, and the auxiliary runs of the resolution `start`;
+/// Uncertainties of a main run, from it, a run on its coarse mesh, and those at [`Resolution::auxiliary`] of `start`;
 /// `interference` is ω₀/ω_c.
 pub fn estimate(
     start: &Resolution,
-    auxiliary: &AuxiliaryRuns<'_>,
+    auxiliary: [&Values; 4],
     [run, coarse]: [RunValues<'_>; 2],
     modelling_error: &ModellingError,
     interference: f64,
@@ -116,8 +108,8 @@ pub fn estimate(
 
 impl ErrorBudget {
     /// All but the mesh's part, of a run at the resolution `start`.
-    pub fn other_than_mesh(auxiliary: &AuxiliaryRuns<'_>, start: &Resolution) -> Self {
-        let AuxiliaryRuns { coarse, other_sectors, longer_steps, looser_solver } = *auxiliary;
+    pub fn other_than_mesh(auxiliary: [&Values; 4], start: &Resolution) -> Self {
+        let [coarse, other_sectors, longer_steps, looser_solver] = auxiliary;
         let difference = |other: &Values, share: f64| {
             Quantity::SCALARS.map(|q| OF_BOUND * share * (coarse.value(q) - other.value(q)).abs())
         };
@@ -293,13 +285,7 @@ mod tests {
         };
         let values = |r: &Resolution| Values::all(3.0 + parts(r).iter().sum::<f64>());
         let start = Resolution::choose(&numerics());
-        let [coarse, other_sectors, longer_steps, looser_solver] = start.auxiliary().map(|r| values(&r));
-        let auxiliary = AuxiliaryRuns {
-            coarse: &coarse,
-            other_sectors: &other_sectors,
-            longer_steps: &longer_steps,
-            looser_solver: &looser_solver,
-        };
+        let auxiliary = start.auxiliary().map(|r| values(&r));
         let mesh = start.finer_mesh(2);
         let angles = Resolution { sectors: 2 * mesh.sectors, ..mesh };
         let runs = [start, mesh, angles].map(|resolution| (resolution, values(&resolution)));
@@ -309,7 +295,7 @@ mod tests {
                 RunValues { resolution, values: values_here },
                 RunValues { resolution: &coarser, values: &values(&coarser) },
             ];
-            let budget = estimate(&start, &auxiliary, pair, &ModellingError::default(), 1.0);
+            let budget = estimate(&start, auxiliary.each_ref(), pair, &ModellingError::default(), 1.0);
             let exact = parts(resolution);
             let sources = [ErrorSource::Mesh, ErrorSource::Collocation, ErrorSource::Steps];
             for (source, exact) in sources.into_iter().zip(exact) {
@@ -329,15 +315,9 @@ mod tests {
         let start = Resolution::choose(&numerics());
         let coarser = start.coarse();
         let values = Values::all(2.0);
-        let alike = AuxiliaryRuns {
-            coarse: &values,
-            other_sectors: &values,
-            longer_steps: &values,
-            looser_solver: &values,
-        };
         let pair = [&start, &coarser].map(|resolution| RunValues { resolution, values: &values });
         for interference in [0.2, 20.0] {
-            let budget = estimate(&start, &alike, pair, &ModellingError::default(), interference);
+            let budget = estimate(&start, [&values; 4], pair, &ModellingError::default(), interference);
             for quantity in [Quantity::Mu, Quantity::EnergyRelease] {
                 let exact = 2.0 * scatter(quantity, interference, start.elements_per_radius);
                 assert!((budget.relative(quantity, &values) / exact - 1.0).abs() < 1e-12);
