@@ -7,7 +7,7 @@ use asperity::loading::recording::Recording;
 use asperity::output::revolved::Extent;
 use asperity::output::{figures, provenance, run_file, vtu};
 use asperity::scene::file::{parse_scene, read_scene, write_scene};
-use asperity::simulate::outcome::{Note, Outcome};
+use asperity::simulate::outcome::Outcome;
 use asperity::simulate::{SimulationError, derived, simulate_recorded};
 use pyo3::prelude::*;
 
@@ -54,9 +54,7 @@ pub fn simulate(
         followed(py, threads, progress.as_ref(), |follower| simulate_recorded(&scene, &recording, follower))?;
     let reason = result.as_ref().err().map(ToString::to_string);
     let of = |mut outcome: Outcome| {
-        outcome.account.add_remarks(scene.remarks());
-        outcome.account.notes.extend(scene.strength_where_softened().map(Note::Scene));
-        outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
+        outcome.account.add_scene(&scene);
         Run { scene: scene.clone(), outcome, incomplete: reason.clone() }
     };
     match result {

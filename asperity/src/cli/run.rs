@@ -14,7 +14,7 @@ use asperity::scene::Scene;
 use asperity::scene::file::read_scene;
 use asperity::simulate::derived;
 use asperity::simulate::expected_time::expected_time;
-use asperity::simulate::outcome::{Account, ErrorSource, Kernel, Note, Outcome, Warning};
+use asperity::simulate::outcome::{Account, ErrorSource, Kernel, Outcome, Warning};
 use asperity::simulate::{SimulationError, simulate_recorded};
 use serde_json::json;
 use tables::netcdf::streams::say;
@@ -42,8 +42,7 @@ fn run_scene(scene: &Scene, arguments: &RunArguments, display: &Display) -> Resu
     }
     check_outputs(arguments)?;
     outputs::check_panels(&arguments.panel, &figures::panels(scene))?;
-    let remarks = scene.remarks();
-    display.printer().warn(&remarks);
+    display.printer().warn(scene.remarks());
     if !display.quiet {
         progress::tell_expected_time(expected_time(scene));
     }
@@ -67,9 +66,7 @@ fn run_scene(scene: &Scene, arguments: &RunArguments, display: &Display) -> Resu
             }
         }
     };
-    outcome.account.add_remarks(remarks);
-    outcome.account.notes.extend(scene.strength_where_softened().map(Note::Scene));
-    outcome.account.notes.push(Note::Defaults(scene.defaults_in_effect()));
+    outcome.account.add_scene(scene);
     let places = match failure.is_some() && holds_complete_run(&arguments.output) {
         true => &arguments.of_incomplete(),
         false => arguments,

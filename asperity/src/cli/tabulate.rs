@@ -40,9 +40,7 @@ fn tabulate_request(
     outputs::check_panels(&arguments.panel, &panels)?;
     display.printer().warn(request.remarks());
     if display.verbose {
-        let notes = request.template.strength_where_softened().map(Note::Scene);
-        let defaults = Note::Defaults(request.template.defaults_in_effect());
-        notes.into_iter().chain([defaults]).for_each(|note| say(format!("note: {note}")));
+        Note::of_scene(&request.template).for_each(|note| say(format!("note: {note}")));
     }
     if arguments.resume
         && let Some(table) =

@@ -4,6 +4,7 @@ use tables::quantity::{History, Quantity, Scalars, State};
 
 use crate::loading::inception::inception_at;
 use crate::loading::state::SlideState;
+use crate::scene::Scene;
 
 pub use crate::interface::contact::Status as ContactStatus;
 pub use crate::loading::body_fields::{BodyFields, BodySnapshot};
@@ -65,13 +66,16 @@ pub struct Account {
 }
 
 impl Account {
-    /// Remarks about the scene before the warnings of the run; what a remark says with its remedy, no warning repeats.
-    pub fn add_remarks(&mut self, remarks: Vec<String>) {
+    /// Adds the notes about the scene, and its remarks before the warnings of the run; what a remark says with its remedy, no
+    /// warning repeats.
+    pub fn add_scene(&mut self, scene: &Scene) {
+        let remarks = scene.remarks();
         if !remarks.is_empty() {
             // Its condition is among those of a remark.
             self.warnings.retain(|warning| *warning != Warning::EqualStrength { plateau: f64::INFINITY });
         }
         self.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
+        self.notes.extend(Note::of_scene(scene));
     }
 }
 

@@ -9,6 +9,7 @@ use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
 use crate::loading::inception::InceptionCriterion;
 use crate::loading::problem::{Problem, Units};
 use crate::loading::state::SlideState;
+use crate::scene::Scene;
 use crate::simulate::accuracy::resolution::Resolution;
 use tables::numbers::{beside, digits, plain, rounded};
 use tables::quantity::Quantity;
@@ -76,6 +77,12 @@ pub struct StrainChoice {
 }
 
 impl Note {
+    /// Those that a scene has before any run.
+    pub fn of_scene(scene: &Scene) -> impl Iterator<Item = Self> {
+        let softened = scene.strength_where_softened().map(Self::Scene);
+        softened.into_iter().chain([Self::Defaults(scene.defaults_in_effect())])
+    }
+
     pub fn resolution(resolution: &Resolution) -> Self {
         let Resolution { elements_per_radius, sectors, growth, .. } = *resolution;
         Self::Resolution { elements_per_radius, sectors, growth }
