@@ -67,10 +67,6 @@ impl TableWatch for Follower {
         let remark = format!("{done} of {total} cells, {remaining:.0} s left");
         self.tell("cells", done as f64 / total as f64, remark);
     }
-
-    fn cancelled(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
-    }
 }
 
 /// Does `work` on a number of threads, by default on all processors. An interrupt, or an exception in `progress`, stops

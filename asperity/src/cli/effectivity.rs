@@ -39,7 +39,7 @@ pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Resul
     if !display.quiet {
         print(&text)?;
     }
-    if Watch::cancelled(&progress) {
+    if progress.cancelled() {
         let journal = arguments.journal.display();
         return Err(Failure::Run(format!("stopped on request; the same command continues from {journal}")));
     }
@@ -51,6 +51,6 @@ struct Silent<'a>(&'a Progress);
 
 impl Watch for Silent<'_> {
     fn cancelled(&self) -> bool {
-        Watch::cancelled(self.0)
+        self.0.cancelled()
     }
 }

@@ -189,10 +189,6 @@ impl TableWatch for Progress {
         let detail = format!("{done} of {total} cells, {} left", duration(remaining));
         self.show("cells", done as f64 / total as f64, &detail);
     }
-
-    fn cancelled(&self) -> bool {
-        INTERRUPTED.get().is_some()
-    }
 }
 
 #[cfg(test)]

@@ -55,16 +55,12 @@ pub struct CellProgress {
 }
 
 /// Observes a tabulation and can stop it.
-pub trait TableWatch: Sync {
+pub trait TableWatch: Watch {
     /// A round of cells begins, of this processor time in all, s, within
     /// [`EXPECTED_TIME_FACTOR`](crate::simulate::expected_time::EXPECTED_TIME_FACTOR).
     fn expects(&self, _seconds: f64) {}
     /// A cell is finished.
     fn finished(&self, _index: Index, _result: &CellResult, _progress: &CellProgress) {}
-    /// Whether the tabulation is to stop.
-    fn cancelled(&self) -> bool {
-        false
-    }
 }
 
 impl TableWatch for simulate::Unwatched {}

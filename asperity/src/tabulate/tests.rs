@@ -77,6 +77,9 @@ impl TableWatch for StopAfter {
     fn finished(&self, _: Index, _: &CellResult, _: &CellProgress) {
         self.1.fetch_add(1, Ordering::Relaxed);
     }
+}
+
+impl Watch for StopAfter {
     fn cancelled(&self) -> bool {
         self.1.load(Ordering::Relaxed) >= self.0
     }
@@ -323,6 +326,7 @@ fn refinement_states_its_shortfall_and_cannot_be_divided() {
 #[test]
 fn time_remaining_is_reported() {
     struct Reported(Mutex<Vec<CellProgress>>);
+    impl Watch for Reported {}
     impl TableWatch for Reported {
         fn finished(&self, _: Index, _: &CellResult, progress: &CellProgress) {
             self.0.lock().unwrap().push(*progress);
