@@ -185,7 +185,7 @@ fn summary(tabulation: &Tabulation) -> String {
             let mut line: Vec<String> = Vec::new();
             line.extend(temperature.map(|temperature| format!("{} K", numbers::plain(temperature))));
             line.push(format!("{} omega_c", numbers::digits(interference, LABEL_DIGITS)));
-            line.push(format!("{} m/s", numbers::digits(tabulation.slip_rates[j], LABEL_DIGITS)));
+            line.push(format!("{} m/s", numbers::digits(tabulation.axes.slip_rate[j], LABEL_DIGITS)));
             match cell {
                 Some(Ok(finished)) => line.extend(
                     [Quantity::MuStatic, Quantity::Mu, Quantity::LoadPress, Quantity::Area].map(|quantity| {
@@ -234,7 +234,7 @@ fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
             let (temperature, interference) = tabulation.row(i);
             let mut cell = json!({
                 "interference": interference,
-                "slip_rate": tabulation.slip_rates[j],
+                "slip_rate": tabulation.axes.slip_rate[j],
                 "status": status,
                 "reason": reason,
                 "summary": summary,

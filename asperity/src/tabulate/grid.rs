@@ -46,7 +46,6 @@ impl<S: Simulator> Watch for Grid<'_, S> {
 /// The work of [`run`].
 pub struct Work<'a> {
     pub layout: Layout<'a>,
-    pub slips: &'a [f64],
     /// Row-major, like all data of the cells.
     pub wanted: &'a [bool],
     pub jobs: usize,
@@ -62,8 +61,8 @@ pub fn run<S: Simulator>(
 ) -> Result<(), JournalError> {
     let layout = work.layout;
     let cases = layout.cases();
-    let columns = layout.slip_rates.len();
-    let largest = layout.interferences[layout.interferences.len() - 1];
+    let columns = layout.axes.slip_rate.len();
+    let largest = layout.axes.interference[layout.axes.interference.len() - 1];
     let mut model = CostModel::new(largest, columns);
     let mut grid = Grid {
         simulator,
@@ -158,7 +157,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
                 && !ledger.taken.contains(&(i, *j))
                 && ledger.known.get(self.work.layout.point((i, *j))).is_none()
         };
-        let chosen = chosen((0..self.work.layout.slip_rates.len()).filter(is_pending).collect());
+        let chosen = chosen((0..self.work.layout.axes.slip_rate.len()).filter(is_pending).collect());
         ledger.taken.extend(chosen.iter().map(|&j| (i, j)));
         chosen
     }
@@ -175,9 +174,9 @@ impl<'a, S: Simulator> Grid<'a, S> {
         let temperature = self.work.layout.template(i).loading.temperature;
         let position = self.position((i, j));
         self.lock().forecast.started(position, self.now());
-        match guard(|| self.simulator.slide(pressed, self.work.layout.slip_rates[j], self)) {
+        match guard(|| self.simulator.slide(pressed, self.work.layout.axes.slip_rate[j], self)) {
             Ok(outcome) => {
-                let finished = Finished::new(&outcome, self.work.slips, temperature);
+                let finished = Finished::new(&outcome, &self.work.layout.axes.slip, temperature);
                 self.finish((i, j), Ok(finished));
             }
             Err(Some(reason)) => self.finish((i, j), Err(reason)),
@@ -206,7 +205,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
     }
 
     fn position(&self, (i, j): Index) -> usize {
-        i * self.work.layout.slip_rates.len() + j
+        i * self.work.layout.axes.slip_rate.len() + j
     }
 
     fn now(&self) -> f64 {

@@ -1,6 +1,7 @@
 //! How the cells of a tabulation lie: interferences by slip rates, for each initial temperature.
 
 use tables::closed_forms::hertz;
+use tables::table::Axes;
 
 use super::cost::Case;
 use super::journal::{Index, Point};
@@ -16,21 +17,20 @@ const ROWS_WORTH_A_PROBE: usize = 4;
 pub struct Layout<'a> {
     /// What the scenes of each initial temperature share.
     pub templates: &'a [Scene],
-    pub interferences: &'a [f64],
-    pub slip_rates: &'a [f64],
+    pub axes: &'a Axes,
 }
 
 impl<'a> Layout<'a> {
     pub fn rows(&self) -> usize {
-        self.templates.len() * self.interferences.len()
+        self.templates.len() * self.axes.interference.len()
     }
 
     pub fn template(&self, row: usize) -> &'a Scene {
-        &self.templates[row / self.interferences.len()]
+        &self.templates[row / self.axes.interference.len()]
     }
 
     pub fn interference(&self, row: usize) -> f64 {
-        self.interferences[row % self.interferences.len()]
+        self.axes.interference[row % self.axes.interference.len()]
     }
 
     /// A cell by its coordinates.
@@ -38,7 +38,7 @@ impl<'a> Layout<'a> {
         Point {
             temperature: self.template(i).loading.temperature,
             interference: self.interference(i),
-            slip_rate: self.slip_rates[j],
+            slip_rate: self.axes.slip_rate[j],
         }
     }
 
@@ -51,7 +51,7 @@ impl<'a> Layout<'a> {
 
     /// Rows of which one cell is run first, at the temperature in the middle.
     pub fn probes(&self) -> Vec<usize> {
-        let count = self.interferences.len();
+        let count = self.axes.interference.len();
         let first = self.templates.len() / 2 * count;
         match count >= ROWS_WORTH_A_PROBE {
             true => probes(count).map(|row| first + row).to_vec(),
@@ -63,7 +63,7 @@ impl<'a> Layout<'a> {
     pub fn scene(&self, (i, j): Index) -> Scene {
         let mut scene = self.template(i).clone();
         scene.loading.interference = self.interference(i);
-        scene.loading.slip_rate = self.slip_rates[j];
+        scene.loading.slip_rate = self.axes.slip_rate[j];
         scene
     }
 
@@ -74,13 +74,13 @@ impl<'a> Layout<'a> {
             let critical = scene.material.elastic_plastic().critical_interference(scene.radius);
             let interference = self.interference(row);
             let radius = hertz::contact_radius(scene.radius, interference * critical);
-            let slip_rate = self.slip_rates[column];
+            let slip_rate = self.axes.slip_rate[column];
             let effect = HeatEffect::expected(scene, slip_rate, radius);
             let heated = choose_heat(scene, slip_rate, &effect).is_coupled();
             Case { interference, column, heated }
         };
         let rows = 0..self.rows();
-        rows.flat_map(|row| (0..self.slip_rates.len()).map(move |column| case(row, column))).collect()
+        rows.flat_map(|row| (0..self.axes.slip_rate.len()).map(move |column| case(row, column))).collect()
     }
 }
 

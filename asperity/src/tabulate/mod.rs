@@ -234,19 +234,17 @@ pub(crate) fn tabulate_with<S: Simulator>(
         .stack_size(STACK_SIZE)
         .build()
         .map_err(|error| TabulateError::Threads { jobs: options.jobs, reason: error.to_string() })?;
-    let slips = slip_grid(request.template.loading.slip_distance);
     let templates = request.templates();
     let mut axes = Axes {
         interference: request.interferences.clone(),
         slip_rate: request.slip_rates.clone(),
-        slip: slips.clone(),
+        slip: slip_grid(request.template.loading.slip_distance),
     };
     loop {
-        let layout =
-            Layout { templates: &templates, interferences: &axes.interference, slip_rates: &axes.slip_rate };
+        let layout = Layout { templates: &templates, axes: &axes };
         let costs = expected_costs(&layout);
         let wanted = options.shard.map_or(vec![true; costs.len()], |shard| shard.members(&costs));
-        let work = Work { layout, slips: &slips, wanted: &wanted, jobs: options.jobs };
+        let work = Work { layout, wanted: &wanted, jobs: options.jobs };
         watch.expects(expected_time_left(&layout, &wanted, &known));
         grid::run(simulator, &work, (&mut known, &mut journal), &pool, watch)?;
         let columns = axes.slip_rate.len();
@@ -256,9 +254,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
             shard: options.shard,
             cells: (0..layout.rows()).map(row).collect(),
             wanted: wanted.chunks(columns).map(<[bool]>::to_vec).collect(),
-            interferences: axes.interference.clone(),
-            slip_rates: axes.slip_rate.clone(),
-            slips: slips.clone(),
+            axes: axes.clone(),
             resumed,
         };
         // Refined tables have one initial temperature.
@@ -295,7 +291,7 @@ fn check_depth(request: &Request) -> Result<(), TabulateError> {
 
 /// Processor time of the cells that are wanted and not known yet, s.
 fn expected_time_left(layout: &Layout<'_>, wanted: &[bool], known: &Known) -> f64 {
-    let columns = layout.slip_rates.len();
+    let columns = layout.axes.slip_rate.len();
     let left = (0..wanted.len()).map(|k| (k / columns, k % columns)).zip(wanted);
     left.filter(|(index, wanted)| **wanted && known.get(layout.point(*index)).is_none())
         .map(|(index, _)| expected_time(&layout.scene(index)))
@@ -304,8 +300,8 @@ fn expected_time_left(layout: &Layout<'_>, wanted: &[bool], known: &Known) -> f6
 
 /// Of each cell, row-major, before anything is run; only ratios are meaningful.
 fn expected_costs(layout: &Layout<'_>) -> Vec<f64> {
-    let largest = layout.interferences[layout.interferences.len() - 1];
-    let model = CostModel::new(largest, layout.slip_rates.len());
+    let largest = layout.axes.interference[layout.axes.interference.len() - 1];
+    let model = CostModel::new(largest, layout.axes.slip_rate.len());
     layout.cases().into_iter().map(|case| model.seconds(case)).collect()
 }
 

@@ -21,12 +21,8 @@ pub struct Tabulation {
     pub request: Request,
     /// The part of it that was to be run.
     pub shard: Option<Shard>,
-    /// ω₀/ω_c, rising: those requested and those added.
-    pub interferences: Vec<f64>,
-    /// V, m/s, rising: those requested and those added.
-    pub slip_rates: Vec<f64>,
-    /// Slips s/a₀ of the histories.
-    pub slips: Vec<f64>,
+    /// Interferences and slip rates are those requested and those added.
+    pub axes: Axes,
     /// Over interference (at several initial temperatures those of the first, then those of the next)
     /// and slip rate; `None` where the cell was not run.
     pub cells: Vec<Vec<Option<CellResult>>>,
@@ -68,8 +64,8 @@ impl Tabulation {
 
     /// Initial temperature of a row, K, if they are several; and its interference.
     pub fn row(&self, i: usize) -> (Option<f64>, f64) {
-        let count = self.interferences.len();
-        (self.request.temperatures.get(i / count).copied(), self.interferences[i % count])
+        let count = self.axes.interference.len();
+        (self.request.temperatures.get(i / count).copied(), self.axes.interference[i % count])
     }
 
     fn each(&self) -> impl Iterator<Item = (Index, &Option<CellResult>)> {
@@ -108,13 +104,8 @@ impl Tabulation {
 
     /// The results at the n-th initial temperature, of the scenes that share `template`.
     pub(super) fn slice(&self, n: usize, template: &Scene) -> Result<Slice, TableError> {
-        let axes = Axes {
-            interference: self.interferences.clone(),
-            slip_rate: self.slip_rates.clone(),
-            slip: self.slips.clone(),
-        };
-        let mut slice = Slice::new(axes, self.metadata(template))?;
-        let count = self.interferences.len();
+        let mut slice = Slice::new(self.axes.clone(), self.metadata(template))?;
+        let count = self.axes.interference.len();
         let rows = self.cells.iter().skip(n * count).take(count);
         for (i, j, result) in rows.enumerate().flat_map(|(i, row)| {
             row.iter().enumerate().filter_map(move |(j, cell)| Some((i, j, cell.as_ref()?)))
@@ -132,7 +123,7 @@ impl Tabulation {
     }
 
     fn title(&self) -> String {
-        let (interferences, slip_rates) = (&self.interferences, &self.slip_rates);
+        let (interferences, slip_rates) = (&self.axes.interference, &self.axes.slip_rate);
         let temperatures = match &self.request.temperatures[..] {
             [from, .., to] => {
                 format!("{} initial temperatures from {from} to {to} K, ", self.request.temperatures.len())
@@ -206,7 +197,7 @@ impl Tabulation {
     /// A cell by its coordinates.
     pub fn label(&self, (i, j): Index) -> String {
         let (temperature, interference) = self.row(i);
-        let cell = tables::table::label(interference, self.slip_rates[j]);
+        let cell = tables::table::label(interference, self.axes.slip_rate[j]);
         match temperature {
             None => cell,
             Some(temperature) => format!("{cell} from {} K", plain(temperature)),

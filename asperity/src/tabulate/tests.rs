@@ -232,7 +232,7 @@ fn table_has_every_cell_and_says_which_failed() {
     }
     let table = table(&tabulation).at(None).unwrap();
     assert_eq!(table.shape(), (3, 3));
-    assert_eq!(table.axes().slip, tabulation.slips);
+    assert_eq!(*table.axes(), tabulation.axes);
     let expected = fake::outcome(&request(GRID).scene(1, 1));
     assert_eq!(table.cell(1, 1).unwrap()[Quantity::Load], expected.scalars[Quantity::Load]);
     assert!(matches!(table.status(1, 2), Status::Failed(reason) if reason.contains("did not converge")));
@@ -282,9 +282,9 @@ fn points_are_added_for_a_tolerance() {
     let fake = Fake::default();
     let one = whole(REFINED, &fake, 1);
     // Power laws of the interference need no more points, the slip rate does.
-    assert!(one.slip_rates.len() > 5, "{:?}", one.slip_rates);
-    assert!(one.interferences.len() <= 3, "{:?}", one.interferences);
-    assert_eq!(fake.slides.load(Ordering::Relaxed), one.interferences.len() * one.slip_rates.len());
+    assert!(one.axes.slip_rate.len() > 5, "{:?}", one.axes.slip_rate);
+    assert!(one.axes.interference.len() <= 3, "{:?}", one.axes.interference);
+    assert_eq!(fake.slides.load(Ordering::Relaxed), one.axes.interference.len() * one.axes.slip_rate.len());
     assert_eq!(one, whole(REFINED, &Fake::default(), 5));
     let table = table(&one).at(None).unwrap();
     assert_eq!(table.metadata().interpolation_tolerance, Some(0.02));
@@ -306,7 +306,7 @@ fn points_are_added_for_a_tolerance() {
     assert!(!stopped.finished());
     let continued = bench.run(&Fake::default(), (2, true, None), &Unwatched).unwrap();
     assert_eq!(continued.resumed, 11);
-    assert_eq!((continued.cells, continued.slip_rates), (one.cells, one.slip_rates));
+    assert_eq!((continued.cells, continued.axes), (one.cells, one.axes));
 }
 
 #[test]
