@@ -19,9 +19,7 @@
 //! contact continues in a foot with vanishing pressure, in which the shear traction falls from its limit to zero. The edge is
 //! further out by c |s|/(K√h), h the ring spacing.
 
-use crate::scene::fitted_constants::contact_edge::{
-    Blunt, FIRST_PLACE, FULL_LOAD, GAP_CURVATURE, LOAD_CURVATURE, OPEN_GAP, SHEAR_SHIFT,
-};
+use crate::scene::fitted_constants::contact_edge::{Blunt, EdgeConstants};
 
 /// Tolerance of the difference of the two values of t.
 const ROUNDING: f64 = 1e-9;
@@ -36,33 +34,6 @@ pub struct EdgeRatios {
     /// s over the slope of the gap between the next two rings.
     pub shear: f64,
 }
-
-/// The constants of ρ and γ over t, and of the shift by shear.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EdgeConstants {
-    /// Place at t = 0, in ring spacings from the last ring in contact.
-    pub first_place: f64,
-    /// ρ₁.
-    pub full_load: Blunt,
-    /// p.
-    pub load_curvature: f64,
-    /// γ₀.
-    pub open_gap: Blunt,
-    /// q.
-    pub gap_curvature: f64,
-    /// c.
-    pub shear_shift: f64,
-}
-
-/// As fitted, see [`crate::scene::fitted_constants::contact_edge`].
-pub const FITTED: EdgeConstants = EdgeConstants {
-    first_place: FIRST_PLACE,
-    full_load: FULL_LOAD,
-    load_curvature: LOAD_CURVATURE,
-    open_gap: OPEN_GAP,
-    gap_curvature: GAP_CURVATURE,
-    shear_shift: SHEAR_SHIFT,
-};
 
 impl EdgeConstants {
     /// Place of the edge in ring spacings from the last ring in contact; without shear −0.27 to 0.73.
@@ -115,6 +86,7 @@ pub fn shear_number(ratios: &EdgeRatios, place: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::fitted_constants::contact_edge::FITTED;
 
     /// ρ before a ring touches and γ afterwards, measured in presses and slides.
     const TOUCHING: [(f64, f64); 4] = [(0.62, 0.69), (0.71, 0.75), (0.82, 0.82), (0.90, 0.86)];

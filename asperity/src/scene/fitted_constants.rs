@@ -151,7 +151,7 @@ pub(crate) mod localised_shear {
 ///   presses without hardening and of 4340 steel at 5 and 50 ω_c on 8 elements against 32; 20 edges, at all angles, of
 ///   slides of four materials from 2 to 50 ω_c on 8 elements against 24. Shift: 320 edges, at all angles, of 16 slides from
 ///   0.15 to 20 ω_c on 6 to 16 elements against 30 to 48; the repetition takes 20 edges of five of them.
-/// - Side condition: the edge is continuous as a ring touches, as FIRST_PLACE does not depend on the bluntness.
+/// - Side condition: the edge is continuous as a ring touches, as `first_place` does not depend on the bluntness.
 /// - Repeated by: `asperity calibrate`.
 /// - Residual: 0.009 ring spacings rms in elastic presses, 0.013 to 0.04 in plastic ones, 0.01 to 0.03 in slides from 2 to
 ///   20 ω_c (0.07 at 50 ω_c), 0.09 to 0.14 in slides from 0.35 to 1.2 ω_c.
@@ -159,17 +159,30 @@ pub(crate) mod contact_edge {
     /// A constant at bluntness 0 and its change to bluntness 1.
     pub type Blunt = [f64; 2];
 
-    /// Place of the edge when the last ring touches, in ring spacings from that ring.
-    pub const FIRST_PLACE: f64 = -0.272;
-    /// Pressure ratio ρ of the last two rings when the next ring touches.
-    pub const FULL_LOAD: Blunt = [0.624, 0.40];
-    /// Gap ratio γ of the next two rings when the last ring touches.
-    pub const OPEN_GAP: Blunt = [0.692, 0.26];
-    /// Curvature of ρ and of γ over the place of the edge.
-    pub const LOAD_CURVATURE: f64 = 0.465;
-    pub const GAP_CURVATURE: f64 = 0.397;
-    /// Shift of the edge by a shear traction that ends there, in ring spacings over shear/(K√h).
-    pub const SHEAR_SHIFT: f64 = 1.3;
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct EdgeConstants {
+        /// Place of the edge when the last ring touches, in ring spacings from that ring.
+        pub first_place: f64,
+        /// ρ₁: pressure ratio of the last two rings when the next ring touches.
+        pub full_load: Blunt,
+        /// p: curvature of ρ over the place of the edge.
+        pub load_curvature: f64,
+        /// γ₀: gap ratio of the next two rings when the last ring touches.
+        pub open_gap: Blunt,
+        /// q: curvature of γ.
+        pub gap_curvature: f64,
+        /// c: shift of the edge by a shear traction that ends there, in ring spacings over shear/(K√h).
+        pub shear_shift: f64,
+    }
+
+    pub const FITTED: EdgeConstants = EdgeConstants {
+        first_place: -0.272,
+        full_load: [0.624, 0.40],
+        load_curvature: 0.465,
+        open_gap: [0.692, 0.26],
+        gap_curvature: 0.397,
+        shear_shift: 1.3,
+    };
 }
 
 /// Processor time of a run, see `simulate::expected_time`.

@@ -1,7 +1,8 @@
 //! Contact fraction of each node: the part of its area inside the contact edge.
 
 use super::{Contact, ContactState, Status};
-use crate::interface::contact_edge::{EdgeRatios, FITTED};
+use crate::interface::contact_edge::EdgeRatios;
+use crate::scene::fitted_constants::contact_edge::FITTED;
 
 impl Contact {
     /// Contact fractions of the trial state.

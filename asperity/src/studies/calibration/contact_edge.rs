@@ -6,7 +6,8 @@
 
 use super::{Fit, FittedConstant, Residual, pressed, rms, through_origin, two_terms};
 use crate::interface::contact::Contact;
-use crate::interface::contact_edge::{EdgeConstants, EdgeRatios, FITTED, shear_number};
+use crate::interface::contact_edge::{EdgeRatios, shear_number};
+use crate::scene::fitted_constants::contact_edge::{EdgeConstants, FITTED};
 use crate::scene::{FrictionLaw, Material, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::{SimulationError, Watch, contact_after_slide};
