@@ -239,7 +239,7 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         of: "ratios of pressures and gaps, elastic".to_owned(),
         points: 2 * elastic.len(),
         stored: misfit(&FITTED, &elastic),
-        fitted: Some(misfit(&fitted, &elastic)),
+        fitted: misfit(&fitted, &elastic),
     }];
     groups.insert(0, ("elastic press".to_owned(), elastic));
     groups.extend(light);
@@ -247,7 +247,7 @@ pub(super) fn fit(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         of: format!("place in ring spacings, {name}"),
         points: edges.len(),
         stored: error_of_places(&FITTED, &edges),
-        fitted: Some(error_of_places(&fitted, &edges)),
+        fitted: error_of_places(&fitted, &edges),
     }));
     Ok(Fit {
         name: "Contact edge",

@@ -65,7 +65,7 @@ pub(super) fn plastic_strain(watch: &dyn Watch) -> Result<Fit, SimulationError> 
     let residual = |of: &str, part: fn(f64) -> f64| {
         let [stored, fitted] =
             [[ADDED, GROWTH], fitted].map(|constants| rms(excess(constants).into_iter().map(part)));
-        Residual { of: of.to_owned(), points: points.len(), stored, fitted: Some(fitted) }
+        Residual { of: of.to_owned(), points: points.len(), stored, fitted }
     };
     Ok(Fit {
         name: "Plastic strain of a slide",
@@ -113,7 +113,7 @@ pub(super) fn heat_effect(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         of: format!("factor at {} omega_c, mean {:.2}", scene.loading.interference, through_origin(rows)),
         points: rows.len(),
         stored: misfit(rows, LOAD_OF_EXPANSION),
-        fitted: Some(misfit(rows, fitted)),
+        fitted: misfit(rows, fitted),
     });
     Ok(Fit {
         name: "Load of thermal expansion",

@@ -38,7 +38,7 @@ pub(super) fn uplift(watch: &dyn Watch) -> Result<Fit, SimulationError> {
         of: format!("1 - P/P_Hertz = {y:.4} at {interference} omega_c, f = {factor}"),
         points: 1,
         stored: (UPLIFT * x - y).abs(),
-        fitted: Some((fitted * x - y).abs()),
+        fitted: (fitted * x - y).abs(),
     });
     Ok(Fit {
         name: "Uplift by friction",
@@ -72,7 +72,7 @@ pub(super) fn kept_ratio(watch: &dyn Watch) -> Result<Fit, SimulationError> {
             of: format!("change of P/P_Hertz from {first_ratio:.3} that is not covered"),
             points: rows.len(),
             stored: uncovered(stored),
-            fitted: Some(uncovered(fitted)),
+            fitted: uncovered(fitted),
         }],
     })
 }

@@ -25,7 +25,7 @@ pub struct FittedConstant {
     pub fitted: f64,
 }
 
-/// A residual of the stored constants, and of those fitted anew where they are.
+/// A residual of the stored constants, and of those fitted anew.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Residual {
     /// Of which data, and in which unit.
@@ -33,7 +33,7 @@ pub struct Residual {
     pub points: usize,
     /// Root mean square.
     pub stored: f64,
-    pub fitted: Option<f64>,
+    pub fitted: f64,
 }
 
 /// One fit.
@@ -70,8 +70,7 @@ pub fn markdown(fits: &[Fit]) -> String {
         }
         text.push_str("\n| residual (rms) | points | stored | fitted |\n|---|---|---|---|\n");
         for Residual { of, points, stored, fitted } in residuals {
-            let fitted = fitted.map_or("".to_owned(), |fitted| format!("{fitted:.4}"));
-            let _ = writeln!(text, "| {of} | {points} | {stored:.4} | {fitted} |");
+            let _ = writeln!(text, "| {of} | {points} | {stored:.4} | {fitted:.4} |");
         }
         text.push('\n');
     }

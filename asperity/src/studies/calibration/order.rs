@@ -37,7 +37,7 @@ pub(super) fn elastic_load(watch: &dyn Watch) -> Result<Fit, SimulationError> {
             of: "ln of the relative error of P".to_owned(),
             points: points.len(),
             stored: of_stored,
-            fitted: Some(of_fitted),
+            fitted: of_fitted,
         }],
     })
 }
