@@ -18,26 +18,14 @@ const TENSOR: usize = 6;
 /// √⅔: |s| over the von Mises stress, and the von Mises strain increment over |Δε_p|.
 const TO_RADIUS: f64 = 0.816_496_580_927_726;
 
-/// Strain path of W points from one state to the next. Stresses relative to E(T)/E(T₀), as in [`Trial`].
+/// Strain path of W points from one state to the next. Results of lanes that do not flow are meaningless.
 #[derive(Clone, Copy, Debug)]
 pub struct StrainPath<'a, const W: usize> {
-    /// Lanes that flow: those with an elastic stress at the end above the strength there. Results of the others are
-    /// meaningless.
-    pub flowing: [bool; W],
+    pub trial: Trial<W>,
     /// Stress deviator at the start, on or below the strength there.
     pub start: &'a [Lanes<W>; TENSOR],
     /// Stress deviator at the end, if all of the strain were elastic.
     pub elastic: &'a [Lanes<W>; TENSOR],
-    /// ε_p at the start.
-    pub strain: Lanes<W>,
-    /// σ_y(ε_p, T₀) at the start and at the reference strain rate.
-    pub strength: Lanes<W>,
-    /// f(T)/f(T₀) at the end.
-    pub softening: Lanes<W>,
-    /// First guess of the increment of ε_p, 0 if there is none.
-    pub guess: Lanes<W>,
-    /// Length of the step, s; infinite at the reference strain rate.
-    pub time_step: f64,
 }
 
 /// The end of a strain path.
@@ -96,11 +84,12 @@ impl Solid {
 
     #[inline(always)]
     fn flow_at_rate<const W: usize>(&self, path: &StrainPath<W>) -> Flow<W> {
-        let Some(rate) = self.rate_over(path.time_step) else { return self.flow_on(path, path) };
-        let returned = self.return_map(&path.trial(path.elastic_stress()));
+        let trial = &path.trial;
+        let Some(rate) = self.rate_over(trial.time_step) else { return self.flow_on(path, path) };
+        let returned = self.return_map(trial, &path.elastic_stress());
         let (factor, _) = rate.factors(&returned.increment);
-        let softening = lanes(|l| factor[l] * path.softening[l]);
-        let mut flow = self.flow_on(path, &StrainPath { softening, ..*path });
+        let softening = lanes(|l| factor[l] * trial.softening[l]);
+        let mut flow = self.flow_on(path, &StrainPath { trial: Trial { softening, ..*trial }, ..*path });
         let (factor, _) = rate.factors(&flow.increment);
         (0..W).for_each(|l| flow.strength[l] /= factor[l]);
         flow
@@ -111,11 +100,11 @@ impl Solid {
     #[inline(always)]
     fn flow_on<const W: usize>(&self, path: &StrainPath<W>, turning: &StrainPath<W>) -> Flow<W> {
         let onset = turning.onset();
-        let mean = self.mean_radius(turning, &onset);
+        let mean = self.mean_radius(&turning.trial, &onset);
         let rotation = DeviatorRotation::new(&lanes(|l| onset.left[l] / mean[l]), &onset.cosine);
         let stress = lanes(|l| (onset.radius[l] + mean[l] * rotation.advance[l]) / TO_RADIUS);
-        let end = self.return_map(&path.trial(stress));
-        let radius = lanes(|l| TO_RADIUS * path.softening[l] * end.strength[l]);
+        let end = self.return_map(&path.trial, &stress);
+        let radius = lanes(|l| TO_RADIUS * path.trial.softening[l] * end.strength[l]);
         Flow {
             increment: end.increment,
             strength: end.strength,
@@ -133,16 +122,16 @@ impl Solid {
     /// Mean radius of the yield surface during flow: of its values at the onset and at the end, the latter that of the
     /// radial return after one Newton iteration.
     #[inline(always)]
-    fn mean_radius<const W: usize>(&self, path: &StrainPath<W>, onset: &Onset<W>) -> Lanes<W> {
-        let mut end: Lanes<W> = lanes(|l| TO_RADIUS * path.softening[l] * path.strength[l]);
+    fn mean_radius<const W: usize>(&self, trial: &Trial<W>, onset: &Onset<W>) -> Lanes<W> {
+        let mut end: Lanes<W> = lanes(|l| TO_RADIUS * trial.softening[l] * trial.strength[l]);
         if !matches!(self.hardening, Hardening::None) {
             let stiffness = 2.0 * self.moduli.shear / TO_RADIUS;
             // Upper bound: hardening takes up none of the stress.
             let most: Lanes<W> = lanes(|l| (onset.trial[l] - end[l]).max(0.0) / stiffness);
-            let strain: Lanes<W> = lanes(|l| path.strain[l] + most[l]);
+            let strain: Lanes<W> = lanes(|l| trial.strain[l] + most[l]);
             let (strength, slope) = self.hardened_lanes(&strain);
             for l in 0..W {
-                let factor = TO_RADIUS * path.softening[l];
+                let factor = TO_RADIUS * trial.softening[l];
                 let (radius, slope) = (factor * strength[l], factor * slope[l]);
                 let back = (radius - end[l]) / (stiffness + slope);
                 let hardened = (radius - slope * back).min(onset.trial[l]);
@@ -155,13 +144,6 @@ impl Solid {
 }
 
 impl<const W: usize> StrainPath<'_, W> {
-    /// The radial return from a von Mises stress.
-    #[inline(always)]
-    fn trial(&self, stress: Lanes<W>) -> Trial<W> {
-        let Self { flowing, strain, strength, softening, guess, time_step, .. } = *self;
-        Trial { flowing, stress, strain, strength, softening, guess, time_step }
-    }
-
     /// Von Mises stress at the end, if all of the strain were elastic.
     #[inline(always)]
     fn elastic_stress(&self) -> Lanes<W> {
@@ -196,7 +178,7 @@ impl<const W: usize> StrainPath<'_, W> {
             trial: lanes(|l| (start[l] + 2.0 * along[l] + length[l]).max(0.0).sqrt()),
         };
         for l in 0..W {
-            let last = TO_RADIUS * self.softening[l] * self.strength[l];
+            let last = TO_RADIUS * self.trial.softening[l] * self.trial.strength[l];
             let first = start[l].sqrt().max(last);
             let shrinks = last - first;
             // |s₀ + td|² = (R₀ + tΔR)²: at² + 2bt + c = 0, with c ≤ 0 and, the end being outside, one root t < 1.

@@ -28,7 +28,7 @@ use crate::material::lanes::{Lanes, lanes, powers};
 use crate::scene::curve::{Curve, interpolate};
 use crate::scene::{Hardening, Material, Rate, Softening};
 pub use flow::StrainPath;
-use return_map::Trial;
+pub use return_map::Trial;
 
 /// 1/√3, von Mises' ratio of shear to tensile strength.
 pub const SHEAR_RATIO: f64 = 0.577_350_269_189_625_8;

@@ -5,21 +5,19 @@ use super::strain_rate::StepRate;
 use crate::material::lanes::{Lanes, lanes, powers};
 use crate::scene::Hardening;
 
-/// Points whose elastic stress is above the yield strength. G is that of T₀: where the moduli have changed, stress
-/// and softening factor are relative to E(T)/E(T₀).
+/// Points whose elastic stress is above the yield strength, from one state to the next. G is that of T₀: where the moduli
+/// have changed, stresses and softening factor are relative to E(T)/E(T₀).
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<const W: usize> {
-    /// Lanes that flow; the others stay as they are.
+    /// Lanes that flow: those with an elastic stress at the end above the strength there.
     pub flowing: [bool; W],
-    /// Von Mises stress q without further flow.
-    pub stress: Lanes<W>,
-    /// ε_p so far.
+    /// ε_p at the start.
     pub strain: Lanes<W>,
-    /// σ_y(ε_p, T₀).
+    /// σ_y(ε_p, T₀) at the start and at the reference strain rate.
     pub strength: Lanes<W>,
-    /// f(T)/f(T₀).
+    /// f(T)/f(T₀) at the end.
     pub softening: Lanes<W>,
-    /// First guess of the increment, 0 if there is none.
+    /// First guess of the increment of ε_p, 0 if there is none.
     pub guess: Lanes<W>,
     /// Length of the step, s; infinite at the reference strain rate.
     pub time_step: f64,
@@ -37,17 +35,18 @@ pub struct Return<const W: usize> {
 }
 
 impl Solid {
-    /// Radial return: the increment x with q − 3Gx = f·σ_y(ε_p + x, x/Δt, T₀).
+    /// Radial return from the von Mises stress q = `stress` without further flow: the increment x with
+    /// q − 3Gx = f·σ_y(ε_p + x, x/Δt, T₀). Lanes that do not flow stay as they are.
     ///
     /// The residual falls and is convex where hardening is concave, so Newton's method started left of the root never
     /// passes it. For a power law, with its infinite initial slope, it starts where the elastic and the hardening part
     /// each take up half of the excess. A bracket secures laws that are not concave, and the reference strain rate, where
     /// the slope jumps.
     #[inline(always)]
-    pub fn return_map<const W: usize>(&self, trial: &Trial<W>) -> Return<W> {
+    pub fn return_map<const W: usize>(&self, trial: &Trial<W>, stress: &Lanes<W>) -> Return<W> {
         let rate = self.rate_over(trial.time_step);
         let stiffness = 3.0 * self.moduli.shear;
-        let Trial { stress, strain, softening, .. } = trial;
+        let Trial { strain, softening, .. } = trial;
         let mut end = Return { increment: [0.0; W], strength: trial.strength, slope: [0.0; W] };
         let mut pending = [false; W];
         let (mut low, mut high) = ([0.0; W], [0.0; W]);
@@ -58,7 +57,7 @@ impl Solid {
             let most = if let Hardening::Table { .. } = self.hardening { stress[l] } else { excess };
             high[l] = if pending[l] { most / stiffness } else { 0.0 };
         }
-        let mut x = self.first_guess(trial, &pending, &high);
+        let mut x = self.first_guess(trial, stress, &pending, &high);
         // A power law is smooth: one iteration takes an error e below e²/2(ε_p + x), which bounds the error of the last
         // iterate without another evaluation of the power.
         let smooth = rate.is_none() && matches!(self.hardening, Hardening::JohnsonCook { .. });
@@ -124,6 +123,7 @@ impl Solid {
     fn first_guess<const W: usize>(
         &self,
         trial: &Trial<W>,
+        stress: &Lanes<W>,
         pending: &[bool; W],
         high: &Lanes<W>,
     ) -> Lanes<W> {
@@ -136,7 +136,7 @@ impl Solid {
         if fresh.contains(&true) {
             let share: Lanes<W> = lanes(|l| {
                 let b = trial.softening[l] * modulus / self.yield_strength;
-                let excess = trial.stress[l] - trial.softening[l] * trial.strength[l];
+                let excess = stress[l] - trial.softening[l] * trial.strength[l];
                 if fresh[l] { 0.5 * excess / b } else { 1.0 }
             });
             let start = powers(&share, 1.0 / exponent);

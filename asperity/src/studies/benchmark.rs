@@ -8,8 +8,8 @@ use crate::interface::contact::{Contact, FlatPosition};
 use crate::loading::press::press_on;
 use crate::loading::problem::{Discretisation, Problem, SHEAR_RATIO};
 use crate::loading::slide::{Motion, Slide};
-use crate::material::StrainPath;
 use crate::material::lanes::Lanes;
+use crate::material::{StrainPath, Trial};
 use crate::scene::Scene;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::solver::harmonic::SingleFactors;
@@ -125,16 +125,15 @@ impl Kernels {
     pub fn flow(&self) -> f64 {
         let mut sum = 0.0;
         for [start, elastic] in &self.paths {
-            let end = self.body.solid.flow(&StrainPath {
+            let trial = Trial {
                 flowing: [true; LANES],
-                start,
-                elastic,
                 strain: [0.01; LANES],
                 strength: [self.body.solid.hardening_factor(0.01); LANES],
                 softening: [1.0; LANES],
                 guess: [0.0; LANES],
                 time_step: f64::INFINITY,
-            });
+            };
+            let end = self.body.solid.flow(&StrainPath { trial, start, elastic });
             sum += end.increment[0] + end.direction[0][0];
         }
         sum

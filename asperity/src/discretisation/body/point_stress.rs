@@ -4,8 +4,8 @@ use super::part::Part;
 use super::state::place_of;
 use super::temperature::{ElementHeat, PointTemperature};
 use super::{COEFFICIENTS, TENSOR};
-use crate::material::StrainPath;
 use crate::material::lanes::{Lanes, Pack, lanes_of};
+use crate::material::{StrainPath, Trial};
 
 /// Gauss points of an element from `chunk` on and a group of angles, side by side in history and tangent.
 #[derive(Clone, Copy)]
@@ -159,14 +159,16 @@ impl Part<'_> {
             stress.store(elastic);
         }
         let path = StrainPath {
-            flowing,
+            trial: Trial {
+                flowing,
+                strain: at_start(self.committed.accumulated),
+                strength: at_start(self.committed.strength),
+                softening: yielding.softening,
+                guess,
+                time_step: self.time_step,
+            },
             start: &start,
             elastic: &elastic,
-            strain: at_start(self.committed.accumulated),
-            strength: at_start(self.committed.strength),
-            softening: yielding.softening,
-            guess,
-            time_step: self.time_step,
         };
         let end = self.solid.flow(&path);
         let two_shear = 2.0 * self.solid.moduli.shear;
@@ -174,7 +176,7 @@ impl Part<'_> {
         // Elastic values in the lanes that do not flow; the loops below act on all lanes.
         let (mut across, mut radial) = ([two_shear; N], [0.0; N]);
         for l in (0..N).filter(|&l| flowing[l]) {
-            self.trial.accumulated[at.scalar() + l] = path.strain[l] + end.increment[l];
+            self.trial.accumulated[at.scalar() + l] = path.trial.strain[l] + end.increment[l];
             self.trial.strength[at.scalar() + l] = end.strength[l];
             // Along the stress the tangent is 2GH/(3G + H). A falling strength counts as constant, so that the tangent
             // stays definite, and it is nowhere stiffer along the stress than across.

@@ -60,16 +60,22 @@ fn q(s: &Tensor) -> f64 {
     (1.5 * inner(s, s)).sqrt()
 }
 
-fn flow(solid: &Solid, point: Point, elastic: &Tensor) -> Flow<1> {
-    solid.flow(&StrainPath {
+fn trial(solid: &Solid, point: Point) -> Trial<1> {
+    Trial {
         flowing: [true],
-        start: &point.stress.map(|s| [s]),
-        elastic: &elastic.map(|s| [s]),
         strain: [point.strain],
         strength: [solid.hardened(point.strain).0],
         softening: [point.softening],
         guess: [0.0],
         time_step: TIME_STEP,
+    }
+}
+
+fn flow(solid: &Solid, point: Point, elastic: &Tensor) -> Flow<1> {
+    solid.flow(&StrainPath {
+        trial: trial(solid, point),
+        start: &point.stress.map(|s| [s]),
+        elastic: &elastic.map(|s| [s]),
     })
 }
 
@@ -87,19 +93,10 @@ fn closed_form(solid: &Solid) -> impl Fn(Point, &Tensor) -> Point {
 /// Backward Euler, whose limit in small steps is the law.
 fn radial_return(solid: &Solid) -> impl Fn(Point, &Tensor) -> Point {
     |point, elastic| {
-        let strength = solid.hardened(point.strain).0;
-        if q(elastic) <= point.softening * strength {
+        if q(elastic) <= point.softening * solid.hardened(point.strain).0 {
             return Point { stress: *elastic, ..point };
         }
-        let end = solid.return_map(&Trial {
-            flowing: [true],
-            stress: [q(elastic)],
-            strain: [point.strain],
-            strength: [strength],
-            softening: [point.softening],
-            guess: [0.0],
-            time_step: TIME_STEP,
-        });
+        let end = solid.return_map(&trial(solid, point), &[q(elastic)]);
         let kept = point.softening * end.strength[0] / q(elastic);
         Point { stress: elastic.map(|s| kept * s), strain: point.strain + end.increment[0], ..point }
     }

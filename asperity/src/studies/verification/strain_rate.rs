@@ -7,7 +7,7 @@ use tables::quantity::Quantity;
 
 use super::setup::{last, mesh, plain_material, scene};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
-use crate::material::{Solid, StrainPath};
+use crate::material::{Solid, StrainPath, Trial};
 use crate::scene::{FrictionLaw, Material, Rate, Switch};
 use crate::simulate::{Watch, simulate};
 
@@ -56,15 +56,18 @@ impl Point {
         let deviator = |q: f64| [2.0, -1.0, -1.0, 0.0, 0.0, 0.0].map(|share| [share / 3.0 * q]);
         for _ in 0..steps {
             let elastic = self.stress + 3.0 * self.solid.moduli.shear * strain_rate * time_step;
-            let end = self.solid.flow(&StrainPath {
+            let trial = Trial {
                 flowing: [true],
-                start: &deviator(self.stress),
-                elastic: &deviator(elastic),
                 strain: [self.strain],
                 strength: [1.0],
                 softening: [1.0],
                 guess: [0.0],
                 time_step,
+            };
+            let end = self.solid.flow(&StrainPath {
+                trial,
+                start: &deviator(self.stress),
+                elastic: &deviator(elastic),
             });
             self.strain += end.increment[0];
             self.stress = end.radius[0] / TO_RADIUS;
