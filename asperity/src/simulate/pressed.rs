@@ -234,7 +234,7 @@ fn press_mesh(
     /// not known yet.
     const LAYOUTS_PAST_RIM: usize = 8;
     let clock = Instant::now();
-    let Resolution { press_increments, growth_zone, .. } = *resolution;
+    let press_increments = resolution.press_increments();
     let size_for = |contact_radius: f64| resolution.mesh_size(contact_radius);
     let on = |mut contact_radius: f64, increments: usize| {
         for _ in 0..LAYOUTS_PAST_RIM {
@@ -247,7 +247,7 @@ fn press_mesh(
             if !mechanics.contact.at_rim(&mechanics.contact.committed) {
                 return Ok((size, mechanics, increments));
             }
-            contact_radius *= growth_zone;
+            contact_radius *= resolution.growth_zone;
         }
         Err(too_deep(problem, |radius| size_for(radius).fits()))
     };

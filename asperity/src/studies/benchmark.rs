@@ -73,7 +73,7 @@ impl Kernels {
         let resolution = Resolution::choose(&scene.numerics);
         let size = resolution.mesh_size(problem.expected_contact_radius());
         let (pressed, _) =
-            press_on(&problem, size, resolution.press_increments, &|| false).expect("a press that works");
+            press_on(&problem, size, resolution.press_increments(), &|| false).expect("a press that works");
         let radius = pressed.contact.radius(&pressed.contact.committed);
         let (body, contact, displacement) = pressed.into_parts();
         let discretisation =

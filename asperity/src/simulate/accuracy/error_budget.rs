@@ -264,7 +264,7 @@ mod tests {
         let coarser = run.coarse();
         let longer = coarser.longer_steps();
         let part = |r: &Resolution| {
-            [2.0 * (r.elements_per_radius as f64).powf(-1.5), 0.4 / r.press_increments as f64]
+            [2.0 * (r.elements_per_radius as f64).powf(-1.5), 0.4 / r.press_increments() as f64]
         };
         let of = |r: &Resolution| 3.0 + part(r).iter().sum::<f64>();
         let scatter = 0.003;

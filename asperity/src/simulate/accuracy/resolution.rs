@@ -57,8 +57,7 @@ pub struct Resolution {
     pub growth_zone: f64,
     /// How often the layer at the surface is halved, see [`thermal_layer_refinements`].
     pub thermal_layer_refinements: u32,
-    pub press_increments: usize,
-    /// Γ, growth of the increments of the slide.
+    /// Γ, growth of the increments of the slide; those of the press follow from it.
     pub growth: f64,
     /// Relative residual at which a step counts as solved.
     pub tolerance: f64,
@@ -69,10 +68,17 @@ impl Resolution {
     pub fn choose(numerics: &Numerics) -> Self {
         let accuracy = numerics.accuracy;
         let from_accuracy = (10.0 * (0.02 / accuracy).powf(0.6)).round() as usize;
-        let elements = numerics.elements_per_radius.unwrap_or(from_accuracy.clamp(6, 32).next_multiple_of(2));
+        let from_accuracy = from_accuracy.clamp(6, 32).next_multiple_of(2);
         let sectors = numerics.sectors.unwrap_or(if accuracy >= 0.01 { 4 } else { 8 });
         let growth = 0.3 * (accuracy / 0.02).sqrt().clamp(0.3, 1.5);
-        Self::new(elements, sectors, growth)
+        Self {
+            elements_per_radius: numerics.elements_per_radius.unwrap_or(from_accuracy),
+            sectors,
+            growth_zone: GROWTH_ZONE,
+            thermal_layer_refinements: 0,
+            growth,
+            tolerance: NEWTON_TOLERANCE,
+        }
     }
 
     /// On a mesh as fine as the scatter of friction alone requires, which is large in light contacts; what the scene gives
@@ -87,19 +93,15 @@ impl Resolution {
             return self;
         }
         let wanted = (elements as f64 * error / allowed).ceil() as usize;
-        Self::new(wanted.next_multiple_of(2).min(MOST_ELEMENTS), self.sectors, self.growth)
+        self.on_mesh(wanted.next_multiple_of(2).min(MOST_ELEMENTS))
     }
 
-    fn new(elements_per_radius: usize, sectors: usize, growth: f64) -> Self {
-        Self {
-            elements_per_radius,
-            sectors,
-            growth_zone: GROWTH_ZONE,
-            thermal_layer_refinements: 0,
-            press_increments: (PRESS_INCREMENTS / growth).round() as usize,
-            growth,
-            tolerance: NEWTON_TOLERANCE,
-        }
+    fn on_mesh(&self, elements_per_radius: usize) -> Self {
+        Self { elements_per_radius, ..*self }
+    }
+
+    pub fn press_increments(&self) -> usize {
+        (PRESS_INCREMENTS / self.growth).round() as usize
     }
 
     /// Of a mesh that is laid out for a contact radius, over R.
@@ -113,18 +115,16 @@ impl Resolution {
         self.elements_per_radius == other.elements_per_radius
             && self.growth_zone == other.growth_zone
             && self.thermal_layer_refinements == other.thermal_layer_refinements
-            && self.press_increments == other.press_increments
+            && self.press_increments() == other.press_increments()
     }
 
     /// On a mesh half as fine, all else alike; for the coarsest meshes, which have no coarser ones, on one and a half
     /// times as fine a mesh.
     pub fn coarse(&self) -> Self {
-        let elements = match self.elements_per_radius {
+        self.on_mesh(match self.elements_per_radius {
             n @ ..6 => n + n / 2,
             n => (n / 2).max(4),
-        };
-        let coarse = Self::new(elements, self.sectors, self.growth);
-        Self { growth_zone: self.growth_zone, ..coarse }
+        })
     }
 
     /// Those of the auxiliary runs: on the coarse mesh unchanged, with another N_θ, with longer increments, with a
@@ -146,7 +146,7 @@ impl Resolution {
 
     /// The same in increments twice as large.
     pub fn longer_steps(&self) -> Self {
-        self.with_growth(2.0 * self.growth)
+        Self { growth: 2.0 * self.growth, ..*self }
     }
 
     /// The same solved less exactly.
@@ -156,18 +156,12 @@ impl Resolution {
 
     /// On a mesh `factor` times as fine, all else alike.
     pub fn finer_mesh(&self, factor: usize) -> Self {
-        let finer = Self::new(factor * self.elements_per_radius, self.sectors, self.growth);
-        Self { growth_zone: self.growth_zone, ..finer }
+        self.on_mesh(factor * self.elements_per_radius)
     }
 
     /// The same in increments of press and slide `factor` times shorter.
     pub fn shorter_steps(&self, factor: usize) -> Self {
-        self.with_growth(self.growth / factor as f64)
-    }
-
-    fn with_growth(&self, growth: f64) -> Self {
-        let Self { press_increments, .. } = Self::new(self.elements_per_radius, self.sectors, growth);
-        Self { press_increments, growth, ..*self }
+        Self { growth: self.growth / factor as f64, ..*self }
     }
 
     /// With more sectors and shorter increments where those alone would make too large a part
@@ -177,14 +171,19 @@ impl Resolution {
         if parts.solver_exceeds(numerics.accuracy) {
             return *self;
         }
-        let (mut sectors, mut growth) = (self.sectors, self.growth);
-        if parts.sectors > SHARE * numerics.accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
-            sectors *= 2;
+        self.refine_above(SHARE * numerics.accuracy, numerics, parts)
+    }
+
+    /// With more sectors and shorter increments where the part of either (relative) is above `most`.
+    fn refine_above(&self, most: f64, numerics: &Numerics, parts: &RelativeParts) -> Self {
+        let mut finer = *self;
+        if parts.sectors > most && numerics.sectors.is_none() && self.sectors < MOST_SECTORS {
+            finer.sectors *= 2;
         }
-        if parts.steps > SHARE * numerics.accuracy && growth > LEAST_GROWTH {
-            growth *= 0.5;
+        if parts.steps > most && self.growth > LEAST_GROWTH {
+            finer.growth *= 0.5;
         }
-        Self { growth_zone: self.growth_zone, ..Self::new(self.elements_per_radius, sectors, growth) }
+        finer
     }
 
     /// A resolution at which the error should be `accuracy`, given its parts (relative) at this one;
@@ -195,16 +194,12 @@ impl Resolution {
         if parts.total() <= accuracy || parts.solver_exceeds(accuracy) {
             return None;
         }
-        let (mut sectors, mut growth) = (self.sectors, self.growth);
-        let mut after = *parts;
-        if parts.sectors > SHARE * accuracy && numerics.sectors.is_none() && sectors < MOST_SECTORS {
-            sectors *= 2;
-            after.sectors *= 0.25;
-        }
-        if parts.steps > SHARE * accuracy && growth > LEAST_GROWTH {
-            growth *= 0.5;
-            after.steps *= 0.5;
-        }
+        let finer = self.refine_above(SHARE * accuracy, numerics, parts);
+        let after = RelativeParts {
+            sectors: parts.sectors * (self.sectors as f64 / finer.sectors as f64).powi(2),
+            steps: parts.steps * (finer.growth / self.growth),
+            ..*parts
+        };
         let mut elements = self.elements_per_radius;
         let allowed = (accuracy.powi(2) - after.others().powi(2)).max(0.0).sqrt().max(0.6 * accuracy);
         if parts.mesh > allowed && numerics.elements_per_radius.is_none() {
@@ -213,7 +208,7 @@ impl Resolution {
             elements = (wanted.ceil() as usize).clamp(elements + 2, 2 * elements).next_multiple_of(2);
             elements = elements.min(MOST_ELEMENTS).max(self.elements_per_radius);
         }
-        let finer = Self { growth_zone: self.growth_zone, ..Self::new(elements, sectors, growth) };
+        let finer = finer.on_mesh(elements);
         (finer != *self).then_some(finer)
     }
 }
