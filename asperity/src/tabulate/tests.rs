@@ -20,6 +20,13 @@ const TEMPERATURES: &str = "[table]\ninterference = [1, 3, 10, 30]\nslip_rate = 
                             temperature = [298, 500, 700]\n";
 const REFINED: &str = "[table]\ninterference = [1, 100]\nslip_rate = [0.1, 100]\ntolerance = 0.02\n";
 
+/// The outcome of a cell.
+fn outcome(request: &Request, interference: f64, slip_rate: f64) -> Outcome {
+    let mut scene = request.template.clone();
+    (scene.loading.interference, scene.loading.slip_rate) = (interference, slip_rate);
+    fake::outcome(&scene)
+}
+
 fn request(table: &str) -> Request {
     parse_request(&format!("{COPPER}{table}"), "request.toml", &[]).unwrap()
 }
@@ -233,7 +240,7 @@ fn table_has_every_cell_and_says_which_failed() {
     let table = table(&tabulation).at(None).unwrap();
     assert_eq!(table.shape(), (3, 3));
     assert_eq!(*table.axes(), tabulation.axes);
-    let expected = fake::outcome(&request(GRID).scene(1, 1));
+    let expected = outcome(&request(GRID), 10.0, 1.0);
     assert_eq!(table.cell(1, 1).unwrap()[Quantity::Load], expected.scalars[Quantity::Load]);
     assert!(matches!(table.status(1, 2), Status::Failed(reason) if reason.contains("did not converge")));
     let metadata = table.metadata();
@@ -290,9 +297,7 @@ fn points_are_added_for_a_tolerance() {
     assert_eq!(table.metadata().interpolation_tolerance, Some(0.02));
     for rate in [0.13, 0.7, 2.5, 9.0, 40.0, 88.0] {
         let estimate = table.estimate(Quantity::Mu, 1e-3, 33.0, rate).unwrap();
-        let mut scene = one.request.template.clone();
-        (scene.loading.interference, scene.loading.slip_rate) = (33.0, rate);
-        let truth = fake::outcome(&scene).scalars[Quantity::Mu].value;
+        let truth = outcome(&one.request, 33.0, rate).scalars[Quantity::Mu].value;
         assert!((estimate.value / truth - 1.0).abs() < 0.02, "{rate}");
         // 1 % of the run, and the error of interpolation.
         assert!(estimate.error > 0.01 * truth && estimate.error < 0.031 * truth, "{rate}: {estimate:?}");

@@ -34,14 +34,6 @@ pub struct Request {
 }
 
 impl Request {
-    /// The scene of one cell of the grid.
-    pub fn scene(&self, interference: usize, slip_rate: usize) -> Scene {
-        let mut scene = self.template.clone();
-        scene.loading.interference = self.interferences[interference];
-        scene.loading.slip_rate = self.slip_rates[slip_rate];
-        scene
-    }
-
     /// What the scenes of each initial temperature share, the lowest first.
     pub fn templates(&self) -> Vec<Scene> {
         match self.temperatures.is_empty() {

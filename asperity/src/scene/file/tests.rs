@@ -163,8 +163,7 @@ fn ranges_are_spaced_as_asked() {
     }
     assert_eq!(request.interferences.len(), 4);
     assert_eq!(request.slip_rates, [0.0, 0.1, 10.0]);
-    assert_eq!(request.scene(3, 2).loading.interference, 100.0);
-    assert_eq!(request.scene(3, 2).loading.slip_rate, 10.0);
+    assert_eq!(request.interferences[3], 100.0);
     assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
     let linear = "table.slip_rate={from=0, to=2, points=3, spacing=\"linear\"}";
     let request = parse_request(REQUEST, "request.toml", &set(&[linear])).unwrap();
