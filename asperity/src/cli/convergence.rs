@@ -29,10 +29,7 @@ pub fn convergence(arguments: &ConvergenceArguments, display: &Display) -> Resul
     })?;
     let history = provenance::history(&command_line());
     let saved = program::save(&arguments.output, |path| convergence::write(path, &scene, &sweep, &history));
-    let drawn = arguments
-        .plot
-        .as_ref()
-        .map_or(Ok(()), |plot| outputs::draw(convergence::figure(&sweep), &arguments.panel, plot));
+    let drawn = outputs::draw(|| convergence::figure(&sweep), &arguments.panel, &arguments.plot);
     let printed = display
         .printer()
         .print(|| as_json(&sweep), || convergence::table(&sweep) + &convergence::in_words(&sweep));

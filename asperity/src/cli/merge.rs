@@ -15,8 +15,8 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
     let shards: Vec<_> = arguments.shards.iter().map(|shard| ("a shard", shard.as_path())).collect();
     outputs::check(&shards, &outputs::with_plots(&arguments.output, &arguments.plot))?;
     let table = merged(&arguments.shards)?;
-    let plots = arguments.plot.iter().flat_map(|plot| outputs::plots(plot, &table.temperatures()));
-    outputs::check(&shards, &outputs::with_plots(&arguments.output, &plots.collect::<Vec<_>>()))?;
+    let plots = outputs::plots(&arguments.plot, &table.temperatures());
+    outputs::check(&shards, &outputs::with_plots(&arguments.output, &plots))?;
     let missing = table.missing();
     let cells: usize = table.slices().iter().map(|slice| slice.shape().0 * slice.shape().1).sum();
     if let Some(first) = missing.first()
@@ -35,9 +35,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         display.printer().warn([nothing]);
     }
     program::save(&arguments.output, |path| table.write(path))?;
-    if let Some(plot) = &arguments.plot {
-        outputs::plot(&table, plot, &arguments.panel)?;
-    }
+    outputs::plot(&table, &arguments.plot, &arguments.panel)?;
     let failed = table.failures();
     if !display.quiet {
         for (label, reason) in &failed {

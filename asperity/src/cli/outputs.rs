@@ -31,10 +31,11 @@ pub fn with_plots<'a>(
     std::iter::once((OUTPUT, output)).chain(plots).collect()
 }
 
-/// The figures of a table: `plot`, or with several initial temperatures NAME-500K.svg and so on for NAME.svg.
-pub fn plots(plot: &Path, temperatures: &[f64]) -> Vec<PathBuf> {
+/// The figures of a table, if asked for: `plot`, or with several initial temperatures NAME-500K.svg and so on for NAME.svg.
+pub fn plots(plot: &Option<PathBuf>, temperatures: &[f64]) -> Vec<PathBuf> {
+    let Some(plot) = plot else { return Vec::new() };
     if temperatures.len() < 2 {
-        return vec![plot.to_path_buf()];
+        return vec![plot.clone()];
     }
     let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
     let (name, extension) = (part(plot.file_stem()), part(plot.extension()));
@@ -42,12 +43,12 @@ pub fn plots(plot: &Path, temperatures: &[f64]) -> Vec<PathBuf> {
     temperatures.iter().map(place).collect()
 }
 
-/// Draws the figures of a table.
-pub fn plot(table: &Table, plot: &Path, panels: &[String]) -> Result<(), Failure> {
+/// Draws the figures of a table, if asked for.
+pub fn plot(table: &Table, plot: &Option<PathBuf>, panels: &[String]) -> Result<(), Failure> {
     let temperatures = table.temperatures();
     for (temperature, place) in temperatures.iter().zip(plots(plot, &temperatures)) {
         let slice = table.at(*temperature).map_err(Failure::run)?;
-        draw(slice.figure(), panels, &place)?;
+        draw(|| slice.figure(), panels, &Some(place))?;
     }
     Ok(())
 }
@@ -57,9 +58,14 @@ pub fn check_panels(asked: &[String], panels: &[&str]) -> Result<(), Failure> {
     Figure::check_panels(asked, panels).map_err(Failure::input)
 }
 
-/// Writes some panels of a figure, or all; elsewhere where `plot` cannot take it.
-pub fn draw(figure: Figure, panels: &[String], plot: &Path) -> Result<(), Failure> {
-    let figure = figure.only(panels).map_err(Failure::run)?;
+/// Writes some panels of a figure, or all, if asked for; elsewhere where `plot` cannot take it.
+pub fn draw(
+    figure: impl FnOnce() -> Figure,
+    panels: &[String],
+    plot: &Option<PathBuf>,
+) -> Result<(), Failure> {
+    let Some(plot) = plot else { return Ok(()) };
+    let figure = figure().only(panels).map_err(Failure::run)?;
     save(plot, |path| figure.save(path))
 }
 

@@ -119,10 +119,7 @@ fn report(
     let about = About { history: provenance::history(&command_line()), incomplete };
     let clock = Instant::now();
     let saved = program::save(&arguments.output, |path| run_file::write(path, scene, outcome, &about));
-    let drawn = arguments
-        .plot
-        .as_ref()
-        .map_or(Ok(()), |plot| outputs::draw(figures::run_figure(scene, outcome), &arguments.panel, plot));
+    let drawn = outputs::draw(|| figures::run_figure(scene, outcome), &arguments.panel, &arguments.plot);
     let extent = if arguments.vtu_whole { Extent::Whole } else { Extent::Half };
     let body = arguments.vtu.as_ref().map_or(Ok(()), |directory| {
         program::save(directory, |place| vtu::write(place, outcome, extent).map(drop))

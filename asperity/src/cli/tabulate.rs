@@ -1,7 +1,7 @@
 //! `asperity tabulate`: a grid of runs, one table.
 
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use asperity::output::provenance;
@@ -79,7 +79,7 @@ fn tabulate_request(
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
     journal.remove().map_err(Failure::run)?;
-    let drawn = arguments.plot.as_ref().map_or(Ok(()), |plot| outputs::plot(&table, plot, &arguments.panel));
+    let drawn = outputs::plot(&table, &arguments.plot, &arguments.panel);
     Failure::all([drawn, report(&tabulation, &spent, arguments, display)])?;
     match tabulation.failures().count() {
         0 => Ok(()),
@@ -99,8 +99,7 @@ fn failure(failed: usize, of: usize, output: &Path) -> String {
 }
 
 fn check_outputs(arguments: &TabulateArguments, temperatures: &[f64], journal: &Path) -> Result<(), Failure> {
-    let plots = arguments.plot.iter().flat_map(|plot| outputs::plots(plot, temperatures));
-    let plots: Vec<PathBuf> = plots.collect();
+    let plots = outputs::plots(&arguments.plot, temperatures);
     let mut written = outputs::with_plots(&arguments.output, &plots);
     written.push(("the journal", journal));
     outputs::check(&[("the request", &arguments.request)], &written)
@@ -113,9 +112,7 @@ fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Displ
     let json = || json!({ "output": output, "complete": true, "failed": failed });
     let text = || format!("{output}: the table of this request is complete, nothing was computed\n");
     let printed = display.printer().print(json, text);
-    if let Some(plot) = &arguments.plot {
-        outputs::plot(table, plot, &arguments.panel)?;
-    }
+    outputs::plot(table, &arguments.plot, &arguments.panel)?;
     printed?;
     match failed {
         0 => Ok(()),
