@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 
+use super::source::join;
 use crate::scene::ELEMENTS_PER_RADIUS;
 
 /// What a number may be.
@@ -250,20 +251,26 @@ impl Kind {
     }
 }
 
-/// Names of all keys of scenes and requests, sorted.
-pub fn key_names() -> BTreeSet<&'static str> {
-    fn collect(keys: &[Key], names: &mut BTreeSet<&'static str>) {
+/// All keys of scenes and requests: name and path.
+pub fn all_keys() -> Vec<(&'static str, String)> {
+    fn collect(section: &str, keys: &[Key], all: &mut Vec<(&'static str, String)>) {
         for key in keys {
-            names.insert(key.name);
+            let path = join(section, key.name);
+            all.push((key.name, path.clone()));
             if let Section(keys) | Sections(keys) = key.kind {
-                collect(keys, names);
+                collect(&path, keys, all);
             }
         }
     }
-    let mut names = BTreeSet::new();
-    collect(SCENE, &mut names);
-    collect(TABLE, &mut names);
-    names
+    let mut all = Vec::new();
+    collect("", SCENE, &mut all);
+    collect("table", TABLE, &mut all);
+    all
+}
+
+/// Names of all keys of scenes and requests, sorted.
+pub fn key_names() -> BTreeSet<&'static str> {
+    all_keys().into_iter().map(|(name, _)| name).collect()
 }
 
 /// The kind of a key by its path from `keys` on.

@@ -1,7 +1,6 @@
 //! Keys that are meant by other words, or written in another section.
 
-use super::keys::{Key, Kind, SCENE, TABLE};
-use super::source::join;
+use super::keys::all_keys;
 
 /// Words of the literature, and the keys for them.
 const SYNONYMS: &[(&[&str], &str)] = &[
@@ -37,25 +36,10 @@ const SYNONYMS: &[(&[&str], &str)] = &[
 pub fn meant(section: &str, name: &str) -> Option<String> {
     let name = name.to_lowercase();
     let synonym = SYNONYMS.iter().find(|(words, _)| words.contains(&name.as_str())).map(|(_, key)| *key);
-    let mut paths = Vec::new();
-    for wanted in [Some(name.as_str()), synonym].into_iter().flatten() {
-        collect("", SCENE, wanted, &mut paths);
-        collect("table", TABLE, wanted, &mut paths);
-    }
-    let far = |path: &&String| !path.starts_with(section);
-    paths.iter().min_by_key(|path| far(path)).cloned()
-}
-
-fn collect(path: &str, keys: &[Key], wanted: &str, paths: &mut Vec<String>) {
-    for key in keys {
-        let full = join(path, key.name);
-        if key.name == wanted {
-            paths.push(full.clone());
-        }
-        if let Kind::Section(inner) | Kind::Sections(inner) = key.kind {
-            collect(&full, inner, wanted, paths);
-        }
-    }
+    let all = all_keys();
+    let paths_of = |wanted| all.iter().filter(move |(name, _)| *name == wanted).map(|(_, path)| path);
+    let paths = [Some(name.as_str()), synonym].into_iter().flatten().flat_map(paths_of);
+    paths.min_by_key(|path| !path.starts_with(section)).cloned()
 }
 
 #[cfg(test)]
