@@ -328,7 +328,7 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         let mut scene = fake::scene(20.0, 1.0);
         let outcome = fake::outcome(&scene);
-        scene.material.fracture = Some(crate::scene::FractureData::Energy(500.0));
+        scene.material.fracture = Some(crate::scene::FractureData::Energy { shear_fracture_energy: 500.0 });
         let path = directory.path().join("fracture.nc");
         let about = About { history: String::new(), incomplete: None };
         write(&path, &scene, &outcome, &about).unwrap();

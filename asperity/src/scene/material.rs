@@ -103,15 +103,16 @@ impl Rate {
     }
 }
 
-/// Where the shear fracture energy of a material comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Where the shear fracture energy of a material comes from: keys of its section.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
 pub enum FractureData {
     /// G_IIc, J/m².
-    Energy(f64),
+    Energy { shear_fracture_energy: f64 },
     /// K_IIc, Pa√m.
-    Toughness(f64),
-    /// Tensile strength σ_u, Pa, and uniform elongation ε_u (engineering strain).
-    Tensile { strength: f64, uniform_elongation: f64 },
+    Toughness { fracture_toughness_mode_ii: f64 },
+    /// σ_u, Pa, and ε_u (engineering strain).
+    Tensile { tensile_strength: f64, uniform_elongation: f64 },
 }
 
 /// A property over temperature, linear between the points, constant outside them. Two equal
@@ -208,7 +209,6 @@ impl Material {
 
 /// The keys of the section as in a file.
 #[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 struct MaterialSection {
     youngs_modulus: Property,
     poisson_ratio: f64,
@@ -223,10 +223,8 @@ struct MaterialSection {
     thermal_expansion: Property,
     #[serde(default)]
     softening: Softening,
-    shear_fracture_energy: Option<f64>,
-    fracture_toughness_mode_ii: Option<f64>,
-    tensile_strength: Option<f64>,
-    uniform_elongation: Option<f64>,
+    #[serde(flatten)]
+    fracture: Option<FractureData>,
 }
 
 /// A number, or a table over temperature.
@@ -257,7 +255,6 @@ impl From<MaterialSection> for Material {
         let (specific_heat, heat_table) = section.specific_heat.split();
         let (thermal_conductivity, conductivity_table) = section.thermal_conductivity.split();
         let (thermal_expansion, expansion_table) = section.thermal_expansion.split();
-        let tensile = section.tensile_strength.zip(section.uniform_elongation);
         Self {
             youngs_modulus,
             poisson_ratio: section.poisson_ratio,
@@ -269,12 +266,7 @@ impl From<MaterialSection> for Material {
             thermal_conductivity,
             thermal_expansion,
             softening: section.softening,
-            fracture: (section.shear_fracture_energy.map(FractureData::Energy))
-                .or(section.fracture_toughness_mode_ii.map(FractureData::Toughness))
-                .or(tensile.map(|(strength, uniform_elongation)| FractureData::Tensile {
-                    strength,
-                    uniform_elongation,
-                })),
+            fracture: section.fracture,
             dependence: TemperatureDependence {
                 youngs_modulus: modulus_table,
                 specific_heat: heat_table,
@@ -288,7 +280,7 @@ impl From<MaterialSection> for Material {
 impl From<Material> for MaterialSection {
     fn from(material: Material) -> Self {
         let tables = material.dependence;
-        let mut section = Self {
+        Self {
             youngs_modulus: Property::join(material.youngs_modulus, tables.youngs_modulus),
             poisson_ratio: material.poisson_ratio,
             yield_strength: material.yield_strength,
@@ -299,20 +291,7 @@ impl From<Material> for MaterialSection {
             thermal_conductivity: Property::join(material.thermal_conductivity, tables.thermal_conductivity),
             thermal_expansion: Property::join(material.thermal_expansion, tables.thermal_expansion),
             softening: material.softening,
-            shear_fracture_energy: None,
-            fracture_toughness_mode_ii: None,
-            tensile_strength: None,
-            uniform_elongation: None,
-        };
-        match material.fracture {
-            None => {}
-            Some(FractureData::Energy(energy)) => section.shear_fracture_energy = Some(energy),
-            Some(FractureData::Toughness(toughness)) => section.fracture_toughness_mode_ii = Some(toughness),
-            Some(FractureData::Tensile { strength, uniform_elongation }) => {
-                section.tensile_strength = Some(strength);
-                section.uniform_elongation = Some(uniform_elongation);
-            }
+            fracture: material.fracture,
         }
-        section
     }
 }

@@ -53,11 +53,13 @@ impl Scene {
     fn tensile_strength(&self) -> Option<String> {
         let yielding = self.material.yield_strength;
         match self.material.fracture {
-            Some(FractureData::Tensile { strength, .. }) if strength < yielding => Some(format!(
-                "material.tensile_strength = {} Pa is below yield_strength = {} Pa: an engineering tensile strength is not",
-                plain(strength),
-                plain(yielding)
-            )),
+            Some(FractureData::Tensile { tensile_strength: strength, .. }) if strength < yielding => {
+                Some(format!(
+                    "material.tensile_strength = {} Pa is below yield_strength = {} Pa: an engineering tensile strength is not",
+                    plain(strength),
+                    plain(yielding)
+                ))
+            }
             _ => None,
         }
     }

@@ -116,11 +116,12 @@ mod tests {
             (critical.value, ratio.error / ratio.value)
         };
         // The fake's errors are 1 % of each value.
-        let (given, error) = energy(FractureData::Energy(500.0));
+        let (given, error) = energy(FractureData::Energy { shear_fracture_energy: 500.0 });
         assert!(given == 500.0 && (error - 0.01).abs() < 1e-12);
-        let (toughness, _) = energy(FractureData::Toughness(50e6));
+        let (toughness, _) = energy(FractureData::Toughness { fracture_toughness_mode_ii: 50e6 });
         assert!((toughness / 11169.5 - 1.0).abs() < 1e-5, "{toughness}");
-        let (tensile, error) = energy(FractureData::Tensile { strength: 1e9, uniform_elongation: 0.1 });
+        let (tensile, error) =
+            energy(FractureData::Tensile { tensile_strength: 1e9, uniform_elongation: 0.1 });
         assert!((tensile / 370.86 - 1.0).abs() < 1e-4, "{tensile}");
         assert!((error - 0.02).abs() < 1e-12);
     }

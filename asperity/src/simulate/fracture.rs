@@ -20,13 +20,15 @@ pub fn fracture_energy(material: &Material) -> FractureEnergy {
     let griffith =
         |stress: f64| FractureEnergy { coefficient: PI * stress.powi(2) / modulus, radius_exponent: 1 };
     match material.fracture {
-        Some(FractureData::Energy(energy)) => FractureEnergy { coefficient: energy, radius_exponent: 0 },
-        Some(FractureData::Toughness(toughness)) => FractureEnergy {
+        Some(FractureData::Energy { shear_fracture_energy }) => {
+            FractureEnergy { coefficient: shear_fracture_energy, radius_exponent: 0 }
+        }
+        Some(FractureData::Toughness { fracture_toughness_mode_ii: toughness }) => FractureEnergy {
             coefficient: toughness.powi(2) * (1.0 - material.poisson_ratio.powi(2)) / modulus,
             radius_exponent: 0,
         },
-        Some(FractureData::Tensile { strength, uniform_elongation }) => {
-            griffith(strength * (1.0 + uniform_elongation))
+        Some(FractureData::Tensile { tensile_strength, uniform_elongation }) => {
+            griffith(tensile_strength * (1.0 + uniform_elongation))
         }
         None => griffith(necking_stress(&material.hardening, material.yield_strength)),
     }
