@@ -72,13 +72,8 @@ pub fn simulate(
 impl Run {
     /// Scalars in the order of the list, then those that follow from others.
     fn scalars(&self) -> Vec<Scalar> {
-        let of_list = self.outcome.scalars.iter().map(|(quantity, estimate)| {
-            let entry = quantity.descriptor();
-            (entry.name, estimate.value, estimate.error, entry.units, entry.long_name)
-        });
-        let derived = derived::of_run(&self.scene, &self.outcome).into_iter();
-        let derived = derived.map(|(name, unit, meaning, x)| (name, x.value, x.error, unit, meaning));
-        of_list.chain(derived).collect()
+        let scalars = derived::all_scalars(&self.scene, &self.outcome);
+        scalars.map(|(name, unit, meaning, x)| (name, x.value, x.error, unit, meaning)).collect()
     }
 
     /// The scene with every default, as TOML.

@@ -161,12 +161,7 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
         steps => line("steps", steps.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
     }
     line("radius", format!("{} m", numbers::plain(scene.radius)));
-    for quantity in Quantity::SCALARS {
-        let descriptor = quantity.descriptor();
-        let estimate = outcome.scalars[quantity];
-        line(descriptor.name, numbers::with_error(estimate, descriptor.units));
-    }
-    for (name, unit, _, estimate) in derived::of_run(scene, outcome) {
+    for (name, unit, _, estimate) in derived::all_scalars(scene, outcome) {
         line(name, numbers::with_error(estimate, unit));
     }
     line("inception", outcome.inception.to_string());
@@ -234,16 +229,9 @@ fn as_json(
     incomplete: Option<&str>,
     arguments: &RunArguments,
 ) -> serde_json::Value {
-    let entry = |quantity: Quantity| {
-        let descriptor = quantity.descriptor();
-        let estimate = outcome.scalars[quantity];
-        let value = json!(estimate.in_unit(descriptor.units));
-        (descriptor.name.to_owned(), value)
-    };
-    let mut summary: serde_json::Map<_, _> = Quantity::SCALARS.into_iter().map(entry).collect();
-    for (name, unit, _, estimate) in derived::of_run(scene, outcome) {
-        summary.insert(name.to_owned(), json!(estimate.in_unit(unit)));
-    }
+    let scalars = derived::all_scalars(scene, outcome);
+    let summary: serde_json::Map<_, _> =
+        scalars.map(|(name, unit, _, estimate)| (name.to_owned(), json!(estimate.in_unit(unit)))).collect();
     let account = &outcome.account;
     json!({
         "output": arguments.output.display().to_string(),

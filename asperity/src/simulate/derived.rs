@@ -14,6 +14,15 @@ use crate::simulate::outcome::Outcome;
 /// Name, unit, long name and value.
 pub type Derived = (&'static str, &'static str, &'static str, Estimate);
 
+/// The scalars of the list, then those that follow from them.
+pub fn all_scalars(scene: &Scene, outcome: &Outcome) -> impl Iterator<Item = Derived> {
+    let of_list = outcome.scalars.iter().map(|(quantity, estimate)| {
+        let entry = quantity.descriptor();
+        (entry.name, entry.units, entry.long_name, estimate)
+    });
+    of_list.chain(of_run(scene, outcome))
+}
+
 /// G_IIc and G/G_IIc, the relative time of sliding inception of a slide with friction, and the highest temperature of a
 /// counterface that conducts.
 pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
