@@ -1,6 +1,7 @@
 //! Common conditions of all runs of one slip rate: heat and the meshes that it requires, chosen before the slide.
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway};
+use crate::scene::loading::extent;
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
 use crate::simulate::SimulationError;
 use crate::simulate::accuracy::modelling_error::ModellingError;
@@ -12,7 +13,8 @@ use crate::simulate::run::Run;
 /// Expected softening before sliding, over the required accuracy, below which the mesh of conduction is not divided.
 const NEGLIGIBLE_AT_INCEPTION: f64 = 0.01;
 
-pub(super) struct Conditions {
+pub(super) struct Conditions<'a> {
+    pressed: &'a Pressed,
     pub heat: HeatChoice,
     /// Expected effect of heat, whether it is simulated or not.
     pub effect: HeatEffect,
@@ -24,17 +26,15 @@ pub(super) struct Conditions {
     thermal_layer_refinements: u32,
     /// Of all meshes, see [`thermal_sublayers`].
     pub thermal_sublayers: u32,
-    /// Contact radius over R that meshes are laid out for.
-    contact_radius: f64,
 }
 
-impl Conditions {
+impl<'a> Conditions<'a> {
     /// At a slip rate, m/s, unless the scene has a programme; an error where plastic flow heats the metal too strongly.
-    pub fn new(pressed: &Pressed, slip_rate: f64) -> Result<Self, SimulationError> {
+    pub fn new(pressed: &'a Pressed, slip_rate: f64) -> Result<Self, SimulationError> {
         let Pressed { scene, problem, contact_radius, .. } = pressed;
         let contact_radius = *contact_radius;
         let programme = scene.loading.programme(slip_rate);
-        let slip_rate = programme.iter().map(|step| step.slip_rate().abs()).fold(0.0, f64::max);
+        let (slip_rate, _) = extent(&programme);
         let effect = HeatEffect::expected(scene, slip_rate, contact_radius * problem.units.length);
         let heat = choose_heat(scene, slip_rate, &effect);
         if let Some(heating) = runaway(scene).filter(|_| heat.is_coupled()) {
@@ -59,15 +59,7 @@ impl Conditions {
             true => thermal_sublayers(effect.inception_depth, thermal_layer_refinements),
             false => 1,
         };
-        Ok(Self {
-            heat,
-            effect,
-            programme,
-            speed,
-            thermal_layer_refinements,
-            thermal_sublayers,
-            contact_radius,
-        })
+        Ok(Self { pressed, heat, effect, programme, speed, thermal_layer_refinements, thermal_sublayers })
     }
 
     /// The resolution with elements at the surface as thin as heat needs them.
@@ -77,14 +69,14 @@ impl Conditions {
 
     /// Whether the hemisphere has room for the mesh.
     pub fn fits(&self, resolution: &Resolution) -> bool {
-        self.at_surface(resolution).mesh_size(self.contact_radius).fits()
+        self.at_surface(resolution).mesh_size(self.pressed.contact_radius).fits()
     }
 
     /// Expected share of the strength of the interface that is lost before sliding begins, in the first step.
-    pub fn softening_at_inception(&self, pressed: &Pressed) -> f64 {
-        let Pressed { scene, problem, .. } = pressed;
+    pub fn softening_at_inception(&self) -> f64 {
+        let Pressed { scene, problem, contact_radius, .. } = self.pressed;
         let slip_rate = self.programme.first().map_or(0.0, |step| step.slip_rate().abs());
-        let radius = self.contact_radius * problem.units.length;
+        let radius = contact_radius * problem.units.length;
         match self.heat.is_coupled() {
             true => HeatEffect::expected(scene, slip_rate, radius).inception,
             false => 0.0,
@@ -102,22 +94,23 @@ impl Conditions {
     }
 
     /// Effects that a run neglects other than by choice of the scene, or does not resolve.
-    pub fn modelling_error(&self, pressed: &Pressed, run: &Run) -> ModellingError {
-        let small = pressed.scene.model.kinematics == Kinematics::Auto && !pressed.problem.finite_strain;
+    pub fn modelling_error(&self, run: &Run) -> ModellingError {
+        let Pressed { scene, problem, .. } = self.pressed;
+        let small = scene.model.kinematics == Kinematics::Auto && !problem.finite_strain;
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
-            localised_shear: pressed.scene.localised_shear(run.plastic_strain_in_stick()),
+            localised_shear: scene.localised_shear(run.plastic_strain_in_stick()),
         }
     }
 
     /// A warning where the layer that frictional heat reaches is thinner than the elements at the surface.
-    pub fn unresolved_layer(&self, pressed: &Pressed, resolution: &Resolution) -> Option<Warning> {
+    pub fn unresolved_layer(&self, resolution: &Resolution) -> Option<Warning> {
         let surface = 0.5f64.powi(self.thermal_layer_refinements as i32 + 1);
-        let peclet = self.speed * self.contact_radius;
+        let peclet = self.speed * self.pressed.contact_radius;
         let share = resolution.elements_per_radius as f64 / (surface * peclet.sqrt());
-        let frictional = pressed.scene.largest_heat_partition() > 0.0;
+        let frictional = self.pressed.scene.largest_heat_partition() > 0.0;
         (share < 1.0 && frictional).then(|| {
             let enough = (resolution.elements_per_radius as f64 / share).ceil();
             let elements = (enough <= *ELEMENTS_PER_RADIUS.end() as f64).then_some(enough);

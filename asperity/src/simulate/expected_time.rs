@@ -26,8 +26,7 @@ pub fn expected_time(scene: &Scene) -> f64 {
 /// Factor for thermal properties that depend on temperature in a contact that is hot enough to melt at its full strength:
 /// conduction then takes most of the time, and friction falls so far that a finer run follows.
 fn of_hot_properties(scene: &Scene) -> f64 {
-    let programme = scene.loading.programme(scene.loading.slip_rate);
-    let slip_rate = programme.iter().map(|step| step.slip_rate().abs()).fold(0.0, f64::max);
+    let slip_rate = scene.loading.slip_rate;
     let radius = Problem::new(scene).expected_contact_radius() * scene.radius;
     let effect = HeatEffect::expected(scene, slip_rate, radius);
     let is_hot = choose_heat(scene, slip_rate, &effect).is_coupled() && effect.softening >= 1.0;

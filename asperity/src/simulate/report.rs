@@ -52,7 +52,7 @@ pub(super) fn report(
     let account = account(runner, &ladder, warnings, wall_time);
     let mut run = ladder.main.pop().expect("there is a main run");
     let budget = budget.unwrap_or_else(|| {
-        let modelling_error = runner.conditions.modelling_error(runner.pressed, &run);
+        let modelling_error = runner.conditions.modelling_error(&run);
         ErrorBudget::unknown(&run.values.unknown(), &modelling_error)
     });
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
@@ -148,7 +148,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     if strain > LARGE_STRAIN && !runner.pressed.problem.finite_strain {
         warnings.push(Warning::LargeStrain { strain, limit: LARGE_STRAIN });
     }
-    warnings.extend(runner.conditions.unresolved_layer(runner.pressed, &run.resolution));
+    warnings.extend(runner.conditions.unresolved_layer(&run.resolution));
     warnings.extend(warnings_of_balances(&runner.pressed.problem, &run.history));
     let rise = run.history.iter().map(|state| state.rise_max).fold(0.0, f64::max);
     let highest = runner.pressed.problem.units.temperature + rise;

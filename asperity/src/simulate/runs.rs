@@ -48,7 +48,7 @@ enum Next {
 /// Makes the runs of one slip rate.
 pub(super) struct Runner<'a> {
     pub pressed: &'a Pressed,
-    pub conditions: Conditions,
+    pub conditions: Conditions<'a>,
     pub watch: &'a dyn Watch,
     /// Those of `pressed`, and those that this slip rate alone needs.
     presses: Mutex<Vec<Arc<PressedMesh>>>,
@@ -158,7 +158,7 @@ impl<'a> Runner<'a> {
         };
         let pair = [run, ladder.coarse.as_ref().unwrap_or(alike)]
             .map(|run| RunValues { resolution: &run.resolution, values: &run.values });
-        let modelling_error = self.conditions.modelling_error(self.pressed, run);
+        let modelling_error = self.conditions.modelling_error(run);
         let interference = self.pressed.scene.loading.interference;
         Some(estimate(&ladder.start, auxiliary, pair, &modelling_error, interference))
     }
@@ -320,7 +320,7 @@ impl<'a> Runner<'a> {
             }
         };
         let mut slide = Slide::new(problem, mechanics, heat, resolution.growth);
-        slide.inception_width = inception_width(self.conditions.softening_at_inception(self.pressed));
+        slide.inception_width = inception_width(self.conditions.softening_at_inception());
         slide.shears_without_limit = self.pressed.shears_without_limit;
         Ok(slide)
     }
