@@ -78,12 +78,12 @@ impl ContactState {
     pub fn friction_coefficient(&self) -> Estimate {
         let Self { shear, pressure, .. } = *self;
         let value = shear.value / pressure.value;
-        let of_friction = |part: f64| if shear.value > 0.0 { part / shear.value } else { 0.0 };
+        let of_friction = |part: f64| if shear.value == 0.0 { 0.0 } else { part / shear.value.abs() };
         let load_error = pressure.law_error / pressure.value;
         let correlated =
             of_friction(self.coefficient_error) + (of_friction(self.shear_by_load_error) - load_error).abs();
         let law_error = correlated.min(of_friction(shear.law_error) + load_error);
         let quadrature = of_friction(shear.quadrature_error) + pressure.quadrature_error / pressure.value;
-        Estimate { value, error: value * (law_error + quadrature) }
+        Estimate { value, error: value.abs() * (law_error + quadrature) }
     }
 }

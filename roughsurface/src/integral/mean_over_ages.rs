@@ -44,7 +44,7 @@ impl MeanOverAges {
             sum.value += weight * part.value;
             sum.error += weight * part.error;
         }
-        sum.coefficient_error += weight * response.coefficient_error * response.friction.value;
+        sum.coefficient_error += weight * response.coefficient_error * response.friction.value.abs();
     }
 
     /// The mean, with the error of the quadrature.
@@ -54,7 +54,7 @@ impl MeanOverAges {
         // Relative to the mean friction.
         let coefficient_error = sum.coefficient_error + quadrature_error.abs();
         let friction = sum.friction.value;
-        sum.coefficient_error = if friction > 0.0 { coefficient_error / friction } else { 0.0 };
+        sum.coefficient_error = if friction == 0.0 { 0.0 } else { coefficient_error / friction.abs() };
         sum
     }
 }

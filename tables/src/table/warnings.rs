@@ -55,7 +55,8 @@ fn split(text: &str) -> (Vec<String>, Vec<String>) {
             words.last().is_some_and(|word| word.ends_with(|c: char| c.is_alphanumeric() || c == '_'));
         let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
         // The full stop of a sentence is none of it.
-        let number = rest[..digits].trim_end_matches('.');
+        let mantissa = rest[..digits].trim_end_matches('.').len();
+        let number = &rest[..mantissa + exponent(&rest[mantissa..])];
         if in_name || number.parse::<f64>().is_err() {
             words.last_mut().expect("not empty").push(first);
             rest = &rest[first.len_utf8()..];
@@ -66,6 +67,17 @@ fn split(text: &str) -> (Vec<String>, Vec<String>) {
         }
     }
     (words, numbers)
+}
+
+/// Length of an exponent that a text begins with, as of 2e-5.
+fn exponent(text: &str) -> usize {
+    let power = text.strip_prefix('e').map(|power| power.strip_prefix('-').unwrap_or(power));
+    let digits =
+        power.map_or(0, |power| power.len() - power.trim_start_matches(|c: char| c.is_ascii_digit()).len());
+    match power {
+        Some(power) if digits > 0 => text.len() - power.len() + digits,
+        _ => 0,
+    }
 }
 
 #[cfg(test)]
@@ -83,8 +95,15 @@ mod tests {
     }
 
     #[test]
+    fn exponents_belong_to_their_numbers() {
+        let mut warning = Warning::new("of the work 2e-5, of the heat 3 is missing", (0, 0));
+        assert!(warning.absorbs(&Warning::new("of the work 4e-6, of the heat 1e2 is missing", (0, 1))));
+        assert_eq!(warning.text(), "of the work 4e-6 to 2e-5, of the heat 3 to 1e2 is missing");
+    }
+
+    #[test]
     fn texts_without_numbers_stay() {
-        for text in ["the flat melts", "", "σ is 3", "7 cells: 1.5.", "v1.2.3"] {
+        for text in ["the flat melts", "", "σ is 3", "7 cells: 1.5.", "v1.2.3", "2e", "3e-", "1em"] {
             assert_eq!(Warning::new(text, (0, 0)).text(), text);
         }
     }

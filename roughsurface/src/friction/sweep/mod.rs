@@ -298,7 +298,7 @@ impl<'a> Sweep<'a> {
                 known: !sliding.mu.value.is_nan(),
             });
         }
-        let uncertain = lasting.mu.error / lasting.mu.value;
+        let uncertain = (lasting.mu.error / lasting.mu.value).abs();
         if self.query.contact_life != ContactLife::Steady && uncertain > UNKNOWN_STEADY_FRICTION {
             warnings.push(Warning::SteadyUncertain { at: at(), error: uncertain });
         }
