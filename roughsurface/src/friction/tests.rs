@@ -122,6 +122,11 @@ fn friction_of_contacts_older_than_the_table_is_unknown_without_its_steady_frict
     let (long, warnings) = of_life(ContactLife::Steady, Some(Estimate { value: 0.03, error: 0.009 }));
     assert!((long.sliding.mu.error - 0.009).abs() < 1e-6);
     assert!(matches!(warnings[..], [Warning::Unsteady { known: true, .. }]), "{warnings:?}");
+
+    // One below zero, as of a table with early slides, keeps its error.
+    let (below, _) = of_life(ContactLife::Steady, Some(Estimate { value: -0.03, error: 0.009 }));
+    assert!((below.sliding.mu.value + 0.03).abs() < 1e-6, "{:?}", below.sliding.mu);
+    assert!((below.sliding.mu.error - 0.009).abs() < 1e-6, "{:?}", below.sliding.mu);
 }
 
 #[test]

@@ -357,11 +357,6 @@ mod tests {
         let lasting = response(ContactLife::Steady);
         assert!((lasting.friction.value - 2e-5).abs() < 1e-19, "{lasting:?}");
         assert!((lasting.coefficient_error - 0.05).abs() < 1e-12, "{lasting:?}");
-        // A steady friction below zero keeps its error, also in that of a surface.
-        let below = PowerLaw { steady: Some(Estimate { value: -0.02, error: 0.001 }), ..law.clone() };
-        let asperity_below = AsperityAtSlip::new(&below, 1e-4, 1.0, 0.0).unwrap();
-        let below = asperity_below.of_all_ages(ContactLife::Steady).response(1.0).unwrap();
-        assert!((below.coefficient_error - 0.05).abs() < 1e-12 && below.friction.error > 0.0, "{below:?}");
         // A life of 8 a: a quarter of the ages within the histories.
         let (young, mean) = (response(ContactLife::Diameters(1.0)), response(ContactLife::Diameters(4.0)));
         let exact = 0.25 * young.friction.value + 0.75 * 2e-5;
