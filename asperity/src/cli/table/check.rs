@@ -28,8 +28,11 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
         }
     };
     if places.is_empty() {
-        let what = if arguments.between { "two points along each axis" } else { "cell that is done" };
-        return Err(Failure::input(format!("{}: the table has no {what} to check", arguments.table)));
+        let what = match arguments.between {
+            true => "has a single interference or slip rate: there is nothing between its points",
+            false => "has no cell that is done",
+        };
+        return Err(Failure::input(format!("{}: the table {what}", arguments.table)));
     }
     let mut random = StdRng::seed_from_u64(arguments.seed);
     let chosen = index::sample(&mut random, places.len(), usize::from(arguments.cells).min(places.len()));

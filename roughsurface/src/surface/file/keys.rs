@@ -1,6 +1,5 @@
 //! The keys of the surface file and the rules for single keys.
 
-use super::parameter::{PARAMETERS, Uncertain};
 use super::values::Values;
 use crate::surface::heights::HeightsKeys;
 use crate::surface::query::{ContactLife, Interaction, LoadingControl};
@@ -128,35 +127,6 @@ impl FileKeys {
     pub(super) fn uncertain_tables(&self, folder: &Path) -> Vec<(String, PathBuf)> {
         let tables = self.uncertainty.iter().flat_map(|keys| &keys.tables);
         tables.map(|(key, file)| (key.clone(), folder.join(file))).collect()
-    }
-
-    /// The standard deviations of the section `uncertainty`.
-    pub(super) fn uncertain(&mut self) -> Result<Vec<Uncertain>, String> {
-        let Some(keys) = self.uncertainty.take() else {
-            return Ok(Vec::new());
-        };
-        let mut uncertain = Vec::new();
-        for parameter in &PARAMETERS {
-            let Some(std) = (parameter.std)(&keys) else {
-                continue;
-            };
-            let key = format!("uncertainty.{}", parameter.key);
-            let Some(&mut value) = (parameter.value)(self) else {
-                let missing = if parameter.is_of_material {
-                    "needs a section [material]; beside a table of runs the key uncertainty.tables states uncertain constants"
-                } else {
-                    "needs the value itself as a key of [surface]"
-                };
-                return Err(format!("{key}: {missing}"));
-            };
-            // With a larger change a parameter comes near zero, where results are not linear.
-            if !(std > 0.0 && std <= value / 3.0) {
-                let rule = format!("must be positive and at most a third of {value:e}, the value itself");
-                return Err(allowed(&key, format!("{std:e}"), &rule));
-            }
-            uncertain.push(Uncertain { parameter, std });
-        }
-        Ok(uncertain)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Parameters of a surface file that may be given with a standard deviation.
 
-use super::keys::{FileKeys, UncertaintyKeys};
+use super::keys::{FileKeys, UncertaintyKeys, allowed};
 
 /// A parameter that may be uncertain.
 #[derive(Debug)]
@@ -9,12 +9,12 @@ pub struct Parameter {
     pub key: &'static str,
     /// Whether it belongs to the material, which a table brings with it.
     pub is_of_material: bool,
-    pub(super) std: fn(&UncertaintyKeys) -> Option<f64>,
+    std: fn(&UncertaintyKeys) -> Option<f64>,
     /// Its value, if the file has it: of a distribution of radii, the mean.
     pub(super) value: fn(&mut FileKeys) -> Option<&mut f64>,
 }
 
-pub(super) static PARAMETERS: [Parameter; 6] = [
+static PARAMETERS: [Parameter; 6] = [
     Parameter {
         key: "asperity_density",
         is_of_material: false,
@@ -58,4 +58,35 @@ pub(super) static PARAMETERS: [Parameter; 6] = [
 pub struct Uncertain {
     pub parameter: &'static Parameter,
     pub std: f64,
+}
+
+impl FileKeys {
+    /// The standard deviations of the section `uncertainty`.
+    pub(super) fn uncertain(&mut self) -> Result<Vec<Uncertain>, String> {
+        let Some(keys) = self.uncertainty.take() else {
+            return Ok(Vec::new());
+        };
+        let mut uncertain = Vec::new();
+        for parameter in &PARAMETERS {
+            let Some(std) = (parameter.std)(&keys) else {
+                continue;
+            };
+            let key = format!("uncertainty.{}", parameter.key);
+            let Some(&mut value) = (parameter.value)(self) else {
+                let missing = if parameter.is_of_material {
+                    "needs a section [material]; beside a table of runs the key uncertainty.tables states uncertain constants"
+                } else {
+                    "needs the value itself as a key of [surface]"
+                };
+                return Err(format!("{key}: {missing}"));
+            };
+            // With a larger change a parameter comes near zero, where results are not linear.
+            if !(std > 0.0 && std <= value / 3.0) {
+                let rule = format!("must be positive and at most a third of {value:e}, the value itself");
+                return Err(allowed(&key, format!("{std:e}"), &rule));
+            }
+            uncertain.push(Uncertain { parameter, std });
+        }
+        Ok(uncertain)
+    }
 }
