@@ -49,7 +49,7 @@ A scene (SI units, kelvin), or - for standard input. Optional sections and keys 
   [model]                        # optional
   heat = \"auto\"                  # or \"on\", \"off\"
   kinematics = \"auto\"            # or \"small\", \"finite\" strain; auto: finite where the plastic
-                                 # strain of a coarse slide exceeds 1/20 of the accuracy
+                                 # strain to expect exceeds 1/20 of the accuracy
   [numerics]                     # optional
   accuracy = 0.02                # relative error asked for (of G 2.5 times this); chooses
                                  # elements_per_radius and sectors unless given

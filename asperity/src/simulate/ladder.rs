@@ -8,8 +8,11 @@ use crate::simulate::accuracy::error_budget::ErrorBudget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
 
-/// Share of the error that a refinement leaves at which it has gained nothing; with twice the elements it leaves half or less.
+/// Share of the error that a refinement leaves at which it has gained nothing; with twice the elements it leaves half or
+/// less.
 const STAGNATION: f64 = 0.8;
+/// Refinement of the mesh from which on its gain shows: half of the gain of 10 to 12 elements is the scatter of the estimate.
+const MEANINGFUL: f64 = 1.5;
 
 /// The main run and the auxiliary runs of the resolution `start`.
 pub(super) struct Ladder {
@@ -57,6 +60,12 @@ impl Ladder {
         Self { obstacle, ..Self::new(start, coarse, auxiliary) }
     }
 
+    /// Elements per contact radius of the last two main runs.
+    fn last_meshes(&self) -> [usize; 2] {
+        let elements = |back: usize| self.main[self.main.len() - back].resolution.elements_per_radius;
+        [elements(2), elements(1)]
+    }
+
     /// The finest main run.
     pub fn result(&self) -> &Run {
         self.main.last().expect("there is a main run")
@@ -75,7 +84,7 @@ impl Ladder {
         let finer = self.result().resolution.refine(numerics, &parts)?;
         let after = parts.total();
         if let Some(&before) = self.errors.last()
-            && after > STAGNATION * before
+            && has_stagnated([before, after], numerics.accuracy, self.last_meshes())
         {
             let [before, after] = [before, after].map(|error| error / numerics.accuracy);
             self.notes.push(Note::RefinementStopped { before, after });
@@ -90,5 +99,31 @@ impl Ladder {
         }
         self.errors.push(after);
         Some(finer)
+    }
+}
+
+/// Whether a refinement between meshes of these `elements` has gained nothing: neither of the error itself nor of what it
+/// exceeds the accuracy by.
+fn has_stagnated([before, after]: [f64; 2], accuracy: f64, elements: [usize; 2]) -> bool {
+    let [coarse, fine] = elements.map(|elements| elements as f64);
+    let shows = fine == coarse || fine >= MEANINGFUL * coarse;
+    shows && after > (STAGNATION * before).max(0.5 * (before + accuracy))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refinement_that_gains_nothing_is_the_last() {
+        let stagnated = |errors: [f64; 2], elements| has_stagnated(errors, 0.02, elements);
+        // Of first order, and of none.
+        assert!(!stagnated([0.06, 0.03], [10, 20]));
+        assert!(stagnated([0.06, 0.05], [10, 20]));
+        // More angles or shorter increments: half of what was missing is enough.
+        assert!(!stagnated([0.022, 0.0209], [10, 10]));
+        assert!(stagnated([0.022, 0.0211], [10, 10]));
+        // By two elements no gain shows.
+        assert!(!stagnated([0.022, 0.023], [10, 12]));
     }
 }

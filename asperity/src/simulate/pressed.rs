@@ -21,6 +21,7 @@ use crate::scene::{Kinematics, Numerics, Scene};
 use crate::simulate::accuracy::error_budget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::accuracy::scatter::scatter;
+use crate::simulate::values::Values;
 use crate::solver::newton::Effort;
 
 /// The pressed asperity on one mesh.
@@ -88,6 +89,9 @@ fn press_in_pool(scene: &Scene, watch: &dyn Watch) -> Result<Pressed, Simulation
     pressed.wall_time = clock.elapsed().as_secs_f64();
     Ok(pressed)
 }
+
+/// Presses of [`press`]: on the coarse mesh, on that of the main run, and on the coarse one in longer increments.
+const PRESSES: usize = 3;
 
 /// Accuracy to plan for, at best, where the body may shear without limit: its slip lines are as narrow as the
 /// elements, finer meshes gain little (mu of brass without hardening at 10 ω_c: 0.353 to 0.362 on 6 to 12 elements),
@@ -193,7 +197,7 @@ fn peak_pressure(contact: &Contact) -> f64 {
 impl Pressed {
     /// The contact, with errors as those of runs.
     pub fn contact(&self) -> PressedContact {
-        let [coarse, fine, longer] = [0, 1, 2].map(|i| &self.meshes[i]);
+        let [coarse, fine, longer] = &self.meshes[..PRESSES] else { unreachable!("made by `press`") };
         let (run, coarser) = (&self.resolution, &self.resolution.coarse());
         let units = self.problem.units;
         let estimate = |quantity, unit: f64, of: fn(&Contact) -> f64| {
@@ -208,6 +212,22 @@ impl Pressed {
             peak_pressure: estimate(Quantity::LoadPress, units.stress, peak_pressure),
             plastic_strain_max: fine.body.committed.largest_plastic_strain(),
         }
+    }
+
+    /// Error of a quantity of the press with one of these `values`, relative as that of [`Self::contact`]; none without its
+    /// meshes.
+    pub(super) fn error(&self, quantity: Quantity, values: &Values) -> Option<f64> {
+        if self.meshes.len() < PRESSES {
+            return None;
+        }
+        let contact = self.contact();
+        let (known, exponent) = match quantity {
+            Quantity::LoadPress => (contact.load, 1.0),
+            Quantity::AreaPress => (contact.area, 1.0),
+            Quantity::ContactRadius => (contact.area, 0.5),
+            _ => return None,
+        };
+        Some(exponent * known.error / known.value * values.value(quantity))
     }
 
     pub(crate) fn mean_stresses_on_axis(&self) -> Vec<MeanStress> {
@@ -328,4 +348,52 @@ pub(super) fn press_error(failure: PressFailure) -> SimulationError {
         }
     };
     SimulationError::NotConverged { stage: "press", at, reason, partial: None }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    use super::*;
+    use crate::scene::tests::of_preset;
+    use crate::simulate::{Unwatched, slide};
+
+    /// Stops a slide after its first increments.
+    #[derive(Default)]
+    struct StopsSlide(AtomicBool);
+
+    impl Watch for StopsSlide {
+        fn progress(&self, _: &'static str, done: f64, _: &str) {
+            self.0.fetch_or(done > 0.01, Ordering::Relaxed);
+        }
+
+        fn cancelled(&self) -> bool {
+            self.0.load(Ordering::Relaxed)
+        }
+    }
+
+    #[test]
+    fn an_unfinished_slide_has_the_errors_of_its_press_and_no_others() {
+        let mut scene = of_preset("copper", &["model.kinematics=small", "numerics.elements_per_radius=6"]);
+        (scene.loading.interference, scene.loading.slip_rate) = (2.0, 0.0);
+        let pressed = press(&scene, &Unwatched).unwrap();
+        let Err(SimulationError::Cancelled { partial: Some(outcome) }) =
+            slide(&pressed, 0.0, &StopsSlide::default())
+        else {
+            panic!("the slide was to be stopped")
+        };
+        let contact = pressed.contact();
+        let relative = |estimate: Estimate| estimate.error / estimate.value;
+        for (quantity, estimate) in outcome.scalars.iter() {
+            let known = match quantity {
+                Quantity::LoadPress => relative(contact.load),
+                Quantity::AreaPress => relative(contact.area),
+                Quantity::ContactRadius => 0.5 * relative(contact.area),
+                _ => f64::NAN,
+            };
+            let stated = relative(estimate);
+            let agree = (stated - known).abs() < 1e-12 || stated.is_nan() && known.is_nan();
+            assert!(agree, "{quantity:?}: {stated} {known}");
+        }
+    }
 }

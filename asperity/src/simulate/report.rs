@@ -51,10 +51,8 @@ pub(super) fn report(
     warnings.extend(obstacle.as_ref().map(|_| Warning::NoMainRun { elements_per_radius, sectors }));
     let account = account(runner, &ladder, warnings, wall_time);
     let mut run = ladder.main.pop().expect("there is a main run");
-    let budget = budget.unwrap_or_else(|| {
-        let modelling_error = runner.conditions.modelling_error(&run);
-        ErrorBudget::unknown(&run.values.unknown(), &modelling_error)
-    });
+    let budget = budget
+        .unwrap_or_else(|| ErrorBudget::unknown(|quantity| runner.pressed.error(quantity, &run.values)));
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let interference = runner.pressed.scene.loading.interference;
     let outcome = outcome(problem, (interference, programme), &mut run, budget, account);
@@ -190,11 +188,11 @@ fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     (time < SHORTEST_INCEPTION).then_some(Warning::FastInception { time, limit: SHORTEST_INCEPTION })
 }
 
-/// An interface along most of which the shear tractions of the press slip before they turn into the motion.
+/// An interface along which the shear tractions of the press slip before they turn into the motion.
 fn released_press(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     let units = &runner.pressed.problem.units;
     let start = run.history.iter().skip(1).take_while(|state| !state.is_along_motion());
-    let released = start.filter(|state| state.stick_fraction < 0.5).last()?;
+    let released = start.last()?;
     let energy = 2.0 * (released.work - released.elastic) / released.area * units.stress * units.length;
     let share = energy / run.values.value(Quantity::EnergyRelease);
     let limit = Quantity::EnergyRelease.allowance() * runner.pressed.scene.numerics.accuracy;

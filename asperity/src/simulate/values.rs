@@ -90,11 +90,6 @@ impl Values {
         Self { values, brackets, start, inception, steady: slides && is_steady(&latest), residual: 0.0 }
     }
 
-    /// Of which no value is known, nor what follows from it.
-    pub fn unknown(&self) -> Self {
-        Self { values: [f64::NAN; QUANTITIES], ..*self }
-    }
-
     /// The same value for every quantity.
     #[cfg(test)]
     pub fn all(value: f64) -> Self {

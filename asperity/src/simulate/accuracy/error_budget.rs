@@ -165,16 +165,14 @@ impl ErrorBudget {
             .map(|quantity| OF_BOUND * modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
-    /// Unknown errors: as large as the values.
-    pub fn unknown(values: &Values, modelling_error: &ModellingError) -> Self {
-        let mut budget = Self::default();
-        budget.parts[ErrorSource::Mesh as usize] =
-            Quantity::SCALARS.map(|q| values.value(q).abs() / COVERAGE_FACTOR);
-        budget.set_model(modelling_error, values);
-        budget
+    /// Of a run that did not finish: unknown, but for quantities with a `known` reported error.
+    pub fn unknown(known: impl Fn(Quantity) -> Option<f64>) -> Self {
+        let known = Quantity::SCALARS.map(|q| known(q).map_or(f64::NAN, |error| error / COVERAGE_FACTOR));
+        let others = known.map(|error| if error.is_nan() { f64::NAN } else { 0.0 });
+        Self { parts: [known, others, others, others, others], ..Self::default() }
     }
 
-    /// Of the reported error.
+    /// Of the reported error; of an unfinished run all of a known one is the mesh's.
     pub fn part(&self, source: ErrorSource, quantity: Quantity) -> f64 {
         let bracket = if source == ErrorSource::Steps { self.brackets[quantity as usize] } else { 0.0 };
         COVERAGE_FACTOR * self.parts[source as usize][quantity as usize].hypot(bracket)
@@ -185,11 +183,10 @@ impl ErrorBudget {
         root_of_squares(ErrorSource::ALL.map(|source| self.part(source, quantity)))
     }
 
-    /// Relative error of a quantity without the brackets, which no finer resolution removes.
+    /// The reported error relative to the value.
     pub fn relative(&self, quantity: Quantity, values: &Values) -> f64 {
-        let uncertainty = root_of_squares(self.parts.map(|part| part[quantity as usize]));
         let value = values.value(quantity).abs();
-        if value > 0.0 { COVERAGE_FACTOR * uncertainty / value } else { 0.0 }
+        if value > 0.0 { self.total(quantity) / value } else { 0.0 }
     }
 
     /// The worst of the controlled quantities, and the parts of its reported error relative to its value that a finer

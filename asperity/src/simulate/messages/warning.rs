@@ -50,7 +50,7 @@ pub enum Warning {
         share: f64,
         elements: Option<f64>,
     },
-    /// Share of G that may be of the shear tractions of the press, released as the slide begins.
+    /// Share of G that is released before the shear tractions of the press turn into the motion.
     ReleasedPress {
         share: f64,
     },
@@ -148,7 +148,7 @@ impl Display for Warning {
             Self::ReleasedPress { share } => write!(
                 f,
                 "the interface is too weak for the shear tractions of the press, which is in full stick: they are \
-                 released as the slide begins, and G contains their energy, {:.0} % of it at most",
+                 released as the slide begins, and G contains their energy, some {:.0} % of it in the first increments",
                 100.0 * share
             ),
             Self::FastInception { time, limit } => write!(
