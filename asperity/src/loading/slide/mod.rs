@@ -9,6 +9,7 @@
 
 mod coupling;
 mod edge_search;
+mod first_increment;
 mod friction_heat;
 pub mod increments;
 pub mod invariants;
@@ -17,7 +18,7 @@ mod shear_limits;
 mod state;
 
 use crate::heat::conduction::{Conduction, HeatError};
-use crate::loading::problem::{Problem, SHEAR_RATIO};
+use crate::loading::problem::Problem;
 use crate::loading::recording::Recorder;
 use crate::loading::state::SlideState;
 use crate::scene::{Control, FrictionLaw};
@@ -53,7 +54,9 @@ pub enum SlideFailure {
         100.0 * .stick_fraction
     )]
     Distorted { strain: f64, stick_fraction: f64, remedy: &'static str },
-    #[error("every solution of the next increment breaks a law that all states keep: {0}")]
+    #[error(
+        "no increment, however short, leads to an admissible state: {0}; a smaller numerics.accuracy begins with shorter ones"
+    )]
     Impossible(#[from] Violation),
     #[error(
         "{MOST_FAILURES} times an increment failed after one that was taken: there may be no continuous sequence of \
@@ -246,64 +249,33 @@ impl<'a> Slide<'a> {
                 }
                 Err(failure) => {
                     self.mechanics.restore(committed.displacement, cover);
-                    if !failure.allows_cut_back() {
-                        return Err(failure);
-                    }
-                    self.cutbacks += 1;
-                    let distorted = self.distorted();
-                    if distorted.is_some() && self.shears_without_limit || !control.cut_back() {
-                        return Err(distorted.unwrap_or(failure));
-                    }
                     failures += usize::from(taken_before);
-                    if failures == MOST_FAILURES {
-                        return Err(SlideFailure::Discontinuous(failure.into()));
-                    }
+                    self.cut_back(&mut control, failure, failures)?;
                 }
             }
         }
         Ok(())
     }
 
-    fn step_control(&self) -> StepControl {
-        StepControl::new(self.motion.length(), self.scale(), self.growth, self.inception_width)
-            .no_shorter_than(self.time_of_waves())
-    }
-
-    /// Scale of the first increments of the present motion: the elastic displacement at gross slip, and what is passed
-    /// in a share of the time of the motion before, or of that in which heat diffuses through the contact.
-    fn scale(&self) -> f64 {
-        /// Surface temperatures change in proportion to √t at first, by 3 % over a thousandth of the time.
-        const FIRST_SHARE: f64 = 0.001;
-        let time = FIRST_SHARE * self.time_before.min(self.last().area);
-        let elastic = self.elastic_displacement();
-        match self.motion {
-            Motion::Hold { .. } => time,
-            // A slide starts cold.
-            Motion::Slip { speed, .. } if self.heat.is_some() && time > 0.0 => {
-                elastic.min(time * speed.abs())
-            }
-            Motion::Slip { .. } => elastic,
+    /// Shortens the next increment after a failed one, the last of so many `failures` after an increment that was taken.
+    fn cut_back(
+        &mut self,
+        control: &mut StepControl,
+        failure: SlideFailure,
+        failures: usize,
+    ) -> Result<(), SlideFailure> {
+        if !failure.allows_cut_back() {
+            return Err(failure);
         }
-    }
-
-    /// Shortest increment of a hold: the time in which a shear wave passes the contact. Equilibrium has no meaning in a shorter
-    /// one, and the heat of a contact that relaxes at once as the flat stops would enter within it.
-    fn time_of_waves(&self) -> f64 {
-        /// Of the time in which temperatures change: where waves are slower, as of nanometre contacts, it decides.
-        const LARGEST_SHARE: f64 = 0.003;
-        match self.motion {
-            Motion::Hold { .. } => {
-                let waves = (self.last().area / std::f64::consts::PI).sqrt() / self.problem.wave_speed;
-                waves.min(LARGEST_SHARE * self.time_before.min(self.last().area))
-            }
-            Motion::Slip { .. } => 0.0,
+        self.cutbacks += 1;
+        let distorted = self.distorted();
+        if distorted.is_some() && self.shears_without_limit || !control.cut_back() {
+            return Err(distorted.unwrap_or(failure));
         }
-    }
-
-    /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
-    fn elastic_displacement(&self) -> f64 {
-        let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
-        self.problem.strength_factor.min(10.0) * SHEAR_RATIO * radius / self.problem.solid.moduli.shear
+        match failures {
+            MOST_FAILURES => Err(SlideFailure::Discontinuous(failure.into())),
+            _ => Ok(()),
+        }
     }
 
     /// The present state, from which the next ones are extrapolated.

@@ -7,6 +7,7 @@ use crate::discretisation::mesh::MeshSize;
 use crate::loading::NEWTON_TOLERANCE;
 use crate::loading::press;
 use crate::loading::problem::Discretisation;
+use crate::loading::problem::SHEAR_RATIO;
 use crate::scene::file::parse_scene;
 
 /// A hot slide in plastic contact, coarse, ready to start.

@@ -1,0 +1,51 @@
+//! First and shortest increments of a motion, by the displacements and times in which a contact changes.
+
+use super::Slide;
+use super::increments::StepControl;
+use super::motion::Motion;
+use crate::loading::problem::SHEAR_RATIO;
+
+impl Slide<'_> {
+    /// Step control of the present motion.
+    pub(super) fn step_control(&self) -> StepControl {
+        StepControl::new(self.motion.length(), self.scale(), self.growth, self.inception_width)
+            .no_shorter_than(self.time_of_waves())
+    }
+
+    /// Scale of the first increments of the present motion: the elastic displacement at gross slip, and what is passed
+    /// in a share of the time of the motion before, or of that in which heat diffuses through the contact.
+    fn scale(&self) -> f64 {
+        /// Surface temperatures change in proportion to √t at first, by 3 % over a thousandth of the time.
+        const FIRST_SHARE: f64 = 0.001;
+        let time = FIRST_SHARE * self.time_before.min(self.last().area);
+        let elastic = self.elastic_displacement();
+        match self.motion {
+            Motion::Hold { .. } => time,
+            // A slide starts cold.
+            Motion::Slip { speed, .. } if self.heat.is_some() && time > 0.0 => {
+                elastic.min(time * speed.abs())
+            }
+            Motion::Slip { .. } => elastic,
+        }
+    }
+
+    /// Shortest increment of a hold: the time in which a shear wave passes the contact. Equilibrium has no meaning in a shorter
+    /// one, and the heat of a contact that relaxes at once as the flat stops would enter within it.
+    fn time_of_waves(&self) -> f64 {
+        /// Of the time in which temperatures change: where waves are slower, as of nanometre contacts, it decides.
+        const LARGEST_SHARE: f64 = 0.003;
+        match self.motion {
+            Motion::Hold { .. } => {
+                let waves = (self.last().area / std::f64::consts::PI).sqrt() / self.problem.wave_speed;
+                waves.min(LARGEST_SHARE * self.time_before.min(self.last().area))
+            }
+            Motion::Slip { .. } => 0.0,
+        }
+    }
+
+    /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
+    fn elastic_displacement(&self) -> f64 {
+        let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
+        self.problem.strength_factor.min(10.0) * SHEAR_RATIO * radius / self.problem.solid.moduli.shear
+    }
+}
