@@ -34,6 +34,13 @@ impl Response {
     }
 }
 
+/// Whether a slip rate lies in a range, but for the rounding of its limits in a message.
+pub fn covers((from, to): (f64, f64), slip_rate: f64) -> bool {
+    /// Six digits are printed.
+    const ROUNDING: f64 = 1e-5;
+    (from * (1.0 - ROUNDING)..=to * (1.0 + ROUNDING)).contains(&slip_rate)
+}
+
 /// Reason why a law has no response for a state.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LookupError {

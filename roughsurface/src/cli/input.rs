@@ -8,7 +8,6 @@ use roughsurface::surface::file::{SurfaceFile, SurfaceFileError, Values, query_k
 use roughsurface::surface::query::{ContactLife, LoadingControl};
 use roughsurface::topography::characterize::Characterization;
 use roughsurface::topography::readers::is_topography;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tables::netcdf::input::Override;
 use tables::quantity::hint;
@@ -19,11 +18,11 @@ pub struct InputOptions {
     /// Surface file (TOML; - for standard input): summits, heights, pressures, slip rates; or a topography, which is characterised first
     surface: PathBuf,
     /// Table of one asperity: a file, the name of a shipped table (steel-4340, steel-1045, steel-304,
-    /// aluminium-6061, copper, titanium-6al4v on a like body; NAME-rate likewise with a rate law; NAME-rigid on a rigid
-    /// isothermal flat), or model:NAME for a closed form
+    /// aluminium-6061, copper, titanium-6al4v on a rigid flat that conducts heat like the metal; NAME-rate likewise with a rate law;
+    /// NAME-rigid on an isothermal one), or model:NAME for a closed form
     #[arg(long, value_name = "TABLE", required_unless_present = "material", conflicts_with = "material")]
     table: Option<String>,
-    /// Material of a shipped table, in place of --table: sliding on a like body
+    /// Material of a shipped table, in place of --table: the flat is rigid and conducts heat like it
     #[arg(long, value_name = "NAME", value_parser = shipped_material)]
     material: Option<String>,
     /// Keep mean pressure and friction of contacts too large for their asperities, instead of refusing
@@ -64,9 +63,6 @@ struct QueryOptions {
     /// Side of the square nominal area that --interaction mean-pressure needs, m
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     nominal_size: Option<f64>,
-    /// Response of steady sliding to a step of the slip rate, m/s, such as 0.1..1; the contacts have the life --contact-life
-    #[arg(long, value_name = "BEFORE..AFTER", value_parser = step)]
-    rate_step: Option<[f64; 2]>,
     /// Any key: section.key=value, such as surface.heights.std=1e-7; may be repeated
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     set: Vec<Override>,
@@ -81,13 +77,6 @@ fn shipped_material(text: &str) -> Result<String, String> {
             hint(text, &known)
         )),
     }
-}
-
-fn step(text: &str) -> Result<[f64; 2], String> {
-    let rates = text.split_once("..").and_then(|(before, after)| before.parse().ok().zip(after.parse().ok()));
-    rates
-        .map(|(before, after)| [before, after])
-        .ok_or_else(|| "must be two slip rates in m/s, such as 0.1..1".into())
 }
 
 fn control(text: &str) -> Result<LoadingControl, String> {
@@ -106,10 +95,6 @@ impl QueryOptions {
         overrides.extend(self.hold.map(|control| query_key("hold", control)));
         overrides.extend(self.contact_life.map(|life| query_key("contact_life", life)));
         overrides.extend(self.interaction.iter().map(|kind| query_key("interaction", kind)));
-        let rate_step = |[before, after]: [f64; 2]| {
-            query_key("rate_step", BTreeMap::from([("before", before), ("after", after)]))
-        };
-        overrides.extend(self.rate_step.map(rate_step));
         overrides.extend(self.nominal_size.map(|size| query_key("nominal_size", size)));
         overrides
     }
@@ -121,8 +106,8 @@ impl InputOptions {
         self.table.as_deref().or(self.material.as_deref()).unwrap_or_default()
     }
 
-    /// Checks the outputs, and reads all inputs.
-    pub fn read(&self, outputs: &Roles) -> Result<Case, Failure> {
+    /// Checks the outputs, and reads all inputs; `others` are keys that one command alone gives.
+    pub fn read(&self, outputs: &Roles, others: Vec<Override>) -> Result<Case, Failure> {
         let topography = is_topography(&self.surface);
         let role = if topography { "the topography" } else { "the surface file" };
         let mut inputs: Vec<(&str, &Path)> = vec![(role, &self.surface)];
@@ -133,7 +118,7 @@ impl InputOptions {
             true => Some(self.topography.characterize(&self.surface, false)?),
             false => self.topography.refuse(&self.surface).map(|()| None)?,
         };
-        let file = self.surface_file(measured.as_ref()).map_err(Failure::input)?;
+        let file = self.surface_file(measured.as_ref(), others).map_err(Failure::input)?;
         let tables = file.uncertain_tables.iter().map(|(_, table)| ("a table of the surface file", &**table));
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
         check_outputs(&tables.chain(heights).collect::<Vec<_>>(), outputs)?;
@@ -141,8 +126,12 @@ impl InputOptions {
         Case::open(file, measured, self.table(), self.allow_missing).map_err(Failure::input)
     }
 
-    fn surface_file(&self, measured: Option<&Characterization>) -> Result<SurfaceFile, SurfaceFileError> {
-        let overrides = self.query.overrides();
+    fn surface_file(
+        &self,
+        measured: Option<&Characterization>,
+        others: Vec<Override>,
+    ) -> Result<SurfaceFile, SurfaceFileError> {
+        let overrides = [self.query.overrides(), others].concat();
         match measured {
             Some(found) => surface_of(found, &self.surface, &overrides),
             None => SurfaceFile::read_with(&self.surface, &overrides),

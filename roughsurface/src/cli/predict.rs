@@ -11,7 +11,9 @@ use roughsurface::friction::warning::Warning;
 use roughsurface::output::figure::{PANELS, figure, panels};
 use roughsurface::output::{Origin, Results, friction_file, report, summary, summary_json};
 use roughsurface::sampling::case::Case;
+use roughsurface::surface::file::query_key;
 use roughsurface::surface::query::Surface;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use tables::closed_forms::NAMES;
 use tables::figures::Figure;
@@ -63,6 +65,9 @@ keeps their mean pressure and friction.";
 pub struct Predict {
     #[command(flatten)]
     input: InputOptions,
+    /// Response of steady sliding to a step of the slip rate, m/s, such as 0.1..1; the contacts have the life --contact-life
+    #[arg(long, value_name = "BEFORE..AFTER", value_parser = step)]
+    rate_step: Option<[f64; 2]>,
     /// Result (netCDF)
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -98,6 +103,13 @@ fn models(asked: &[String]) -> Result<Vec<String>, Failure> {
     }
 }
 
+fn step(text: &str) -> Result<[f64; 2], String> {
+    let rates = text.split_once("..").and_then(|(before, after)| before.parse().ok().zip(after.parse().ok()));
+    rates
+        .map(|(before, after)| [before, after])
+        .ok_or_else(|| "must be two slip rates in m/s, such as 0.1..1".into())
+}
+
 fn tolerance(text: &str) -> Result<f64, String> {
     number(text, |tolerance| (1e-12..=1e-3).contains(tolerance), "must lie between 1e-12 and 1e-3")
 }
@@ -108,11 +120,15 @@ pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(Failure::input)?;
     }
-    let case = options.input.read(&[
-        ("--output", Some(&options.output)),
+    let outputs = [
+        ("--output", Some(&*options.output)),
         ("--plot", options.plot.as_deref()),
         ("--report", options.report.as_deref()),
-    ])?;
+    ];
+    let rate_step = options.rate_step.map(|[before, after]| {
+        query_key("rate_step", BTreeMap::from([("before", before), ("after", after)]))
+    });
+    let case = options.input.read(&outputs, rate_step.into_iter().collect())?;
     Figure::check_panels(&options.panel, &panels(&case, &models)).map_err(Failure::input)?;
     // At once: the prediction may be refused for what they are about.
     let of_input = case.warnings();

@@ -49,9 +49,10 @@ fn slip_length(text: &str) -> Result<f64, String> {
 
 /// Draws, slides, writes.
 pub fn run(options: &Sample, display: &Display) -> Result<(), Failure> {
-    let case = options.input.read(&[("--output", Some(&options.output))])?;
+    let case = options.input.read(&[("--output", Some(&options.output))], Vec::new())?;
     let of_input = case.warnings();
     display.printer().warn(Warning::condensed(&of_input));
+    display.printer().warn(case.unused_by_samples());
     let settings = Settings { extrapolate: options.input.extrapolate, ..Settings::default() };
     let progress = Progress::new(display, "surfaces");
     let show = |done, total| progress.show(done, total);

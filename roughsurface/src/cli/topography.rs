@@ -25,7 +25,7 @@ pub struct TopographyOptions {
     /// The topography continues at its other side; NetCDF states it
     #[arg(long)]
     periodic: bool,
-    /// Unit of the lengths that a text or npy file does not state: m, mm, um, nm, in, mil, uin; by default m
+    /// Unit of the lengths that a text or npy file does not state: km, m, cm, mm, um, nm, pm, A, in, mil, uin; by default m
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<f64>,
     /// Distance between the points of a text or npy file that does not state it, or only counts them

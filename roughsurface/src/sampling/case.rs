@@ -138,6 +138,19 @@ impl Case {
             .collect()
     }
 
+    /// Keys of the surface file that [`sample`](Self::sample) does not use.
+    pub fn unused_by_samples(&self) -> Vec<String> {
+        let SurfaceFile { uncertain, uncertain_tables, query, .. } = &self.file;
+        [
+            ("query.rate_step", query.rate_step.is_some()),
+            ("[uncertainty]", !(uncertain.is_empty() && uncertain_tables.is_empty())),
+        ]
+        .into_iter()
+        .filter(|(_, is_given)| *is_given)
+        .map(|(key, _)| format!("{key} is not used: `roughsurface predict` computes it"))
+        .collect()
+    }
+
     /// Of the radius at which the law is most uncertain, where that counts.
     fn strain_rate(&self) -> Option<Warning> {
         const COUNTS: f64 = 0.01;
@@ -164,7 +177,8 @@ impl Case {
         results.temperature = file.temperature.or_else(|| initial_temperature(law.request()));
         if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
             let tables = (self.table.as_str(), self.interpolate_missing);
-            let propagated = propagate(file, tables, &results.prediction, &settings, show)?;
+            let mut propagated = propagate(file, tables, &results.prediction, &settings, show)?;
+            results.prediction.warnings.append(&mut propagated.warnings);
             results.propagated = Some(propagated);
         }
         if let Some(measured) = &self.measured {

@@ -6,9 +6,11 @@
 //! varied by another table, on one side only: first order instead of second.
 
 use crate::friction::quantities::{QUANTITIES, Quantity};
+use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A parameter that was varied, and its standard deviation where the surface file states it.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +31,8 @@ pub struct Propagated {
     /// Per cell, output and parameter: the change of the output when the parameter grows by its
     /// standard deviation.
     pub contributions: Vec<Vec<Vec<f64>>>,
+    /// Tables that differ in more than one constant.
+    pub warnings: Vec<Warning>,
 }
 
 impl Propagated {
@@ -63,6 +67,10 @@ pub enum UncertaintyError {
         "uncertainty.tables: has no meaning for a closed form; give standard deviations of the constants themselves"
     )]
     NoTable,
+    #[error(
+        "uncertainty.tables.{key}: \"{table}\" has the constants of the table itself; give one with a constant raised by its standard deviation"
+    )]
+    SameTable { key: String, table: String },
     #[error(transparent)]
     File(#[from] SurfaceFileError),
     #[error(transparent)]
@@ -102,16 +110,71 @@ pub fn propagate(
         propagated.add(VariedParameter { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);
     }
     for (key, other) in &file.uncertain_tables {
-        let up = again(file, &other.to_string_lossy(), key, "raised")?;
+        let other = other.to_string_lossy();
+        let up = again(file, &other, key, "raised")?;
+        match differing(&base.request, &up.request) {
+            Some(constants) if constants.is_empty() => {
+                return Err(UncertaintyError::SameTable { key: key.clone(), table: other.into() });
+            }
+            Some(constants) if constants.len() > 1 => {
+                propagated.warnings.push(Warning::TablesDiffer { key: key.clone(), constants });
+            }
+            _ => {}
+        }
         propagated.add(VariedParameter { key: key.clone(), std: None }, &up, base, 1.0);
     }
     Ok(propagated)
+}
+
+/// Constants of body, interface and counterface in which two requests (TOML) differ, as `material.youngs_modulus`; none
+/// where a request states no constants.
+fn differing(one: &str, other: &str) -> Option<Vec<String>> {
+    let constants = |request: &str| {
+        let mut all = BTreeMap::new();
+        for (section, value) in request.parse::<toml::Table>().unwrap_or_default() {
+            if matches!(section.as_str(), "material" | "interface" | "counterface") {
+                flatten(&section, value, &mut all);
+            }
+        }
+        all
+    };
+    let [one, other] = [one, other].map(constants);
+    if one.is_empty() || other.is_empty() {
+        return None;
+    }
+    let keys: BTreeSet<&String> = one.keys().chain(other.keys()).collect();
+    Some(keys.into_iter().filter(|key| one.get(*key) != other.get(*key)).cloned().collect())
+}
+
+fn flatten(key: &str, value: toml::Value, all: &mut BTreeMap<String, toml::Value>) {
+    match value {
+        toml::Value::Table(table) => {
+            table.into_iter().for_each(|(name, value)| flatten(&format!("{key}.{name}"), value, all))
+        }
+        value => drop(all.insert(key.to_owned(), value)),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::path::Path;
+
+    #[test]
+    fn constants_in_which_tables_differ_are_found() {
+        let [one, other] = [("400e6", "0.3", "5"), ("420e6", "0.4", "7")].map(|(strength, exponent, last)| {
+            format!(
+                "[material]\nyield_strength = {strength}\n[material.softening]\nexponent = {exponent}\n[table]\n\
+                 interference = [1, {last}]\n"
+            )
+        });
+        assert_eq!(differing(&one, &one).unwrap(), Vec::<String>::new());
+        assert_eq!(
+            differing(&one, &other).unwrap(),
+            ["material.softening.exponent", "material.yield_strength"]
+        );
+        assert_eq!(differing(&one, ""), None);
+    }
 
     #[test]
     fn elastic_asperities_with_exponential_heights_in_closed_form() {

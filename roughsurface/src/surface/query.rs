@@ -6,7 +6,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 use std::str::FromStr;
-use tables::law::{AsperityLaw, LookupError};
+use tables::law::{AsperityLaw, LookupError, covers};
 use tables::numbers::rounded;
 
 /// A rough surface.
@@ -168,9 +168,9 @@ impl Query {
     /// Refuses slip rates outside the range of the law for any of the `radii`.
     pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radii: &Radii) -> Result<(), LookupError> {
         for class in radii.classes() {
-            let (from, to) = law.slip_rate_range(class.radius);
+            let range @ (from, to) = law.slip_rate_range(class.radius);
             let mut rates = self.slip_rates.iter().chain(self.rate_step.iter().flatten());
-            if let Some(&slip_rate) = rates.find(|rate| !(from..=to).contains(*rate)) {
+            if let Some(&slip_rate) = rates.find(|rate| !covers(range, **rate)) {
                 return Err(LookupError::SlipRateOutside { slip_rate, from, to });
             }
         }

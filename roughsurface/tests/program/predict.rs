@@ -1,7 +1,7 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
 use crate::demonstration::{STEEL, Weakening, table};
-use crate::folder::{Folder, program};
+use crate::folder::{Folder, program, stderr};
 use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
@@ -199,6 +199,29 @@ fn another_table_stands_for_a_constant_of_the_material() {
     assert!(page.contains("<li>strength another table</li>"));
     let closed_form = "predict surface.toml --table model:hertz -o f.nc";
     folder.refused(closed_form, "uncertainty.tables: has no meaning for a closed form");
+}
+
+/// The shipped tables state their constants.
+#[test]
+fn another_table_differs_in_one_constant() {
+    let folder =
+        Folder::with(&SURFACE.replace("[query]", "[query]\nrate_step = { before = 0.1, after = 1 }"));
+    let line = "predict surface.toml --table copper -o f.nc --set uncertainty.tables={other=\"NAME\"}";
+    folder.refused(
+        &format!("{} -q", line.replace("NAME", "copper")),
+        "uncertainty.tables.other: \"copper\" has the constants of the table",
+    );
+    let said = stderr(&folder.run_well(&line.replace("NAME", "steel-1045")));
+    assert!(said.contains("uncertainty.tables.other differs from the table in "), "{said}");
+
+    // Neither the other table nor the step is of a sample.
+    let line = "sample surface.toml --table copper --asperities 1000 --realizations 2 -o s.nc";
+    let said = stderr(&folder.run_well(&format!("{line} --set uncertainty.heights_std=1e-9")));
+    for key in ["query.rate_step", "[uncertainty]"] {
+        assert!(said.contains(&format!("{key} is not used: `roughsurface predict` computes it")), "{said}");
+    }
+    let output = folder.run(&format!("{line} --rate-step 0.1..1"));
+    assert_eq!(output.status.code(), Some(2));
 }
 
 /// Names that are not UTF-8, and outputs that are links: the files appear at the targets of the links.

@@ -7,7 +7,7 @@ use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::nodes::{self, Absent, Errors, Nodes, Values, blend, rate_coordinate};
 use super::plastic_limit::AboveLastRow;
 use super::steffen::{self, Location, locate};
-use crate::law::LARGEST_CONTACT;
+use crate::law::{LARGEST_CONTACT, covers};
 use crate::table::{Axes, Slice};
 
 /// Interpolates the fields of the response.
@@ -105,8 +105,7 @@ impl Interpolant {
     /// ξ of a slip rate at the radius of the table.
     pub(super) fn locate_rate(&self, slip_rate: f64) -> Option<Location> {
         let (first, last) = (self.slip_rate[0], *self.slip_rate.last()?);
-        let slack = ROUNDING * last;
-        if !(first - slack..=last + slack).contains(&slip_rate) {
+        if !covers((first, last), slip_rate) {
             return None;
         }
         let at = rate_coordinate(&self.slip_rate, slip_rate.clamp(first, last));

@@ -13,7 +13,7 @@ pub mod fracture;
 mod merge;
 mod metadata;
 mod slice;
-mod warnings;
+pub mod warnings;
 
 pub use axes::Axes;
 pub use cell::{Cell, Status};

@@ -58,6 +58,8 @@ pub enum ExportError {
         "{path}: friction is given over the separation, other programs need it over the pressure; predict with query.pressure"
     )]
     NoPressure { path: String },
+    #[error("{path}: a result of `sample`, of single surfaces; a result of `predict` is exported")]
+    Samples { path: String },
     #[error("{path}: mu is not known at {pressure:e} Pa and {slip_rate} m/s")]
     NoFriction { path: String, pressure: f64, slip_rate: f64 },
     #[error(
@@ -144,6 +146,9 @@ impl FrictionTable {
             return Err(ExportError::NoPressure { path: shown });
         }
         let (pressures, slip_rates) = (file.coordinate("pressure")?, file.coordinate("slip_rate")?);
+        if file.shape("mu")?.len() > 2 {
+            return Err(ExportError::Samples { path: shown });
+        }
         let with_error = |name: &str, shape: &[usize]| -> Result<Vec<Estimate>, DatasetError> {
             let (values, errors) = (file.reals(name, shape)?, file.reals(&format!("{name}_error"), shape)?);
             Ok(values.into_iter().zip(errors).map(|(value, error)| Estimate { value, error }).collect())

@@ -34,13 +34,22 @@ impl Sample {
     pub fn read(file: &Path) -> Result<Self, HeightsError> {
         let file = TextFile::read(file)?;
         let mut heights = Vec::new();
+        let mut words_of_lines = Vec::new();
         for (index, _, words) in file.lines() {
+            let before = heights.len();
             for word in words {
                 match word.parse::<f64>() {
                     Ok(height) if height.is_finite() => heights.push(height),
                     _ => return Err(file.error_in(index, word, "not a height in metres")),
                 }
             }
+            words_of_lines.extend(Some(heights.len() - before).filter(|count| *count > 0));
+        }
+        if words_of_lines.len() > 2 && words_of_lines.iter().all(|count| *count == 2) {
+            return Err(file.error(
+                "has two numbers in every line, as of positions and heights: write the heights of the summits alone, one in a line; \
+                 a profile of the surface is a topography, in place of the surface file",
+            ));
         }
         Self::new(heights).ok_or_else(|| file.error("must hold at least two different heights in metres"))
     }
