@@ -1,7 +1,7 @@
 //! The prediction, from the press to the friction of every cell.
 
 use crate::friction::rate_dependence::rate_sensitivity;
-use crate::friction::rate_law::choose;
+use crate::friction::rate_law::{RateLaws, choose};
 use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
@@ -63,19 +63,7 @@ pub fn predict(
     if lasting.iter().any(|state| state.unknown_load > 0.0 && state.mu.value.is_nan()) {
         warnings.push(Warning::NoSteadyFriction);
     }
-    let rates_around = sweep.rates_around();
-    let around = sweep.slide_steadily_around(&rates_around, &at_first_rate)?;
-    let mut rate_laws = Vec::new();
-    for (row, around) in friction.iter_mut().zip(&around) {
-        let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
-        for (cell, rate) in row.iter_mut().zip(&query.slip_rates) {
-            cell.rate_sensitivity = match rates_around.is_empty() {
-                true => rate_sensitivity(&query.slip_rates, &mu, *rate),
-                false => rate_sensitivity(&rates_around, around, *rate),
-            };
-        }
-        rate_laws.push(choose(&query.slip_rates, &mu));
-    }
+    let rate_laws = depend_on_rate(&sweep, &at_first_rate, &mut friction, &query.slip_rates)?;
     let outside = friction.iter().flatten().map(|cell| cell.outside_table);
     warnings.extend(Warning::beyond_formulae(law, outside));
     Ok(Prediction {
@@ -89,6 +77,27 @@ pub fn predict(
         rate_step,
         warnings,
     })
+}
+
+/// Sets the derivatives by the slip rate of all cells, and fits the rate laws of the rows.
+fn depend_on_rate(
+    sweep: &Sweep,
+    at_first_rate: &[&Pressed],
+    friction: &mut [Vec<Friction>],
+    slip_rates: &[f64],
+) -> Result<Vec<RateLaws>, PredictionError> {
+    let rates_around = sweep.rates_around();
+    let around = sweep.slide_steadily_around(&rates_around, at_first_rate)?;
+    let of_row = |(row, around): (&mut Vec<Friction>, &Vec<Estimate>)| {
+        let mu: Vec<Estimate> = row.iter().map(|cell| cell.sliding.mu).collect();
+        let (rates, known) =
+            if rates_around.is_empty() { (slip_rates, &mu) } else { (&rates_around[..], around) };
+        for (cell, rate) in row.iter_mut().zip(slip_rates) {
+            cell.rate_sensitivity = rate_sensitivity(rates, known, *rate);
+        }
+        choose(slip_rates, &mu)
+    };
+    Ok(friction.iter_mut().zip(&around).map(of_row).collect())
 }
 
 /// Of every cell. In order: the failure that is reported does not depend on the threads.

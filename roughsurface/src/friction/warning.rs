@@ -7,6 +7,7 @@ use std::fmt;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw};
 use tables::numbers::{beside, digits, plain};
+use tables::table::warnings::Warning as Condensed;
 
 /// Pressure or separation and slip rate that a warning is about.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,6 +122,12 @@ pub enum Warning {
         plain(*.of_table)
     )]
     MaterialUnused { key: &'static str, stated: f64, of_table: f64 },
+    #[error(
+        "uncertainty.tables.{key} differs from the table in {} constants ({}): its change is that of all of them together",
+        .constants.len(),
+        .constants.join(", ")
+    )]
+    TablesDiffer { key: String, constants: Vec<String> },
     #[error("cells without results, interpolated around: {}", .cells.join("; "))]
     CellsInterpolated { cells: Vec<String> },
     #[error(
@@ -147,22 +154,21 @@ impl Warning {
         (count > 0).then_some(Self::BeyondFormulae { law, limit, share, count, of, without_friction })
     }
 
-    /// Sentences, one for all warnings of a kind at several places.
+    /// Sentences, one for all warnings that differ in their numbers only, with the range of each number.
     pub fn condensed(warnings: &[Warning]) -> Vec<String> {
-        let mut sentences: Vec<(&Warning, usize)> = Vec::new();
-        for warning in warnings {
-            let alike = |known: &Warning| {
-                !warning.stands_alone() && std::mem::discriminant(known) == std::mem::discriminant(warning)
-            };
-            match sentences.iter_mut().find(|(known, _)| alike(known)) {
-                Some((_, others)) => *others += 1,
-                None => sentences.push((warning, 0)),
+        let mut sentences: Vec<(Condensed, bool)> = Vec::new();
+        for (place, warning) in warnings.iter().enumerate() {
+            let sentence = Condensed::new(&warning.to_string(), (place, 0));
+            let stands_alone = warning.stands_alone();
+            let taken_in = !stands_alone
+                && sentences.iter_mut().any(|(known, alone)| !*alone && known.absorbs(&sentence));
+            if !taken_in {
+                sentences.push((sentence, stands_alone));
             }
         }
-        let text = |(warning, others): (&Warning, usize)| match others {
-            0 => warning.to_string(),
-            1 => format!("{warning}; likewise at another point"),
-            others => format!("{warning}; likewise at {others} other points"),
+        let text = |(sentence, _): (Condensed, bool)| match sentence.cells.len() {
+            1 => sentence.text(),
+            places => format!("{} ({places} points)", sentence.text()),
         };
         sentences.into_iter().map(text).collect()
     }
@@ -174,6 +180,7 @@ impl Warning {
             Self::Implausible(_)
                 | Self::Topography(_)
                 | Self::MaterialUnused { .. }
+                | Self::TablesDiffer { .. }
                 | Self::PoissonRatioOfChangEtsionBogy { .. }
         )
     }
@@ -195,10 +202,7 @@ mod tests {
         }
         let said = Warning::condensed(&warnings);
         assert_eq!(said.len(), 5, "{said:?}");
-        assert!(
-            said[0].starts_with("1e6 Pa, 1 m/s") && said[0].ends_with("likewise at 8 other points"),
-            "{said:?}"
-        );
-        assert!(!said[1].contains("likewise"));
+        assert!(said[0].starts_with("1e6 Pa, 1 to 9 m/s") && said[0].ends_with("(9 points)"), "{said:?}");
+        assert!(!said[1].contains("points"));
     }
 }

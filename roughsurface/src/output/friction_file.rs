@@ -16,7 +16,7 @@ use tables::netcdf::{DatasetError, DatasetWriter, described};
 
 const COMMENT: &str = "Greenwood-Williamson integration of one-asperity friction over summit heights. \
 NAME_error is an estimate of the absolute error of NAME: error of the table with one sign in all \
-asperities, quadrature, slip grid and pressure. Independent asperities of one radius, rigid smooth flat. \
+asperities, quadrature, slip grid and pressure. Radii of the summits do not depend on their heights; smooth flat. \
 Under held load the flat sinks as asperities lose load; each asperity then follows the slide tabulated \
 at its present interference.";
 

@@ -7,6 +7,7 @@ use crate::sampling::case::Results;
 use serde_json::{Value, json};
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetWriter, described};
+use tables::numbers::digits;
 
 type Fit = Result<RateLaw, NoFit>;
 
@@ -121,10 +122,15 @@ fn fit(row: &str, load: f64, fit: &Fit, parameters: &[Parameter]) -> Value {
     entry
 }
 
-/// A parameter; one that is not fitted has no error.
+/// A parameter; one that is not fitted has no error. One far below its error keeps two digits.
 fn shown(parameter: Estimate) -> String {
-    match parameter.error == 0.0 {
-        true => parameter.value.to_string(),
+    const FAR: f64 = 0.01;
+    let Estimate { value, error } = parameter;
+    match error == 0.0 {
+        true => value.to_string(),
+        false if error.is_finite() && value.abs() < FAR * error => {
+            format!("{} ± {}", digits(value, 2), digits(error, 2))
+        }
         false => estimate(parameter),
     }
 }
@@ -137,7 +143,7 @@ pub(super) fn rows(results: &Results) -> Rows {
     }
     let mut rows = head(results, ["mu_0", "mu_inf", "V* [m/s]", "n", "misfit [%]", "R2", "law"]);
     for (load, laws) in prediction.query.loading.values().iter().zip(&prediction.rate_laws) {
-        for fit in [&laws.chosen, &laws.flash_heating] {
+        for (name, fit) in [("rate law", &laws.chosen), ("flash heating", &laws.flash_heating)] {
             let mut row = vec![format!("{load:.3e}")];
             match fit {
                 Ok(law) => {
@@ -147,10 +153,28 @@ pub(super) fn rows(results: &Results) -> Rows {
                     let flag = law.doubt().map_or(String::new(), |doubt| format!(" (not reliable: {doubt})"));
                     row.push(format!("{}{flag}", law.form.formula));
                 }
-                Err(reason) => row.push(format!("not fitted: {reason}")),
+                Err(reason) => row.push(format!("{name} not fitted: {reason}")),
             }
             rows.push(row);
         }
     }
     rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parameter_far_below_its_error_is_no_zero() {
+        for (value, error, text) in [
+            (6466.76, 1.5e11, "6500 ± 1.5e11"),
+            (0.2614, 0.0036, "0.2614 ± 0.0036"),
+            (1.7, 1.4, "1.7 ± 1.4"),
+            (8.0, 0.0, "8"),
+            (0.3, f64::NAN, "0.3 ± ? (error unknown)"),
+        ] {
+            assert_eq!(shown(Estimate { value, error }), text);
+        }
+    }
 }

@@ -10,6 +10,8 @@ use tables::quantity::Estimate;
 /// A heading and rows of cells. A row with fewer cells ends with a remark.
 pub(super) type Rows = Vec<Vec<String>>;
 
+/// Quantities that are always shown with their error.
+const WITH_ERROR: [&str; 6] = ["mu", "mu_steady", "mu_static", "dmu_dlnV", "G", "G_weakening"];
 /// Shown in place of a number that is not known.
 const NOT_AVAILABLE: &str = "n/a";
 
@@ -29,9 +31,7 @@ fn shown(name: &str, cell: &Friction, errors: bool) -> String {
     match (&quantity.source, quantity.of(cell)) {
         (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => "-".into(),
         (Source::Share(_), Some(Estimate { value, .. })) => format!("{:.2} %", 100.0 * value),
-        (_, Some(estimate)) if matches!(name, "mu" | "mu_steady" | "mu_static" | "dmu_dlnV") => {
-            self::estimate(estimate)
-        }
+        (_, Some(estimate)) if WITH_ERROR.contains(&name) => self::estimate(estimate),
         (_, Some(Estimate { value, error })) if value.is_finite() && quantity.unit == "K" => match errors {
             true => format!("{value:.1} ± {error:.1}"),
             false => format!("{value:.1}"),

@@ -6,9 +6,10 @@ use crate::output::rate_laws;
 use crate::output::rate_step;
 use crate::output::result_tables::{Rows, compared, parameters, quantities};
 use crate::sampling::case::Results;
+use crate::surface::query::NormalLoading;
 
-/// Columns of the summary: quantity and heading.
-const COLUMNS: [(&str, &str); 12] = [
+/// Columns of the summary but for the separation or the pressure, whichever is not given: quantity and heading.
+const COLUMNS: [(&str, &str); 11] = [
     ("mu_static", "mu_static"),
     ("mu", "mu"),
     ("mu_steady", "mu_steady"),
@@ -19,14 +20,18 @@ const COLUMNS: [(&str, &str); 12] = [
     ("real_area_fraction", "area fraction"),
     ("temperature_mean", "T mean [K]"),
     ("temperature_max", "T max [K]"),
-    ("separation", "separation [m]"),
     ("outside_table_fraction", "outside table"),
 ];
 
 /// The prediction as lines of text.
 pub fn text(results: &Results) -> String {
     let psi = results.prediction.plasticity_index;
-    let table = aligned(&quantities(results, &COLUMNS, false));
+    let other = match results.prediction.query.loading {
+        NormalLoading::Pressure(_) => ("separation", "separation [m]"),
+        NormalLoading::Separation(_) => ("pressure", "pressure [Pa]"),
+    };
+    let columns = [&COLUMNS[..], &[other]].concat();
+    let table = aligned(&quantities(results, &columns, false));
     let mut text = format!("Plasticity index {psi:.3}: {}\n\n{table}", regime(psi));
     for (title, rows) in [
         ("Influence of the cut-off of the topography:", cutoffs::rows(results)),

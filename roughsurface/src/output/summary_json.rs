@@ -1,7 +1,7 @@
 //! The summary of a prediction as JSON: the numbers of the file, without histories.
 
 use crate::friction::Friction;
-use crate::friction::quantities::{QUANTITIES, Quantity};
+use crate::friction::quantities::{QUANTITIES, Quantity, Source};
 use crate::friction::rate_law::RateLaws;
 use crate::friction::regime::regime;
 use crate::output::cutoffs;
@@ -12,6 +12,7 @@ use crate::sampling::case::Results;
 use crate::sampling::uncertainty::outputs;
 use crate::surface::query::NormalLoading;
 use serde_json::{Map, Value, json};
+use tables::law::Estimate;
 
 /// Key of pressures or separations.
 pub(super) fn row_key(loading: &NormalLoading) -> &'static str {
@@ -71,8 +72,15 @@ pub fn json(results: &Results) -> Value {
     })
 }
 
-/// Quantities of a cell with errors and units; null where the law does not state them. A share has no error.
+/// Quantities of a cell with errors and units; null where the law does not state them. The error of a share is null.
 fn quantities<'a>(list: impl IntoIterator<Item = &'a Quantity>, friction: &Friction) -> Map<String, Value> {
-    let value = |quantity: &Quantity| json!(quantity.of(friction).map(|value| value.in_unit(quantity.unit)));
+    let value = |quantity: &Quantity| {
+        let error = |known: Estimate| match quantity.source {
+            Source::Share(_) => f64::NAN,
+            _ => known.error,
+        };
+        let known = quantity.of(friction).map(|known| Estimate { error: error(known), ..known });
+        json!(known.map(|known| known.in_unit(quantity.unit)))
+    };
     list.into_iter().map(|quantity| (quantity.name.to_string(), value(quantity))).collect()
 }

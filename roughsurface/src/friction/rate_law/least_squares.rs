@@ -219,14 +219,18 @@ fn law(
     // Change of each parameter with each friction coefficient.
     let gain = jacobian.pseudo_inverse(1e-12).ok().filter(|_| condition < 1e10)?;
     let squares = residuals.norm_squared();
-    let variance = if count > parameters { squares / (count - parameters) as f64 } else { 0.0 };
+    let variance = squares / count.saturating_sub(parameters) as f64;
     let errors = DVector::from_iterator(count, curve.points.iter().map(|(_, mu)| mu.error));
     let spread = spread(form, curve, place);
     let estimate = |parameter: usize| {
         let column = form.fitted().iter().position(|fitted| *fitted == parameter);
-        let error = column.map_or(0.0, |column| {
-            let row = gain.row(column) / lengths[column];
-            f64::max(row.norm() * variance.sqrt(), spread[parameter]) + (row * &errors)[0].abs()
+        // A curve through as many points as it has parameters has no scatter, and unknown errors.
+        let error = column.map_or(0.0, |column| match count > parameters {
+            true => {
+                let row = gain.row(column) / lengths[column];
+                f64::max(row.norm() * variance.sqrt(), spread[parameter]) + (row * &errors)[0].abs()
+            }
+            false => f64::NAN,
         });
         Estimate { value: place[parameter], error }
     };

@@ -135,7 +135,9 @@ pub enum NoFit {
     NoWeakening,
     #[error("the slip rates do not bracket the onset of weakening")]
     OnsetOutside,
-    #[error("the slip rates do not reach the plateau, fewer than two are above V* = {0:.3e} m/s")]
+    #[error(
+        "the slip rates do not reach the plateau: fewer than two are above V* = {0:.3e} m/s, or it is negative"
+    )]
     NoPlateau(f64),
     #[error(
         "the slip rates do not determine the parameters, condition number {0:.0} of at most {LARGEST_CONDITION:.0}"

@@ -42,6 +42,13 @@ fn every_form_comes_back_from_its_own_curve() {
 }
 
 #[test]
+fn errors_of_a_curve_through_all_points_are_unknown() {
+    let rates = [0.1, 1.0, 10.0];
+    let law = choose(&rates, &exact(&rates, flash_heating)).flash_heating.unwrap();
+    assert!(law.velocity.error.is_nan() && law.mu_0.error.is_nan() && law.exponent.error == 0.0, "{law:?}");
+}
+
+#[test]
 fn standard_errors_cover_the_parameters_of_noisy_curves() {
     let rates = Log.range(0.1, 10.0, 13);
     let law = |rate: f64| 0.45 / (1.0 + (rate / 80.0f64).powf(0.6));
