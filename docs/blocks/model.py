@@ -248,7 +248,12 @@ def robustness():
     return table(["verdict", "cases"], count) + "\n" + table(["case that is not solved", "reason"], refused)
 
 
-TABLE_QUANTITIES = ["mu_static", "mu", "Q", "P", "area", "G", "temperature_max"]
+TABLE_QUANTITIES = ["mu_static", "mu", "mu_steady", "Q", "P", "area", "G", "G_weakening", "temperature_max"]
+
+
+def percent(share):
+    """In per cent."""
+    return f"{100 * share:.1f}" if share < 0.2 else f"{100 * share:.0f}"
 
 
 def by_table(cell):
@@ -263,13 +268,13 @@ def by_table(cell):
 @block("cell-errors", 1)
 def cell_errors():
     """Median and largest estimated error of the cells of the shipped tables, %."""
-    return by_table(lambda q: f"{100 * q['relative_error_median']:.1f} / {100 * q['relative_error_largest']:.1f}")
+    return by_table(lambda q: f"{percent(q['relative_error_median'])} / {percent(q['relative_error_largest'])}")
 
 
 @block("between-errors", 1)
 def between_errors():
     """Median and largest error of the shipped tables half-way between their points, %."""
-    return by_table(lambda q: f"{100 * q['between_error_median']:.1f} / {100 * q['between_error_largest']:.1f}")
+    return by_table(lambda q: f"{percent(q['between_error_median'])} / {percent(q['between_error_largest'])}")
 
 
 @block("table-times", 1)

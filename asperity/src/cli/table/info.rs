@@ -33,7 +33,7 @@ pub fn list(display: &Display) -> Result<(), Failure> {
         rows.push((name, table.metadata().clone(), table.axes().clone(), [mu_static, mu]));
     }
     let counterface =
-        |metadata: &Metadata| if metadata.counterface.is_empty() { "rigid flat" } else { "like body" };
+        |metadata: &Metadata| if metadata.counterface.is_empty() { "isothermal" } else { "conducts heat" };
     let as_json = |(name, metadata, axes, [mu_static, mu]): &(&str, Metadata, Axes, [f64; 2])| {
         json!({
             "name": name,
