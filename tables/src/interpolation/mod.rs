@@ -93,13 +93,26 @@ impl InterpolatedTable {
     }
 
     /// Relative uncertainty of the strength at R = `ratio`·R_t, where VR is that of the table, but not the strain rate
-    /// V/a, which is in proportion to 1/R²; and at interferences to which a is extrapolated in proportion to √ω.
+    /// V/a, which is in proportion to 1/R²; and at interferences to which a is extrapolated in proportion to √ω. Of the
+    /// strength at the smallest strain rate of the table.
     fn strength_uncertainty(&self, interference: f64, ratio: f64) -> f64 {
         let Some(coefficient) = self.metadata().rate_coefficient else { return 0.0 };
         let first = self.axes().interference[0].min(self.interference_limit());
         let within = interference.clamp(first, self.interference_limit());
         let extrapolated = if interference > 0.0 { (interference / within).ln().abs() } else { 0.0 };
-        coefficient * (2.0 * ratio.ln().abs() + 0.5 * extrapolated)
+        let largest =
+            self.interpolant.rows.map_or(f64::NAN, |(_, last)| self.interpolant.log_contact_radius[last]);
+        let smallest = self.growth(self.axes().slip_rate[0], largest.exp());
+        coefficient / smallest * (2.0 * ratio.ln().abs() + 0.5 * extrapolated)
+    }
+
+    /// 1 + C ln(V/(aε̇₀)) of a slip rate and a contact radius; 1 without a rate law.
+    fn growth(&self, slip_rate: f64, contact_radius: f64) -> f64 {
+        let Metadata { rate_coefficient, rate_reference, .. } = *self.metadata();
+        let law = rate_coefficient.zip(rate_reference);
+        law.map_or(1.0, |(coefficient, reference)| {
+            1.0 + coefficient * (slip_rate / (contact_radius * reference)).max(1.0).ln()
+        })
     }
 
     fn check_interference(&self, interference: f64) -> Result<(), LookupError> {
@@ -275,16 +288,13 @@ impl AsperityLaw for InterpolatedTable {
         Ok(interference <= 0.0 || self.begins_around(interference, rate))
     }
 
-    /// 1 + C ln(V/(aε̇₀)).
     fn rate_factor(&self, radius: f64, interference: f64, slip_rate: f64) -> Result<f64, LookupError> {
-        let Metadata { rate_coefficient, rate_reference, .. } = *self.metadata();
-        let Some((coefficient, reference)) = rate_coefficient.zip(rate_reference) else { return Ok(1.0) };
-        if interference <= 0.0 {
+        if interference <= 0.0 || self.metadata().rate_coefficient.is_none() {
             return Ok(1.0);
         }
         let (slowest, _) = self.slip_rate_range(radius);
         let contact = self.estimate(Quantity::ContactRadius, radius, interference, slowest)?.value;
-        Ok(1.0 + coefficient * (slip_rate / (contact * reference)).max(1.0).ln())
+        Ok(self.growth(slip_rate, contact))
     }
 
     fn last_slip(&self) -> f64 {

@@ -182,11 +182,18 @@ fn other_radii_see_the_same_dimensionless_asperity() {
 #[test]
 fn a_strength_that_grows_with_the_strain_rate_adds_to_the_errors_at_other_radii() {
     const C: f64 = 0.02;
-    let plain = table();
+    let slice = || slice_of(Log.range(0.5, 100.0, 8), Log.range(0.1, 10.0, 5));
+    let (plain, mut rated) = (slice().interpolated(), slice());
     let mut metadata = plain.metadata().clone();
     (metadata.rate_coefficient, metadata.rate_reference) = (Some(C), Some(1.0));
-    let rated = changed(|slice| slice.set_metadata(metadata));
-    let added = C * 100f64.ln();
+    rated.set_metadata(metadata);
+    let rated = rated.interpolated();
+    // Over the strength at the lowest slip rate in the largest contact.
+    let (last, slowest) = (plain.interference_limit(), plain.axes().slip_rate[0]);
+    let largest = plain.estimate(Quantity::ContactRadius, RADIUS, last, slowest).unwrap().value;
+    let smallest = 1.0 + C * (slowest / largest).ln();
+    assert!(smallest > 1.1);
+    let added = C * 100f64.ln() / smallest;
     let of = |table: &InterpolatedTable| table.response(0.1 * RADIUS, 7.0, 10.0, 1e-7).unwrap();
     let (rated_there, plain_there) = (of(&rated), of(&plain));
     let wider = |with: Estimate, without: Estimate| (with.error - without.error) / with.value;
@@ -207,7 +214,7 @@ fn a_strength_that_grows_with_the_strain_rate_adds_to_the_errors_at_other_radii(
     assert_eq!(own(&rated, 7.0), own(&plain, 7.0));
     let below = wider(own(&rated, 0.01).friction, own(&plain, 0.01).friction);
     let first = plain.axes().interference[0];
-    assert!((below - 0.5 * C * (first / 0.01).ln()).abs() < 1e-12);
+    assert!((below - 0.5 * C * (first / 0.01).ln() / smallest).abs() < 1e-12);
 }
 
 #[test]
