@@ -21,7 +21,6 @@ use crate::scene::{Kinematics, Numerics, Scene};
 use crate::simulate::accuracy::error_budget;
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::accuracy::scatter::scatter;
-use crate::simulate::values::Values;
 use crate::solver::newton::Effort;
 
 /// The pressed asperity on one mesh.
@@ -214,10 +213,11 @@ impl Pressed {
         }
     }
 
-    /// Error of a quantity of the press with one of these `values`, relative as that of [`Self::contact`]; none without its
-    /// meshes.
-    pub(super) fn error(&self, quantity: Quantity, values: &Values) -> Option<f64> {
-        if self.meshes.len() < PRESSES {
+    /// Error of a quantity of the press, relative: that of [`Self::contact`]. None of other quantities, on meshes other than
+    /// that of the main run, and where the press was made on one mesh alone.
+    pub(super) fn relative_error(&self, quantity: Quantity, resolution: &Resolution) -> Option<f64> {
+        let same_mesh = resolution.elements_per_radius == self.resolution.elements_per_radius;
+        if self.meshes.len() < PRESSES || !same_mesh {
             return None;
         }
         let contact = self.contact();
@@ -227,7 +227,7 @@ impl Pressed {
             Quantity::ContactRadius => (contact.area, 0.5),
             _ => return None,
         };
-        Some(exponent * known.error / known.value * values.value(quantity))
+        Some(exponent * known.error / known.value)
     }
 
     pub(crate) fn mean_stresses_on_axis(&self) -> Vec<MeanStress> {
@@ -352,48 +352,23 @@ pub(super) fn press_error(failure: PressFailure) -> SimulationError {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::{AtomicBool, Ordering};
-
     use super::*;
     use crate::scene::tests::of_preset;
-    use crate::simulate::{Unwatched, slide};
-
-    /// Stops a slide after its first increments.
-    #[derive(Default)]
-    struct StopsSlide(AtomicBool);
-
-    impl Watch for StopsSlide {
-        fn progress(&self, _: &'static str, done: f64, _: &str) {
-            self.0.fetch_or(done > 0.01, Ordering::Relaxed);
-        }
-
-        fn cancelled(&self) -> bool {
-            self.0.load(Ordering::Relaxed)
-        }
-    }
+    use crate::simulate::Unwatched;
 
     #[test]
-    fn an_unfinished_slide_has_the_errors_of_its_press_and_no_others() {
+    fn the_errors_of_a_press_are_known_on_the_mesh_of_the_main_run() {
         let mut scene = of_preset("copper", &["model.kinematics=small", "numerics.elements_per_radius=6"]);
         (scene.loading.interference, scene.loading.slip_rate) = (2.0, 0.0);
         let pressed = press(&scene, &Unwatched).unwrap();
-        let Err(SimulationError::Cancelled { partial: Some(outcome) }) =
-            slide(&pressed, 0.0, &StopsSlide::default())
-        else {
-            panic!("the slide was to be stopped")
-        };
-        let contact = pressed.contact();
-        let relative = |estimate: Estimate| estimate.error / estimate.value;
-        for (quantity, estimate) in outcome.scalars.iter() {
-            let known = match quantity {
-                Quantity::LoadPress => relative(contact.load),
-                Quantity::AreaPress => relative(contact.area),
-                Quantity::ContactRadius => 0.5 * relative(contact.area),
-                _ => f64::NAN,
-            };
-            let stated = relative(estimate);
-            let agree = (stated - known).abs() < 1e-12 || stated.is_nan() && known.is_nan();
-            assert!(agree, "{quantity:?}: {stated} {known}");
-        }
+        let PressedContact { load, area, .. } = pressed.contact();
+        let known = |quantity| pressed.relative_error(quantity, &pressed.resolution);
+        assert_eq!(known(Quantity::LoadPress), Some(load.error / load.value));
+        assert_eq!(known(Quantity::AreaPress), Some(area.error / area.value));
+        assert_eq!(known(Quantity::ContactRadius), Some(0.5 * area.error / area.value));
+        assert_eq!(known(Quantity::Load), None);
+        assert_eq!(pressed.relative_error(Quantity::LoadPress, &pressed.resolution.coarse()), None);
+        let coarse = press_coarsely(&scene, &Unwatched).unwrap();
+        assert_eq!(coarse.relative_error(Quantity::LoadPress, &coarse.resolution), None);
     }
 }

@@ -51,8 +51,11 @@ pub(super) fn report(
     warnings.extend(obstacle.as_ref().map(|_| Warning::NoMainRun { elements_per_radius, sectors }));
     let account = account(runner, &ladder, warnings, wall_time);
     let mut run = ladder.main.pop().expect("there is a main run");
-    let budget = budget
-        .unwrap_or_else(|| ErrorBudget::unknown(|quantity| runner.pressed.error(quantity, &run.values)));
+    let of_press = |quantity| {
+        let relative = runner.pressed.relative_error(quantity, &run.resolution);
+        relative.map(|relative| relative * run.values.value(quantity))
+    };
+    let budget = budget.unwrap_or_else(|| ErrorBudget::unknown(of_press));
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let interference = runner.pressed.scene.loading.interference;
     let outcome = outcome(problem, (interference, programme), &mut run, budget, account);
@@ -191,8 +194,9 @@ fn fast_inception(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
 /// An interface along which the shear tractions of the press slip before they turn into the motion.
 fn released_press(runner: &Runner<'_>, run: &Run) -> Option<Warning> {
     let units = &runner.pressed.problem.units;
-    let start = run.history.iter().skip(1).take_while(|state| !state.is_along_motion());
-    let released = start.last()?;
+    let slide = &run.history[1..];
+    let turns = slide.iter().position(SlideState::is_along_motion)?;
+    let released = slide[..turns].last()?;
     let energy = 2.0 * (released.work - released.elastic) / released.area * units.stress * units.length;
     let share = energy / run.values.value(Quantity::EnergyRelease);
     let limit = Quantity::EnergyRelease.allowance() * runner.pressed.scene.numerics.accuracy;

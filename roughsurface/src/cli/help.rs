@@ -50,8 +50,8 @@ A surface file, surface.toml:
     interaction = \"none\"        # or \"mean-pressure\": the nominal pressure displaces the
                                 # mean plane, with nominal_size = 0.01, side of the square
                                 # nominal area, m
-    rate_step = { before = 0.1, after = 1 }    # optional, m/s: steady sliding through
-                                # a step of the slip rate
+    rate_step = { before = 0.1, after = 1 }    # of predict, optional, m/s: steady sliding
+                                # through a step of the slip rate
 
 Heights, with their keys:
 {distributions}
@@ -60,7 +60,7 @@ with a last line of the upper edge alone.
 Radii that differ: radii = { distribution = \"lognormal\", std = 30e-6 } beside asperity_radius,
 their mean, or radii = { distribution = \"classes\", radius = [..], share = [..] } without it.
 A table of several initial temperatures is read at query.temperature, in K: temperature = 450.0
-Uncertain parameters, by standard deviation, are propagated to the results:
+Uncertain parameters, by standard deviation, are propagated to the results of predict:
     [uncertainty]
     heights_std = 0.05e-6       # also asperity_density, asperity_radius and, for closed forms,
     yield_strength = 20e6       # youngs_modulus, poisson_ratio, yield_strength

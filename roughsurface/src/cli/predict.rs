@@ -52,8 +52,8 @@ points and its extent allow.
 
 Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion,
 wear, third bodies (debris, gouge, oxide, lubricant). The counter-face is smooth; a table states what
-else it is (`asperity table info`). Shipped tables are for one of the same metal that conducts heat,
-those called NAME-rigid for a rigid one that stays at the initial temperature. In those called
+else it is (`asperity table info`). That of shipped tables is rigid and conducts heat like the metal; of
+those called NAME-rigid it stays at the initial temperature. In those called
 NAME-rate the strength grows with the strain rate; they are exact for summits of a radius of 0.1 mm.
 
 Above its last interference a table is extrapolated towards the fully plastic limit, with an error

@@ -279,6 +279,23 @@ fn large_real_areas_are_warned_of_with_the_key_that_helps() {
 }
 
 #[test]
+fn an_interface_stronger_than_the_pressure_is_warned_of() {
+    let law = closed_form("hertz", &STEEL).unwrap();
+    let critical = law.critical_interference(1e-4);
+    // Friction is 0.4039/ψ.
+    for (psi, is_strong) in [(0.3, true), (0.5, false)] {
+        let surface = surface(Box::new(Exponential::new(critical * psi * psi)));
+        let found = predicted(law.as_ref(), &surface, &[1e3], &[1.0], LoadingControl::Load).unwrap();
+        let strong = found.warnings.iter().find_map(|warning| match warning {
+            Warning::StrongInterface { friction, .. } => Some(*friction),
+            _ => None,
+        });
+        let friction = found.friction[0][0].mu_static.value;
+        assert_eq!(strong, is_strong.then_some(friction));
+    }
+}
+
+#[test]
 fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
     let steady = Some(Estimate { value: 0.4, error: 0.1 });
     let law = PowerLaw { last_slip: 20.0, steady, ..PowerLaw::hertz() };

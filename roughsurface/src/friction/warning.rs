@@ -7,7 +7,7 @@ use std::fmt;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw};
 use tables::numbers::{beside, digits, plain};
-use tables::table::warnings::Warning as Condensed;
+use tables::table::sentences::Sentence;
 
 /// Pressure or separation and slip rate that a warning is about.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,6 +97,11 @@ pub enum Warning {
     )]
     FastInception { at: Place, time: f64 },
     #[error(
+        "{at}: mu_static is {:.2}: the shear strength of the interface exceeds the pressure of the contacts, at which adhesion, not contained in the model, is no longer negligible; check heights, radius and strength",
+        .friction
+    )]
+    StrongInterface { at: Place, friction: f64 },
+    #[error(
         "the table does not state steady friction; mu_steady is n/a. Tables made with this version state it"
     )]
     NoSteadyFriction,
@@ -156,9 +161,9 @@ impl Warning {
 
     /// Sentences, one for all warnings that differ in their numbers only, with the range of each number.
     pub fn condensed(warnings: &[Warning]) -> Vec<String> {
-        let mut sentences: Vec<(Condensed, bool)> = Vec::new();
+        let mut sentences: Vec<(Sentence, bool)> = Vec::new();
         for (place, warning) in warnings.iter().enumerate() {
-            let sentence = Condensed::new(&warning.to_string(), (place, 0));
+            let sentence = Sentence::new(&warning.to_string(), (place, 0));
             let stands_alone = warning.stands_alone();
             let taken_in = !stands_alone
                 && sentences.iter_mut().any(|(known, alone)| !*alone && known.absorbs(&sentence));
@@ -166,7 +171,7 @@ impl Warning {
                 sentences.push((sentence, stands_alone));
             }
         }
-        let text = |(sentence, _): (Condensed, bool)| match sentence.cells.len() {
+        let text = |(sentence, _): (Sentence, bool)| match sentence.places.len() {
             1 => sentence.text(),
             places => format!("{} ({places} points)", sentence.text()),
         };
@@ -196,7 +201,7 @@ mod tests {
         let mut warnings: Vec<Warning> =
             (1..=9).map(|rate| Warning::StillRising { at: at(f64::from(rate)) }).collect();
         warnings.push(Warning::Extrapolated { at: at(1.0), share: 0.01 });
-        for remark in ["one", "two"] {
+        for remark in ["x is 1 m", "x is 2 m"] {
             warnings.push(Warning::Implausible(remark.into()));
             warnings.push(Warning::AboveMelting { at: at(1.0), highest: 2000.0, melting: 1800.0 });
         }

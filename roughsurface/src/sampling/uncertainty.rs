@@ -10,7 +10,7 @@ use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
-use std::collections::{BTreeMap, BTreeSet};
+use tables::table::comparison::request_differences;
 
 /// A parameter that was varied, and its standard deviation where the surface file states it.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,22 +97,11 @@ pub fn propagate(
     if is_closed_form && !file.uncertain_tables.is_empty() {
         return Err(UncertaintyError::NoTable);
     }
-    let again = |file: &SurfaceFile, table: &str, key: &str, direction| {
-        let law = LawSource::open(table, file.material.as_ref(), file.temperature, interpolate_missing)?.law;
-        predict(law.as_ref(), &file.surface, &file.query, settings, progress)
-            .map_err(|error| UncertaintyError::Prediction { key: key.into(), direction, error })
-    };
     let mut propagated = Propagated::default();
-    for uncertain in &file.uncertain {
-        let key = uncertain.parameter.key;
-        let up = again(&file.varied(uncertain.parameter, uncertain.std)?, table, key, "raised")?;
-        let down = again(&file.varied(uncertain.parameter, -uncertain.std)?, table, key, "lowered")?;
-        propagated.add(VariedParameter { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);
-    }
     for (key, other) in &file.uncertain_tables {
         let other = other.to_string_lossy();
-        let up = again(file, &other, key, "raised")?;
-        match differing(&base.request, &up.request) {
+        let law = LawSource::open(&other, file.material.as_ref(), file.temperature, interpolate_missing)?.law;
+        match differing(&base.request, law.request()) {
             Some(constants) if constants.is_empty() => {
                 return Err(UncertaintyError::SameTable { key: key.clone(), table: other.into() });
             }
@@ -121,38 +110,33 @@ pub fn propagate(
             }
             _ => {}
         }
+    }
+    let again = |file: &SurfaceFile, table: &str, key: &str, direction| {
+        let law = LawSource::open(table, file.material.as_ref(), file.temperature, interpolate_missing)?.law;
+        predict(law.as_ref(), &file.surface, &file.query, settings, progress)
+            .map_err(|error| UncertaintyError::Prediction { key: key.into(), direction, error })
+    };
+    for uncertain in &file.uncertain {
+        let key = uncertain.parameter.key;
+        let up = again(&file.varied(uncertain.parameter, uncertain.std)?, table, key, "raised")?;
+        let down = again(&file.varied(uncertain.parameter, -uncertain.std)?, table, key, "lowered")?;
+        propagated.add(VariedParameter { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);
+    }
+    for (key, other) in &file.uncertain_tables {
+        let up = again(file, &other.to_string_lossy(), key, "raised")?;
         propagated.add(VariedParameter { key: key.clone(), std: None }, &up, base, 1.0);
     }
     Ok(propagated)
 }
 
-/// Constants of body, interface and counterface in which two requests (TOML) differ, as `material.youngs_modulus`; none
-/// where a request states no constants.
+/// Constants of body, interface and counterface in which the requests of two tables differ, as `material.youngs_modulus`;
+/// none of a table without request.
 fn differing(one: &str, other: &str) -> Option<Vec<String>> {
-    let constants = |request: &str| {
-        let mut all = BTreeMap::new();
-        for (section, value) in request.parse::<toml::Table>().unwrap_or_default() {
-            if matches!(section.as_str(), "material" | "interface" | "counterface") {
-                flatten(&section, value, &mut all);
-            }
-        }
-        all
+    let of_bodies = |key: &String| {
+        ["material.", "interface.", "counterface."].iter().any(|section| key.starts_with(section))
     };
-    let [one, other] = [one, other].map(constants);
-    if one.is_empty() || other.is_empty() {
-        return None;
-    }
-    let keys: BTreeSet<&String> = one.keys().chain(other.keys()).collect();
-    Some(keys.into_iter().filter(|key| one.get(*key) != other.get(*key)).cloned().collect())
-}
-
-fn flatten(key: &str, value: toml::Value, all: &mut BTreeMap<String, toml::Value>) {
-    match value {
-        toml::Value::Table(table) => {
-            table.into_iter().for_each(|(name, value)| flatten(&format!("{key}.{name}"), value, all))
-        }
-        value => drop(all.insert(key.to_owned(), value)),
-    }
+    let keys = request_differences(one, other).into_iter().map(|differs| differs.key).filter(of_bodies);
+    (!one.is_empty() && !other.is_empty()).then(|| keys.collect())
 }
 
 #[cfg(test)]

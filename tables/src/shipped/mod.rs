@@ -1,7 +1,7 @@
 //! Tables that come with the crate, used by name.
 //!
-//! There are three of each metal: `METAL` slides on a body of the same metal that conducts heat, `METAL-rate` likewise
-//! with a rate law, at a radius of 0.1 mm, and `METAL-rigid` on a rigid flat that stays at the initial temperature. Each
+//! There are three of each metal: `METAL` slides on a rigid flat that conducts heat like the metal, `METAL-rate` likewise
+//! with a rate law, at a radius of 0.1 mm, and `METAL-rigid` on one that stays at the initial temperature. Each
 //! was made by `asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc`; the file itself records request,
 //! version, cost and errors (`asperity table info NAME -v`), and `asperity table check NAME` computes some of its cells
 //! again. Depends on `netcdf` and `interpolation`. Chapter "Shipped tables" of the book.

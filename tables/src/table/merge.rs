@@ -1,7 +1,7 @@
 //! Tables made in parts: missing points, shards, added points.
 
 use crate::numbers::digits;
-use crate::table::warnings::Warning;
+use crate::table::sentences::Sentence;
 use crate::table::{Axes, Metadata, Slice, Status, TableError};
 
 impl Slice {
@@ -73,24 +73,24 @@ impl Slice {
 
     /// Every warning of a cell once, with the ranges of its numbers, and the cells that it concerns unless these are all.
     pub fn warnings(&self) -> Vec<String> {
-        let mut found: Vec<Warning> = Vec::new();
+        let mut found: Vec<Sentence> = Vec::new();
         let mut done = 0;
         for (i, j) in self.grid() {
             let Some(cell) = self.cell(i, j) else { continue };
             done += 1;
             for text in &cell.warnings {
-                let warning = Warning::new(text, (i, j));
+                let warning = Sentence::new(text, (i, j));
                 if !found.iter_mut().any(|known| known.absorbs(&warning)) {
                     found.push(warning);
                 }
             }
         }
-        let labelled = |warning: Warning| {
+        let labelled = |warning: Sentence| {
             let text = warning.text();
-            if warning.cells.len() == done {
+            if warning.places.len() == done {
                 return text;
             }
-            let cells: Vec<String> = warning.cells.into_iter().map(|(i, j)| self.label(i, j)).collect();
+            let cells: Vec<String> = warning.places.into_iter().map(|(i, j)| self.label(i, j)).collect();
             format!("{text} [{}]", cells.join("; "))
         };
         found.into_iter().map(labelled).collect()

@@ -12,8 +12,8 @@ pub mod comparison;
 pub mod fracture;
 mod merge;
 mod metadata;
+pub mod sentences;
 mod slice;
-pub mod warnings;
 
 pub use axes::Axes;
 pub use cell::{Cell, Status};

@@ -1,4 +1,4 @@
-//! Conservation laws and bounds that every state of a slide keeps: a step to one that breaks them is cut back.
+//! Conservation laws and bounds that every admissible state of a slide meets: a step to one that violates them is cut back.
 
 use crate::loading::problem::Problem;
 use crate::loading::state::SlideState;
@@ -12,7 +12,7 @@ const HEAT_OF_DISSIPATION: f64 = 1.5;
 /// Rise above the melting temperature, relative to that from the initial one, that a step may overshoot by.
 pub const MELTING_OVERSHOOT: f64 = 0.01;
 
-/// A conservation law or bound that a state breaks.
+/// A conservation law or bound that a state violates.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Violation {
     #[error("a quantity of it is not a finite number")]

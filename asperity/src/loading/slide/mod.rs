@@ -2,7 +2,7 @@
 //!
 //! [`motion`]: slip at a constant rate or a hold; [`increments`]: lengths of the increments and the bracket of sliding inception; [`coupling`]:
 //! equilibrium of one increment with its contact edge, shear limits and temperature; [`state`]: the
-//! state after it with the totals of work and heat; [`invariants`]: laws that every state keeps.
+//! state after it with the totals of work and heat; [`invariants`]: conditions that every state meets.
 //!
 //! Depends on `crate::solver::newton`, `crate::heat` and `crate::interface`. Chapters "One asperity" and "Equilibrium"
 //! of the book.
@@ -54,9 +54,7 @@ pub enum SlideFailure {
         100.0 * .stick_fraction
     )]
     Distorted { strain: f64, stick_fraction: f64, remedy: &'static str },
-    #[error(
-        "no increment, however short, leads to an admissible state: {0}; a smaller numerics.accuracy begins with shorter ones"
-    )]
+    #[error("the state after the next increment is not admissible: {0}")]
     Impossible(#[from] Violation),
     #[error(
         "{MOST_FAILURES} times an increment failed after one that was taken: there may be no continuous sequence of \

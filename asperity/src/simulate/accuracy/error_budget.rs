@@ -165,7 +165,7 @@ impl ErrorBudget {
             .map(|quantity| OF_BOUND * modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
-    /// Of a run that did not finish: unknown, but for quantities with a `known` reported error.
+    /// Of runs that did not all finish: unknown, but for quantities with a `known` reported error.
     pub fn unknown(known: impl Fn(Quantity) -> Option<f64>) -> Self {
         let known = Quantity::SCALARS.map(|q| known(q).map_or(f64::NAN, |error| error / COVERAGE_FACTOR));
         let others = known.map(|error| if error.is_nan() { f64::NAN } else { 0.0 });
@@ -304,6 +304,26 @@ mod tests {
             assert!((budget.total(Quantity::HeatPartition) / total - 1.0).abs() < 1e-9);
             assert_eq!(budget.part(ErrorSource::Model, Quantity::HeatPartition), 0.0);
         }
+    }
+
+    #[test]
+    fn what_is_known_of_an_unfinished_run_is_the_meshs() {
+        let known = |quantity| (quantity == Quantity::LoadPress).then_some(0.3);
+        let budget = ErrorBudget::unknown(known);
+        let mesh = budget.part(ErrorSource::Mesh, Quantity::LoadPress);
+        assert!((mesh - 0.3).abs() < 1e-15 && (budget.total(Quantity::LoadPress) - 0.3).abs() < 1e-15);
+        assert!(budget.total(Quantity::Mu).is_nan());
+        assert!(ErrorSource::ALL.iter().all(|source| budget.part(*source, Quantity::Mu).is_nan()));
+    }
+
+    /// The uncertainty of sliding inception is in the reported error, and asks for no refinement.
+    #[test]
+    fn brackets_are_reported() {
+        let values = Values::all(2.0);
+        let mut budget = ErrorBudget::default();
+        budget.brackets[Quantity::MuStatic as usize] = 0.1;
+        assert!((budget.relative(Quantity::MuStatic, &values) - 0.1).abs() < 1e-12);
+        assert_eq!(budget.worst(&values).1, RelativeParts::default());
     }
 
     /// Equal values on all runs: what is left is the scatter of the quantity at its interference.

@@ -143,7 +143,7 @@ impl Display for Note {
             ),
             Self::RefinementStopped { before, after } => write!(
                 f,
-                "not refined further: the last refinement changed the largest error from {:.1} to {:.1} times what is asked",
+                "not refined further: the last refinement changed the largest error from {:.2} to {:.2} times what is asked",
                 before, after
             ),
             Self::Scene(text) => f.write_str(text),

@@ -89,7 +89,9 @@ impl Warning {
     /// The whole text, where it has no numbers.
     fn fixed_text(&self) -> Option<&'static str> {
         Some(match self {
-            Self::ErrorsUnknown => "the main run or an auxiliary run did not finish: errors are unknown",
+            Self::ErrorsUnknown => {
+                "the main run or an auxiliary run did not finish: errors of the slide are unknown"
+            }
             Self::StoppedBeforeRefinement => "stopped before the run was repeated more finely",
             Self::NotSliding => {
                 "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are \

@@ -135,10 +135,10 @@ pub enum NoFit {
     NoWeakening,
     #[error("the slip rates do not bracket the onset of weakening")]
     OnsetOutside,
-    #[error(
-        "the slip rates do not reach the plateau: fewer than two are above V* = {0:.3e} m/s, or it is negative"
-    )]
+    #[error("the slip rates do not reach the plateau: fewer than two are above V* = {0:.3e} m/s")]
     NoPlateau(f64),
+    #[error("the plateau that fits best is negative, {0:.2}")]
+    NegativePlateau(f64),
     #[error(
         "the slip rates do not determine the parameters, condition number {0:.0} of at most {LARGEST_CONDITION:.0}"
     )]
@@ -165,7 +165,8 @@ pub struct RateLaws {
 ///
 /// The isothermal limit V = 0 is left out. Errors of the parameters: the larger one of the standard error from the scatter
 /// about the fit and of the change without the lowest or the highest third of the slip rates, as a form that is not that of
-/// the data leaves residuals that are no scatter, plus the effect of the errors of `mu`, which have one sign at all slip rates.
+/// the data leaves residuals that are no scatter, plus the effect of the errors of `mu`, which have one sign at all slip rates. Unknown
+/// where there are as many slip rates as parameters.
 pub fn choose(slip_rates: &[f64], mu: &[Estimate]) -> RateLaws {
     let curve = match Curve::new(slip_rates, mu) {
         Ok(curve) => curve,
@@ -199,8 +200,9 @@ fn fit(form: &'static Form, curve: &Curve) -> Result<RateLaw, NoFit> {
     let below = curve.rates().filter(|rate| *rate < law.velocity.value).count();
     match form.has_plateau {
         true if *form == FLASH_HEATING && (above < 2 || below < 1) => Err(NoFit::OnsetOutside),
-        true if *form != FLASH_HEATING && (above < 2 || law.plateau.value < 0.0) => {
-            Err(NoFit::NoPlateau(law.velocity.value))
+        true if *form != FLASH_HEATING && above < 2 => Err(NoFit::NoPlateau(law.velocity.value)),
+        true if *form != FLASH_HEATING && law.plateau.value < 0.0 => {
+            Err(NoFit::NegativePlateau(law.plateau.value))
         }
         _ if law.condition > LARGEST_CONDITION => Err(NoFit::Undetermined(law.condition)),
         _ => Ok(law),

@@ -30,6 +30,9 @@ const MERGING: f64 = 0.1;
 /// limit rather than on the table.
 const MOSTLY_BELOW: f64 = 0.5;
 
+/// Static friction coefficient above which a warning says that the interface is stronger than the pressure.
+const LARGEST_FRICTION: f64 = 1.0;
+
 /// Number of measured heights in contact below which the result is that of a few summits and not of a surface.
 const FEW_CONTACTS: f64 = 10.0;
 
@@ -258,6 +261,9 @@ impl<'a> Sweep<'a> {
             outside_table,
         };
         if !stuck {
+            let strong = Some(start.mu.value).filter(|friction| *friction > LARGEST_FRICTION);
+            let at = || Place::of(self.query, row, rate);
+            warnings.extend(strong.map(|friction| Warning::StrongInterface { at: at(), friction }));
             return friction;
         }
         // Larger contacts slide farther until their slides end.

@@ -48,7 +48,7 @@ impl Sample {
         if words_of_lines.len() > 2 && words_of_lines.iter().all(|count| *count == 2) {
             return Err(file.error(
                 "has two numbers in every line, as of positions and heights: write the heights of the summits alone, one in a line; \
-                 a profile of the surface is a topography, in place of the surface file",
+                 a profile of the surface is given in place of the surface file, as a topography",
             ));
         }
         Self::new(heights).ok_or_else(|| file.error("must hold at least two different heights in metres"))

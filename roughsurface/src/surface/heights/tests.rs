@@ -136,7 +136,13 @@ fn pairs_of_positions_and_heights_are_no_sample() {
     };
     let message = read("# x z\n0 1e-7\n1e-6 2e-7\n\n2e-6 3e-7\n").unwrap_err().to_string();
     assert!(message.contains("has two numbers in every line"), "{message}");
-    for heights in ["1e-7\n2e-7\n", "1e-7 2e-7", "1e-7 2e-7\n3e-7\n", "1e-7 2e-7 3e-7\n1e-7 4e-7 5e-7\n"] {
+    for heights in [
+        "1e-7 2e-7\n3e-7 4e-7\n",
+        "1e-7\n2e-7\n",
+        "1e-7 2e-7",
+        "1e-7 2e-7\n3e-7\n",
+        "1e-7 2e-7 3e-7\n1e-7 4e-7 5e-7\n",
+    ] {
         read(heights).unwrap();
     }
 }

@@ -1,25 +1,28 @@
-//! Warnings of cells in a few lines: those that differ in their numbers only become one, with the range of each number.
+//! Sentences about many places in a few lines: those that differ in their numbers only become one, with the range of each
+//! number.
 
-/// A warning and the cells that it concerns.
-pub struct Warning {
+/// A sentence and the places that it is about.
+pub struct Sentence {
     words: Vec<String>,
     /// Smallest and largest of each number between the words, as written.
     numbers: Vec<[String; 2]>,
-    pub cells: Vec<(usize, usize)>,
+    /// In the order in which they were taken in.
+    pub places: Vec<(usize, usize)>,
 }
 
-impl Warning {
-    pub fn new(text: &str, cell: (usize, usize)) -> Self {
+impl Sentence {
+    /// About one place.
+    pub fn new(text: &str, place: (usize, usize)) -> Self {
         let (words, numbers) = split(text);
         Self {
             words,
             numbers: numbers.into_iter().map(|number| [number.clone(), number]).collect(),
-            cells: vec![cell],
+            places: vec![place],
         }
     }
 
     /// Takes another one in, if its words are the same.
-    pub fn absorbs(&mut self, other: &Warning) -> bool {
+    pub fn absorbs(&mut self, other: &Sentence) -> bool {
         if self.words != other.words {
             return false;
         }
@@ -32,10 +35,11 @@ impl Warning {
                 high.clone_from(number);
             }
         }
-        self.cells.extend_from_slice(&other.cells);
+        self.places.extend_from_slice(&other.places);
         true
     }
 
+    /// With the ranges of its numbers.
     pub fn text(&self) -> String {
         let ranges = self.numbers.iter().map(|[low, high]| match low == high {
             true => low.clone(),
@@ -53,10 +57,15 @@ fn split(text: &str) -> (Vec<String>, Vec<String>) {
     while let Some(first) = rest.chars().next() {
         let in_name =
             words.last().is_some_and(|word| word.ends_with(|c: char| c.is_alphanumeric() || c == '_'));
-        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
+        // Of a range, "1-2", the sign is no part of the second number.
+        let in_range = numbers.len() + 1 == words.len() && words.last().is_some_and(String::is_empty);
+        let unsigned =
+            if in_range && !numbers.is_empty() { rest } else { rest.strip_prefix('-').unwrap_or(rest) };
+        let sign = rest.len() - unsigned.len();
+        let digits = unsigned.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(unsigned.len());
         // The full stop of a sentence is none of it.
-        let mantissa = rest[..digits].trim_end_matches('.').len();
-        let number = &rest[..mantissa + exponent(&rest[mantissa..])];
+        let mantissa = unsigned[..digits].trim_end_matches('.').len();
+        let number = &rest[..sign + mantissa + exponent(&unsigned[mantissa..])];
         if in_name || number.parse::<f64>().is_err() {
             words.last_mut().expect("not empty").push(first);
             rest = &rest[first.len_utf8()..];
@@ -85,26 +94,35 @@ mod tests {
     use super::*;
 
     #[test]
-    fn warnings_that_differ_in_numbers_become_one() {
-        let mut warning = Warning::new("mu_2 is 2.1 %, above 2.0 % at 4340.", (0, 0));
-        assert!(warning.absorbs(&Warning::new("mu_2 is 10.3 %, above 2.0 % at 4340.", (0, 1))));
-        assert!(warning.absorbs(&Warning::new("mu_2 is 1.9 %, above 2.0 % at 4340.", (2, 0))));
-        assert!(!warning.absorbs(&Warning::new("mu_3 is 1.9 %, above 2.0 % at 4340.", (0, 0))));
-        assert_eq!(warning.text(), "mu_2 is 1.9 to 10.3 %, above 2.0 % at 4340.");
-        assert_eq!(warning.cells, [(0, 0), (0, 1), (2, 0)]);
+    fn sentences_that_differ_in_numbers_become_one() {
+        let mut sentence = Sentence::new("mu_2 is 2.1 %, above 2.0 % at 4340.", (0, 0));
+        assert!(sentence.absorbs(&Sentence::new("mu_2 is 10.3 %, above 2.0 % at 4340.", (0, 1))));
+        assert!(sentence.absorbs(&Sentence::new("mu_2 is 1.9 %, above 2.0 % at 4340.", (2, 0))));
+        assert!(!sentence.absorbs(&Sentence::new("mu_3 is 1.9 %, above 2.0 % at 4340.", (0, 0))));
+        assert_eq!(sentence.text(), "mu_2 is 1.9 to 10.3 %, above 2.0 % at 4340.");
+        assert_eq!(sentence.places, [(0, 0), (0, 1), (2, 0)]);
+    }
+
+    #[test]
+    fn signs_belong_to_their_numbers() {
+        let mut sentence = Sentence::new("at -1e-7 m", (0, 0));
+        assert!(sentence.absorbs(&Sentence::new("at -2e-7 m", (0, 1))));
+        assert!(sentence.absorbs(&Sentence::new("at 3e-7 m", (0, 2))));
+        assert_eq!(sentence.text(), "at -2e-7 to 3e-7 m");
+        assert!(!Sentence::new("1-2", (0, 0)).absorbs(&Sentence::new("1 -2", (0, 0))));
     }
 
     #[test]
     fn exponents_belong_to_their_numbers() {
-        let mut warning = Warning::new("of the work 2e-5, of the heat 3 is missing", (0, 0));
-        assert!(warning.absorbs(&Warning::new("of the work 4e-6, of the heat 1e2 is missing", (0, 1))));
-        assert_eq!(warning.text(), "of the work 4e-6 to 2e-5, of the heat 3 to 1e2 is missing");
+        let mut sentence = Sentence::new("of the work 2e-5, of the heat 3 is missing", (0, 0));
+        assert!(sentence.absorbs(&Sentence::new("of the work 4e-6, of the heat 1e2 is missing", (0, 1))));
+        assert_eq!(sentence.text(), "of the work 4e-6 to 2e-5, of the heat 3 to 1e2 is missing");
     }
 
     #[test]
     fn texts_without_numbers_stay() {
         for text in ["the flat melts", "", "σ is 3", "7 cells: 1.5.", "v1.2.3", "2e", "3e-", "1em"] {
-            assert_eq!(Warning::new(text, (0, 0)).text(), text);
+            assert_eq!(Sentence::new(text, (0, 0)).text(), text);
         }
     }
 }
