@@ -253,6 +253,8 @@ TABLE_QUANTITIES = ["mu_static", "mu", "mu_steady", "Q", "P", "area", "G", "G_we
 
 def percent(share):
     """In per cent."""
+    if share > 1:
+        return "> 100"
     return f"{100 * share:.1f}" if share < 0.2 else f"{100 * share:.0f}"
 
 

@@ -28,6 +28,7 @@ fn refused(error: ExportError) -> PyErr {
         ExportError::Dataset(_) => None,
         ExportError::Format { path, .. }
         | ExportError::NoPressure { path }
+        | ExportError::Samples { path }
         | ExportError::NoFriction { path, .. }
         | ExportError::NoLaw { path, .. }
         | ExportError::Different { path, .. }

@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(differing(&one, &one).unwrap(), Vec::<String>::new());
         assert_eq!(
             differing(&one, &other).unwrap(),
-            ["material.softening.exponent", "material.yield_strength"]
+            ["material.yield_strength", "material.softening.exponent"]
         );
         assert_eq!(differing(&one, ""), None);
     }
