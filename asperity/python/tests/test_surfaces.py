@@ -196,9 +196,8 @@ def test_errors_state_key_and_reason():
 
 
 def test_no_result_replaces_what_it_was_made_from(folder):
-    table = asperity.table("copper")
-    for name in ("table.nc", "up.nc"):
-        table.save(name)
+    for name, file in (("copper", "table.nc"), ("copper-rigid", "up.nc")):
+        asperity.table(name).save(file)
     os.link("table.nc", "hard.nc")
     np.savetxt("heights.txt", [0.0, 1e-7, 2e-7, 3e-7])
     np.save("map.npy", rough())
