@@ -202,6 +202,21 @@ pub(super) fn blend(
     }))
 }
 
+/// [`bend_one`] of what `value` gives at the points around `place`; zero on a point.
+pub(super) fn bend(
+    axis: &[f64],
+    place: Location,
+    value: impl Fn(usize) -> Result<f64, Absent>,
+) -> Result<f64, Absent> {
+    let Location { index, t } = place;
+    if t <= ROUNDING || t >= 1.0 - ROUNDING {
+        return Ok(0.0);
+    }
+    let inner = [value(index)?, value(index + 1)?];
+    let outer = neighbours(axis, index, |i| value(i).ok());
+    Ok(bend_one(axis[index + 1] - axis[index], t, outer, inner))
+}
+
 /// What is known at the points before and after the interval from `index` on, with their distances from it.
 pub(crate) fn neighbours<T>(
     axis: &[f64],
@@ -267,20 +282,41 @@ pub(super) fn with_coefficient(values: &Values) -> Errors {
     all
 }
 
-/// Monotone cubic between two points with optional outer ones; of the logarithms if both are
-/// positive, without outer ones that are not. From zero [`from_zero`]. `outer` as from [`neighbours`].
-pub(crate) fn blend_one(h: f64, t: f64, outer: [Option<(f64, f64)>; 2], inner: [f64; 2]) -> f64 {
-    let [start, end] = inner;
-    if start > 0.0 && end > 0.0 {
-        let outer = outer.map(|near| near.filter(|near| near.1 > 0.0).map(|(gap, value)| (gap, value.ln())));
-        return cubic(h, t, outer, inner.map(f64::ln)).exp();
+/// What is known at the points before and after an interval, with their distances from it; as from [`neighbours`].
+type Outer = [Option<(f64, f64)>; 2];
+
+/// Monotone cubic between two points with optional outer ones; of the [`logarithms`] where it can be. From zero
+/// [`from_zero`].
+pub(crate) fn blend_one(h: f64, t: f64, outer: Outer, inner: [f64; 2]) -> f64 {
+    if let Some((outer, inner)) = logarithms(outer, inner) {
+        return cubic(h, t, outer, inner).exp();
     }
-    if let (0.0, [None, Some((gap, next))]) = (start, outer)
+    if let ([0.0, end], [None, Some((gap, next))]) = (inner, outer)
         && (0.0..next).contains(&end)
     {
         return end * from_zero(t, gap.exp(), next / end);
     }
     cubic(h, t, outer, inner)
+}
+
+/// Difference of [`blend_one`] to the straight line through the inner points. The parts of the two ends are added
+/// as if they had one sign: at an inflection they cancel, and the cubic is not more certain there.
+fn bend_one(h: f64, t: f64, outer: Outer, inner: [f64; 2]) -> f64 {
+    let value = blend_one(h, t, outer, inner);
+    let Some((outer, inner)) = logarithms(outer, inner) else {
+        return (value - (1.0 - t) * inner[0] - t * inner[1]).abs();
+    };
+    let rise = inner[1] - inner[0];
+    let [start, end] = end_slopes(h, outer, inner).map(|slope| (slope * h - rise).abs());
+    value * t * (1.0 - t) * ((1.0 - t) * start + t * end)
+}
+
+/// Logarithms of two positive values, and of the outer ones that are positive.
+fn logarithms(outer: Outer, inner: [f64; 2]) -> Option<(Outer, [f64; 2])> {
+    let of_positive = |near: Option<(f64, f64)>| {
+        near.filter(|(_, value)| *value > 0.0).map(|(gap, value)| (gap, value.ln()))
+    };
+    inner.iter().all(|value| *value > 0.0).then(|| (outer.map(of_positive), inner.map(f64::ln)))
 }
 
 /// cV/√(1 + bV), over its value at V₁, at V = tV₁: a temperature rise against the slip rate, in proportion to it at rest
@@ -291,8 +327,14 @@ fn from_zero(t: f64, rates: f64, values: f64) -> f64 {
     t * (square * (rates - 1.0) / (square * rates - 1.0 + t * (1.0 - square))).sqrt()
 }
 
-/// The same of the values as they are.
-pub(crate) fn cubic(h: f64, t: f64, [before, after]: [Option<(f64, f64)>; 2], [y0, y1]: [f64; 2]) -> f64 {
+/// The monotone cubic of the values as they are.
+pub(crate) fn cubic(h: f64, t: f64, outer: Outer, inner: [f64; 2]) -> f64 {
+    let [start, end] = end_slopes(h, outer, inner);
+    hermite(h, t, inner[0], inner[1], start, end)
+}
+
+/// Slopes of the cubic at the ends of the interval.
+fn end_slopes(h: f64, [before, after]: Outer, [y0, y1]: [f64; 2]) -> [f64; 2] {
     let secant = (y1 - y0) / h;
     let before = before.map(|(gap, value)| (gap, (y0 - value) / gap));
     let after = after.map(|(gap, value)| (gap, (value - y1) / gap));
@@ -301,7 +343,7 @@ pub(crate) fn cubic(h: f64, t: f64, [before, after]: [Option<(f64, f64)>; 2], [y
         (None, Some((gap, d))) => end_slope(h, gap, secant, d),
         (None, None) => secant,
     };
-    hermite(h, t, y0, y1, slope(before, after), slope(after, before))
+    [slope(before, after), slope(after, before)]
 }
 
 /// The two ends of an interval with their shares.

@@ -2,21 +2,21 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::interpolant::Place;
-use super::nodes::{Absent, FIELDS, blend, ends};
+use super::nodes::{Absent, FIELDS, bend, blend, ends};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
 
-/// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the cubic of
-/// third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
+/// Bound of the error of the cubic over its difference to linear interpolation ([`bend`]), which is of second order, the
+/// cubic of third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
 const OF_STRAIGHT: f64 = 0.5;
 
 impl InterpolatedTable {
     /// One of the scalars, for a sphere of `radius` (m) pressed by `interference` (ω/ω_c) and
     /// sliding at `slip_rate` (m/s); interpolated as the response is, with the error of the
     /// points (interpolated linearly) and, added as a square unless that includes it, half the
-    /// difference to linear interpolation as its bound, of the logarithm where the corners are positive.
+    /// difference to linear interpolation along each axis as its bound, of the logarithm where the corners are positive.
     pub fn estimate(
         &self,
         quantity: Quantity,
@@ -97,23 +97,15 @@ impl InterpolatedTable {
         };
         let row = |i: usize| blend(rate_coordinate, rate, |j| at(i, j).map(|(value, _)| [value; FIELDS]));
         let value = blend(log_interference, place, row)?[0];
-        let (mut linear, mut logarithm, mut error) = (0.0, 0.0, 0.0);
-        for (i, share_i) in [(0, 1.0 - place.t), (1, place.t)] {
-            for (j, share_j) in [(0, 1.0 - rate.t), (1, rate.t)] {
-                let share = share_i * share_j;
-                if share > 0.0 {
-                    let corner = at(place.index + i, rate.index + j)?;
-                    linear += share * corner.0;
-                    // Not a number, or −∞, where the value is not positive.
-                    logarithm += share * corner.0.ln();
-                    error += share * corner.1;
-                }
+        let (mut error, mut bends) = (0.0, bend(log_interference, place, |i| Ok(row(i)?[0]))?);
+        for (i, share_i) in ends(place) {
+            for (j, share_j) in ends(rate) {
+                error += share_i * share_j * at(i, j)?.1;
             }
+            bends += share_i * bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?;
         }
         let included = self.metadata().interpolation_tolerance.is_some();
-        let straight = if logarithm.is_finite() { logarithm.exp() } else { linear };
-        let interpolation =
-            if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * (value - straight).abs() };
+        let interpolation = if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * bends };
         Ok((value, error.hypot(interpolation)))
     }
 }

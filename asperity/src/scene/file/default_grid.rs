@@ -8,10 +8,11 @@ use crate::scene::Scene;
 /// hemisphere, with room for the contact to grow while it slides.
 const LARGEST_CONTACT: f64 = 0.33;
 
-/// ω₀/ω_c below the largest. Closest where friction departs from that of an elastic contact.
-const INTERFERENCES: [f64; 18] = [
-    0.1, 0.2, 0.4, 0.7, 1.2, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 125.0, 250.0, 500.0, 1000.0, 2000.0, 4000.0,
-    8000.0,
+/// ω₀/ω_c below the largest. Closest where friction departs from that of an elastic contact: from 0.9 on a contact that
+/// sticks flows plastically, and G has a kink.
+const INTERFERENCES: [f64; 19] = [
+    0.1, 0.2, 0.4, 0.7, 0.9, 1.2, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 125.0, 250.0, 500.0, 1000.0, 2000.0,
+    4000.0, 8000.0,
 ];
 
 /// The largest interference is at least this factor above the one before.
@@ -54,7 +55,7 @@ mod tests {
     fn an_empty_section_asks_for_the_default_grid() {
         let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[table]\n";
         let request = parse_request(text, "this test", &[]).unwrap();
-        let expected = [0.1, 0.2, 0.4, 0.7, 1.2, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 125.0, 250.0, 580.0];
+        let expected = [0.1, 0.2, 0.4, 0.7, 0.9, 1.2, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 125.0, 250.0, 580.0];
         assert_eq!(request.interferences, expected);
         assert_eq!(request.slip_rates, SLIP_RATES);
         assert_eq!(parse_request(&write_request(&request), "written", &[]).unwrap(), request);
