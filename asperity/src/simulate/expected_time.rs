@@ -1,17 +1,17 @@
 //! Processor time to expect of a run, from its scene alone, and of a refinement, from the run before it.
 //!
 //! A mesh of n elements per contact radius costs time in proportion to n^2.3; the accuracy ε of the scene requires
-//! n in proportion to ε^(−0.9), and light contacts, whose friction scatters more, finer meshes than
-//! deeper ones. Each step of a programme takes as long as a slide. A counterface that conducts, and thermal properties that
+//! n in proportion to ε^(−0.9). Light contacts, whose friction scatters more, and deep ones, whose G does, take finer meshes.
+//! Increments grow with the slip, so that ten times the slip costs a third more. Each step of a programme takes as long as a slide. A counterface that conducts, and thermal properties that
 //! depend on temperature, take further time, the latter most of all in a contact that may melt.
 
 use crate::heat::expected::{HeatEffect, choose_heat};
 use crate::loading::problem::Problem;
 use crate::scene::Scene;
 use crate::scene::fitted_constants::processor_time::{
-    COARSE_SHARE, CONDUCTION, HOT_PROPERTIES, LEAST, LIGHT, MESH_POWER, MOST, MOST_SHEAR, NEWTON_ITERATION,
-    REFERENCE_ACCURACY, REFERENCE_ELEMENTS, REFERENCE_SECTORS, SECONDS, SHEAR_DEPTH, SHEAR_POWER,
-    UNLIMITED_SHEAR,
+    COARSE_SHARE, CONDUCTION, DEEP, DEPTH_POWER, HOT_PROPERTIES, LEAST, LIGHT, MESH_POWER, MOST, MOST_SHEAR,
+    NEWTON_ITERATION, REFERENCE_ACCURACY, REFERENCE_ELEMENTS, REFERENCE_SECTORS, REFERENCE_SLIP, SECONDS,
+    SHEAR_DEPTH, SHEAR_POWER, SLIP_POWER, UNLIMITED_SHEAR,
 };
 use crate::simulate::accuracy::resolution::Resolution;
 
@@ -51,8 +51,10 @@ pub(super) fn expected_time_but_for_hot_properties(scene: &Scene) -> f64 {
             SECONDS * (REFERENCE_ACCURACY / numerics.accuracy).powi(2) * finer * lighter
         }
     };
+    let deeper = (interference / DEEP).max(1.0).powf(DEPTH_POWER);
+    let longer = (scene.loading.slip_distance / REFERENCE_SLIP).max(1.0).powf(SLIP_POWER);
     let steps = scene.loading.steps.len().max(1) as f64;
-    ((seconds * sectors).max(LEAST) * of_heat(scene) * steps).min(MOST)
+    ((seconds * sectors * deeper * longer).max(LEAST) * of_heat(scene) * steps).min(MOST)
 }
 
 fn has_variable_properties(scene: &Scene) -> bool {
@@ -106,7 +108,7 @@ mod tests {
         ("aluminium-6061", 15.0, 3.0, 0.02, 1.2),
         ("aluminium-6061", 1.5, 10.0, 0.02, 0.99),
         ("copper", 25.0, 1.0, 0.02, 0.88),
-        ("copper", 200.0, 6.0, 0.02, 1.1),
+        ("copper", 200.0, 6.0, 0.02, 3.8),
         ("steel-4340", 0.1, 0.5, 0.02, 2.8),
         ("steel-4340", 0.1, 0.5, 0.01, 53.0),
         ("steel-4340", 0.05, 0.5, 0.02, 10.0),
@@ -136,6 +138,32 @@ mod tests {
         ("copper", 60.0, 0.5, 0.05, 0.45),
         ("copper", 60.0, 0.5, 0.01, 3.1),
         ("copper", 60.0, 0.5, 0.005, 16.2),
+    ];
+
+    /// Preset, ω₀/ω_c, V in m/s, slip in contact radii, and processor time in s.
+    const SLIDES: [(&str, f64, f64, f64, f64); 22] = [
+        ("aluminium-6061", 180.0, 3.0, 2.0, 2.1),
+        ("aluminium-6061", 180.0, 3.0, 20.0, 3.0),
+        ("copper", 10.0, 1.0, 2.0, 0.99),
+        ("copper", 10.0, 1.0, 20.0, 1.1),
+        ("copper", 400.0, 1.0, 2.0, 1.6),
+        ("copper", 400.0, 1.0, 20.0, 2.1),
+        ("steel-1045", 1.0, 3.0, 2.0, 1.3),
+        ("steel-1045", 1.0, 3.0, 20.0, 1.3),
+        ("steel-1045", 300.0, 0.5, 2.0, 2.2),
+        ("steel-1045", 300.0, 0.5, 20.0, 2.2),
+        ("steel-304", 700.0, 2.0, 2.0, 6.2),
+        ("steel-304", 700.0, 2.0, 20.0, 7.6),
+        ("steel-4340", 20.0, 10.0, 2.0, 1.1),
+        ("steel-4340", 20.0, 10.0, 20.0, 1.7),
+        ("steel-4340", 100.0, 3.0, 2.0, 2.9),
+        ("steel-4340", 100.0, 3.0, 20.0, 4.1),
+        ("steel-4340", 250.0, 0.0, 2.0, 1.5),
+        ("steel-4340", 250.0, 0.0, 20.0, 1.8),
+        ("titanium-6al4v", 5.0, 5.0, 2.0, 1.5),
+        ("titanium-6al4v", 5.0, 5.0, 20.0, 3.2),
+        ("titanium-6al4v", 90.0, 1.0, 2.0, 2.9),
+        ("titanium-6al4v", 90.0, 1.0, 20.0, 4.5),
     ];
 
     /// ω₀/ω_c, V in m/s and processor time in s of a bronze that does not harden (E 110 GPa, σ_Y 350 MPa); from 60 ω_c on the
@@ -169,6 +197,17 @@ mod tests {
             let ratio = expected_time(&parse_scene(&text, "this test", &[]).unwrap()) / seconds;
             let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
             assert!(within, "{material} {interference} omega_c, accuracy {accuracy}: {ratio}");
+        }
+    }
+
+    #[test]
+    fn measured_times_of_long_slides_are_within_the_stated_factor() {
+        for (preset, interference, slip_rate, slip, seconds) in SLIDES {
+            let place = [("interference", interference), ("slip_rate", slip_rate), ("slip_distance", slip)];
+            let set = place.map(|(key, value)| format!("loading.{key}={value:?}"));
+            let ratio = expected_time(&of_preset(preset, &set.each_ref().map(String::as_str))) / seconds;
+            let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
+            assert!(within, "{preset} {interference} omega_c, {slip_rate} m/s, {slip} radii: {ratio}");
         }
     }
 
