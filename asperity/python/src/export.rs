@@ -29,6 +29,7 @@ fn refused(error: ExportError) -> PyErr {
         ExportError::Format { path, .. }
         | ExportError::NoPressure { path }
         | ExportError::Samples { path }
+        | ExportError::NotFriction { path }
         | ExportError::NoFriction { path, .. }
         | ExportError::NoLaw { path, .. }
         | ExportError::Different { path, .. }

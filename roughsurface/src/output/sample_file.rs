@@ -87,9 +87,10 @@ struct Cell {
 fn cells(samples: &Samples) -> impl Iterator<Item = Cell> {
     let states = samples.states.iter().flatten().zip(samples.infinite.iter().flatten());
     samples.query.cells().zip(states).map(|((load, slip_rate), (surfaces, infinite))| {
-        let mu = Scatter::of(surfaces.iter().map(|one| one.state.mu.value));
+        let mu = Scatter::of(surfaces.iter().map(|one| one.state.mu.value)).not_negative();
         let bias = mu.mean - infinite.map_or(f64::NAN, |infinite| infinite.state.mu.value);
-        Cell { load, slip_rate, mu, bias, contacts: Scatter::of(surfaces.iter().map(|one| one.contacts)) }
+        let contacts = Scatter::of(surfaces.iter().map(|one| one.contacts)).not_negative();
+        Cell { load, slip_rate, mu, bias, contacts }
     })
 }
 

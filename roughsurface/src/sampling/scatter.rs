@@ -38,6 +38,11 @@ impl Scatter {
         };
         Self { mean, mean_error: half_width / count.sqrt(), standard_deviation, lower, upper }
     }
+
+    /// The same of a quantity that is never negative.
+    pub fn not_negative(self) -> Self {
+        Self { lower: self.lower.max(0.0), ..self }
+    }
 }
 
 /// The value of a `rank` between 1 and their number, linear between neighbours.
@@ -72,6 +77,9 @@ mod tests {
         assert!((scatter.lower - 1.55).abs() < 1e-12 && (scatter.upper - 98.45).abs() < 1e-12);
         // n = 101 consecutive numbers: variance n(n+1)/12.
         assert!((scatter.standard_deviation - (101.0f64 * 102.0 / 12.0).sqrt()).abs() < 1e-12);
+        // Counts of contacts are not negative.
+        let few = Scatter::of([1.0, 2.0].into_iter());
+        assert!(few.lower < -5.0 && few.not_negative() == Scatter { lower: 0.0, ..few }, "{few:?}");
         assert!(Scatter::of(std::iter::empty()).mean.is_nan());
         assert!(Scatter::of([1.0].into_iter()).mean_error.is_nan());
     }

@@ -35,6 +35,9 @@ pub(super) const OVER_TEMPERATURE: [(RealAttribute, &str, &str); 3] = [
     (YIELD_STRENGTH, "Pa", "yield strength at the initial temperature"),
 ];
 
+/// The same of a film, where there is one; files of before lack it as a variable.
+pub(super) const FILM_STRENGTH: OptionalAttribute = ("film_strength", |m| &mut m.film_strength);
+
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.
 pub(super) type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
 
@@ -54,7 +57,7 @@ pub(super) type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Opt
 
 pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 6] = [
     ("strength_factor", |m| &mut m.strength_factor),
-    ("film_strength", |m| &mut m.film_strength),
+    FILM_STRENGTH,
     ("pressure_coefficient", |m| &mut m.pressure_coefficient),
     ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
     ("rate_coefficient", |m| &mut m.rate_coefficient),

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::input::read_text;
 use super::table_format::{
-    FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE, REAL_ATTRIBUTES,
-    TEXT_ATTRIBUTES, history_name,
+    FILM_STRENGTH, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE,
+    REAL_ATTRIBUTES, TEXT_ATTRIBUTES, history_name,
 };
 use super::{DatasetError, DatasetReader, schema};
 use crate::quantity::Quantity;
@@ -81,6 +81,11 @@ fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Meta
         members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = value);
     }
     members.iter_mut().zip(temperatures).for_each(|(member, kelvin)| member.temperature = kelvin);
+    let (film, place) = FILM_STRENGTH;
+    if common.film_strength.is_some() && file.has(film) {
+        let values = file.reals(film, &shape)?;
+        members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = Some(value));
+    }
     if common.fracture_energy.is_some() {
         let coefficients = file.reals(FRACTURE_ENERGY, &shape)?;
         for (member, coefficient) in members.iter_mut().zip(coefficients) {

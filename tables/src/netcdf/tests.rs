@@ -158,6 +158,7 @@ fn several() -> Table {
         slice.set_metadata(Metadata {
             temperature,
             yield_strength: 1e9 - temperature,
+            film_strength: Some(25e6 - temperature),
             ..slice.metadata().clone()
         });
         slice
@@ -190,6 +191,7 @@ fn changed_content_of_several_temperatures_is_noticed() {
         ("temperature", &[0][..]),
         ("critical_interference", &[0]),
         ("yield_strength", &[0]),
+        ("film_strength", &[1]),
         ("mu", &[2, 1, 2]),
     ] {
         several().write(&path).unwrap();

@@ -53,12 +53,30 @@ fn explain<T: DeserializeOwned>(
         Some(Value::Table(_)) | None => join(inner, "law"),
         Some(_) => inner.to_owned(),
     };
+    let inner = match message.starts_with("unknown variant") {
+        true => law_called(quoted[0], table, inner),
+        false => inner,
+    };
     let value = value_at(table, &inner).map_or(String::new(), Value::to_string);
     let allowed = match message.starts_with("unknown variant") {
         true => one_of(&quoted[1..]),
         false => allowed::<T>(&inner, table, keys),
     };
     source.invalid(&join(path, &inner), value, allowed)
+}
+
+/// The key `law` with this name: that at `path`, or of a law within the same section, whose keys serde reads with it.
+fn law_called(name: &str, table: &Table, path: String) -> String {
+    let has_name = |value: &Value| value.as_str() == Some(name);
+    let section = path.rsplit_once('.').map_or("", |(section, _)| section);
+    let own = value_at(table, &path).is_some_and(has_name);
+    match value_at(table, section).and_then(Value::as_table) {
+        Some(laws) if !own => {
+            let within = laws.iter().find(|(_, value)| value.get("law").is_some_and(has_name));
+            within.map_or(path.clone(), |(key, _)| format!("{section}.{key}.law"))
+        }
+        _ => path,
+    }
 }
 
 fn one_of(names: &[&str]) -> String {
@@ -88,4 +106,30 @@ fn value_at<'a>(table: &'a Table, path: &str) -> Option<&'a Value> {
     let mut names = path.split('.');
     let first = table.get(names.next()?)?;
     names.try_fold(first, |value, name| value.get(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::file::parse_scene;
+
+    /// Serde reads the laws of a film with those of its interface, and does not say which of them it means.
+    #[test]
+    fn the_unknown_law_of_a_film_is_not_that_of_its_interface() {
+        let film =
+            "interface = { law = \"briscoe-tabor\", film_strength = 6e7, film_softening = { law = \"x\" } }";
+        let text =
+            format!("material.preset = \"copper\"\nasperity.radius = 1e-3\nloading.interference = 1\n{film}");
+        let refused = |sets: &[&str]| {
+            let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+            parse_scene(&text, "this test", &sets).unwrap_err().to_string()
+        };
+        let allowed = "must be one of \"none\", \"johnson-cook\", \"table\"";
+        let of_file = format!("this test: line 4: interface.film_softening.law = \"x\": {allowed}");
+        assert_eq!(refused(&["loading.slip_rate=1"]), of_file);
+        let set = "interface.film_softening.law=y";
+        let of_set = format!("--set {set}: interface.film_softening.law = \"y\": {allowed}");
+        assert_eq!(refused(&[set, "loading.slip_rate=1"]), of_set);
+        let own = refused(&["interface.law=briscoe", "loading.slip_rate=1"]);
+        assert!(own.contains("interface.law = \"briscoe\""), "{own}");
+    }
 }

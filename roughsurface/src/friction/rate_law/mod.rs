@@ -95,7 +95,7 @@ impl RateLaw {
     /// Why law and data do not agree or its parameters are not determined; none of a reliable law.
     pub fn doubt(&self) -> Option<Doubt> {
         if self.criterion.is_nan() {
-            Some(Doubt::FewSlipRates)
+            Some(Doubt::FewSlipRates(self.form.parameters() + 3))
         } else if self.r_squared < 0.99 {
             Some(Doubt::Misfit(self.r_squared))
         } else if self.velocity.value > self.fastest {
@@ -111,8 +111,8 @@ impl RateLaw {
 /// Why a law is not reliable.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Doubt {
-    #[error("no more slip rates than a curve with as many parameters can pass through")]
-    FewSlipRates,
+    #[error("{0} slip rates or more are needed to judge a form of as many parameters")]
+    FewSlipRates(usize),
     #[error("R2 = {0:.4} is below 0.99")]
     Misfit(f64),
     /// Where V ≪ V*, μ is μ_0 [1 − (V/V*)^n].
@@ -131,6 +131,10 @@ pub enum NoFit {
     NoFriction,
     #[error("friction does not depend on the slip rate")]
     NoRateDependence,
+    #[error(
+        "a constant describes friction at {0} slip rates as well as a law does; more slip rates may decide"
+    )]
+    AsConstant(usize),
     #[error("friction does not fall with the slip rate")]
     NoWeakening,
     #[error("the slip rates do not bracket the onset of weakening")]
@@ -183,7 +187,9 @@ pub fn choose(slip_rates: &[f64], mu: &[Estimate]) -> RateLaws {
     let best = |one: &&RateLaw, other: &&RateLaw| one.criterion.total_cmp(&other.criterion);
     let chosen = match candidates.iter().flatten().filter(|law| law.criterion.is_finite()).min_by(best) {
         // A constant describes the data as well.
-        Some(law) if curve.criterion(1, curve.variance()) <= law.criterion => Err(NoFit::NoRateDependence),
+        Some(law) if curve.criterion(1, curve.variance()) <= law.criterion => {
+            Err(NoFit::AsConstant(curve.len()))
+        }
         Some(law) => Ok(*law),
         None => candidates[0],
     };

@@ -41,7 +41,7 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
     );
     for layer in &table.layers {
         for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
-            let Some((law, doubt)) = law else { continue };
+            let Ok((law, doubt)) = law else { continue };
             let RateLaw { form, mu_0, plateau, velocity, exponent, .. } = law;
             let _ = writeln!(
                 text,
@@ -101,7 +101,7 @@ pub(super) fn json(table: &FrictionTable) -> String {
     let mut laws = Vec::new();
     for layer in &table.layers {
         for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
-            laws.push(entry(law.as_ref(), layer.temperature, *pressure));
+            laws.push(entry(law.as_ref().ok(), layer.temperature, *pressure));
         }
     }
     let positive = table.slip_rates.iter().find(|rate| **rate > 0.0);

@@ -63,9 +63,11 @@ pub enum ExportError {
     #[error("{path}: mu is not known at {pressure:e} Pa and {slip_rate} m/s")]
     NoFriction { path: String, pressure: f64, slip_rate: f64 },
     #[error(
-        "{path}: no rate law is fitted at {pressure:e} Pa; leave out --law, which exports the values computed"
+        "{path}: no rate law is fitted at {pressure:e} Pa: {reason}; without --law the values computed are exported"
     )]
-    NoLaw { path: String, pressure: f64 },
+    NoLaw { path: String, pressure: f64, reason: String },
+    #[error("{path}: not a result of `roughsurface predict`, which is exported")]
+    NotFriction { path: String },
     #[error("{path}: {what} differ from those of {first}; predict both with the same query")]
     Different { path: String, first: String, what: &'static str },
     #[error("{path}: several files must have an initial temperature each, query.temperature, and this one has {}",
@@ -91,16 +93,18 @@ pub struct Layer {
     pub temperature: Option<f64>,
     /// Sliding friction, slip rates of a pressure beside each other, 1.
     pub mu: Vec<Estimate>,
-    /// The law fitted to it at each pressure, and why that is not reliable; empty where it is, or where the file does not
-    /// say.
-    pub laws: Vec<Option<(RateLaw, String)>>,
+    /// Fitted to it at each pressure.
+    pub laws: Vec<FittedLaw>,
 }
+
+/// A law, and why it is not reliable; or why there is none. Empty where it is reliable, or where the file does not say.
+type FittedLaw = Result<(RateLaw, String), String>;
 
 impl FrictionTable {
     /// Pressures (Pa) whose fitted law is not reliable, with the reason.
     pub fn doubts(&self) -> impl Iterator<Item = (f64, &str)> {
         let laws = self.layers.iter().flat_map(|layer| self.pressures.iter().zip(&layer.laws));
-        let doubts = laws.filter_map(|(pressure, law)| Some((*pressure, law.as_ref()?.1.as_str())));
+        let doubts = laws.filter_map(|(pressure, law)| Some((*pressure, law.as_ref().ok()?.1.as_str())));
         doubts.filter(|(_, doubt)| !doubt.is_empty())
     }
 
@@ -142,13 +146,16 @@ impl FrictionTable {
     fn read_one(path: &Path) -> Result<Self, ExportError> {
         let shown = path.display().to_string();
         let file = DatasetReader::open(path)?;
+        if file.has("mu") && file.shape("mu")?.len() > 2 {
+            return Err(ExportError::Samples { path: shown });
+        }
         if file.has("separation") && file.shape("separation")?.len() == 1 {
             return Err(ExportError::NoPressure { path: shown });
         }
-        let (pressures, slip_rates) = (file.coordinate("pressure")?, file.coordinate("slip_rate")?);
-        if file.shape("mu")?.len() > 2 {
-            return Err(ExportError::Samples { path: shown });
+        if !file.has("rate_law") || !file.has("pressure") || file.shape("pressure")?.len() != 1 {
+            return Err(ExportError::NotFriction { path: shown });
         }
+        let (pressures, slip_rates) = (file.coordinate("pressure")?, file.coordinate("slip_rate")?);
         let with_error = |name: &str, shape: &[usize]| -> Result<Vec<Estimate>, DatasetError> {
             let (values, errors) = (file.reals(name, shape)?, file.reals(&format!("{name}_error"), shape)?);
             Ok(values.into_iter().zip(errors).map(|(value, error)| Estimate { value, error }).collect())
@@ -164,13 +171,13 @@ impl FrictionTable {
         let parameters: Vec<_> =
             parameters.iter().map(|name| with_error(name, &rows)).collect::<Result<_, _>>()?;
         let misfits = file.reals("rate_rms", &rows)?;
-        let law = |row: usize| -> Result<Option<(RateLaw, String)>, DatasetError> {
+        let law = |row: usize| -> Result<FittedLaw, DatasetError> {
             let name = file.text("rate_law", &[row])?;
-            let Some(form) = FORMS.iter().find(|form| form.name == name) else { return Ok(None) };
             let doubt = match file.has("rate_doubt") {
                 true => file.text("rate_doubt", &[row])?,
                 false => String::new(),
             };
+            let Some(form) = FORMS.iter().find(|form| form.name == name) else { return Ok(Err(doubt)) };
             let law = RateLaw {
                 form,
                 mu_0: parameters[0][row],
@@ -183,7 +190,7 @@ impl FrictionTable {
                 condition: f64::NAN,
                 fastest: f64::NAN,
             };
-            Ok(Some((law, doubt)))
+            Ok(Ok((law, doubt)))
         };
         let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
         let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
@@ -209,8 +216,12 @@ impl FrictionTable {
             let computed = std::mem::take(&mut layer.mu);
             let rows = computed.chunks(self.slip_rates.len());
             for ((law, &pressure), row) in layer.laws.iter().zip(&self.pressures).zip(rows) {
-                let no_law = || ExportError::NoLaw { path: source.clone(), pressure };
-                let (law, _) = law.as_ref().ok_or_else(no_law)?;
+                let no_law = |reason: &String| ExportError::NoLaw {
+                    path: source.clone(),
+                    pressure,
+                    reason: reason.clone(),
+                };
+                let (law, _) = law.as_ref().map_err(no_law)?;
                 let value = |rate: &f64| Estimate {
                     value: law.friction_coefficient(*rate),
                     error: error_at(&logarithms, row, rate.ln()).hypot(COVERAGE_FACTOR * law.misfit),

@@ -3,7 +3,7 @@
 use crate::interpolation::steffen::Location;
 use crate::interpolation::{blend_one, neighbours};
 use crate::law::Estimate;
-use crate::quantity::Quantity;
+use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use crate::table::Cell;
 
 /// A monotone cubic through four points of which the outer two may be missing: length of the interval, fraction of it,
@@ -33,7 +33,7 @@ impl<'a, F: Fn(usize) -> f64> Line<'a, F> {
         (self.cubic)(x[index + 1] - x[index], t, outer, [value(index), value(index + 1)])
     }
 
-    /// Error of the value.
+    /// Bound of the error of the value.
     ///
     /// Each inner temperature next to the place is left out and predicted from the others; the larger
     /// relative misfit, that of a wider interval, is taken as the error in the middle. It falls to zero at both
@@ -119,7 +119,8 @@ impl Column<'_> {
             let [e, f] = [place.index, place.index + 1]
                 .map(|member| self.cells[member].map_or(f64::NAN, |cell| cell[quantity].error));
             let given = (1.0 - place.t) * e + place.t * f;
-            let error = given + unit * line.error() + self.units.error(quantity) * found.abs();
+            let bound = unit * line.error() + self.units.error(quantity) * found.abs();
+            let error = given.hypot(COVERAGE_FACTOR * OF_BOUND * bound);
             cell[quantity] = Estimate { value: base(quantity) + found, error };
         }
         for quantity in Quantity::TABLE_HISTORIES {

@@ -4,8 +4,8 @@
 //! temperature. Forces, areas, lengths and energies are counted in units that are powers of the two, at
 //! each temperature its own, in which they change little (of the elastic-plastic sphere without heat
 //! not at all); in these units they follow a monotone cubic of the logarithm. Of temperatures it is the
-//! rise above the initial one. Errors are those of the tables on both sides, interpolated linearly, and
-//! an estimate of that of interpolation, which is zero at the temperatures of the series.
+//! rise above the initial one. Errors are those of the tables on both sides, interpolated linearly, and, added
+//! as a square, that of interpolation, which is zero at the temperatures of the series.
 //!
 //! Depends on `table`, `closed_forms` and the cubic of `steffen`. Chapter "Tables" of the book.
 
@@ -65,8 +65,11 @@ impl Table {
         let critical = Line::new(temperatures, place, critical, blend_one).value();
         let fracture = |member: usize| known[member].fracture_energy.map_or(f64::NAN, |law| law.coefficient);
         let fracture = Line::new(temperatures, place, fracture, blend_one).value();
+        let film = |member: usize| known[member].film_strength.unwrap_or(f64::NAN);
+        let film = Line::new(temperatures, place, film, blend_one).value();
         let metadata = Metadata {
             temperature,
+            film_strength: known[0].film_strength.map(|_| film),
             critical_interference: critical * (strengths / moduli).powi(2),
             contact_modulus: moduli,
             yield_strength: strengths,
