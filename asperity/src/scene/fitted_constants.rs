@@ -218,7 +218,7 @@ pub(crate) mod processor_time {
     pub const REFERENCE_ELEMENTS: f64 = 10.0;
     pub const REFERENCE_SECTORS: f64 = 4.0;
     /// Of a conducting counterface, and of thermal properties that depend on temperature.
-    pub const CONDUCTION: f64 = 2.0;
+    pub const CONDUCTION: f64 = 2.5;
     /// Of the latter in a contact that would melt at its full strength.
     pub const HOT_PROPERTIES: f64 = 4.0;
     /// Bounds: set-up and coarsest mesh, of each step; finest mesh that an accuracy leads to.

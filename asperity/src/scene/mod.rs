@@ -15,6 +15,7 @@ pub(crate) mod loading;
 mod material;
 pub mod presets;
 mod remarks;
+mod table_ranges;
 
 use serde::{Deserialize, Serialize};
 

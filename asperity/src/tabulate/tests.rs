@@ -266,12 +266,14 @@ fn a_table_states_the_limit_of_its_interface() {
 
 #[test]
 fn a_film_has_its_strength_at_each_temperature() {
-    let film = "[interface]\nlaw = \"briscoe-tabor\"\nfilm_strength = 60e6\n\
+    let film = "[interface]\nlaw = \"briscoe-tabor\"\nfilm_strength = 60e6\npressure_coefficient = 0.1\n\
                 film_softening = { law = \"table\", temperature = [298, 698], factor = [1.0, 0.2] }\n";
     let all = table(&whole(&format!("{TEMPERATURES}{film}"), &Fake::default(), 1));
     for (slice, expected) in all.slices().iter().zip([60e6, 35.76e6, 12e6]) {
         let found = slice.metadata().film_strength.unwrap();
         assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+        let coefficient = slice.metadata().pressure_coefficient.unwrap();
+        assert!((coefficient / (0.1 * expected / 60e6) - 1.0).abs() < 1e-12, "{coefficient} {expected}");
     }
 }
 

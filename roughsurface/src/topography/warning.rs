@@ -48,7 +48,7 @@ pub enum Warning {
     EdgesJump { ratio: f64 },
     #[error(
         "{count} points stand out from the median of their neighbours by more than eight standard deviations: \
-         spikes make R too small; remove them"
+         spikes make R too small, and count as noise; a height of nan is filled in from its neighbours"
     )]
     Spikes { count: usize },
     #[error(

@@ -35,8 +35,14 @@ pub(super) const OVER_TEMPERATURE: [(RealAttribute, &str, &str); 3] = [
     (YIELD_STRENGTH, "Pa", "yield strength at the initial temperature"),
 ];
 
-/// The same of a film, where there is one; files of before lack it as a variable.
-pub(super) const FILM_STRENGTH: OptionalAttribute = ("film_strength", |m| &mut m.film_strength);
+const FILM_STRENGTH: OptionalAttribute = ("film_strength", |m| &mut m.film_strength);
+const PRESSURE_COEFFICIENT: OptionalAttribute = ("pressure_coefficient", |m| &mut m.pressure_coefficient);
+
+/// The same of a film, where there is one; older files lack them as variables.
+pub(super) const FILM_OVER_TEMPERATURE: [(OptionalAttribute, &str, &str); 2] = [
+    (FILM_STRENGTH, "Pa", "strength of the film without pressure at the initial temperature"),
+    (PRESSURE_COEFFICIENT, "1", "strength of the film over the pressure at the initial temperature"),
+];
 
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.
 pub(super) type TextAttribute = (&'static str, fn(&mut Metadata) -> &mut String);
@@ -58,7 +64,7 @@ pub(super) type OptionalAttribute = (&'static str, fn(&mut Metadata) -> &mut Opt
 pub(super) const OPTIONAL_ATTRIBUTES: [OptionalAttribute; 6] = [
     ("strength_factor", |m| &mut m.strength_factor),
     FILM_STRENGTH,
-    ("pressure_coefficient", |m| &mut m.pressure_coefficient),
+    PRESSURE_COEFFICIENT,
     ("interpolation_tolerance", |m| &mut m.interpolation_tolerance),
     ("rate_coefficient", |m| &mut m.rate_coefficient),
     ("rate_reference", |m| &mut m.rate_reference),

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::input::read_text;
 use super::table_format::{
-    FILM_STRENGTH, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE,
+    FILM_OVER_TEMPERATURE, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE,
     REAL_ATTRIBUTES, TEXT_ATTRIBUTES, history_name,
 };
 use super::{DatasetError, DatasetReader, schema};
@@ -81,10 +81,11 @@ fn read_temperatures(file: &DatasetReader, common: &Metadata) -> Result<Vec<Meta
         members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = value);
     }
     members.iter_mut().zip(temperatures).for_each(|(member, kelvin)| member.temperature = kelvin);
-    let (film, place) = FILM_STRENGTH;
-    if common.film_strength.is_some() && file.has(film) {
-        let values = file.reals(film, &shape)?;
-        members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = Some(value));
+    for ((name, place), ..) in FILM_OVER_TEMPERATURE {
+        if common.film_strength.is_some() && file.has(name) {
+            let values = file.reals(name, &shape)?;
+            members.iter_mut().zip(values).for_each(|(member, value)| *place(member) = Some(value));
+        }
     }
     if common.fracture_energy.is_some() {
         let coefficients = file.reals(FRACTURE_ENERGY, &shape)?;

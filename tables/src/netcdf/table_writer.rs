@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::table_format::{
-    DIMENSIONS, FILM_STRENGTH, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES, OVER_TEMPERATURE,
-    REAL_ATTRIBUTES, STATUS_MEANINGS, TEXT_ATTRIBUTES, history_name,
+    DIMENSIONS, FILM_OVER_TEMPERATURE, FRACTURE_ENERGY, FRACTURE_EXPONENT, OPTIONAL_ATTRIBUTES,
+    OVER_TEMPERATURE, REAL_ATTRIBUTES, STATUS_MEANINGS, TEXT_ATTRIBUTES, history_name,
 };
 use super::{AttributeValue, DatasetError, DatasetWriter, described, schema};
 use crate::quantity::{Descriptor, Estimate, Quantity, Stored};
@@ -88,10 +88,10 @@ impl Content<'_> {
             file.reals(name, &["temperature"], &values, &described(units, long_name))?;
         }
         if self.slices[0].metadata().film_strength.is_some() {
-            let (name, value) = FILM_STRENGTH;
-            let values = of_members(&|metadata| value(&mut metadata.clone()).unwrap_or(f64::NAN));
-            let attributes = described("Pa", "strength of the film at the initial temperature");
-            file.reals(name, &["temperature"], &values, &attributes)?;
+            for ((name, value), units, long_name) in FILM_OVER_TEMPERATURE {
+                let values = of_members(&|metadata| value(&mut metadata.clone()).unwrap_or(f64::NAN));
+                file.reals(name, &["temperature"], &values, &described(units, long_name))?;
+            }
         }
         if let Some(law) = self.slices[0].metadata().fracture_energy {
             let units = if law.radius_exponent == 0 { "J m-2" } else { "J m-3" };

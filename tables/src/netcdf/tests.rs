@@ -159,6 +159,7 @@ fn several() -> Table {
             temperature,
             yield_strength: 1e9 - temperature,
             film_strength: Some(25e6 - temperature),
+            pressure_coefficient: Some(1.0 / temperature),
             ..slice.metadata().clone()
         });
         slice
@@ -192,6 +193,7 @@ fn changed_content_of_several_temperatures_is_noticed() {
         ("critical_interference", &[0]),
         ("yield_strength", &[0]),
         ("film_strength", &[1]),
+        ("pressure_coefficient", &[2]),
         ("mu", &[2, 1, 2]),
     ] {
         several().write(&path).unwrap();

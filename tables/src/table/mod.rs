@@ -73,7 +73,7 @@ impl From<Slice> for Table {
 
 impl Table {
     /// Puts slices of rising initial temperature together. They must have the same axes and the same metadata but
-    /// for initial temperature, yield strength, film strength, contact modulus, ω_c and fracture energy.
+    /// for initial temperature, yield strength, strength of a film, contact modulus, ω_c and fracture energy.
     pub fn new(slices: Vec<Slice>) -> Result<Self, TableError> {
         let table = Self { slices };
         if table.slices.len() != 1 {
@@ -216,6 +216,7 @@ fn common(metadata: &Metadata) -> Metadata {
         contact_modulus: 0.0,
         yield_strength: 0.0,
         film_strength: metadata.film_strength.map(|_| 0.0),
+        pressure_coefficient: metadata.pressure_coefficient.map(|_| 0.0),
         fracture_energy: metadata.fracture_energy.map(|law| FractureEnergy { coefficient: 0.0, ..law }),
         ..metadata.clone()
     }

@@ -150,7 +150,8 @@ impl Display for Warning {
             Self::ReleasedPress { share } => write!(
                 f,
                 "the interface is too weak for the shear tractions of the press, which is in full stick: they are \
-                 released as the slide begins, and G contains their energy, some {:.0} % of it in the first increments",
+                 released as the slide begins, and G contains their energy, some {:.0} % of it in the first increments; mu_static is \
+                 that of the first state in which all points slip, some of them not yet along the motion",
                 100.0 * share
             ),
             Self::FastInception { time, limit } => write!(
@@ -164,13 +165,7 @@ impl Display for Warning {
                 "of the work of the flat {energy:.0e} is neither stored nor dissipated, of the heat {heat:.0e} neither stored nor \
                  lost, and heat and dissipation differ by {sources:.0e}: a finer mesh or a smaller accuracy closes the balances"
             ),
-            Self::AboveMelting { highest, melting } => write!(
-                f,
-                "the contact reaches {} K, above the melting temperature of {} K: friction by this law does not end there; \
-                 cap = true limits it to the strength of the metal",
-                beside(*highest, *melting, 4),
-                plain(*melting)
-            ),
+            Self::AboveMelting { highest, melting } => above_melting(f, *highest, *melting),
             Self::Scene(text) => write!(f, "{text}"),
             other => f.write_str(other.fixed_text().unwrap_or_default()),
         }
@@ -199,6 +194,16 @@ fn above_accuracy(
         "the estimated error of {name} is {} %, above {times}the accuracy of {} %",
         beside(error, limit(accuracy), 2),
         plain(accuracy)
+    )
+}
+
+fn above_melting(f: &mut Formatter<'_>, highest: f64, melting: f64) -> fmt::Result {
+    let highest = beside(highest, melting, 4);
+    write!(
+        f,
+        "the contact reaches {highest} K, above the melting temperature of {} K: friction by this law does not end there; \
+         cap = true limits it to the strength of the metal",
+        plain(melting)
     )
 }
 

@@ -65,11 +65,14 @@ impl Table {
         let critical = Line::new(temperatures, place, critical, blend_one).value();
         let fracture = |member: usize| known[member].fracture_energy.map_or(f64::NAN, |law| law.coefficient);
         let fracture = Line::new(temperatures, place, fracture, blend_one).value();
-        let film = |member: usize| known[member].film_strength.unwrap_or(f64::NAN);
-        let film = Line::new(temperatures, place, film, blend_one).value();
+        let of_film = |of: fn(&Metadata) -> Option<f64>| {
+            let value = |member: usize| of(known[member]).unwrap_or(f64::NAN);
+            of(known[0]).map(|_| Line::new(temperatures, place, value, blend_one).value())
+        };
         let metadata = Metadata {
             temperature,
-            film_strength: known[0].film_strength.map(|_| film),
+            film_strength: of_film(|metadata| metadata.film_strength),
+            pressure_coefficient: of_film(|metadata| metadata.pressure_coefficient),
             critical_interference: critical * (strengths / moduli).powi(2),
             contact_modulus: moduli,
             yield_strength: strengths,

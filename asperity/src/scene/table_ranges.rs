@@ -1,0 +1,89 @@
+//! Temperatures outside the tables of properties, beyond which these are constant.
+
+use tables::numbers::{digits, plain};
+
+use crate::scene::{FrictionLaw, Scene, Softening};
+
+/// By which a temperature may be outside, K: tables begin at room temperature, which is 293 to 300 K.
+const MARGIN: f64 = 10.0;
+
+/// Key, temperatures (K) and values of a table.
+type Points<'a> = (&'static str, &'a [f64], &'a [f64]);
+
+impl Scene {
+    /// A sentence for each table that does not contain the temperatures from the initial one to `highest`, K. A table whose
+    /// last two values are equal says itself that it is constant above.
+    pub(crate) fn outside_tables(&self, highest: f64) -> Vec<String> {
+        let initial = self.loading.temperature;
+        let remark = |(key, temperatures, values): Points<'_>| {
+            let ([first, .., last], [.., before, end]) = (temperatures, values) else { return None };
+            let range = format!("{} to {} K", plain(*first), plain(*last));
+            if initial < first - MARGIN || initial > last + MARGIN {
+                let initial = plain(initial);
+                return Some(format!(
+                    "the initial temperature of {initial} K is outside the table of {key}, {range}, and takes the value at its end"
+                ));
+            }
+            (highest > last + MARGIN && before != end).then(|| {
+                let highest = digits(highest, 4);
+                format!("the contact reaches {highest} K, above the table of {key}, {range}: its last value is taken there")
+            })
+        };
+        self.tables_over_temperature().into_iter().filter_map(remark).collect()
+    }
+
+    /// Every table over temperature.
+    fn tables_over_temperature(&self) -> Vec<Points<'_>> {
+        let properties = &self.material.dependence;
+        let mut tables: Vec<Points<'_>> = Vec::new();
+        for (key, table) in [
+            ("material.youngs_modulus", &properties.youngs_modulus),
+            ("material.specific_heat", &properties.specific_heat),
+            ("material.thermal_conductivity", &properties.thermal_conductivity),
+            ("material.thermal_expansion", &properties.thermal_expansion),
+        ] {
+            tables.extend(table.iter().map(|table| (key, &table.temperature[..], &table.value[..])));
+        }
+        let film = match &self.interface.law {
+            FrictionLaw::BriscoeTabor { film_softening, .. } => film_softening,
+            _ => &Softening::None,
+        };
+        for (key, law) in
+            [("material.softening", &self.material.softening), ("interface.film_softening", film)]
+        {
+            if let Softening::Table { temperature, factor } = law {
+                tables.push((key, temperature, factor));
+            }
+        }
+        tables
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::tests::of_preset;
+
+    #[test]
+    fn temperatures_outside_a_table_are_named() {
+        let law = ["interface.law=briscoe-tabor", "interface.film_strength=6e7"];
+        let film = "interface.film_softening={law=\"table\", temperature=[300, 600], factor=[1.0, 0.2]}";
+        let table = "material.specific_heat={temperature=[293, 800], value=[460, 600]}";
+        let scene = |temperature| of_preset("steel-4340", &[law[0], law[1], film, table, temperature]);
+        // 298 K are within the margin of both.
+        let cold = scene("loading.temperature=298");
+        assert!(cold.outside_tables(605.0).is_empty());
+        let [only] = &cold.outside_tables(700.0)[..] else { panic!() };
+        assert!(
+            only.contains("reaches 700 K") && only.contains("interface.film_softening, 300 to 600 K"),
+            "{only}"
+        );
+        assert_eq!(cold.outside_tables(900.0).len(), 2);
+        let hot = scene("loading.temperature=650").outside_tables(660.0);
+        assert!(
+            hot.len() == 1 && hot[0].starts_with("the initial temperature of 650 K is outside"),
+            "{hot:?}"
+        );
+        let constant = film.replace("600], factor=[1.0, 0.2]", "600, 700], factor=[1.0, 0.2, 0.2]");
+        assert!(of_preset("steel-4340", &[law[0], law[1], &constant]).outside_tables(900.0).is_empty());
+    }
+}
