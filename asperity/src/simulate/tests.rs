@@ -178,6 +178,19 @@ fn a_weak_interface_slides_when_its_strength_resists() {
     }
 }
 
+#[test]
+fn a_run_outside_a_table_of_its_scene_is_warned_of() {
+    let table = "material.specific_heat={temperature=[293, 400], value=[460, 500]}";
+    for (temperature, warned) in [(500, true), (390, false)] {
+        let temperature = format!("loading.temperature={temperature}");
+        let mesh = ["numerics.elements_per_radius=6", "numerics.sectors=4", "model.heat=off"];
+        let scene = of_preset("copper", &[table, &temperature, mesh[0], mesh[1], mesh[2]]);
+        let warnings = simulate(&scene, &Unwatched).unwrap().account.warnings;
+        let found = warnings.iter().any(|warning| matches!(warning, Warning::OutsideTable(_)));
+        assert_eq!(found, warned, "{warnings:?}");
+    }
+}
+
 fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {
     let heat = format!("model.heat={heat}");
     let mut scene = of_preset(preset, &["model.kinematics=small", "numerics.accuracy=0.5", &heat]);

@@ -90,10 +90,35 @@ impl Slice {
             if warning.places.len() == done {
                 return text;
             }
-            let cells: Vec<String> = warning.places.into_iter().map(|(i, j)| self.label(i, j)).collect();
-            format!("{text} [{}]", cells.join("; "))
+            format!("{text} [{}]", self.blocks(warning.places).join("; "))
         };
         found.into_iter().map(labelled).collect()
+    }
+
+    /// Points of the grid in words: consecutive interferences with the same slip rates together.
+    fn blocks(&self, mut places: Vec<(usize, usize)>) -> Vec<String> {
+        places.sort_unstable();
+        // First and last interference, slip rates.
+        let mut blocks: Vec<(usize, usize, Vec<usize>)> = Vec::new();
+        for row in places.chunk_by(|one, next| one.0 == next.0) {
+            let (i, columns) = (row[0].0, row.iter().map(|(_, j)| *j).collect());
+            match blocks.last_mut() {
+                Some((_, last, known)) if *last + 1 == i && *known == columns => *last = i,
+                _ => blocks.push((i, i, columns)),
+            }
+        }
+        let range = |axis: &[f64], first: usize, last: usize| {
+            let [from, to] = [first, last].map(|index| digits(axis[index], LABEL_DIGITS));
+            if first == last { from } else { format!("{from} to {to}") }
+        };
+        let Axes { interference, slip_rate, .. } = self.axes();
+        let block = |(first, last, columns): (usize, usize, Vec<usize>)| -> Vec<String> {
+            let rows = range(interference, first, last);
+            let runs = columns.chunk_by(|one, next| one + 1 == *next);
+            runs.map(|run| format!("{rows} omega_c at {} m/s", range(slip_rate, run[0], run[run.len() - 1])))
+                .collect()
+        };
+        blocks.into_iter().flat_map(block).collect()
     }
 
     /// A point of the grid by its coordinates, rounded.
@@ -174,6 +199,20 @@ mod tests {
 
     fn cell(mu: f64) -> Cell {
         Cell::new().with(Quantity::Mu, mu, 0.01)
+    }
+
+    #[test]
+    fn a_warning_of_neighbouring_cells_names_their_ranges() {
+        let mut slice = Slice::new(axes(), Metadata::default()).unwrap();
+        let warned = [(0, 1), (0, 2), (1, 1), (1, 2)];
+        for (i, j) in slice.grid() {
+            let mut cell = cell(0.3);
+            cell.warnings.extend(warned.contains(&(i, j)).then(|| "hot".to_owned()));
+            cell.warnings.extend([(0, 0), (0, 2), (1, 1)].contains(&(i, j)).then(|| "odd".to_owned()));
+            slice.set_cell(i, j, cell).unwrap();
+        }
+        let odd = "odd [1 omega_c at 0 m/s; 1 omega_c at 1 m/s; 2 omega_c at 0.5 m/s]";
+        assert_eq!(slice.warnings(), [odd, "hot [1 to 2 omega_c at 0.5 to 1 m/s]"]);
     }
 
     #[test]

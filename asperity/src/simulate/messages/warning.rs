@@ -73,6 +73,8 @@ pub enum Warning {
         highest: f64,
         melting: f64,
     },
+    /// Temperatures of the run outside a table of the scene.
+    OutsideTable(String),
     /// Of the scene.
     Scene(String),
 }
@@ -166,7 +168,7 @@ impl Display for Warning {
                  lost, and heat and dissipation differ by {sources:.0e}: a finer mesh or a smaller accuracy closes the balances"
             ),
             Self::AboveMelting { highest, melting } => above_melting(f, *highest, *melting),
-            Self::Scene(text) => write!(f, "{text}"),
+            Self::OutsideTable(text) | Self::Scene(text) => f.write_str(text),
             other => f.write_str(other.fixed_text().unwrap_or_default()),
         }
     }
