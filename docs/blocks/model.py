@@ -97,37 +97,40 @@ def slip_rate():
 @block("metals", 2)
 def metals():
     """The shipped tables without heat: static friction, and load and area after the slide."""
-    rows = []
+    rows, omegas = [], (0.1, 1.2, 4, 32)
     for name in METALS:
-        cells = [row[0] for row in shipped(name)]
-        static = [f"{cells[i]['mu_static']:.3f} ± {cells[i]['mu_static_error']:.3f}" for i in (0, 4, 6, 9)]
+        cells = [row_at(name, omega)[0] for omega in omegas]
+        static = [f"{cell['mu_static']:.3f} ± {cell['mu_static_error']:.3f}" for cell in cells]
         ratio = lambda cell, quantity: f"{cell[quantity] / cell[quantity + '_press']:.3f}"
-        rows.append([name, *static, ratio(cells[6], "P"), ratio(cells[9], "P"), ratio(cells[6], "area")])
-    at = [plain(cells[i]["interference"]) for i in (0, 4, 6, 9)]
+        rows.append([name, *static, ratio(cells[2], "P"), ratio(cells[3], "P"), ratio(cells[2], "area")])
     head = [
         "table",
-        *[rf"$\mu_s$ at ${omega}\omega_c$" for omega in at],
-        rf"$P/P_0$ at ${at[2]}\omega_c$",
-        rf"at ${at[3]}\omega_c$",
-        rf"$A/A_0$ at ${at[2]}\omega_c$",
+        *[rf"$\mu_s$ at ${omega}\omega_c$" for omega in omegas],
+        rf"$P/P_0$ at ${omegas[2]}\omega_c$",
+        rf"at ${omegas[3]}\omega_c$",
+        rf"$A/A_0$ at ${omegas[2]}\omega_c$",
     ]
     return table(head, rows)
+
+
+def row_at(name, omega):
+    """Cells of a shipped table at an interference."""
+    return next(row for row in shipped(name) if row[0]["interference"] == omega)
 
 
 @block("rate", 2)
 def rate():
     """The shipped tables without rate law: what the slip rate changes from 0 on."""
-    rows = []
+    rows, omegas = [], (0.1, 4, 32)
     for name in [name for name in TABLES if not name.endswith("-rate")]:
         line = [name]
-        for i in (0, 6, 9):
-            cells = shipped(name)[i]
+        for omega in omegas:
+            cells = row_at(name, omega)
             for quantity in ("mu_static", "mu", "P"):
                 line.append(f"{signed(100 * (cells[-1][quantity] / cells[0][quantity] - 1))} %")
         rows.append(line)
-        omegas = [plain(row[0]["interference"]) for row in shipped(name)]
     names = (r"\mu_s", r"\mu", "P")
-    head = ["table"] + [rf"${quantity}$ at ${omegas[i]}\omega_c$" for i in (0, 6, 9) for quantity in names]
+    head = ["table"] + [rf"${quantity}$ at ${omega}\omega_c$" for omega in omegas for quantity in names]
     return table(head, rows)
 
 

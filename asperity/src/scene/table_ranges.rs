@@ -4,16 +4,17 @@ use tables::numbers::{digits, plain};
 
 use crate::scene::{FrictionLaw, Scene, Softening};
 
-/// By which a temperature may be outside, K: tables begin at room temperature, which is 293 to 300 K.
+/// By which a temperature may be outside, K: as that of a room, at which tables begin, is 293 to 300 K.
 const MARGIN: f64 = 10.0;
 
 /// Key, temperatures (K) and values of a table.
 type Points<'a> = (&'static str, &'a [f64], &'a [f64]);
 
 impl Scene {
-    /// A sentence for each table that does not contain the temperatures from the initial one to `highest`, K. A table whose
-    /// last two values are equal says itself that it is constant above.
-    pub(crate) fn outside_tables(&self, highest: f64) -> Vec<String> {
+    /// A sentence for each table that does not contain the temperatures from the initial one to `highest`, K; of thermal
+    /// properties with heat only. A table whose last two values are equal says itself that it is constant above, and so does
+    /// a law that ends without strength.
+    pub(crate) fn outside_tables(&self, highest: f64, heat: bool) -> Vec<String> {
         let initial = self.loading.temperature;
         let remark = |(key, temperatures, values): Points<'_>| {
             let ([first, .., last], [.., before, end]) = (temperatures, values) else { return None };
@@ -24,16 +25,16 @@ impl Scene {
                     "the initial temperature of {initial} K is outside the table of {key}, {range}, and takes the value at its end"
                 ));
             }
-            (highest > last + MARGIN && before != end).then(|| {
+            (highest > last + MARGIN && before != end && *end != 0.0).then(|| {
                 let highest = digits(highest, 4);
                 format!("the contact reaches {highest} K, above the table of {key}, {range}: its last value is taken there")
             })
         };
-        self.tables_over_temperature().into_iter().filter_map(remark).collect()
+        self.tables_over_temperature(heat).into_iter().filter_map(remark).collect()
     }
 
-    /// Every table over temperature.
-    fn tables_over_temperature(&self) -> Vec<Points<'_>> {
+    /// The tables over temperature that a run with or without heat reads.
+    fn tables_over_temperature(&self, heat: bool) -> Vec<Points<'_>> {
         let properties = &self.material.dependence;
         let mut tables: Vec<Points<'_>> = Vec::new();
         for (key, table) in [
@@ -42,7 +43,8 @@ impl Scene {
             ("material.thermal_conductivity", &properties.thermal_conductivity),
             ("material.thermal_expansion", &properties.thermal_expansion),
         ] {
-            tables.extend(table.iter().map(|table| (key, &table.temperature[..], &table.value[..])));
+            let table = table.as_ref().filter(|_| heat || key == "material.youngs_modulus");
+            tables.extend(table.map(|table| (key, &table.temperature[..], &table.value[..])));
         }
         let film = match &self.interface.law {
             FrictionLaw::BriscoeTabor { film_softening, .. } => film_softening,
@@ -71,19 +73,26 @@ mod tests {
         let scene = |temperature| of_preset("steel-4340", &[law[0], law[1], film, table, temperature]);
         // 298 K are within the margin of both.
         let cold = scene("loading.temperature=298");
-        assert!(cold.outside_tables(605.0).is_empty());
-        let [only] = &cold.outside_tables(700.0)[..] else { panic!() };
+        assert!(cold.outside_tables(605.0, true).is_empty());
+        let [only] = &cold.outside_tables(700.0, true)[..] else { panic!() };
         assert!(
             only.contains("reaches 700 K") && only.contains("interface.film_softening, 300 to 600 K"),
             "{only}"
         );
-        assert_eq!(cold.outside_tables(900.0).len(), 2);
-        let hot = scene("loading.temperature=650").outside_tables(660.0);
+        assert_eq!(cold.outside_tables(900.0, true).len(), 2);
+        let hot = scene("loading.temperature=650").outside_tables(660.0, true);
         assert!(
             hot.len() == 1 && hot[0].starts_with("the initial temperature of 650 K is outside"),
             "{hot:?}"
         );
         let constant = film.replace("600], factor=[1.0, 0.2]", "600, 700], factor=[1.0, 0.2, 0.2]");
-        assert!(of_preset("steel-4340", &[law[0], law[1], &constant]).outside_tables(900.0).is_empty());
+        let without_strength = film.replace("0.2]", "0]");
+        for film in [constant, without_strength] {
+            let scene = of_preset("steel-4340", &[law[0], law[1], &film]);
+            assert!(scene.outside_tables(900.0, true).is_empty(), "{film}");
+        }
+        // Without heat no thermal property is read.
+        let heatless = of_preset("steel-4340", &[table, "loading.temperature=900"]);
+        assert_eq!([false, true].map(|heat| heatless.outside_tables(900.0, heat).len()), [0, 1]);
     }
 }

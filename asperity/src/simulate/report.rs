@@ -157,7 +157,12 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     if scene.highest_temperature().is_none() {
         warnings.extend(melting.map(|melting| Warning::AboveMelting { highest, melting }));
     }
-    warnings.extend(scene.outside_tables(highest).into_iter().map(Warning::OutsideTable));
+    warnings.extend(
+        scene
+            .outside_tables(highest, runner.conditions.heat.is_coupled())
+            .into_iter()
+            .map(Warning::OutsideTable),
+    );
     if stopped {
         warnings.push(Warning::StoppedBeforeRefinement);
     }

@@ -133,6 +133,10 @@ pub enum Warning {
         .constants.join(", ")
     )]
     TablesDiffer { key: String, constants: Vec<String> },
+    #[error(
+        "uncertainty.{key}: varied in one direction only, to first order: in the other the slip rates are outside the table"
+    )]
+    OneSided { key: &'static str },
     #[error("cells without results, interpolated around: {}", .cells.join("; "))]
     CellsInterpolated { cells: Vec<String> },
     #[error(
@@ -186,6 +190,7 @@ impl Warning {
                 | Self::Topography(_)
                 | Self::MaterialUnused { .. }
                 | Self::TablesDiffer { .. }
+                | Self::OneSided { .. }
                 | Self::PoissonRatioOfChangEtsionBogy { .. }
         )
     }

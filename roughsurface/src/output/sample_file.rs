@@ -42,7 +42,9 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
         let states = samples.states.iter().flatten();
         let values: Vec<f64> = states.clone().flatten().map(of).collect();
         file.reals(name, &[row, "slip_rate", "realization"], &values, &described(unit, long_name))?;
-        let scatters: Vec<Scatter> = states.map(|surfaces| Scatter::of(surfaces.iter().map(of))).collect();
+        // No quantity of a surface that slides is negative.
+        let scatters: Vec<Scatter> =
+            states.map(|surfaces| Scatter::of(surfaces.iter().map(of)).not_negative()).collect();
         for (statistic, words, of) in STATISTICS {
             let values: Vec<f64> = scatters.iter().map(of).collect();
             let attributes = described(unit, &format!("{words} {long_name}"));

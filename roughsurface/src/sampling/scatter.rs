@@ -41,7 +41,9 @@ impl Scatter {
 
     /// The same of a quantity that is never negative.
     pub fn not_negative(self) -> Self {
-        Self { lower: self.lower.max(0.0), ..self }
+        // An unknown bound stays unknown.
+        let lower = if self.lower < 0.0 { 0.0 } else { self.lower };
+        Self { lower, ..self }
     }
 }
 
@@ -80,7 +82,8 @@ mod tests {
         // Counts of contacts are not negative.
         let few = Scatter::of([1.0, 2.0].into_iter());
         assert!(few.lower < -5.0 && few.not_negative() == Scatter { lower: 0.0, ..few }, "{few:?}");
-        assert!(Scatter::of(std::iter::empty()).mean.is_nan());
+        let none = Scatter::of(std::iter::empty());
+        assert!(none.mean.is_nan() && none.not_negative().lower.is_nan());
         assert!(Scatter::of([1.0].into_iter()).mean_error.is_nan());
     }
 

@@ -3,13 +3,15 @@
 //! Each parameter is varied by its standard deviation up and down, the prediction repeated, and half the
 //! difference taken; parameters are independent, so the squares add up. Results linear in the parameters
 //! over ± one standard deviation are exact. Constants of the material that a table was computed for are
-//! varied by another table, on one side only: first order instead of second.
+//! varied by another table, on one side only: first order instead of second; so are radii of which one side leaves
+//! the slip rates of the table.
 
 use crate::friction::quantities::{QUANTITIES, Quantity};
 use crate::friction::warning::Warning;
 use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
+use tables::law::LookupError;
 use tables::table::comparison::request_differences;
 
 /// A parameter that was varied, and its standard deviation where the surface file states it.
@@ -79,6 +81,14 @@ pub enum UncertaintyError {
     Prediction { key: String, direction: &'static str, error: PredictionError },
 }
 
+impl UncertaintyError {
+    /// Whether the varied parameter takes a slip rate out of the table, as another radius does.
+    fn leaves_slip_rates(&self) -> bool {
+        let Self::Prediction { error, .. } = self else { return false };
+        matches!(error, PredictionError::Lookup(LookupError::SlipRateOutside { .. }))
+    }
+}
+
 /// Repeats the prediction `base` for the law called `table` with every uncertain parameter of
 /// `file` moved up and down, and with its other tables, around whose cells without results `interpolate_missing` says
 /// to interpolate.
@@ -118,9 +128,22 @@ pub fn propagate(
     };
     for uncertain in &file.uncertain {
         let key = uncertain.parameter.key;
-        let up = again(&file.varied(uncertain.parameter, uncertain.std)?, table, key, "raised")?;
-        let down = again(&file.varied(uncertain.parameter, -uncertain.std)?, table, key, "lowered")?;
-        propagated.add(VariedParameter { key: key.into(), std: Some(uncertain.std) }, &up, &down, 0.5);
+        let [up, down] =
+            [(uncertain.std, "raised"), (-uncertain.std, "lowered")].map(|(change, direction)| {
+                again(&file.varied(uncertain.parameter, change)?, table, key, direction)
+            });
+        let varied = VariedParameter { key: key.into(), std: Some(uncertain.std) };
+        match (up, down) {
+            (Ok(up), Err(error)) if error.leaves_slip_rates() => {
+                propagated.add(varied, &up, base, 1.0);
+                propagated.warnings.push(Warning::OneSided { key });
+            }
+            (Err(error), Ok(down)) if error.leaves_slip_rates() => {
+                propagated.add(varied, base, &down, 1.0);
+                propagated.warnings.push(Warning::OneSided { key });
+            }
+            (up, down) => propagated.add(varied, &up?, &down?, 0.5),
+        }
     }
     for (key, other) in &file.uncertain_tables {
         let up = again(file, &other.to_string_lossy(), key, "raised")?;

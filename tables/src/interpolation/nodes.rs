@@ -202,19 +202,21 @@ pub(super) fn blend(
     }))
 }
 
-/// [`bend_one`] of what `value` gives at the points around `place`; zero on a point.
-pub(super) fn bend(
+/// The same of one number, with its [`bend`], which is zero on a point.
+pub(super) fn blend_with_bend(
     axis: &[f64],
     place: Location,
     value: impl Fn(usize) -> Result<f64, Absent>,
-) -> Result<f64, Absent> {
+) -> Result<(f64, f64), Absent> {
     let Location { index, t } = place;
     if t <= ROUNDING || t >= 1.0 - ROUNDING {
-        return Ok(0.0);
+        return Ok((value(index + usize::from(t > 0.5))?, 0.0));
     }
     let inner = [value(index)?, value(index + 1)?];
     let outer = neighbours(axis, index, |i| value(i).ok());
-    Ok(bend_one(axis[index + 1] - axis[index], t, outer, inner))
+    let h = axis[index + 1] - axis[index];
+    let found = blend_one(h, t, outer, inner);
+    Ok((found, bend(h, t, outer, inner, found)))
 }
 
 /// What is known at the points before and after the interval from `index` on, with their distances from it.
@@ -299,10 +301,9 @@ pub(crate) fn blend_one(h: f64, t: f64, outer: Outer, inner: [f64; 2]) -> f64 {
     cubic(h, t, outer, inner)
 }
 
-/// Difference of [`blend_one`] to the straight line through the inner points. The parts of the two ends are added
-/// as if they had one sign: at an inflection they cancel, and the cubic is not more certain there.
-fn bend_one(h: f64, t: f64, outer: Outer, inner: [f64; 2]) -> f64 {
-    let value = blend_one(h, t, outer, inner);
+/// Difference of [`blend_one`], which is `value`, to the straight line through the inner points. Of logarithms the parts of
+/// the two ends are added as if they had one sign: at an inflection they cancel, and the cubic is not more certain there.
+fn bend(h: f64, t: f64, outer: Outer, inner: [f64; 2], value: f64) -> f64 {
     let Some((outer, inner)) = logarithms(outer, inner) else {
         return (value - (1.0 - t) * inner[0] - t * inner[1]).abs();
     };

@@ -2,13 +2,13 @@
 
 use super::hertz_limit::{BelowFirstRow, ElasticSphere, extrapolated};
 use super::interpolant::Place;
-use super::nodes::{Absent, FIELDS, bend, blend, ends};
+use super::nodes::{Absent, blend_with_bend, ends};
 use super::steffen::Location;
 use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
 
-/// Bound of the error of the cubic over its difference to linear interpolation ([`bend`]), which is of second order, the
+/// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the
 /// cubic of third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
 const OF_STRAIGHT: f64 = 0.5;
 
@@ -95,14 +95,14 @@ impl InterpolatedTable {
             let Estimate { value, error } = cell[quantity];
             if value.is_nan() { Err((i, j)) } else { Ok((quantity.above_origin(value, origin), error)) }
         };
-        let row = |i: usize| blend(rate_coordinate, rate, |j| at(i, j).map(|(value, _)| [value; FIELDS]));
-        let value = blend(log_interference, place, row)?[0];
-        let (mut error, mut bends) = (0.0, bend(log_interference, place, |i| Ok(row(i)?[0]))?);
+        let row = |i: usize| blend_with_bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0));
+        let (value, mut bends) = blend_with_bend(log_interference, place, |i| Ok(row(i)?.0))?;
+        let mut error = 0.0;
         for (i, share_i) in ends(place) {
             for (j, share_j) in ends(rate) {
                 error += share_i * share_j * at(i, j)?.1;
             }
-            bends += share_i * bend(rate_coordinate, rate, |j| Ok(at(i, j)?.0))?;
+            bends += share_i * row(i)?.1;
         }
         let included = self.metadata().interpolation_tolerance.is_some();
         let interpolation = if included { 0.0 } else { COVERAGE_FACTOR * OF_BOUND * OF_STRAIGHT * bends };

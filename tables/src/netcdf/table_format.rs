@@ -38,10 +38,10 @@ pub(super) const OVER_TEMPERATURE: [(RealAttribute, &str, &str); 3] = [
 const FILM_STRENGTH: OptionalAttribute = ("film_strength", |m| &mut m.film_strength);
 const PRESSURE_COEFFICIENT: OptionalAttribute = ("pressure_coefficient", |m| &mut m.pressure_coefficient);
 
-/// The same of a film, where there is one; older files lack them as variables.
+/// The same of a film or of Coulomb's law; older files lack them as variables.
 pub(super) const FILM_OVER_TEMPERATURE: [(OptionalAttribute, &str, &str); 2] = [
-    (FILM_STRENGTH, "Pa", "strength of the film without pressure at the initial temperature"),
-    (PRESSURE_COEFFICIENT, "1", "strength of the film over the pressure at the initial temperature"),
+    (FILM_STRENGTH, "Pa", "limit of the shear traction without pressure at the initial temperature"),
+    (PRESSURE_COEFFICIENT, "1", "growth of that limit with the pressure at the initial temperature"),
 ];
 
 /// A text of the metadata as a global attribute; the title is written by the dataset itself.

@@ -98,6 +98,7 @@ impl Slice {
     /// Points of the grid in words: consecutive interferences with the same slip rates together.
     fn blocks(&self, mut places: Vec<(usize, usize)>) -> Vec<String> {
         places.sort_unstable();
+        places.dedup();
         // First and last interference, slip rates.
         let mut blocks: Vec<(usize, usize, Vec<usize>)> = Vec::new();
         for row in places.chunk_by(|one, next| one.0 == next.0) {

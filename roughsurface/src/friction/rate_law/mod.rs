@@ -95,7 +95,8 @@ impl RateLaw {
     /// Why law and data do not agree or its parameters are not determined; none of a reliable law.
     pub fn doubt(&self) -> Option<Doubt> {
         if self.criterion.is_nan() {
-            Some(Doubt::FewSlipRates(self.form.parameters() + 3))
+            let parameters = self.form.parameters();
+            Some(Doubt::FewSlipRates { parameters, least: parameters + 3 })
         } else if self.r_squared < 0.99 {
             Some(Doubt::Misfit(self.r_squared))
         } else if self.velocity.value > self.fastest {
@@ -111,8 +112,8 @@ impl RateLaw {
 /// Why a law is not reliable.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Doubt {
-    #[error("{0} slip rates or more are needed to judge a form of as many parameters")]
-    FewSlipRates(usize),
+    #[error("a law of {parameters} parameters is judged from {least} slip rates on")]
+    FewSlipRates { parameters: usize, least: usize },
     #[error("R2 = {0:.4} is below 0.99")]
     Misfit(f64),
     /// Where V ≪ V*, μ is μ_0 [1 − (V/V*)^n].

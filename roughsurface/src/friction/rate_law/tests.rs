@@ -143,7 +143,10 @@ fn flash_heating_comes_back_from_its_curve_and_is_flagged_elsewhere() {
         assert!((fitted.plateau.value - 0.15).abs() < 1e-6);
         assert!((fitted.velocity.value - 0.2).abs() < 1e-6);
         // Three parameters pass through any three points.
-        assert_eq!(fitted.doubt(), (rates.len() == 3).then_some(Doubt::FewSlipRates(6)));
+        assert_eq!(
+            fitted.doubt(),
+            (rates.len() == 3).then_some(Doubt::FewSlipRates { parameters: 3, least: 6 })
+        );
     }
     let beyond = [1.0, 2.0, 4.0, 8.0];
     assert_eq!(choose(&beyond, &exact(&beyond, flash_heating)).flash_heating, Err(NoFit::OnsetOutside));

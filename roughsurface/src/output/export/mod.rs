@@ -63,7 +63,7 @@ pub enum ExportError {
     #[error("{path}: mu is not known at {pressure:e} Pa and {slip_rate} m/s")]
     NoFriction { path: String, pressure: f64, slip_rate: f64 },
     #[error(
-        "{path}: no rate law is fitted at {pressure:e} Pa: {reason}; without --law the values computed are exported"
+        "{path}: no rate law is fitted at {pressure:e} Pa{reason}; without --law the values computed are exported"
     )]
     NoLaw { path: String, pressure: f64, reason: String },
     #[error("{path}: not a result of `roughsurface predict`, which is exported")]
@@ -146,7 +146,7 @@ impl FrictionTable {
     fn read_one(path: &Path) -> Result<Self, ExportError> {
         let shown = path.display().to_string();
         let file = DatasetReader::open(path)?;
-        if file.has("mu") && file.shape("mu")?.len() > 2 {
+        if file.has("realization") {
             return Err(ExportError::Samples { path: shown });
         }
         if file.has("separation") && file.shape("separation")?.len() == 1 {
@@ -219,7 +219,7 @@ impl FrictionTable {
                 let no_law = |reason: &String| ExportError::NoLaw {
                     path: source.clone(),
                     pressure,
-                    reason: reason.clone(),
+                    reason: if reason.is_empty() { String::new() } else { format!(": {reason}") },
                 };
                 let (law, _) = law.as_ref().map_err(no_law)?;
                 let value = |rate: &f64| Estimate {
