@@ -256,6 +256,27 @@ asperity_density = 1e7
         assert!(found(false).unwrap_err().to_string().contains("no convergence"));
     }
 
+    /// A larger sphere takes 10 m/s out of the table, which has V·R up to 10 m/s times 1 mm.
+    #[test]
+    fn a_radius_at_the_end_of_the_slip_rates_is_varied_in_one_direction() {
+        let change = |slip_rate: f64| {
+            let text = format!(
+                "surface = {{ asperity_density = 1e8, asperity_radius = 1e-3, heights = {{ distribution = \"gaussian\", std = 4e-7 }} }}\n\
+                 query = {{ pressure = [1e6], slip_rate = [{slip_rate:?}] }}\nuncertainty = {{ asperity_radius = 2e-5 }}\n"
+            );
+            let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
+            let law = LawSource::open("steel-4340", None, None, false).unwrap().law;
+            let settings = Settings::default();
+            let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
+            let found = propagate(&file, ("steel-4340", false), &base, &settings, &|_, _| ()).unwrap();
+            (found.contributions[0][0][0], found.warnings)
+        };
+        let ((both, none), (one, warnings)) = (change(9.7), change(10.0));
+        assert!(none.is_empty());
+        assert_eq!(warnings, [Warning::OneSided { key: "asperity_radius" }]);
+        assert!(both != 0.0 && (one / both - 1.0).abs() < 0.2, "{one} {both}");
+    }
+
     #[test]
     fn impossible_uncertainties_are_named() {
         let text = "

@@ -160,7 +160,7 @@ fn what_cannot_be_exported_is_refused() {
     let folder = folder();
     folder.refused("export friction.nc -o friction.mat", "ends in .inp for Abaqus");
     folder.refused("export friction.nc -o friction.nc", "ends in .inp");
-    folder.refused("export table.nc -o friction.csv", "table.nc");
+    folder.refused("export table.nc -o friction.csv", "not a result of `roughsurface predict`");
     folder.run_well("predict surface.toml --table table.nc --separation 1e-7 -o separations.nc --quiet");
     folder.refused("export separations.nc -o friction.csv", "query.pressure");
     folder.run_well(
