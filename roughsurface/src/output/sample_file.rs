@@ -42,9 +42,12 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
         let states = samples.states.iter().flatten();
         let values: Vec<f64> = states.clone().flatten().map(of).collect();
         file.reals(name, &[row, "slip_rate", "realization"], &values, &described(unit, long_name))?;
-        // No quantity of a surface that slides is negative.
-        let scatters: Vec<Scatter> =
-            states.map(|surfaces| Scatter::of(surfaces.iter().map(of)).not_negative()).collect();
+        let scatter = |surfaces: &Vec<SampledState>| {
+            let scatter = Scatter::of(surfaces.iter().map(of));
+            // The separation alone may be negative.
+            if unit == "m" { scatter } else { scatter.not_negative() }
+        };
+        let scatters: Vec<Scatter> = states.map(scatter).collect();
         for (statistic, words, of) in STATISTICS {
             let values: Vec<f64> = scatters.iter().map(of).collect();
             let attributes = described(unit, &format!("{words} {long_name}"));
