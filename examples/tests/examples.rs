@@ -78,7 +78,7 @@ fn the_slip_rate_lowers_sliding_friction_and_not_static_friction() {
     let folder = tempfile::tempdir().unwrap();
     let text = printed("slip_rate_effects", folder.path(), "figure.svg");
     let rows: Vec<&str> = text.lines().filter(|line| line.contains('±')).collect();
-    assert_eq!(rows.len(), 14, "{text}");
+    assert_eq!(rows.len(), 15, "{text}");
     for row in rows {
         let (fixed, fall, fall_error) = (number(row, 1), number(row, 4), number(row, 6));
         // Largest in the deepest contact, which warms the most before it slides.
@@ -97,7 +97,7 @@ fn static_friction_of_the_shipped_table_starts_at_the_elastic_limit() {
     let folder = tempfile::tempdir().unwrap();
     let text = printed("elastic_to_plastic", folder.path(), "figure.svg");
     let rows: Vec<&str> = text.lines().filter(|line| line.contains('±')).collect();
-    assert_eq!(rows.len(), 14, "{text}");
+    assert_eq!(rows.len(), 15, "{text}");
     for row in rows.iter().filter(|row| number(row, 0) < 1.0) {
         let (friction, error, limit) = (number(row, 1), number(row, 3), number(row, 4));
         // The limit excludes the friction-induced uplift, see `tables::interpolation::hertz_limit`.
