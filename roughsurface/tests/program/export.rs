@@ -168,5 +168,8 @@ fn what_cannot_be_exported_is_refused() {
     );
     folder.refused("export samples.nc -o friction.csv", "a result of `sample`");
     folder.run_well("predict surface.toml --table table.nc --slip-rate 1 -o one.nc --quiet");
-    folder.refused("export one.nc -o friction.csv --law", "no rate law is fitted at 1e5 Pa");
+    folder.refused(
+        "export one.nc -o friction.csv --law",
+        "no rate law is fitted at 1e5 Pa: at least 3 slip rates",
+    );
 }

@@ -8,8 +8,8 @@ use super::{Interpolant, InterpolatedTable};
 use crate::law::{Estimate, LookupError};
 use crate::quantity::{COVERAGE_FACTOR, ElasticLimit, OF_BOUND, Quantity};
 
-/// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the
-/// cubic of third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
+/// Bound of the error of the cubic over its difference to linear interpolation, which is of second order, the cubic of
+/// third. Tables of twice the intervals need no more: see `omitted_points_lie_within_the_stated_errors`.
 const OF_STRAIGHT: f64 = 0.5;
 
 impl InterpolatedTable {

@@ -255,7 +255,8 @@ impl<'a> Slide<'a> {
         Ok(())
     }
 
-    /// Shortens the next increment after a failed one; `failures` is the number of those that followed an increment that was taken.
+    /// Shortens the next increment after a failed one; `failures` is the number of those that followed an increment that was
+    /// taken.
     fn cut_back(
         &mut self,
         control: &mut StepControl,

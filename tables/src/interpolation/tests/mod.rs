@@ -333,3 +333,22 @@ fn a_rise_from_zero_is_that_of_a_moving_disc() {
     }
     assert!((read(0.25, 5.0) - 7.5).abs() < 1e-12 && (read(0.25, 1.2) - 15.0).abs() < 1e-12);
 }
+
+/// In the middle of an interval, of logarithms of the values.
+#[test]
+fn the_bend_does_not_vanish_at_an_inflection() {
+    let middle = |logarithms: [f64; 4]| {
+        let place = Location { index: 1, t: 0.5 };
+        let (value, bend) =
+            super::nodes::blend_with_bend(&[0.0, 1.0, 2.0, 3.0], place, |i| Ok(logarithms[i].exp())).unwrap();
+        let straight = 0.5 * (logarithms[1] + logarithms[2]);
+        (value.ln() - straight, bend / value)
+    };
+    // A power law, a curve of one sign, and one that turns over at the place.
+    let (off, bend) = middle([0.0, 1.0, 2.0, 3.0]);
+    assert!(off.abs() < 1e-14 && bend.abs() < 1e-14, "{off} {bend}");
+    let (off, bend) = middle([0.0, 1.0, 1.8, 2.4]);
+    assert!(off > 0.01 && (bend / off - 1.0).abs() < 1e-12, "{off} {bend}");
+    let (off, bend) = middle([0.0, 0.2, 1.8, 2.0]);
+    assert!(off.abs() < 1e-14 && bend > 0.2, "{off} {bend}");
+}
