@@ -204,8 +204,9 @@ mod tests {
 
     #[test]
     fn a_warning_of_neighbouring_cells_names_their_ranges() {
-        let mut slice = Slice::new(axes(), Metadata::default()).unwrap();
-        let warned = [(0, 1), (0, 2), (1, 1), (1, 2)];
+        let axes = Axes { interference: vec![1.0, 2.0, 3.0, 4.0], ..axes() };
+        let mut slice = Slice::new(axes, Metadata::default()).unwrap();
+        let warned = [(0, 1), (0, 2), (1, 1), (1, 2), (3, 1), (3, 2)];
         for (i, j) in slice.grid() {
             let mut cell = cell(0.3);
             cell.warnings.extend(warned.contains(&(i, j)).then(|| "hot".to_owned()));
@@ -213,7 +214,8 @@ mod tests {
             slice.set_cell(i, j, cell).unwrap();
         }
         let odd = "odd [1 omega_c at 0 m/s; 1 omega_c at 1 m/s; 2 omega_c at 0.5 m/s]";
-        assert_eq!(slice.warnings(), [odd, "hot [1 to 2 omega_c at 0.5 to 1 m/s]"]);
+        let hot = "hot [1 to 2 omega_c at 0.5 to 1 m/s; 4 omega_c at 0.5 to 1 m/s]";
+        assert_eq!(slice.warnings(), [odd, hot]);
     }
 
     #[test]
