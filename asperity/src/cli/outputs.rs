@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use tables::figures::Figure;
 use tables::netcdf::program::{Failure, save};
-use tables::netcdf::{check_outputs, probe};
+use tables::netcdf::{check_results, probe};
 use tables::table::Table;
 
 /// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is
@@ -13,7 +13,7 @@ pub fn check(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), 
     for (_, plot) in outputs.iter().filter(|(role, _)| *role == PLOT) {
         Figure::check_extension(plot).map_err(Failure::input)?;
     }
-    check_outputs(inputs, outputs).map_err(Failure::input)
+    check_results(inputs, outputs).map_err(Failure::input)
 }
 
 /// Role of the file that the results are written to.

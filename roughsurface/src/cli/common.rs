@@ -45,9 +45,16 @@ pub type Roles<'a> = [(&'a str, Option<&'a Path>)];
 
 /// Refuses outputs that cannot be written, and those that are an input or another output.
 pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
-    let outputs: Vec<(&str, &Path)> =
-        outputs.iter().filter_map(|(role, path)| path.map(|path| (*role, path))).collect();
-    netcdf::check_outputs(inputs, &outputs).map_err(Failure::input)
+    netcdf::check_outputs(inputs, &given(outputs)).map_err(Failure::input)
+}
+
+/// The same of results, which are no surface files.
+pub fn check_results(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
+    netcdf::check_results(inputs, &given(outputs)).map_err(Failure::input)
+}
+
+fn given<'a>(outputs: &Roles<'a>) -> Vec<(&'a str, &'a Path)> {
+    outputs.iter().filter_map(|(role, path)| path.map(|path| (*role, path))).collect()
 }
 
 /// A query that the table does not cover is bad input; a separation that is not found is a failure of the run.

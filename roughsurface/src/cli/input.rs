@@ -113,7 +113,7 @@ impl InputOptions {
         let mut inputs: Vec<(&str, &Path)> = vec![(role, &self.surface)];
         let table = self.table.as_deref().map(Path::new).filter(|table| table.exists());
         inputs.extend(table.map(|table| ("--table", table)));
-        check_outputs(&inputs, outputs)?;
+        check_results(&inputs, outputs)?;
         let measured = match topography {
             true => Some(self.topography.characterize(&self.surface, false)?),
             false => self.topography.refuse(&self.surface).map(|()| None)?,
@@ -121,7 +121,7 @@ impl InputOptions {
         let file = self.surface_file(measured.as_ref(), others).map_err(Failure::input)?;
         let tables = file.uncertain_tables.iter().map(|(_, table)| ("a table of the surface file", &**table));
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
-        check_outputs(&tables.chain(heights).collect::<Vec<_>>(), outputs)?;
+        check_results(&tables.chain(heights).collect::<Vec<_>>(), outputs)?;
 
         Case::open(file, measured, self.table(), self.allow_missing).map_err(Failure::input)
     }

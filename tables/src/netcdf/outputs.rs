@@ -14,6 +14,18 @@ pub enum OutputError {
     Same(#[from] SameFile),
     #[error("{path}: cannot be written: {reason}")]
     Unwritable { path: String, reason: String },
+    #[error("{path}: files named .toml are scenes, requests and surfaces; results need another extension")]
+    InputName { path: String },
+}
+
+/// [`check_outputs`] of results: a slip of the keyboard shall not replace a scene, a request or a surface.
+pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
+    let is_input =
+        |place: &Path| place.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+    match outputs.iter().find(|(_, output)| is_input(&destination(output))) {
+        Some((_, output)) => Err(OutputError::InputName { path: output.display().to_string() }),
+        None => check_outputs(inputs, outputs),
+    }
 }
 
 /// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is
@@ -92,6 +104,16 @@ pub fn save<E: Display>(output: &Path, write: impl Fn(&Path) -> Result<(), E>) -
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn results_are_not_named_like_inputs() {
+        for name in ["scene.toml", "other.TOML"] {
+            let refused = check_results(&[], &[("--output", Path::new(name))]).unwrap_err().to_string();
+            assert!(refused.starts_with(&format!("{name}: files named .toml")), "{refused}");
+            check_outputs(&[], &[("--output", Path::new(name))]).unwrap();
+        }
+        check_results(&[], &[("--output", Path::new("toml.nc")), ("--plot", Path::new("toml"))]).unwrap();
+    }
 
     #[test]
     fn standard_output_is_no_place_for_a_file() {

@@ -1,9 +1,11 @@
 //! Sliding inception: the first state in which less than 1 % of the contact area sticks, or the tangential stiffness
 //! dQ/ds is below 1 % of its first value, whichever comes first.
 //!
-//! Friction and load are those of that state. By the first criterion slip and G are those of full mobilisation of the
-//! shear strength ([`super::mobilisation`]): an error of the slip appears in G up to 6.6 times, and the slip at which the last
-//! points stick depends on mesh and angles.
+//! Friction and load are those of the largest friction up to that state: where heat takes the strength of the interface before
+//! the last points slip, what is left of it at full slip depends on the increments. By the first criterion slip and G are those
+//! of full mobilisation of the shear strength ([`super::mobilisation`]): an error of the slip appears in G up to 6.6 times, and
+//! the slip at which the last points stick depends on mesh and angles. If friction falls faster than the contact unloads
+//! elastically, −dQ/ds > dQ/ds(0), the contact slips as a whole; slip and G are then those of the largest friction too.
 //!
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
 //! inception bracket Q is not smooth, as single points begin to slip.
@@ -42,6 +44,8 @@ pub struct Inception {
     pub load: f64,
     /// (work of the flat − change of elastic energy)/A.
     pub energy_release: f64,
+    /// Whether the contact slipped as a whole.
+    at_once: bool,
     /// Uncertainty of friction between the two states around inception; of slip and G, 0 at full mobilisation.
     pub friction_bracket: f64,
     pub slip_bracket: f64,
@@ -52,8 +56,8 @@ pub struct Inception {
 pub fn inception(history: &[SlideState]) -> Inception {
     let first = inception_at(history, STIFFNESS_SHARE);
     let mobilised = match first.criterion {
-        InceptionCriterion::FullSlip => slip_of_full_mobilisation(history),
-        InceptionCriterion::Stiffness | InceptionCriterion::None => None,
+        InceptionCriterion::FullSlip if !first.at_once => slip_of_full_mobilisation(history),
+        _ => None,
     };
     let found = match mobilised {
         Some(slip) => {
@@ -123,18 +127,21 @@ impl Inception {
         }
     }
 
-    /// With the uncertainties of a contact that alternately sticks and slips.
+    /// With the uncertainties of a contact that sticks again and then has more friction than before.
     fn with_stick_slip(self, history: &[SlideState]) -> Self {
         let Some([first, last]) = stick_slip(history) else { return self };
         let within = history.iter().filter(|state| (first..=last).contains(&state.slip));
+        let again = within.skip_while(|state| state.stick_fraction <= STICKS_AGAIN);
+        let largest = again.map(|state| state.friction).fold(f64::NEG_INFINITY, f64::max);
+        if largest <= self.friction {
+            return self;
+        }
         let release = energy_release(history);
         let distance = |value: f64, other: f64| (value - other).abs();
         let of_ends =
             |value: f64, at: &dyn Fn(f64) -> f64| distance(value, at(first)).max(distance(value, at(last)));
         Self {
-            friction_bracket: within
-                .map(|state| distance(self.friction, state.friction))
-                .fold(self.friction_bracket, f64::max),
+            friction_bracket: (largest - self.friction).max(self.friction_bracket),
             slip_bracket: of_ends(self.slip, &|slip| slip).max(self.slip_bracket),
             energy_bracket: of_ends(self.energy_release, &|slip| release.value(slip))
                 .max(self.energy_bracket),
@@ -152,15 +159,49 @@ impl Inception {
             _ => 0.5,
         };
         let release = energy_release(&history[..=n]);
-        Self {
+        let found = Self {
             criterion,
             slip,
             friction: state.friction,
             load: state.load,
             energy_release: release.value(slip),
+            at_once: false,
             friction_bracket: share * (high.friction - low.friction).abs(),
             slip_bracket: share * width,
             energy_bracket: share * (release.value(high.slip) - release.value(low.slip)).abs(),
+        };
+        let earlier = (1..n).filter(|&m| history[m].slip < slip);
+        match earlier.max_by(|&a, &b| history[a].friction.total_cmp(&history[b].friction)) {
+            Some(peak) if history[peak].friction > found.friction => found.at_peak(&history[..=n], peak),
+            _ => found,
+        }
+    }
+
+    /// With friction and load of the largest friction, state number `peak`; with its slip and G if the contact then slips as a
+    /// whole. What they would grow by until the next state, as since the state before, is the width of their uncertainty.
+    fn at_peak(self, history: &[SlideState], peak: usize) -> Self {
+        let [before, state, after] = [peak - 1, peak, peak + 1].map(|n| history[n]);
+        let secant = |from: SlideState, to: SlideState| (to.friction - from.friction) / (to.slip - from.slip);
+        let width = after.slip - state.slip;
+        let found = Self {
+            friction: state.friction,
+            load: state.load,
+            friction_bracket: 0.5 * width * secant(before, state),
+            ..self
+        };
+        if -secant(state, after) <= secant(history[0], history[1]) {
+            return found;
+        }
+        let release = energy_release(&history[..=peak]);
+        let [earlier, energy_release] = [before, state].map(|state| release.value(state.slip));
+        let energy_bracket = 0.5 * width * (energy_release - earlier).abs() / (state.slip - before.slip);
+        Self {
+            slip: state.slip,
+            energy_release,
+            at_once: true,
+            slip_bracket: 0.5 * width,
+            energy_bracket,
+            ..found
         }
     }
 }
@@ -201,160 +242,4 @@ pub fn between(history: &[SlideState], slip: f64) -> SlideState {
 }
 
 #[cfg(test)]
-mod tests {
-    use tables::closed_forms::partial_slip::constant_shear;
-
-    use super::*;
-
-    /// Q = 1 − e^−s, that sticks throughout, in increments of a fiftieth of the slip but at least 0.02, and short ones
-    /// around s = 3, in which Q falls once by a little.
-    fn stepwise() -> Vec<SlideState> {
-        let mut slips = vec![0.0];
-        while *slips.last().expect("not empty") < 10.0 {
-            let slip: f64 = *slips.last().expect("not empty");
-            let increment = if (2.8..3.2).contains(&slip) { 0.01 } else { (0.02 * slip).max(0.02) };
-            slips.push(slip + increment);
-        }
-        let fallen = slips.iter().position(|&slip| slip > 3.0).expect("goes on past it");
-        let state = |(n, &slip): (usize, &f64)| {
-            let friction = 1.0 - (-slip).exp() - if n == fallen { 1e-3 } else { 0.0 };
-            SlideState { slip, friction, load: 1.0, area: 1.0, stick_fraction: 1.0, ..SlideState::default() }
-        };
-        slips.iter().enumerate().map(state).collect()
-    }
-
-    /// Savkoor's contact of unit strength, radius and slip δ_s, which sticks at the edge for longer than in its middle: slip
-    /// and G are those of the closed form, ∫Q ds = 1 − 4/(3π), friction that of the last point.
-    #[test]
-    fn slip_and_energy_are_those_of_full_mobilisation() {
-        let mut history: Vec<SlideState> = Vec::new();
-        for slip in
-            [0.0, 0.05, 0.1, 0.15, 0.2, 0.26, 0.34, 0.44, 0.57, 0.72, 0.86, 0.93, 0.98, 1.1, 1.2, 1.21]
-        {
-            let friction = constant_shear::force_fraction(slip);
-            let before = history.last().copied().unwrap_or_default();
-            let work = before.work + 0.25 * (slip - before.slip) * (friction + before.friction);
-            let stick_fraction = (1.0 - slip / 1.2).max(0.0);
-            let state = SlideState { slip, friction, work, stick_fraction, ..SlideState::default() };
-            history.push(SlideState { load: 2.0, area: 1.0, mobilised: friction, ..state });
-        }
-        let found = inception(&history);
-        assert_eq!((found.criterion, found.friction), (InceptionCriterion::FullSlip, 1.0));
-        assert!((found.slip - 1.0).abs() < 1e-3, "{found:?}");
-        let exact = constant_shear::energies_at_gross_slip().0;
-        assert!((found.energy_release / exact - 1.0).abs() < 3e-3, "{found:?} {exact}");
-        assert_eq!((found.slip_bracket, found.energy_bracket), (0.0, 0.0));
-    }
-
-    /// Of a stick area that falls linearly a tenth of the interval remains, of one that falls all at once half of it.
-    #[test]
-    fn inception_is_as_sure_as_the_stick_area_is_smooth() {
-        let slides = |fraction: fn(f64) -> f64| {
-            let at = |slip: f64| {
-                let work = slip * slip;
-                SlideState {
-                    slip,
-                    friction: slip,
-                    work,
-                    area: 1.0,
-                    stick_fraction: fraction(slip),
-                    ..SlideState::default()
-                }
-            };
-            inception(&[0.0, 0.4, 0.8, 0.95, 0.995].map(at))
-        };
-        let smooth = slides(|slip| 1.0 - slip);
-        assert_eq!(smooth.criterion, InceptionCriterion::FullSlip);
-        assert!((smooth.slip - 0.99).abs() < 1e-12, "{smooth:?}");
-        assert!((smooth.slip_bracket - 0.0045).abs() < 1e-12, "{smooth:?}");
-        // G = 2 s².
-        let change = 2.0 * (0.995f64.powi(2) - 0.95f64.powi(2));
-        assert!((smooth.energy_bracket - 0.1 * change).abs() < 1e-12, "{smooth:?}");
-        // The friction is the slip.
-        assert_eq!(smooth.friction_bracket, smooth.slip_bracket);
-        let sudden = slides(|slip| if slip < 0.96 { 1.0 } else { 0.0 });
-        assert!((sudden.slip_bracket - 0.0225).abs() < 1e-3, "{sudden:?}");
-    }
-
-    /// A contact whose stick area falls, recovers and falls again: any of the slips between may be its inception.
-    #[test]
-    fn a_contact_that_sticks_again_is_uncertain_by_the_slips_between() {
-        let history = |fractions: [f64; 8]| -> Vec<SlideState> {
-            let slips = [0.0, 0.3, 0.6, 0.9, 1.0, 1.1, 1.2, 1.5];
-            let at = |(slip, stick_fraction): (f64, f64)| {
-                let mobilised = 1.0 - stick_fraction;
-                let (friction, work) = (mobilised, 0.25 * slip);
-                SlideState {
-                    slip,
-                    friction,
-                    work,
-                    stick_fraction,
-                    mobilised,
-                    load: 1.0,
-                    area: 1.0,
-                    ..Default::default()
-                }
-            };
-            slips.into_iter().zip(fractions).map(at).collect()
-        };
-        let steady = history([1.0, 0.7, 0.4, 0.1, 0.0, 0.0, 0.0, 0.0]);
-        assert_eq!(stick_slip(&steady), None);
-        let again = history([1.0, 0.7, 0.4, 0.05, 0.0, 0.3, 0.0, 0.0]);
-        assert_eq!(stick_slip(&again), Some([0.9, 1.1]));
-        let found = inception(&again);
-        assert_eq!(found.criterion, InceptionCriterion::FullSlip);
-        assert_eq!(found.slip_bracket, (found.slip - 0.9).abs().max((found.slip - 1.1).abs()));
-        // Friction is interpolated to a stick area of 1 %, 0.99, and falls to 0.7.
-        assert!((found.friction_bracket - 0.29).abs() < 1e-12, "{found:?}");
-        // What sticks after another motion has begun is another inception.
-        let mut stopped = again;
-        stopped[5..].iter_mut().for_each(|state| state.step = 1);
-        assert_eq!(stick_slip(&stopped), None);
-    }
-
-    /// All points slip radially in the first increment, and stick again before they slide.
-    #[test]
-    fn slip_of_the_tractions_of_the_press_is_no_inception() {
-        let at = |(slip, stick_fraction, transverse): (f64, f64, f64)| SlideState {
-            slip,
-            friction: slip,
-            load: 1.0,
-            area: 1.0,
-            stick_fraction,
-            transverse,
-            ..SlideState::default()
-        };
-        let history =
-            [(0.0, 1.0, 1.0), (0.01, 0.0, 0.95), (0.4, 0.4, 0.6), (0.9, 0.11, 0.1), (1.0, 0.0, 0.01)].map(at);
-        let found = inception(&history);
-        assert_eq!(found.criterion, InceptionCriterion::FullSlip);
-        assert!((found.slip - (0.9 + 0.1 / 1.1)).abs() < 1e-12, "{found:?}");
-    }
-
-    #[test]
-    fn sliding_begins_where_the_stiffness_has_fallen_for_good() {
-        let history = stepwise();
-        let steps_back = history.windows(2).filter(|pair| pair[1].friction < pair[0].friction).count();
-        assert_eq!(steps_back, 1);
-        let found = inception(&history);
-        assert_eq!(found.criterion, InceptionCriterion::Stiffness);
-        // e^−s is a hundredth of what it is in the middle of the first increment; the secant over a fifth of the slip
-        // is that in its middle up to (0.22·5.2)²/24 = 5.5 % (the span ends at 5.2), so the slip up to 0.055.
-        let exact = 100f64.ln() + 0.01;
-        assert!((found.slip - exact).abs() < 0.055, "{} for {exact}", found.slip);
-    }
-    /// The stiffness falls to 10, 5 and 2 % of e^−0.01, that in the middle of the first increment, at −ln 0.1 and so on.
-    #[test]
-    fn other_thresholds_are_passed_earlier() {
-        let history = stepwise();
-        let others = inception(&history).by_other_thresholds(&history);
-        for (found, share) in others.iter().zip(OTHER_STIFFNESS_SHARES) {
-            let exact = 0.01 - share.ln();
-            assert!((found.slip - exact).abs() < 0.055, "{share}: {} for {exact}", found.slip);
-        }
-        assert_eq!(others.len(), OTHER_STIFFNESS_SHARES.len());
-        let without_stick = |state: &SlideState| SlideState { stick_fraction: 0.0, ..*state };
-        let slipping: Vec<_> = history.iter().map(without_stick).collect();
-        assert!(inception(&slipping).by_other_thresholds(&slipping).is_empty());
-    }
-}
+mod tests;
