@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
-use tables::netcdf::{check_results, write_atomically};
+use tables::netcdf::{check_outputs, write_atomically};
 
 use crate::errors;
 
@@ -17,7 +17,7 @@ pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>) -> PyResult<()> {
 /// The same of several files with their roles.
 pub fn distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> PyResult<()> {
     let file = outputs.first().map(|(_, path)| path.display().to_string());
-    check_results(inputs, outputs).map_err(|error| errors::input(&error, file.as_deref(), None, &error))
+    check_outputs(inputs, outputs).map_err(|error| errors::input(&error, file.as_deref(), None, &error))
 }
 
 /// Writes a file that appears whole or not at all.

@@ -88,15 +88,20 @@ fn control(text: &str) -> Result<LoadingControl, String> {
 }
 
 impl QueryOptions {
-    fn overrides(&self) -> Vec<Override> {
+    fn overrides(&self) -> Result<Vec<Override>, Failure> {
         let Self { pressure, separation, slip_rate, .. } = self;
-        let mut overrides = self.set.clone();
-        overrides.extend(query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref()));
+        let mut overrides = query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref());
         overrides.extend(self.hold.map(|control| query_key("hold", control)));
         overrides.extend(self.contact_life.map(|life| query_key("contact_life", life)));
         overrides.extend(self.interaction.iter().map(|kind| query_key("interaction", kind)));
         overrides.extend(self.nominal_size.map(|size| query_key("nominal_size", size)));
-        overrides
+        match self.set.iter().find(|set| overrides.iter().any(|option| option.path == set.path)) {
+            Some(twice) => Err(Failure::input(format!(
+                "--set {}: an option of the command replaces this key; leave out one of the two",
+                twice.key()
+            ))),
+            None => Ok([&self.set[..], &overrides].concat()),
+        }
     }
 }
 
@@ -118,7 +123,8 @@ impl InputOptions {
             true => Some(self.topography.characterize(&self.surface, false)?),
             false => self.topography.refuse(&self.surface).map(|()| None)?,
         };
-        let file = self.surface_file(measured.as_ref(), others).map_err(Failure::input)?;
+        let overrides = [self.query.overrides()?, others].concat();
+        let file = self.surface_file(measured.as_ref(), &overrides).map_err(Failure::input)?;
         let tables = file.uncertain_tables.iter().map(|(_, table)| ("a table of the surface file", &**table));
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
         check_results(&tables.chain(heights).collect::<Vec<_>>(), outputs)?;
@@ -129,12 +135,11 @@ impl InputOptions {
     fn surface_file(
         &self,
         measured: Option<&Characterization>,
-        others: Vec<Override>,
+        overrides: &[Override],
     ) -> Result<SurfaceFile, SurfaceFileError> {
-        let overrides = [self.query.overrides(), others].concat();
         match measured {
-            Some(found) => surface_of(found, &self.surface, &overrides),
-            None => SurfaceFile::read_with(&self.surface, &overrides),
+            Some(found) => surface_of(found, &self.surface, overrides),
+            None => SurfaceFile::read_with(&self.surface, overrides),
         }
     }
 }

@@ -121,6 +121,7 @@ fn median(values: &mut [f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::characterize::{Options, characterize};
     use super::super::synthetic::SelfAffine;
     use super::*;
 
@@ -153,6 +154,10 @@ mod tests {
         };
         for (lengths, heights) in [(1e6, 1e6), (1.0, 1e6), (1e6, 1.0), (1.0, 1e-6)] {
             assert!(units(&scaled(lengths, heights)).is_some());
+        }
+        for heights in [1e6, 1e200] {
+            let refused = characterize(scaled(1.0, heights), &Options::default()).unwrap_err();
+            assert!(refused.contains("heights and positions are in different units"), "{refused}");
         }
     }
 

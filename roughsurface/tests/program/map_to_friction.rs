@@ -128,6 +128,11 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
         ("--pressure 1e7..1e5", "must be above"),
         ("--set query.presure=1", "did you mean pressure?"),
         ("--set pressure", "section.key=value"),
+        (
+            "--set query.pressure=1e5 --separation 0",
+            "--set query.pressure: an option of the command replaces",
+        ),
+        ("--set query.hold=load --hold load", "leave out one of the two"),
         ("--hold still", "must be load or separation"),
         ("--cutoff 1um", "--cutoff is for a topography; s.toml is a surface file"),
     ] {

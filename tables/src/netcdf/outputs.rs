@@ -22,9 +22,10 @@ pub enum OutputError {
 pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     let is_input =
         |place: &Path| place.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+    check_outputs(inputs, outputs)?;
     match outputs.iter().find(|(_, output)| is_input(&destination(output))) {
         Some((_, output)) => Err(OutputError::InputName { path: output.display().to_string() }),
-        None => check_outputs(inputs, outputs),
+        None => Ok(()),
     }
 }
 
