@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
-use tables::netcdf::{check_outputs, write_atomically};
+use tables::netcdf::{OutputError, check_outputs, check_results, write_atomically};
 
 use crate::errors;
 
@@ -11,13 +11,18 @@ use crate::errors;
 #[pyfunction]
 pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>) -> PyResult<()> {
     let inputs: Vec<(&str, &Path)> = inputs.iter().map(|path| ("an input of the result", &**path)).collect();
-    distinct(&inputs, &[("the output", &output)])
+    let outputs = [("the output", &*output)];
+    refused(check_outputs(&inputs, &outputs), &outputs)
 }
 
-/// The same of several files with their roles.
+/// The same of the files of a table with their roles.
 pub fn distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> PyResult<()> {
+    refused(check_results(inputs, outputs), outputs)
+}
+
+fn refused(checked: Result<(), OutputError>, outputs: &[(&str, &Path)]) -> PyResult<()> {
     let file = outputs.first().map(|(_, path)| path.display().to_string());
-    check_outputs(inputs, outputs).map_err(|error| errors::input(&error, file.as_deref(), None, &error))
+    checked.map_err(|error| errors::input(&error, file.as_deref(), None, &error))
 }
 
 /// Writes a file that appears whole or not at all.

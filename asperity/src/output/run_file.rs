@@ -202,12 +202,13 @@ fn flags(file: &mut DatasetWriter, outcome: &Outcome) -> Result<(), DatasetError
         InceptionCriterion::FullSlip => 0,
         InceptionCriterion::Stiffness => 1,
         InceptionCriterion::None => 2,
+        InceptionCriterion::AtOnce => 3,
     };
     let yes_no = ["no", "yes"];
     #[rustfmt::skip]
     let flags: [(&str, &str, i8, &[&str]); 4] = [
         ("inception_criterion", "criterion of sliding inception that was met first", criterion,
-            &["full_slip", "stiffness", "none"]),
+            &["full_slip", "stiffness", "none", "at_once"]),
         ("levelled", "whether the friction coefficient is steady at the end of the slide",
             outcome.steady.into(), &yes_no),
         ("heat", "whether heat was simulated", account.heat.into(), &yes_no),

@@ -102,8 +102,8 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Q/P where the tangential stiffness dQ/ds has fallen to `share` of its first value, or where the last contact point
-    /// begins to slip, if that is earlier; nothing if the slide ends before.
+    /// Q/P of the largest friction until the tangential stiffness dQ/ds has fallen to `share` of its first value, or the last
+    /// contact point begins to slip, if that is earlier; nothing if the slide ends before.
     ///
     /// `mu_static` is that of a share of 0.01. Results of others in full stick have thresholds of their own.
     pub fn friction_at_stiffness(&self, share: f64) -> Option<f64> {

@@ -88,14 +88,16 @@ fn control(text: &str) -> Result<LoadingControl, String> {
 }
 
 impl QueryOptions {
-    fn overrides(&self) -> Result<Vec<Override>, Failure> {
+    /// Those of the options, after those of `--set`; `others` are of options that one command alone has.
+    fn overrides(&self, others: Vec<Override>) -> Result<Vec<Override>, Failure> {
         let Self { pressure, separation, slip_rate, .. } = self;
         let mut overrides = query_values(pressure.as_ref(), separation.as_ref(), slip_rate.as_ref());
         overrides.extend(self.hold.map(|control| query_key("hold", control)));
         overrides.extend(self.contact_life.map(|life| query_key("contact_life", life)));
         overrides.extend(self.interaction.iter().map(|kind| query_key("interaction", kind)));
         overrides.extend(self.nominal_size.map(|size| query_key("nominal_size", size)));
-        match self.set.iter().find(|set| overrides.iter().any(|option| option.path == set.path)) {
+        overrides.extend(others);
+        match self.set.iter().find(|set| overrides.iter().any(|option| set.path.starts_with(&option.path))) {
             Some(twice) => Err(Failure::input(format!(
                 "--set {}: an option of the command replaces this key; leave out one of the two",
                 twice.key()
@@ -113,6 +115,7 @@ impl InputOptions {
 
     /// Checks the outputs, and reads all inputs; `others` are keys that one command alone gives.
     pub fn read(&self, outputs: &Roles, others: Vec<Override>) -> Result<Case, Failure> {
+        let overrides = self.query.overrides(others)?;
         let topography = is_topography(&self.surface);
         let role = if topography { "the topography" } else { "the surface file" };
         let mut inputs: Vec<(&str, &Path)> = vec![(role, &self.surface)];
@@ -123,7 +126,6 @@ impl InputOptions {
             true => Some(self.topography.characterize(&self.surface, false)?),
             false => self.topography.refuse(&self.surface).map(|()| None)?,
         };
-        let overrides = [self.query.overrides()?, others].concat();
         let file = self.surface_file(measured.as_ref(), &overrides).map_err(Failure::input)?;
         let tables = file.uncertain_tables.iter().map(|(_, table)| ("a table of the surface file", &**table));
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));

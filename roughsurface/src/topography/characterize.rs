@@ -113,7 +113,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
     let moments = moments_at(cutoff);
     let slope = moments.m2.sqrt();
-    if !(slope <= VERTICAL) {
+    if slope.is_nan() || slope > VERTICAL {
         return Err(format!(
             "the rms slope of profiles is {slope:.1e}: heights and positions are in different units, or a height is \
              wrong; --unit and --pixel state those of a text or npy file"

@@ -133,6 +133,7 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
             "--set query.pressure: an option of the command replaces",
         ),
         ("--set query.hold=load --hold load", "leave out one of the two"),
+        ("--set query.rate_step.before=0.1 --rate-step 0.1..1", "leave out one of the two"),
         ("--hold still", "must be load or separation"),
         ("--cutoff 1um", "--cutoff is for a topography; s.toml is a surface file"),
     ] {

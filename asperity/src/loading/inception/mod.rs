@@ -10,10 +10,13 @@
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
 //! inception bracket Q is not smooth, as single points begin to slip.
 
+mod peak;
+
 use super::energy_release::energy_release;
 use super::mobilisation::slip_of_full_mobilisation;
 use super::state::{NO_STICK, SlideState};
 use crate::scene::fitted_constants::sliding_inception::STIFFNESS_SPAN;
+use peak::{falls_at_once, peak, rising};
 
 /// Sliding has begun when dQ/ds is below this share of its first value.
 const STIFFNESS_SHARE: f64 = 0.01;
@@ -30,6 +33,8 @@ pub enum InceptionCriterion {
     FullSlip,
     /// dQ/ds fell below 1 % of its initial value.
     Stiffness,
+    /// Either, as friction falls faster than the contact unloads elastically, which therefore slips as a whole.
+    AtOnce,
     /// Neither, up to the end of the slide.
     #[default]
     None,
@@ -44,8 +49,6 @@ pub struct Inception {
     pub load: f64,
     /// (work of the flat − change of elastic energy)/A.
     pub energy_release: f64,
-    /// Whether the contact slipped as a whole.
-    at_once: bool,
     /// Uncertainty of friction between the two states around inception; of slip and G, 0 at full mobilisation.
     pub friction_bracket: f64,
     pub slip_bracket: f64,
@@ -56,7 +59,7 @@ pub struct Inception {
 pub fn inception(history: &[SlideState]) -> Inception {
     let first = inception_at(history, STIFFNESS_SHARE);
     let mobilised = match first.criterion {
-        InceptionCriterion::FullSlip if !first.at_once => slip_of_full_mobilisation(history),
+        InceptionCriterion::FullSlip => slip_of_full_mobilisation(history),
         _ => None,
     };
     let found = match mobilised {
@@ -123,17 +126,19 @@ impl Inception {
             InceptionCriterion::Stiffness => {
                 OTHER_STIFFNESS_SHARES.map(|share| inception_at(history, share)).into()
             }
-            InceptionCriterion::FullSlip | InceptionCriterion::None => Vec::new(),
+            _ => Vec::new(),
         }
     }
 
     /// With the uncertainties of a contact that sticks again and then has more friction than before.
     fn with_stick_slip(self, history: &[SlideState]) -> Self {
         let Some([first, last]) = stick_slip(history) else { return self };
-        let within = history.iter().filter(|state| (first..=last).contains(&state.slip));
-        let again = within.skip_while(|state| state.stick_fraction <= STICKS_AGAIN);
+        let until = history.iter().position(|state| state.slip > last && state.slides());
+        let again = history[..until.map_or(history.len(), |n| n + 1)]
+            .iter()
+            .skip_while(|state| state.slip < first || state.stick_fraction <= STICKS_AGAIN);
         let largest = again.map(|state| state.friction).fold(f64::NEG_INFINITY, f64::max);
-        if largest <= self.friction {
+        if largest <= self.friction + self.friction_bracket {
             return self;
         }
         let release = energy_release(history);
@@ -165,42 +170,34 @@ impl Inception {
             friction: state.friction,
             load: state.load,
             energy_release: release.value(slip),
-            at_once: false,
             friction_bracket: share * (high.friction - low.friction).abs(),
             slip_bracket: share * width,
             energy_bracket: share * (release.value(high.slip) - release.value(low.slip)).abs(),
         };
-        let earlier = (1..n).filter(|&m| history[m].slip < slip);
-        match earlier.max_by(|&a, &b| history[a].friction.total_cmp(&history[b].friction)) {
-            Some(peak) if history[peak].friction > found.friction => found.at_peak(&history[..=n], peak),
-            _ => found,
+        if criterion == InceptionCriterion::None {
+            return found;
         }
+        peak(&history[..=n], slip, found.friction).map_or(found, |peak| found.at_peak(&history[..=n], peak))
     }
 
     /// With friction and load of the largest friction, state number `peak`; with its slip and G if the contact then slips as a
-    /// whole. What they would grow by until the next state, as since the state before, is the width of their uncertainty.
+    /// whole. What they would grow by until the next state, as before, is the width of their uncertainty.
     fn at_peak(self, history: &[SlideState], peak: usize) -> Self {
-        let [before, state, after] = [peak - 1, peak, peak + 1].map(|n| history[n]);
-        let secant = |from: SlideState, to: SlideState| (to.friction - from.friction) / (to.slip - from.slip);
-        let width = after.slip - state.slip;
-        let found = Self {
-            friction: state.friction,
-            load: state.load,
-            friction_bracket: 0.5 * width * secant(before, state),
-            ..self
-        };
-        if -secant(state, after) <= secant(history[0], history[1]) {
+        let (before, state, after) = (rising(history, peak), history[peak], history[peak + 1]);
+        let share = 0.5 * (after.slip - state.slip) / (state.slip - before.slip);
+        let friction_bracket = share * (state.friction - before.friction).max(0.0);
+        let found = Self { friction: state.friction, load: state.load, friction_bracket, ..self };
+        if !falls_at_once(history, peak) {
             return found;
         }
         let release = energy_release(&history[..=peak]);
         let [earlier, energy_release] = [before, state].map(|state| release.value(state.slip));
-        let energy_bracket = 0.5 * width * (energy_release - earlier).abs() / (state.slip - before.slip);
         Self {
+            criterion: InceptionCriterion::AtOnce,
             slip: state.slip,
             energy_release,
-            at_once: true,
-            slip_bracket: 0.5 * width,
-            energy_bracket,
+            slip_bracket: 0.5 * (after.slip - state.slip),
+            energy_bracket: share * (energy_release - earlier).abs(),
             ..found
         }
     }

@@ -105,44 +105,60 @@ fn a_contact_that_sticks_again_is_uncertain_by_the_slips_between() {
     let weaker = sticks_again(0.7);
     assert_eq!(stick_slip(&weaker), Some([0.9, 1.1]));
     assert_eq!(inception(&weaker), inception(&weaker[..5]));
+    // As the renewed stick ends, friction is above that of the first slip.
+    let mut after = weaker;
+    after[6].friction = 1.2;
+    assert!((inception(&after).friction_bracket - 0.21).abs() < 1e-12);
     // What sticks after another motion has begun is another inception.
     let mut stopped = again;
     stopped[5..].iter_mut().for_each(|state| state.step = 1);
     assert_eq!(stick_slip(&stopped), None);
 }
 
+/// A contact with Q = s and G = s²/2 up to s = 0.9, and then these slips, frictions and stick area fractions.
+fn sticking_until(later: &[(f64, f64, f64)]) -> Vec<SlideState> {
+    let at = |&(slip, friction, stick_fraction): &(f64, f64, f64)| SlideState {
+        slip,
+        friction,
+        work: 0.25 * slip * slip,
+        load: 2.0 - slip,
+        area: 1.0,
+        mobilised: 1.0 - 0.1 * stick_fraction.powf(1.5),
+        stick_fraction,
+        ..SlideState::default()
+    };
+    let first = [(0.0, 0.0, 1.0), (0.4, 0.4, 0.6), (0.6, 0.6, 0.4), (0.9, 0.9, 0.06)];
+    first.iter().chain(later).map(at).collect()
+}
+
 /// Friction that falls before the last points slip: static friction is the largest until then. If it falls faster than the
-/// contact unloads elastically (here by 1 per slip), slip and G are that of the largest friction, too, and uncertain by
-/// half of the increment after it; otherwise they are those of full mobilisation.
+/// contact unloads elastically, here by 1 per slip, slip and G are those of the largest friction, too, and uncertain by half of
+/// the increment after it; otherwise they are those of full mobilisation.
 #[test]
 fn static_friction_is_the_largest_until_the_contact_slips() {
-    let slides = |left: f64| {
-        let at = |(slip, friction, stick_fraction): (f64, f64, f64)| SlideState {
-            slip,
-            friction,
-            work: 0.25 * slip * slip,
-            load: 2.0 - slip,
-            area: 1.0,
-            mobilised: 1.0 - 0.1 * stick_fraction.powf(1.5),
-            stick_fraction,
-            ..SlideState::default()
-        };
-        let history = [(0.0, 0.0, 1.0), (0.4, 0.4, 0.6), (0.6, 0.6, 0.4), (0.9, 0.9, 0.06), (1.0, left, 0.0)];
-        inception(&history.map(at))
-    };
-    for (left, at_once) in [(0.81, false), (0.79, true)] {
-        let found = slides(left);
-        assert_eq!(found.criterion, InceptionCriterion::FullSlip);
-        assert_eq!((found.friction, found.load), (0.9, 1.1), "{left}");
-        assert!((found.friction_bracket - 0.5 * 0.1).abs() < 1e-12, "{found:?}");
-        assert_eq!(found.slip == 0.9, at_once, "{found:?}");
-        assert_eq!(found.slip_bracket > 0.0, at_once, "{found:?}");
+    use InceptionCriterion::{AtOnce, FullSlip};
+    for (later, criterion, width) in [
+        (&[(1.0, 0.81, 0.0)][..], FullSlip, 0.1),
+        (&[(1.0, 0.79, 0.0)], AtOnce, 0.1),
+        // dQ/ds has fallen below 1 % while 5 % of the area sticks.
+        (&[(1.0, 0.59, 0.05)], AtOnce, 0.1),
+        // The fall begins slowly.
+        (&[(0.91, 0.895, 0.04), (0.92, 0.8, 0.0)], AtOnce, 0.01),
+        // An increment too short for a slope.
+        (&[(0.901, 0.898, 0.05), (1.0, 0.89, 0.0)], FullSlip, 0.001),
+    ] {
+        let found = inception(&sticking_until(later));
+        assert_eq!((found.criterion, found.friction, found.load), (criterion, 0.9, 1.1), "{later:?}");
+        assert!((found.friction_bracket - 0.5 * width).abs() < 1e-12, "{found:?}");
+        assert_eq!(found.slip == 0.9, criterion == AtOnce, "{found:?}");
     }
-    let found = slides(0.79);
-    // Q = s and G = s²/2 up to the largest friction.
+    let found = inception(&sticking_until(&[(1.0, 0.79, 0.0)]));
     assert!((found.slip_bracket - 0.05).abs() < 1e-12, "{found:?}");
     assert!((found.energy_release - 0.5 * 0.81).abs() < 1e-12, "{found:?}");
     assert!((found.energy_bracket - 0.05 * 0.5 * (0.81 - 0.36) / 0.3).abs() < 1e-12, "{found:?}");
+    // A slide that ends within the fall has not begun to slide.
+    let found = inception(&sticking_until(&[(0.91, 0.85, 0.05)]));
+    assert_eq!((found.criterion, found.slip, found.friction), (InceptionCriterion::None, 0.91, 0.85));
 }
 
 /// All points slip radially in the first increment, and stick again before they slide.
@@ -162,6 +178,11 @@ fn slip_of_the_tractions_of_the_press_is_no_inception() {
     let found = inception(&history);
     assert_eq!(found.criterion, InceptionCriterion::FullSlip);
     assert!((found.slip - (0.9 + 0.1 / 1.1)).abs() < 1e-12, "{found:?}");
+    // A small fall is none at once, though the first increment had hardly any friction.
+    let mut falls = history;
+    (falls[1].friction, falls[4].friction) = (0.0, 0.89);
+    let found = inception(&falls);
+    assert_eq!((found.criterion, found.friction), (InceptionCriterion::FullSlip, 0.9));
 }
 
 #[test]

@@ -206,6 +206,7 @@ impl Display for InceptionCriterion {
         f.write_str(match self {
             Self::FullSlip => "less than 1 % of the contact area sticks",
             Self::Stiffness => "dQ/ds below 1 % of its initial value",
+            Self::AtOnce => "the contact slips as a whole: friction falls faster than it unloads",
             Self::None => "not reached",
         })
     }

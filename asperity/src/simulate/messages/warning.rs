@@ -101,8 +101,8 @@ impl Warning {
             }
             Self::StickSlip => {
                 "points that slip stick again before the contact slides, as where heat softens the interface faster than the \
-                 contact unloads, or where it hardens: mu_static is that of the largest friction until all points slip; G and \
-                 inception_slip depend on the increments"
+                 contact unloads, or where it hardens: mu_static is the largest friction up to sliding inception; G and \
+                 inception_slip, those of the first slip, depend on the increments"
             }
             Self::HardenedInterface => {
                 "the interface is as strong as the hardened body: the top layer of elements shears before the \
