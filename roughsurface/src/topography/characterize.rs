@@ -85,9 +85,6 @@ const HEAVY_TAILED: f64 = 1.0;
 /// Slope above which lengths may be in different units.
 const STEEP: f64 = 2.0;
 
-/// Slope above which they are: 89.4 degrees.
-const VERTICAL: f64 = 100.0;
-
 /// Moments and summits of `topography`, or the error in the cut-off.
 pub fn characterize(mut topography: Topography, options: &Options) -> Result<Characterization, String> {
     let mut warnings = topography.remarks.clone();
@@ -113,11 +110,8 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
     let moments = moments_at(cutoff);
     let slope = moments.m2.sqrt();
-    if slope.is_nan() || slope > VERTICAL {
-        return Err(format!(
-            "the rms slope of profiles is {slope:.1e}: heights and positions are in different units, or a height is \
-             wrong; --unit and --pixel state those of a text or npy file"
-        ));
+    if !slope.is_finite() {
+        return Err("the heights are so large that their slopes are not finite".into());
     }
     let Some(nayak) = Nayak::of(&moments.isotropic) else {
         let Isotropic { m0, m2, m4 } = moments.isotropic;

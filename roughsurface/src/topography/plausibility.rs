@@ -155,10 +155,8 @@ mod tests {
         for (lengths, heights) in [(1e6, 1e6), (1.0, 1e6), (1e6, 1.0), (1.0, 1e-6)] {
             assert!(units(&scaled(lengths, heights)).is_some());
         }
-        for heights in [1e6, 1e200] {
-            let refused = characterize(scaled(1.0, heights), &Options::default()).unwrap_err();
-            assert!(refused.contains("heights and positions are in different units"), "{refused}");
-        }
+        let refused = characterize(scaled(1.0, 1e200), &Options::default()).unwrap_err();
+        assert!(refused.contains("slopes are not finite"), "{refused}");
     }
 
     #[test]

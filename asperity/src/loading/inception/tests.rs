@@ -156,6 +156,13 @@ fn static_friction_is_the_largest_until_the_contact_slips() {
     assert!((found.slip_bracket - 0.05).abs() < 1e-12, "{found:?}");
     assert!((found.energy_release - 0.5 * 0.81).abs() < 1e-12, "{found:?}");
     assert!((found.energy_bracket - 0.05 * 0.5 * (0.81 - 0.36) / 0.3).abs() < 1e-12, "{found:?}");
+    // A curve that saturates and falls by little: friction is that of the slip at which the stiffness is lost.
+    let mut saturating = stepwise();
+    let found = inception(&saturating);
+    let after = saturating.iter().position(|state| state.slip > found.slip + 0.1).expect("goes on");
+    saturating[after].friction = saturating[after - 1].friction - 1e-3;
+    let fallen = inception(&saturating[..=after]);
+    assert!((fallen.friction - found.friction).abs() < 2e-3, "{fallen:?} {found:?}");
     // A slide that ends within the fall has not begun to slide.
     let found = inception(&sticking_until(&[(0.91, 0.85, 0.05)]));
     assert_eq!((found.criterion, found.slip, found.friction), (InceptionCriterion::None, 0.91, 0.85));
