@@ -109,18 +109,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     }
     let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
     let moments = moments_at(cutoff);
-    let slope = moments.m2.sqrt();
-    if !slope.is_finite() {
-        return Err("the heights are so large that their slopes are not finite".into());
-    }
-    let Some(nayak) = Nayak::of(&moments.isotropic) else {
-        let Isotropic { m0, m2, m4 } = moments.isotropic;
-        return Err(format!(
-            "bandwidth alpha = {:.3}: that of a random surface is finite and at least 0.897; a single wave, waves along \
-             one direction only, noise, or too long a cut-off?",
-            m0 * m4 / (m2 * m2)
-        ));
-    };
+    let nayak = summits_of(&moments)?;
     let other = |cutoff: f64| {
         let summits = Nayak::of(&moments_at(cutoff).isotropic);
         summits.filter(|_| (shortest..=longest).contains(&cutoff)).map(|summits| AtCutoff { cutoff, summits })
@@ -138,7 +127,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         limited_by,
         rms_height,
         areal_slope,
-        profile_slope: slope,
+        profile_slope: moments.m2.sqrt(),
         rms_curvature: moments.m4.sqrt(),
         moments,
         summits: nayak,
@@ -158,6 +147,21 @@ fn cutoffs(topography: &Topography) -> (f64, f64) {
     let size = topography.size();
     let extent = if topography.is_profile() { size.1 } else { size.0.min(size.1) };
     (2.0 * topography.pixel(), LONGEST_CUTOFF * extent)
+}
+
+/// Summits from the moments, or why there are none.
+fn summits_of(moments: &Moments) -> Result<Nayak, String> {
+    if !moments.m2.is_finite() {
+        return Err("the heights are so large that their slopes are not finite".into());
+    }
+    let Isotropic { m0, m2, m4 } = moments.isotropic;
+    Nayak::of(&moments.isotropic).ok_or_else(|| {
+        format!(
+            "bandwidth alpha = {:.3}: that of a random surface is finite and at least 0.897; a single wave, waves along \
+             one direction only, noise, or too long a cut-off?",
+            m0 * m4 / (m2 * m2)
+        )
+    })
 }
 
 /// Why a cut-off is refused; and where metres were assumed, how to change that.
