@@ -1,11 +1,11 @@
 //! Sliding inception: the first state in which less than 1 % of the contact area sticks, or the tangential stiffness
 //! dQ/ds is below 1 % of its first value, whichever comes first.
 //!
-//! Friction and load are those of the largest friction up to that state: where heat takes the strength of the interface before
-//! the last points slip, what is left of it at full slip depends on the increments. By the first criterion slip and G are those
-//! of full mobilisation of the shear strength ([`super::mobilisation`]): an error of the slip appears in G up to 6.6 times, and
-//! the slip at which the last points stick depends on mesh and angles. If friction falls faster than the contact unloads
-//! elastically, −dQ/ds > dQ/ds(0), the contact slips as a whole; slip and G are then those of the largest friction too.
+//! Friction and load are those of the largest Q up to that state: where heat takes the strength of the interface before the last
+//! points slip, Q has fallen by then, by an amount that depends on the increments. By the first criterion slip and G are those of
+//! full mobilisation of the shear strength ([`super::mobilisation`]): an error of the slip appears in G up to 6.6 times, and the
+//! slip at which the last points stick depends on mesh and angles. If Q falls faster than the contact unloads elastically,
+//! −dQ/ds > dQ/ds(0), the contact slips as a whole (Scholz 1998, doi:10.1038/34097); slip and G are then those of the largest Q.
 //!
 //! dQ/ds is the secant over a share of the slip ([`STIFFNESS_SPAN`]): in the short increments of the
 //! inception bracket Q is not smooth, as single points begin to slip.

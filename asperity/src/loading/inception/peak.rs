@@ -6,13 +6,12 @@ use crate::loading::state::SlideState;
 /// begins is at least 1.2 times as long.
 const SPAN: f64 = 0.004;
 
-/// Number of the state of largest friction along the motion, before the last state of `history`: among those up to `slip`, or
-/// all if friction then falls at once. None if `friction`, that at `slip`, is larger.
+/// Number of the state of largest friction before the last state of `history`: among those up to `slip`, or all if friction then
+/// falls at once. None if `friction`, that at `slip`, is larger.
 pub fn peak(history: &[SlideState], slip: f64, friction: f64) -> Option<usize> {
     let (_, earlier) = history.split_last()?;
     let largest = |before: f64| {
-        let along = |&m: &usize| earlier[m].is_along_motion() && earlier[m].slip < before;
-        let found = (1..earlier.len()).filter(along);
+        let found = (1..earlier.len()).filter(|&m| earlier[m].slip < before);
         found.max_by(|&a, &b| earlier[a].friction.total_cmp(&earlier[b].friction))
     };
     let at_once = largest(f64::INFINITY).filter(|&m| falls_at_once(history, m));

@@ -153,7 +153,7 @@ impl Display for Warning {
                 f,
                 "the interface is too weak for the shear tractions of the press, which is in full stick: they are \
                  released as the slide begins, and G contains their energy, some {:.0} % of it in the first increments; mu_static is \
-                 that of the first state in which all points slip, some of them not yet along the motion",
+                 the largest friction until all points slip, some of them not yet along the motion",
                 100.0 * share
             ),
             Self::FastInception { time, limit } => write!(
