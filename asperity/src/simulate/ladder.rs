@@ -13,6 +13,8 @@ use crate::simulate::expected_time::{EXPECTED_TIME_FACTOR, time_ratio};
 const STAGNATION: f64 = 0.8;
 /// Refinement of the mesh from which on its gain shows: half of the gain of 10 to 12 elements is the scatter of the estimate.
 const MEANINGFUL: f64 = 1.5;
+/// Processor time up to which a run is refined whatever time was expected, s.
+const SHORT: f64 = 20.0;
 
 /// The main run and the auxiliary runs of the resolution `start`.
 pub(super) struct Ladder {
@@ -72,7 +74,7 @@ impl Ladder {
     }
 
     /// The next finer resolution, if the accuracy requires one, the last refinement, if any, reduced the error, and the
-    /// time with it is within the factor of the time `expected` (s) of all runs.
+    /// time with it is short, or within the factor of the time `expected` (s) of all runs.
     pub fn finer(&mut self, budget: &ErrorBudget, numerics: &Numerics, expected: f64) -> Option<Resolution> {
         let (quantity, parts) = budget.worst(&self.result().values);
         if parts.solver_exceeds(numerics.accuracy) {
@@ -92,7 +94,7 @@ impl Ladder {
         }
         let spent: f64 = self.main.iter().map(Run::expected_time).sum();
         let next = self.result().expected_time() * time_ratio(&finer, &self.result().resolution);
-        if spent + next > EXPECTED_TIME_FACTOR * expected {
+        if spent + next > SHORT.max(EXPECTED_TIME_FACTOR * expected) {
             let (elements, sectors) = (finer.elements_per_radius, finer.sectors);
             self.notes.push(Note::RefinementTooLong { next, expected, elements, sectors });
             return None;

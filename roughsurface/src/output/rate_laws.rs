@@ -1,6 +1,6 @@
 //! Laws of rate dependence, in `friction.nc`, in JSON and as rows of a table.
 
-use crate::friction::rate_law::{FORMS, NoFit, RateLaw, RateLaws};
+use crate::friction::rate_law::{Doubt, FORMS, NoFit, RateLaw, RateLaws};
 use crate::output::origin::with_error;
 use crate::output::result_tables::{Rows, estimate, head};
 use crate::sampling::case::Results;
@@ -135,12 +135,31 @@ fn shown(parameter: Estimate) -> String {
     }
 }
 
+/// Why laws of the rows are not reliable, each reason once.
+fn doubts(results: &Results) -> Vec<Doubt> {
+    let mut doubts = Vec::new();
+    let laws = results.prediction.rate_laws.iter().flat_map(|laws| [&laws.chosen, &laws.flash_heating]);
+    for doubt in laws.flatten().filter_map(RateLaw::doubt) {
+        if !doubts.contains(&doubt) {
+            doubts.push(doubt);
+        }
+    }
+    doubts
+}
+
+/// The reasons that the rows refer to by their number.
+pub(super) fn footnotes(results: &Results) -> impl Iterator<Item = String> {
+    let doubts = doubts(results).into_iter().enumerate();
+    doubts.map(|(number, doubt)| format!("[{}] not reliable: {doubt}", number + 1))
+}
+
 /// The law that is chosen at each pressure or separation, and the flash-heating fit; empty with one slip rate.
 pub(super) fn rows(results: &Results) -> Rows {
     let prediction = &results.prediction;
     if prediction.query.slip_rates.len() < 2 {
         return Rows::new();
     }
+    let doubts = doubts(results);
     let mut rows = head(results, ["mu_0", "mu_inf", "V* [m/s]", "n", "misfit [%]", "R2", "law"]);
     for (load, laws) in prediction.query.loading.values().iter().zip(&prediction.rate_laws) {
         for (name, fit) in [("rate law", &laws.chosen), ("flash heating", &laws.flash_heating)] {
@@ -150,8 +169,9 @@ pub(super) fn rows(results: &Results) -> Rows {
                     row.extend([law.mu_0, law.plateau, law.velocity, law.exponent].map(shown));
                     row.push(format!("{:.3}", 100.0 * law.misfit / law.mu_0.value));
                     row.push(format!("{:.4}", law.r_squared));
-                    let flag = law.doubt().map_or(String::new(), |doubt| format!(" (not reliable: {doubt})"));
-                    row.push(format!("{}{flag}", law.form.formula));
+                    let number = doubts.iter().position(|&doubt| law.doubt() == Some(doubt));
+                    let footnote = number.map_or(String::new(), |number| format!(" [{}]", number + 1));
+                    row.push(law.form.formula.to_string() + &footnote);
                 }
                 Err(reason) => row.push(format!("{name} not fitted: {reason}")),
             }

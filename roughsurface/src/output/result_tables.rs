@@ -10,10 +10,10 @@ use tables::quantity::Estimate;
 /// A heading and rows of cells. A row with fewer cells ends with a remark.
 pub(super) type Rows = Vec<Vec<String>>;
 
-/// Quantities that are always shown with their error.
-const WITH_ERROR: [&str; 6] = ["mu", "mu_steady", "mu_static", "dmu_dlnV", "G", "G_weakening"];
 /// Shown in place of a number that is not known.
-const NOT_AVAILABLE: &str = "n/a";
+pub(super) const NOT_AVAILABLE: &str = "n/a";
+/// Shown in place of a share that is zero.
+pub(super) const NO_SHARE: &str = "-";
 
 /// Value and error of a number without unit.
 pub(super) fn estimate(estimate: Estimate) -> String {
@@ -25,22 +25,17 @@ fn plain(value: f64, decimals: usize) -> String {
     if value.is_finite() { format!("{value:.decimals$}") } else { NOT_AVAILABLE.into() }
 }
 
-/// A quantity of a cell; `errors` also of those with a unit.
-fn shown(name: &str, cell: &Friction, errors: bool) -> String {
+/// A quantity of a cell with its error; shares of the summits without.
+fn shown(name: &str, cell: &Friction) -> String {
     let quantity = Quantity::named(name);
     match (&quantity.source, quantity.of(cell)) {
-        (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => "-".into(),
+        (Source::Share(_), Some(Estimate { value, .. })) if value < 5e-5 => NO_SHARE.into(),
         (Source::Share(_), Some(Estimate { value, .. })) => format!("{:.2} %", 100.0 * value),
-        (_, Some(estimate)) if WITH_ERROR.contains(&name) => self::estimate(estimate),
-        (_, Some(Estimate { value, error })) if value.is_finite() && quantity.unit == "K" => match errors {
-            true => format!("{value:.1} ± {error:.1}"),
-            false => format!("{value:.1}"),
-        },
-        (_, Some(Estimate { value, error })) if value.is_finite() => match errors {
-            true => self::estimate(Estimate { value, error }),
-            false => format!("{value:.3e}"),
-        },
-        _ => NOT_AVAILABLE.into(),
+        (_, Some(Estimate { value, error })) if value.is_finite() && quantity.unit == "K" => {
+            format!("{value:.1} ± {error:.1}")
+        }
+        (_, Some(estimate)) => self::estimate(estimate),
+        (_, None) => NOT_AVAILABLE.into(),
     }
 }
 
@@ -50,12 +45,12 @@ pub(super) fn head<'a>(results: &Results, columns: impl IntoIterator<Item = &'a 
 }
 
 /// The quantities in `columns`, with their headings, of every cell.
-pub(super) fn quantities(results: &Results, columns: &[(&str, &str)], errors: bool) -> Rows {
+pub(super) fn quantities(results: &Results, columns: &[(&str, &str)]) -> Rows {
     let heads = columns.iter().map(|(_, head)| *head);
     let mut rows = head(results, ["slip rate [m/s]"].into_iter().chain(heads));
     for (load, rate, cell) in results.prediction.cells() {
         let mut row = vec![format!("{load:.3e}"), numbers::digits(rate, 4)];
-        row.extend(columns.iter().map(|(name, _)| shown(name, cell, errors)));
+        row.extend(columns.iter().map(|(name, _)| shown(name, cell)));
         rows.push(row);
     }
     rows

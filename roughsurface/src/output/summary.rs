@@ -4,24 +4,24 @@ use crate::friction::regime::regime;
 use crate::output::cutoffs;
 use crate::output::rate_laws;
 use crate::output::rate_step;
-use crate::output::result_tables::{Rows, compared, parameters, quantities};
+use crate::output::result_tables::{NO_SHARE, NOT_AVAILABLE, Rows, compared, parameters, quantities};
 use crate::sampling::case::Results;
 use crate::surface::query::NormalLoading;
 
 /// Columns of the summary but for the separation or the pressure, whichever is not given: quantity and heading.
-const COLUMNS: [(&str, &str); 11] = [
+const COLUMNS: [(&str, &str); 10] = [
     ("mu_static", "mu_static"),
     ("mu", "mu"),
     ("mu_steady", "mu_steady"),
     ("dmu_dlnV", "dmu/dlnV"),
-    ("Q", "Q [Pa]"),
     ("G", "G [J/m2]"),
     ("G_weakening", "G_weakening"),
     ("real_area_fraction", "area fraction"),
     ("temperature_mean", "T mean [K]"),
     ("temperature_max", "T max [K]"),
-    ("outside_table_fraction", "outside table"),
+    ("outside_table_fraction", OUTSIDE),
 ];
+const OUTSIDE: &str = "outside table";
 
 /// The prediction as lines of text.
 pub fn text(results: &Results) -> String {
@@ -31,36 +31,51 @@ pub fn text(results: &Results) -> String {
         NormalLoading::Separation(_) => ("pressure", "pressure [Pa]"),
     };
     let columns = [&COLUMNS[..], &[other]].concat();
-    let table = aligned(&quantities(results, &columns, false));
+    let table = aligned(&without_empty(quantities(results, &columns), OUTSIDE));
     let mut text = format!("Plasticity index {psi:.3}: {}\n\n{table}", regime(psi));
     for (title, rows) in [
         ("Influence of the cut-off of the topography:", cutoffs::rows(results)),
         ("Standard deviations from uncertain parameters:", parameters(results)),
         ("With asperities after models of the literature:", compared(results)),
+        ("Step of the slip rate in steady sliding:", rate_step::rows(results)),
         (
             "Rate dependence of mu, and flash heating with mu_w as mu_inf and V_w as V*:",
             rate_laws::rows(results),
         ),
-        ("Step of the slip rate in steady sliding:", rate_step::rows(results)),
     ] {
         if !rows.is_empty() {
             text.push_str(&format!("\n{title}\n{}", aligned(&rows)));
         }
     }
-    text
+    text + &rate_laws::footnotes(results).map(|line| line + "\n").collect::<String>()
 }
 
-/// Columns as wide as their widest cell, numbers to the right. A remark may run over the columns to its
-/// right.
+/// The rows without the column of this heading if no row has a number there.
+fn without_empty(mut rows: Rows, heading: &str) -> Rows {
+    let column = rows[0].iter().position(|head| head == heading).expect("a heading of the rows");
+    if rows[1..].iter().all(|row| row[column] == NO_SHARE) {
+        rows.iter_mut().for_each(|row| drop(row.remove(column)));
+    }
+    rows
+}
+
+/// Columns as wide as their widest cell, numbers to the right and text to the left. A remark may run over the columns to
+/// its right.
 fn aligned(rows: &Rows) -> String {
     let columns = rows[0].len();
     let width = |column: usize| {
         let complete = rows.iter().filter(|row| row.len() == columns);
         complete.map(|row| row[column].chars().count()).max().unwrap_or(0)
     };
+    let is_text = |column: usize| {
+        let complete = rows[1..].iter().find(|row| row.len() == columns);
+        complete
+            .is_some_and(|row| row[column] != NOT_AVAILABLE && row[column].starts_with(char::is_alphabetic))
+    };
     let line = |row: &Vec<String>| {
         let cell = |(column, cell): (usize, &String)| match row.len() < columns && column == row.len() - 1 {
             true => cell.clone(),
+            false if is_text(column) => format!("{cell:<width$}", width = width(column)),
             false => format!("{cell:>width$}", width = width(column)),
         };
         let cells: Vec<String> = row.iter().enumerate().map(cell).collect();
@@ -76,7 +91,7 @@ mod tests {
     #[test]
     fn columns_line_up() {
         let row = |cells: &[&str]| cells.iter().map(|cell| cell.to_string()).collect();
-        let text = aligned(&vec![row(&["a", "bbb"]), row(&["cc", "d"]), row(&["e"])]);
-        assert_eq!(text, " a   bbb\ncc     d\ne\n");
+        let text = aligned(&vec![row(&["a", "bbb"]), row(&["12", "d"]), row(&["e"])]);
+        assert_eq!(text, " a   bbb\n12   d\ne\n");
     }
 }

@@ -67,7 +67,13 @@ fn every_quantity_is_in_the_file_and_in_the_json() {
     });
     // The same prediction gives the same bytes.
     assert!(bytes == written(&results, |_| ()));
-    assert_eq!(summary::text(&results).lines().count(), 2 + 7 + 2 + 5);
+    let text = summary::text(&results);
+    // Title, results, laws, and why some of them are not reliable.
+    let unreliable = text.lines().filter(|line| line.starts_with('[')).count();
+    assert_eq!(text.lines().count(), 2 + 7 + 2 + 5 + unreliable);
+    assert!((1..=unreliable).all(|number| text.matches(&format!("[{number}]")).count() > 1), "{text}");
+    // No summit is outside what the law covers.
+    assert!(text.contains("T max [K]") && !text.contains("outside table"), "{text}");
 }
 
 #[test]

@@ -7,7 +7,8 @@ use rand::rngs::StdRng;
 use rand::seq::index;
 use serde_json::{Map, Value, json};
 use tables::interpolation::InterpolatedTable;
-use tables::quantity::{Estimate, Quantity};
+use tables::numbers::with_error;
+use tables::quantity::{Descriptor, Estimate, Quantity};
 use tables::table::comparison::{Comparison, Difference};
 use tables::table::{Axes, Cell, Slice};
 
@@ -44,7 +45,8 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
         let comparison = expected.compare(&again);
         let label = expected.label(0, 0);
         if !display.quiet && !display.json {
-            print(&format!("{}: {label}: {}\n", arguments.table, in_words(&comparison)))?;
+            let values = differing(&expected, &again, &comparison);
+            print(&format!("{}: {label}: {}\n{values}", arguments.table, in_words(&comparison)))?;
         }
         compared.push(as_json(&expected, &again, &comparison));
         let states = comparison.states.iter().map(|(_, here, there)| format!("{here} and {there}"));
@@ -105,6 +107,18 @@ fn in_words(comparison: &Comparison) -> String {
         let name = difference.quantity.descriptor().name;
         format!("largest difference {:.2e} of {name}", difference.largest)
     })
+}
+
+/// A line for each quantity that differs: value and error of the table, and those of the run.
+fn differing(expected: &Slice, again: &Slice, comparison: &Comparison) -> String {
+    let line = |difference: &Difference| {
+        let quantity = difference.quantity;
+        let Descriptor { name, units, .. } = *quantity.descriptor();
+        let [table, run] = [expected, again]
+            .map(|slice| slice.cell(0, 0).map_or("none".into(), |cell| with_error(cell[quantity], units)));
+        format!("  {name:<18} {table}, computed again {run}\n")
+    };
+    comparison.quantities.iter().map(line).collect()
 }
 
 fn as_json(expected: &Slice, again: &Slice, comparison: &Comparison) -> Value {

@@ -98,7 +98,7 @@ impl RateLaw {
             let parameters = self.form.parameters();
             Some(Doubt::FewSlipRates { parameters, least: parameters + 3 })
         } else if self.r_squared < 0.99 {
-            Some(Doubt::Misfit(self.r_squared))
+            Some(Doubt::Misfit)
         } else if self.velocity.value > self.fastest {
             Some(Doubt::Extrapolated(self.fastest))
         } else if self.velocity.error > 0.5 * self.velocity.value {
@@ -114,8 +114,8 @@ impl RateLaw {
 pub enum Doubt {
     #[error("a law of {parameters} parameters is judged from {least} slip rates on")]
     FewSlipRates { parameters: usize, least: usize },
-    #[error("R2 = {0:.4} is below 0.99")]
-    Misfit(f64),
+    #[error("R2 is below 0.99")]
+    Misfit,
     /// Where V ≪ V*, μ is μ_0 [1 − (V/V*)^n].
     #[error("V* is above the slip rates, which end at {0} m/s and determine mu_0 and mu_0 V*^-n only")]
     Extrapolated(f64),

@@ -107,8 +107,11 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     let picture = svg.find("<svg").map_or("", |start| &svg[start..]);
     let _ = writeln!(page, "<h2>Figures</h2>\n<div>{picture}</div>");
     let note = "<p>Value ± estimated absolute error.</p>\n";
-    table(&mut page, "Results", note, &quantities(results, &COLUMNS, true));
+    table(&mut page, "Results", note, &quantities(results, &COLUMNS));
     table(&mut page, "Rate dependence", RATE_LAW, &rate_laws::rows(results));
+    for footnote in rate_laws::footnotes(results) {
+        let _ = writeln!(page, "<p>{}</p>", escaped(&footnote));
+    }
     table(&mut page, "Influence of the cut-off of the topography", "", &cutoffs::rows(results));
     let title = "Standard deviations from uncertain parameters";
     if let Some(propagated) = &results.propagated {
