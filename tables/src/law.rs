@@ -34,10 +34,10 @@ impl Response {
     }
 }
 
-/// Whether a slip rate lies in a range, but for the rounding of its limits in a message.
+/// Whether a slip rate lies in a range, but for the rounding of a radius, by which the limits change in proportion.
 pub fn covers((from, to): (f64, f64), slip_rate: f64) -> bool {
-    /// Six digits are printed.
-    const ROUNDING: f64 = 1e-5;
+    /// In its logarithm the slip rate changes by as much, and friction by less than a thousandth of that of a decade.
+    const ROUNDING: f64 = 1e-3;
     (from * (1.0 - ROUNDING)..=to * (1.0 + ROUNDING)).contains(&slip_rate)
 }
 

@@ -228,12 +228,26 @@ pub(super) struct VerifyArguments {
     /// Run the robustness suite instead: cases at the limits of what can be simulated
     #[arg(long, alias = "hard")]
     pub(super) robustness: bool,
-    /// Only the cases of the robustness suite whose name contains TEXT
-    #[arg(long, value_name = "TEXT", requires = "robustness")]
+    /// Only the groups, or the cases of the robustness suite, whose name contains TEXT
+    #[arg(long, value_name = "TEXT")]
     pub(super) only: Option<String>,
     /// Write every case of the robustness suite to DIRECTORY/NAME.nc, of failed ones the steps before the failure
     #[arg(long, value_name = "DIRECTORY", requires = "robustness")]
     pub(super) save: Option<PathBuf>,
+}
+
+impl VerifyArguments {
+    /// Those of `all` whose `name` contains the text of `--only`, in capitals or not; at least one.
+    pub(super) fn chosen<T>(&self, all: Vec<T>, name: fn(&T) -> &str) -> Result<Vec<T>, Failure> {
+        let Some(text) = &self.only else { return Ok(all) };
+        let names: Vec<String> = all.iter().map(|one| name(one).to_owned()).collect();
+        let has = |one: &T| name(one).to_lowercase().contains(&text.to_lowercase());
+        let chosen: Vec<T> = all.into_iter().filter(has).collect();
+        match chosen.is_empty() {
+            true => Err(Failure::input(format!("--only: \"{text}\" is in none of: {}", names.join(", ")))),
+            false => Ok(chosen),
+        }
+    }
 }
 
 #[derive(Args)]

@@ -139,11 +139,12 @@ Example:
 
 pub(super) const VERIFY: &str = "\
 A case of the robustness suite is solved if it converged, all its numbers are finite, its balances of
-energy and heat close, and no contact is above its melting point. Exit status 1 unless at least 95 %
+energy and heat close, and no contact is above its melting point. Exit status 1 unless at least 97 %
 of the cases are solved, or refused for the expected reason.
 
 Examples:
   asperity verify --quick
+  asperity verify --only 'full stick'
   asperity verify --json > verification.json
   asperity verify --robustness --only rate --save runs";
 

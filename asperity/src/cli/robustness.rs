@@ -15,11 +15,8 @@ const MOST_FAILURES: f64 = 0.03;
 /// Run the cases and report on them.
 pub fn robustness(arguments: &VerifyArguments, display: &Display) -> Result<(), Failure> {
     let mut cases = asperity::studies::robustness::all();
-    cases.retain(|case| arguments.only.as_ref().is_none_or(|text| case.name.contains(text.as_str())));
     cases.retain(|case| case.quick || !arguments.quick);
-    if cases.is_empty() {
-        return Err(Failure::Input("--only: no case has this text in its name".into()));
-    }
+    let cases = arguments.chosen(cases, |case| &case.name)?;
     if let Some(directory) = &arguments.save {
         std::fs::create_dir_all(directory)
             .map_err(|error| Failure::input(format!("{}: {error}", directory.display())))?;

@@ -68,6 +68,13 @@ impl Ladder {
         [elements(2), elements(1)]
     }
 
+    /// Whether `next` is finer in a direction in which the last refinement was too: what a refinement of the angles gained says
+    /// nothing of one of the mesh.
+    fn is_refined_likewise(&self, next: &Resolution) -> bool {
+        let [before, last] = [2, 1].map(|back| &self.main[self.main.len() - back].resolution);
+        std::iter::zip(last.is_finer(before), next.is_finer(last)).any(|(once, again)| once && again)
+    }
+
     /// The finest main run.
     pub fn result(&self) -> &Run {
         self.main.last().expect("there is a main run")
@@ -86,6 +93,7 @@ impl Ladder {
         let finer = self.result().resolution.refine(numerics, &parts)?;
         let after = parts.total();
         if let Some(&before) = self.errors.last()
+            && self.is_refined_likewise(&finer)
             && has_stagnated([before, after], numerics.accuracy, self.last_meshes())
         {
             let [before, after] = [before, after].map(|error| error / numerics.accuracy);

@@ -5,13 +5,19 @@ use tables::law::Estimate;
 /// Share of the change of slope between neighbouring intervals that covers the error of the parabolas for the forms
 /// μ₀/(1 + √(V/V*)) and μ₀/(1 + V/V*), V* from 0.3 to 100 m/s, on the slip rates of the shipped tables.
 const SHARE_OF_BEND: f64 = 0.2;
+/// Mean width of two intervals of ln V up to which that holds, that of the widest of those tables.
+const WIDTH: f64 = 1.2;
+/// On wider intervals the curve may bend both ways between three rates: the share of the change grows with the square of the
+/// width, and the excess of the width times this share of the slope is added. Covers the same forms on rates a factor of 10
+/// to 40 apart.
+const SHARE_OF_SLOPE: f64 = 0.25;
 
 /// dμ/d ln V at a slip rate `at`, from the sliding friction `mu` at ascending positive `slip_rates` around it (m/s); between
 /// two of them the blend of the slopes of the parabolas through these and the one before or after. Unknown at V = 0, and
 /// with a single positive rate.
 ///
 /// Below the first rate friction changes in proportion to V, as heat does. The error is the difference of both parabolas and
-/// a fifth of the largest change of slope from this interval to the next ones, twice that at the ends; and the
+/// a fifth, of wide intervals more, of the largest change of slope from this interval to the next ones, twice that at the ends; and the
 /// difference of the errors of μ over the interval: errors of neighbouring rates come from the same asperities and have the
 /// same sign.
 pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimate {
@@ -36,9 +42,14 @@ pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimat
     };
     let before = inner.checked_sub(1).map(parabola);
     let after = (inner + 2 < rates.len()).then(|| parabola(inner));
-    let bend = |i: usize| (secant(i + 1) - secant(i)).abs();
-    let bends = [inner.checked_sub(1).map(bend), after.map(|_| bend(inner))];
-    let bend = SHARE_OF_BEND * bends.into_iter().flatten().fold(0.0, f64::max);
+    let uncertain = |i: usize| {
+        let wide = ((x[i + 2] - x[i]) / (2.0 * WIDTH)).max(1.0);
+        let [one, other] = [secant(i), secant(i + 1)];
+        SHARE_OF_BEND * wide * wide * (other - one).abs()
+            + SHARE_OF_SLOPE * (wide - 1.0) * one.abs().max(other.abs())
+    };
+    let bends = [inner.checked_sub(1).map(uncertain), after.map(|_| uncertain(inner))];
+    let bend = bends.into_iter().flatten().fold(0.0, f64::max);
     let t = ((x_at - x[inner]) / (x[inner + 1] - x[inner])).clamp(0.0, 1.0);
     let (value, of_interval) = match (before, after) {
         (Some(before), Some(after)) => (before + t * (after - before), (after - before).abs() + bend),
@@ -89,6 +100,27 @@ mod tests {
                     found.error < 0.5 * exact.abs() + 0.005,
                     "{exponent} {scale} {rate}: {found:?} {exact}"
                 );
+            }
+        }
+    }
+
+    /// On rates a factor of 10 to 40 apart, where a parabola hardly describes them.
+    #[test]
+    fn the_error_covers_sparse_rates() {
+        for factor in [10.0, 30.0, 40.0] {
+            let rates = [0, 1, 2].map(|n| 0.1 * f64::powi(factor, n));
+            for (exponent, scale) in
+                [(0.5, 3.0), (0.5, 30.0), (0.5, 300.0), (1.0, 3.0), (1.0, 30.0), (1.0, 300.0)]
+            {
+                let heat = |v: f64| (v / scale).powf(exponent);
+                let mu = rates.map(|v| Estimate::exact(0.5 / (1.0 + heat(v))));
+                for n in 0..=40 {
+                    let rate = rates[0] * (rates[2] / rates[0]).powf(f64::from(n) / 40.0);
+                    let found = rate_sensitivity(&rates, &mu, rate);
+                    let exact = -0.5 * exponent * heat(rate) / (1.0 + heat(rate)).powi(2);
+                    let off = (found.value - exact).abs();
+                    assert!(off <= found.error, "{factor} {exponent} {scale} {rate}: {found:?} {exact}");
+                }
             }
         }
     }

@@ -36,6 +36,8 @@ pub struct LawSource {
     pub law: Box<dyn AsperityLaw>,
     /// The asperities' material, for comparison with closed forms.
     pub material: ElasticPlastic,
+    /// Young's modulus of the asperities alone, Pa: that of `material` contains an elastic counterface.
+    pub youngs_modulus: f64,
     /// Melting temperature, K: key `melting` of the softening law in the scene of a table.
     pub melting_temperature: Option<f64>,
     /// Time of sliding inception as in [`partial_slip::inception_time`], from the scene of a table.
@@ -77,6 +79,8 @@ impl LawSource {
             poisson_ratio: nu,
             yield_strength: metadata.yield_strength,
         };
+        let youngs_modulus =
+            of_material(&metadata.scene, &["youngs_modulus"]).unwrap_or(material.youngs_modulus);
         let melting_temperature = of_material(&metadata.scene, &["softening", "melting"]);
         let inception_time = inception_time(&metadata.scene, &material);
         let counterface = Some(Counterface {
@@ -92,6 +96,7 @@ impl LawSource {
         Ok(Self {
             law: Box::new(table),
             material,
+            youngs_modulus,
             melting_temperature,
             inception_time,
             interpolated_cells,
@@ -141,6 +146,7 @@ impl LawSource {
             (Ok(law), Some(material)) => Ok(Self {
                 law,
                 material: *material,
+                youngs_modulus: material.youngs_modulus,
                 melting_temperature: None,
                 inception_time: None,
                 interpolated_cells: Vec::new(),

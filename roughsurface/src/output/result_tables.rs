@@ -64,7 +64,11 @@ pub(super) fn parameters(results: &Results) -> Rows {
     let mut rows = head(results, ["slip rate [m/s]"].into_iter().chain(names).chain(["mu most by"]));
     for (cell, (load, rate)) in results.prediction.query.cells().enumerate() {
         let mut row = vec![format!("{load:.3e}"), numbers::digits(rate, 4)];
-        row.extend((0..outputs().count()).map(|output| format!("{:.1e}", propagated.std(cell, output))));
+        let std = |output| match propagated.std(cell, output) {
+            std if std.is_nan() => NOT_AVAILABLE.into(),
+            std => format!("{std:.1e}"),
+        };
+        row.extend((0..outputs().count()).map(std));
         let changes = propagated.contributions[cell][0].iter().zip(&propagated.parameters);
         let most = changes.max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
         row.push(most.map_or("-", |(_, varied)| varied.key.as_str()).to_string());

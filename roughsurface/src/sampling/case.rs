@@ -131,7 +131,8 @@ impl Case {
             ]
         };
         let Some(stated) = &self.file.material else { return Vec::new() };
-        let pairs = constants(stated).into_iter().zip(constants(&self.source.material));
+        let own = ElasticPlastic { youngs_modulus: self.source.youngs_modulus, ..self.source.material };
+        let pairs = constants(stated).into_iter().zip(constants(&own));
         pairs
             .filter(|((_, stated), (_, of_table))| (stated - of_table).abs() > ROUNDING * of_table)
             .map(|((key, stated), (_, of_table))| Warning::MaterialUnused { key, stated, of_table })

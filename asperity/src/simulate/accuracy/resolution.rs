@@ -164,6 +164,15 @@ impl Resolution {
         Self { growth: self.growth / factor as f64, ..*self }
     }
 
+    /// Whether it is finer than another in the mesh, the angles and the increments.
+    pub fn is_finer(&self, than: &Self) -> [bool; 3] {
+        [
+            self.elements_per_radius > than.elements_per_radius,
+            self.sectors > than.sectors,
+            self.growth < than.growth,
+        ]
+    }
+
     /// With more sectors and shorter increments where those alone would make too large a part
     /// (relative) of the error.
     pub fn refine_other_than_mesh(&self, numerics: &Numerics, parts: &RelativeParts) -> Self {

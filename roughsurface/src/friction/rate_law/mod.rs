@@ -133,7 +133,7 @@ pub enum NoFit {
     #[error("friction does not depend on the slip rate")]
     NoRateDependence,
     #[error(
-        "a constant describes friction at {0} slip rates as well as a law does; more slip rates may decide"
+        "{0} slip rates are too few to tell a law from a constant by their information criterion; more may decide"
     )]
     AsConstant(usize),
     #[error("friction does not fall with the slip rate")]

@@ -1,6 +1,6 @@
 //! The formats as text. SI units and kelvin.
 
-use super::{FrictionTable, Layer};
+use super::{FittedLaw, FrictionTable, Layer};
 use crate::friction::rate_law::RateLaw;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -41,11 +41,19 @@ pub(super) fn abaqus(table: &FrictionTable) -> String {
     );
     for layer in &table.layers {
         for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
-            let Ok((law, doubt)) = law else { continue };
+            let kelvin = layer.temperature.map_or(String::new(), |kelvin| format!(", {kelvin} K"));
+            let _ = write!(text, "** Rate law at {pressure:e} Pa{kelvin}: ");
+            let (law, doubt) = match law {
+                Ok(fitted) => fitted,
+                Err(reason) => {
+                    let _ = writeln!(text, "none; {reason}");
+                    continue;
+                }
+            };
             let RateLaw { form, mu_0, plateau, velocity, exponent, .. } = law;
             let _ = writeln!(
                 text,
-                "** Rate law at {pressure:e} Pa: {}, mu_0 = {:.5}, mu_inf = {:.5}, V* = {:.4e} m/s, n = {:.4}",
+                "{}, mu_0 = {:.5}, mu_inf = {:.5}, V* = {:.4e} m/s, n = {:.4}",
                 form.formula, mu_0.value, plateau.value, velocity.value, exponent.value
             );
             if !doubt.is_empty() {
@@ -101,7 +109,7 @@ pub(super) fn json(table: &FrictionTable) -> String {
     let mut laws = Vec::new();
     for layer in &table.layers {
         for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
-            laws.push(entry(law.as_ref().ok(), layer.temperature, *pressure));
+            laws.push(entry(law, layer.temperature, *pressure));
         }
     }
     let positive = table.slip_rates.iter().find(|rate| **rate > 0.0);
@@ -116,10 +124,14 @@ pub(super) fn json(table: &FrictionTable) -> String {
     format!("{document:#}\n")
 }
 
-fn entry(law: Option<&(RateLaw, String)>, temperature: Option<f64>, pressure: f64) -> Value {
-    let form = law.map_or("none", |(law, _)| law.form.name);
+fn entry(law: &FittedLaw, temperature: Option<f64>, pressure: f64) -> Value {
+    let form = law.as_ref().map_or("none", |(law, _)| law.form.name);
     let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": form});
-    if let Some((law, doubt)) = law {
+    let doubt = law.as_ref().map_or_else(|reason| reason, |(_, doubt)| doubt);
+    if !doubt.is_empty() {
+        entry["doubt"] = doubt.as_str().into();
+    }
+    if let Ok((law, doubt)) = law {
         entry["formula"] = law.form.formula.into();
         entry["mu_0"] = json!(law.mu_0.in_unit("1"));
         entry["mu_inf"] = json!(law.plateau.in_unit("1"));
@@ -127,9 +139,6 @@ fn entry(law: Option<&(RateLaw, String)>, temperature: Option<f64>, pressure: f6
         entry["n"] = json!(law.exponent.in_unit("1"));
         entry["rms"] = law.misfit.into();
         entry["reliable"] = doubt.is_empty().into();
-        if !doubt.is_empty() {
-            entry["doubt"] = doubt.as_str().into();
-        }
     }
     entry
 }

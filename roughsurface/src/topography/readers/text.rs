@@ -100,6 +100,7 @@ fn without_comment(line: &str) -> (&str, &str) {
 fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), String> {
     let mut header = Header::default();
     let mut lines: Vec<Vec<f64>> = Vec::new();
+    let mut places = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let (content, comment) = without_comment(line);
         // Titles and their units are before the first number.
@@ -113,7 +114,8 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
         }
         let words = words(&with_points);
         // Titles of the columns, before the first number.
-        if lines.is_empty() && !words.is_empty() && words.iter().all(|word| number(word).is_none()) {
+        let mut said = words.iter().filter(|word| !word.is_empty()).peekable();
+        if lines.is_empty() && said.peek().is_some() && said.all(|word| number(word).is_none()) {
             header.titles.add(content, false);
             continue;
         }
@@ -121,22 +123,29 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
             number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number", index + 1))
         };
         let numbers: Vec<f64> = words.iter().map(or_where).collect::<Result<_, _>>()?;
-        let (count, before) = (numbers.len(), lines.first().map_or(numbers.len(), Vec::len));
-        if count > 0 && count != before {
-            return Err(format!("line {}: {count} numbers, {before} in the lines before", index + 1));
-        }
-        if count > 0 {
+        if !numbers.is_empty() {
             lines.push(numbers);
+            places.push((index + 1, content.trim().ends_with([',', ';'])));
         }
+    }
+    // A separator that ends every line is no empty cell.
+    if places.iter().all(|(_, separated)| *separated) {
+        lines.iter_mut().for_each(|line| drop(line.pop()));
+    }
+    let before = lines.first().map_or(0, Vec::len);
+    if let Some((line, (place, _))) = lines.iter().zip(&places).find(|(line, _)| line.len() != before) {
+        return Err(format!(
+            "line {place}: {} numbers, {before} in the lines before; write NaN for a point without a height",
+            line.len()
+        ));
     }
     Ok((header, lines))
 }
 
-/// The words of a line, separated by commas, semicolons or white space; an empty cell between two separators is
-/// a word without characters.
+/// The words of a line, separated by commas, semicolons or white space; an empty cell beside a separator is a word without
+/// characters.
 fn words(content: &str) -> Vec<&str> {
     let content = content.trim();
-    let content = content.strip_suffix([',', ';']).unwrap_or(content);
     if content.is_empty() {
         return Vec::new();
     }
@@ -341,6 +350,12 @@ mod tests {
         }
         assert_eq!(heights("1.5,2.5 3.5,4.5").0, [1.5, 2.5, 3.5, 4.5]);
         assert!(heights("1,,2,3").0[1].is_nan());
+        // A last cell may be empty too; a separator at the end of every line is none.
+        let map = |text: &str| parse(text, &Reading { unit: Some(1.0), pixel: Some(1.0) }).unwrap().heights;
+        for text in ["1,2,3,4\n5,6,7,\n", "1,2,3,4\n,6,7,8\n"] {
+            assert_eq!(map(text).iter().filter(|height| height.is_nan()).count(), 1, "{text}");
+        }
+        assert_eq!(map("a,b,c,d,\n1,2,3,4,\n5,6,7,8,\n").len(), 8);
         let thousands = parse("5,000.5;4,000;3,000;2,000\n", &Reading::default()).unwrap_err();
         assert!(thousands.contains("thousands"), "{thousands}");
         let titled = read("\u{feff}x [um]; z [um]\n0,0; 1,5\n0,1; 2,5\n0,2; 3,5\n").unwrap();
@@ -352,7 +367,8 @@ mod tests {
     #[test]
     fn what_is_no_topography_says_where() {
         assert_eq!(read("1 2 3 4\n1 2 three 4\n").unwrap_err(), "line 2: \"three\" is not a number");
-        assert_eq!(read("1 2 3 4\n1 2 3\n").unwrap_err(), "line 2: 3 numbers, 4 in the lines before");
+        let ragged = read("1 2 3 4\n1 2 3\n").unwrap_err();
+        assert!(ragged.starts_with("line 2: 3 numbers, 4 in the lines before; write NaN"), "{ragged}");
         assert_eq!(read("# nothing\n").unwrap_err(), "holds no numbers");
     }
 }
