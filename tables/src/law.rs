@@ -49,7 +49,7 @@ pub enum LookupError {
     )]
     ContactTooLarge { interference: f64, limit: f64 },
     #[error(
-        "slip rate {} m/s is outside the table, which covers {} to {} m/s at this radius",
+        "slip rate {} m/s is outside the table, which covers {} to {} m/s at this radius; the limits are in proportion to 1/R",
         plain(*.slip_rate),
         plain(*.from),
         plain(*.to)

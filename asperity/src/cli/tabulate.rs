@@ -40,7 +40,7 @@ fn tabulate_request(
     outputs::check_panels(&arguments.panel, &panels)?;
     display.printer().warn(request.remarks());
     if display.verbose {
-        Note::of_scene(&request.template).for_each(|note| say(format!("note: {note}")));
+        say(format!("note: {}", Note::of_scene(&request.template)));
     }
     if arguments.resume
         && let Some(table) =

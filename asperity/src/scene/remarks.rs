@@ -2,7 +2,7 @@
 //! the mesh, defaults in effect.
 
 use tables::closed_forms::hertz::yield_coefficient;
-use tables::numbers::{digits, plain};
+use tables::numbers::{digits, plain, rounded};
 use tables::quantity::plausible;
 use toml::{Table, Value};
 
@@ -142,16 +142,20 @@ impl Scene {
         })
     }
 
-    /// The constants of a preset, which hold where the softening factor is 1, are taken to hold at an initial temperature
+    /// The yield strength, which of a preset holds where the softening factor is 1, is taken to hold at an initial temperature
     /// where it is not.
     fn reference_temperature(&self) -> Option<String> {
         let said = self.strength_where_softened()?;
-        let preset = presets::all().iter().find(|preset| preset.has_strength_of(&self.material))?;
-        Some(format!(
-            "{said}; the constants of the preset \"{}\" hold where it is 1: use a table with table.temperature = [..] for \
-             other temperatures",
-            preset.name
-        ))
+        let factor = self.material.softening.factor(self.loading.temperature);
+        let strength = plain(rounded(factor * self.material.yield_strength, 3));
+        Some(match presets::all().iter().find(|preset| preset.has_strength_of(&self.material)) {
+            Some(preset) => format!(
+                "{said}; the constants of the preset \"{}\" hold where it is 1: use a table with table.temperature = [..] \
+                 for other temperatures",
+                preset.name
+            ),
+            None => format!("{said}; if it is the strength where that is 1, write {strength}"),
+        })
     }
 
     /// That the yield strength is taken to hold at an initial temperature at which the softening factor is not 1.
@@ -224,6 +228,7 @@ fn common_leaves(path: &str, here: &Value, default: &Value, equal: &mut Vec<Stri
 mod tests {
     use crate::scene::file::parse_scene;
     use crate::scene::tests::of_preset;
+    use tables::numbers::{plain, rounded};
 
     /// Brass from seven constants.
     const BRASS: &str = "[material]\nyoungs_modulus = 105e9\npoisson_ratio = 0.34\nyield_strength = 300e6\n\
@@ -275,7 +280,7 @@ mod tests {
         assert!(!defaults(&beside[..1]).contains("interface.heat_partition"));
     }
 
-    /// Those of a preset are of its reference temperature; own ones may be of any.
+    /// Those of a preset are of its reference temperature; own ones may be of any, which is asked.
     #[test]
     fn constants_of_a_preset_at_another_temperature_are_noticed() {
         let own = [
@@ -283,14 +288,20 @@ mod tests {
             "loading.temperature=700",
             "interface.strength_factor=0.9",
         ];
-        assert_eq!(remarks(&own), Vec::<String>::new());
-        assert!(scene_with(&own).strength_where_softened().unwrap().contains("= 700 K, where the softening"));
+        let found = remarks(&own);
+        assert!(found.len() == 1 && found[0].contains("= 700 K, where the softening"), "{found:?}");
+        // (1200 - 700)/(1200 - 298) of the yield strength.
+        let strength = scene_with(&own).material.yield_strength * 500.0 / 902.0;
+        assert!(found[0].ends_with(&format!("write {}", plain(rounded(strength, 3)))), "{found:?}");
         let said = |set: &[&str]| of_preset("copper", set).remarks();
         assert!(
             said(&["loading.temperature=700"])[0].contains("of the preset \"copper\" hold where it is 1")
         );
         assert_eq!(said(&["loading.temperature=298"]), Vec::<String>::new());
-        assert_eq!(said(&["loading.temperature=700", "material.yield_strength=70e6"]), Vec::<String>::new());
+        assert!(
+            said(&["loading.temperature=700", "material.yield_strength=70e6"])[0]
+                .contains("where that is 1, write")
+        );
     }
 
     /// An engineering tensile strength is that at the largest load.

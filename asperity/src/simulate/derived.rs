@@ -52,7 +52,7 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
 /// Highest temperature of the surface of a conducting counterface within the contact at the end of the slide, K: the
 /// response of a half-space to the heat that it took up in each increment, uniform over the contact. Its relative error is
 /// that of the mean rise of the contact, or all of it where that did not rise. None without heat or contact.
-fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate> {
+pub(super) fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate> {
     let [conductivity, capacity] = scene.counterface.conduction().filter(|_| outcome.account.heat)?;
     let mut half_space = HalfSpace::new(conductivity / capacity, (conductivity * capacity).sqrt());
     let mut before: Option<State<'_>> = None;

@@ -75,7 +75,7 @@ impl Account {
             self.warnings.retain(|warning| *warning != Warning::EqualStrength { plateau: f64::INFINITY });
         }
         self.warnings.splice(0..0, remarks.into_iter().map(Warning::Scene));
-        self.notes.extend(Note::of_scene(scene));
+        self.notes.push(Note::of_scene(scene));
     }
 }
 

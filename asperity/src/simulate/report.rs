@@ -9,7 +9,7 @@ use super::pressed::Pressed;
 use super::run::Run;
 use super::runs::Runner;
 use super::{SimulationError, slide_error};
-use crate::loading::inception::{InceptionCriterion, stick_slip};
+use crate::loading::inception::{InceptionCriterion, stick_slip, sudden_fall};
 use crate::loading::press::Increment;
 use crate::loading::problem::{Problem, wave_speed};
 use crate::loading::slide::SlideFailure;
@@ -18,7 +18,7 @@ use crate::scene::{InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::correction::correction;
 use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::derived::inception_time;
+use crate::simulate::derived::{counterface_temperature, inception_time};
 use crate::simulate::outcome::{Account, ContactGrid, Outcome};
 use crate::solver::timings::Kernel;
 
@@ -58,7 +58,9 @@ pub(super) fn report(
     let budget = budget.unwrap_or_else(|| ErrorBudget::unknown(of_press));
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let interference = runner.pressed.scene.loading.interference;
-    let outcome = outcome(problem, (interference, programme), &mut run, budget, account);
+    let mut outcome = outcome(problem, (interference, programme), &mut run, budget, account);
+    let hotter = hotter_counterface(&runner.pressed.scene, &outcome);
+    outcome.account.warnings.extend(hotter);
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
         None => {
@@ -134,6 +136,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     if inception != InceptionCriterion::None && stick_slip(&run.history).is_some() {
         warnings.push(Warning::StickSlip);
     }
+    warnings.extend(sudden_fall(&run.history).map(|step| Warning::SuddenFall { step: step + 1 }));
     let is_stuck = inception == InceptionCriterion::None && run.history.len() > 1;
     // A slide that failed or was stopped says so; a longer one would end there too.
     if is_stuck && run.failure.is_none() && scene.interface.law.has_friction() {
@@ -167,6 +170,18 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
         warnings.push(Warning::StoppedBeforeRefinement);
     }
     warnings
+}
+
+/// A conducting counterface that is hotter than the asperity: both have the mean temperature of the contact in common, and not
+/// that of each point.
+fn hotter_counterface(scene: &Scene, outcome: &Outcome) -> Option<Warning> {
+    /// Rise over that of the asperity above which there is a warning.
+    const HOTTER: f64 = 1.1;
+    let (counterface, asperity) =
+        (counterface_temperature(scene, outcome)?.value, outcome.scalars[Quantity::TemperatureMax].value);
+    let initial = scene.loading.temperature;
+    let is_hotter = counterface - initial > HOTTER * (asperity - initial);
+    is_hotter.then_some(Warning::HotterCounterface { counterface, asperity })
 }
 
 /// The controlled quantity that misses its accuracy most, and whatever is undetermined.

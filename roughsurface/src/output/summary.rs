@@ -15,7 +15,7 @@ const COLUMNS: [(&str, &str); 10] = [
     ("mu_steady", "mu_steady"),
     ("dmu_dlnV", "dmu/dlnV"),
     ("G", "G [J/m2]"),
-    ("G_weakening", "G_weakening"),
+    ("G_weakening", "G_weakening [J/m2]"),
     ("real_area_fraction", "area fraction"),
     ("temperature_mean", "T mean [K]"),
     ("temperature_max", "T max [K]"),

@@ -71,6 +71,13 @@ fn every_format_has_the_friction_of_the_file() {
             (Some(pressures[row]), Some(velocity[row]))
         );
         assert!(law["formula"].as_str().unwrap().starts_with("mu_"));
+        let heating = &law["flash_heating"];
+        let fitted = ["mu_0", "mu_w", "V_w"]
+            .map(|name| (heating[name]["value"].as_f64(), reals(&folder, name, &[3])[row]));
+        assert!(
+            fitted.iter().all(|(exported, known)| *exported == Some(*known).filter(|known| !known.is_nan()))
+        );
+        assert!(heating["form"] == "flash-heating" || heating["doubt"].is_string(), "{heating}");
         assert_eq!(
             (law["reliable"] == true, law["doubt"].is_null()),
             (reliable[row] == 1.0, reliable[row] == 1.0)

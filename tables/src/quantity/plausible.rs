@@ -57,6 +57,8 @@ const PLAUSIBLE: &[Plausible] = &[
         range: (1e5, 5e10),
         mistaken: STRESS,
     },
+    // Over the strength at the initial temperature, or at any other.
+    Plausible { keys: &["factor"], unit: "1", range: (1e-4, 1e3), mistaken: &[("%", 1e-2, 0.0)] },
     Plausible { keys: &["hardening.modulus"], unit: "Pa", range: (1e5, 1e11), mistaken: STRESS },
     // Polymers and ceramics 1e6 Pa m^0.5, tough steels 3e8 Pa m^0.5.
     Plausible {
@@ -162,8 +164,11 @@ fn remark(path: &str, value: f64) -> Option<String> {
     let range = format!("{} to {}{unit}", plain(least), plain(most));
     let mut text = format!("{path} = {}{unit} is implausible ({range})", plain(value));
     let converted = known.mistaken.iter().map(|(name, factor, offset)| (name, value * factor + offset));
-    if let Some((name, converted)) = converted.into_iter().find(|(_, converted)| plausible(*converted)) {
-        text += &format!("; if it is in {name}, write {}", plain(converted));
+    let meant = converted.filter(|(_, converted)| plausible(*converted));
+    let meant: Vec<String> =
+        meant.map(|(name, converted)| format!("if it is in {name}, write {}", plain(converted))).collect();
+    if !meant.is_empty() {
+        text += &format!("; {}", meant.join(", "));
     }
     Some(text)
 }
@@ -180,6 +185,8 @@ mod tests {
             ("youngs_modulus", "200", "GPa, write 2e11"),
             ("youngs_modulus", "210000", "MPa, write 2.1e11"),
             ("yield_strength", "400", "MPa, write 4e8"),
+            ("film_strength", "20", "GPa, write 2e10, if it is in MPa, write 2e7"),
+            ("softening.factor", "[2e9, 1e9]", "factor = 2e9 is implausible"),
             ("thermal_conductivity", "0.045", "W/(mm K), write 45"),
             ("thermal_expansion", "12", "1e-6/K, write 1.2e-5"),
             ("thermal_expansion", "0.012", "mm/(m K), write 1.2e-5"),

@@ -174,6 +174,7 @@ fn errors(table: &Slice) -> String {
             percent(interpolation),
         );
     }
+    text += "Errors of temperatures are relative to their rise.\n";
     text
 }
 

@@ -26,6 +26,9 @@ const OTHER_STIFFNESS_SHARES: [f64; 3] = [0.1, 0.05, 0.02];
 /// Stick area fraction by which is judged whether a contact sticks again.
 const STICKS_AGAIN: f64 = 0.1;
 
+/// Share of friction by which a fall faster than the elastic unloading is noticed.
+const SUDDEN: f64 = 0.05;
+
 /// Which of the two criteria of sliding inception was met first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InceptionCriterion {
@@ -82,6 +85,24 @@ pub fn stick_slip(history: &[SlideState]) -> Option<[f64; 2]> {
     let first = motion.find(|state| !sticks(state))?;
     let last = motion.filter(|state| sticks(state)).last()?;
     Some([first.slip, last.slip])
+}
+
+/// First step of the programme after the first in which friction falls faster with slip than the contact unloads elastically, by
+/// more than [`SUDDEN`] of itself, as where heat takes the strength of the interface at a higher slip rate. The contact then
+/// slips as a whole (Scholz 1998, doi:10.1038/34097), by an amount that quasi-statics does not determine.
+pub fn sudden_fall(history: &[SlideState]) -> Option<usize> {
+    let [start, first, ..] = history else { return None };
+    let stiffness = (first.friction - start.friction) / (first.slip - start.slip);
+    // Heat changes friction with the root of time, so that any step begins with a fast fall, by little.
+    let mut fallen = 0.0;
+    let is_sudden = |pair: &&[SlideState]| {
+        let (slip, fall) = (pair[1].slip - pair[0].slip, pair[0].friction - pair[1].friction);
+        let resists = pair[0].friction * slip > 0.0;
+        let is_fast = pair[1].step > 0 && resists && fall * slip.signum() > stiffness * slip.abs();
+        fallen = if is_fast { fallen + fall.abs() / pair[0].friction.abs() } else { 0.0 };
+        fallen > SUDDEN
+    };
+    history.windows(2).find(is_sudden).map(|pair| pair[1].step)
 }
 
 /// Where the stick area fraction falls below [`NO_STICK`], or the secant stiffness over the last

@@ -221,3 +221,27 @@ fn other_thresholds_are_passed_earlier() {
     let slipping: Vec<_> = history.iter().map(without_stick).collect();
     assert!(inception(&slipping).by_other_thresholds(&slipping).is_empty());
 }
+
+/// In the second step Q falls by a tenth within a tenth of the elastic slip, over two increments; slower, by less, in the first
+/// step or at a reversal of the motion no fall is noticed.
+#[test]
+fn a_sudden_fall_of_a_later_step_is_noticed() {
+    let at = |(step, slip, friction): (usize, f64, f64)| SlideState {
+        step,
+        slip,
+        friction,
+        ..SlideState::default()
+    };
+    let history = |fall: [(f64, f64); 2], step: usize| {
+        let [one, other] = fall;
+        [(0, 0.0, 0.0), (0, 0.1, 0.1), (0, 2.0, 1.0), (step, one.0, one.1), (step, other.0, other.1)].map(at)
+    };
+    assert_eq!(sudden_fall(&history([(2.005, 0.96), (2.01, 0.9)], 1)), Some(1));
+    assert_eq!(sudden_fall(&history([(2.005, 0.96), (2.01, 0.9)], 0)), None);
+    assert_eq!(sudden_fall(&history([(2.005, 0.97), (2.01, 0.96)], 1)), None);
+    assert_eq!(sudden_fall(&history([(2.5, 0.9), (3.0, 0.8)], 1)), None);
+    assert_eq!(sudden_fall(&history([(1.995, 0.96), (1.0, -0.9)], 1)), None);
+    // After the reversal friction resists the other way, and falls there.
+    let back = [(0, 0.0, 0.0), (0, 0.1, 0.1), (0, 2.0, 1.0), (1, 0.0, -1.0), (2, -0.01, -0.9)].map(at);
+    assert_eq!(sudden_fall(&back), Some(2));
+}

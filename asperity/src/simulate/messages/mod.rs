@@ -62,8 +62,6 @@ pub enum Note {
     },
     /// Optional keys of the scene with their default values.
     Defaults(Vec<String>),
-    /// Of the scene.
-    Scene(String),
 }
 
 /// Small or finite strain.
@@ -77,10 +75,9 @@ pub struct StrainChoice {
 }
 
 impl Note {
-    /// Those that a scene has before any run.
-    pub fn of_scene(scene: &Scene) -> impl Iterator<Item = Self> {
-        let softened = scene.strength_where_softened().map(Self::Scene);
-        softened.into_iter().chain([Self::Defaults(scene.defaults_in_effect())])
+    /// The one that a scene has before any run.
+    pub fn of_scene(scene: &Scene) -> Self {
+        Self::Defaults(scene.defaults_in_effect())
     }
 
     pub fn resolution(resolution: &Resolution) -> Self {
@@ -146,7 +143,6 @@ impl Display for Note {
                 "not refined further: the last refinement changed the largest error from {:.2} to {:.2} times what is asked",
                 before, after
             ),
-            Self::Scene(text) => f.write_str(text),
             Self::Defaults(keys) => write!(f, "at their defaults: {}", keys.join(", ")),
             Self::Remeshed { growth, room } => write!(
                 f,

@@ -5,8 +5,9 @@
 //! μ = μ_∞ + (μ_0 − μ_∞)/(1 + (V/V*)^n), with the exponent 1/2 or a free one, with or without a plateau μ_∞. That with the
 //! least information criterion is chosen among those whose parameters the data determine ([`choose`]).
 //!
-//! Beside it stands the form of rupture codes, μ_w + (μ_0 − μ_w)/[1 + (V/V_w)^8]^{1/8} ([`FLASH_HEATING`]; Rice 2006, doi
-//! 10.1029/2005JB004006; Beeler et al. 2008, doi 10.1029/2007JB004988).
+//! Beside it stands the form of rupture codes, μ_w + (μ_0 − μ_w)/[1 + (V/V_w)^8]^{1/8} ([`FLASH_HEATING`]; Dunham et al. 2011,
+//! doi 10.1785/0120100075), a smooth one of μ_w + (μ_0 − μ_w) V_w/V above V_w (Rice 2006, doi 10.1029/2005JB004006; Beeler et
+//! al. 2008, doi 10.1029/2007JB004988).
 
 mod least_squares;
 #[cfg(test)]

@@ -108,8 +108,12 @@ pub(super) fn csv(table: &FrictionTable) -> String {
 pub(super) fn json(table: &FrictionTable) -> String {
     let mut laws = Vec::new();
     for layer in &table.layers {
-        for (law, pressure) in layer.laws.iter().zip(&table.pressures) {
-            laws.push(entry(law, layer.temperature, *pressure));
+        for ((law, heating), pressure) in layer.laws.iter().zip(&layer.flash_heating).zip(&table.pressures) {
+            let mut both = entry(law, "mu_inf", "V_star");
+            both["temperature"] = json!(layer.temperature);
+            both["pressure"] = json!(pressure);
+            both["flash_heating"] = entry(heating, "mu_w", "V_w");
+            laws.push(both);
         }
     }
     let positive = table.slip_rates.iter().find(|rate| **rate > 0.0);
@@ -124,9 +128,9 @@ pub(super) fn json(table: &FrictionTable) -> String {
     format!("{document:#}\n")
 }
 
-fn entry(law: &FittedLaw, temperature: Option<f64>, pressure: f64) -> Value {
-    let form = law.as_ref().map_or("none", |(law, _)| law.form.name);
-    let mut entry = json!({"temperature": temperature, "pressure": pressure, "form": form});
+/// A law, with the names of its plateau and of its slip rate.
+fn entry(law: &FittedLaw, plateau: &str, velocity: &str) -> Value {
+    let mut entry = json!({"form": law.as_ref().map_or("none", |(law, _)| law.form.name)});
     let doubt = law.as_ref().map_or_else(|reason| reason, |(_, doubt)| doubt);
     if !doubt.is_empty() {
         entry["doubt"] = doubt.as_str().into();
@@ -134,8 +138,8 @@ fn entry(law: &FittedLaw, temperature: Option<f64>, pressure: f64) -> Value {
     if let Ok((law, doubt)) = law {
         entry["formula"] = law.form.formula.into();
         entry["mu_0"] = json!(law.mu_0.in_unit("1"));
-        entry["mu_inf"] = json!(law.plateau.in_unit("1"));
-        entry["V_star"] = json!(law.velocity.in_unit("m s-1"));
+        entry[plateau] = json!(law.plateau.in_unit("1"));
+        entry[velocity] = json!(law.velocity.in_unit("m s-1"));
         entry["n"] = json!(law.exponent.in_unit("1"));
         entry["rms"] = law.misfit.into();
         entry["reliable"] = doubt.is_empty().into();

@@ -2,7 +2,7 @@
 
 mod formats;
 
-use crate::friction::rate_law::{FORMS, RateLaw};
+use crate::friction::rate_law::{FLASH_HEATING, FORMS, RateLaw};
 use crate::output::friction_file::INITIAL_TEMPERATURE;
 use std::path::Path;
 use tables::law::Estimate;
@@ -95,6 +95,8 @@ pub struct Layer {
     pub mu: Vec<Estimate>,
     /// Fitted to it at each pressure.
     pub laws: Vec<FittedLaw>,
+    /// The form of rupture codes likewise.
+    pub flash_heating: Vec<FittedLaw>,
 }
 
 /// A law, and why it is not reliable; or why there is none. Empty where it is reliable, or where the file does not say.
@@ -167,38 +169,46 @@ impl FrictionTable {
             return Err(ExportError::NoFriction { path: shown, pressure, slip_rate });
         }
         let rows = [pressures.len()];
-        let parameters = ["rate_mu_0", "rate_mu_inf", "rate_V_star", "rate_exponent"];
-        let parameters: Vec<_> =
-            parameters.iter().map(|name| with_error(name, &rows)).collect::<Result<_, _>>()?;
-        let misfits = file.reals("rate_rms", &rows)?;
-        let law = |row: usize| -> Result<FittedLaw, DatasetError> {
-            let name = file.text("rate_law", &[row])?;
-            let doubt = match file.has("rate_doubt") {
-                true => file.text("rate_doubt", &[row])?,
-                false => String::new(),
+        let laws = |names: [&str; 3], exponents: Vec<Estimate>, prefix: &str| -> Result<_, DatasetError> {
+            let parameters: Vec<Vec<Estimate>> =
+                names.iter().map(|name| with_error(name, &rows)).collect::<Result<_, _>>()?;
+            let misfits = file.reals(&format!("{prefix}_rms"), &rows)?;
+            let law = |row: usize| -> Result<FittedLaw, DatasetError> {
+                let doubt = format!("{prefix}_doubt");
+                let doubt = if file.has(&doubt) { file.text(&doubt, &[row])? } else { String::new() };
+                let name = match prefix {
+                    "rate" => file.text("rate_law", &[row])?,
+                    _ if parameters[0][row].value.is_finite() => FLASH_HEATING.name.to_owned(),
+                    _ => String::new(),
+                };
+                let known = FORMS.iter().chain([&FLASH_HEATING]).find(|form| form.name == name);
+                let Some(form) = known else { return Ok(Err(doubt)) };
+                let law = RateLaw {
+                    form,
+                    mu_0: parameters[0][row],
+                    plateau: parameters[1][row],
+                    velocity: parameters[2][row],
+                    exponent: exponents[row],
+                    misfit: misfits[row],
+                    r_squared: f64::NAN,
+                    criterion: f64::NAN,
+                    condition: f64::NAN,
+                    fastest: f64::NAN,
+                };
+                Ok(Ok((law, doubt)))
             };
-            let Some(form) = FORMS.iter().find(|form| form.name == name) else { return Ok(Err(doubt)) };
-            let law = RateLaw {
-                form,
-                mu_0: parameters[0][row],
-                plateau: parameters[1][row],
-                velocity: parameters[2][row],
-                exponent: parameters[3][row],
-                misfit: misfits[row],
-                r_squared: f64::NAN,
-                criterion: f64::NAN,
-                condition: f64::NAN,
-                fastest: f64::NAN,
-            };
-            Ok(Ok((law, doubt)))
+            (0..pressures.len()).map(law).collect::<Result<Vec<FittedLaw>, _>>()
         };
-        let laws = (0..pressures.len()).map(law).collect::<Result<_, _>>()?;
+        let chosen =
+            laws(["rate_mu_0", "rate_mu_inf", "rate_V_star"], with_error("rate_exponent", &rows)?, "rate")?;
+        let eight = vec![Estimate::exact(8.0); pressures.len()];
+        let flash_heating = laws(["mu_0", "mu_w", "V_w"], eight, "flash_heating")?;
         let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
         Ok(Self {
             sources: vec![shown],
             pressures,
             slip_rates,
-            layers: vec![Layer { temperature, mu, laws }],
+            layers: vec![Layer { temperature, mu, laws: chosen, flash_heating }],
         })
     }
 

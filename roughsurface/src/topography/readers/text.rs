@@ -130,7 +130,7 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
     }
     // A separator that ends every line is no empty cell.
     if places.iter().all(|(_, separated)| *separated) {
-        lines.iter_mut().for_each(|line| drop(line.pop()));
+        lines.iter_mut().for_each(|line| line.truncate(line.len() - 1));
     }
     let before = lines.first().map_or(0, Vec::len);
     if let Some((line, (place, _))) = lines.iter().zip(&places).find(|(line, _)| line.len() != before) {
