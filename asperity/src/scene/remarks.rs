@@ -145,8 +145,15 @@ impl Scene {
     /// The yield strength, which of a preset holds where the softening factor is 1, is taken to hold at an initial temperature
     /// where it is not.
     fn reference_temperature(&self) -> Option<String> {
-        let said = self.strength_where_softened()?;
-        let factor = self.material.softening.factor(self.loading.temperature);
+        const TOLERANCE: f64 = 0.01;
+        let temperature = self.loading.temperature;
+        let factor = self.material.softening.factor(temperature);
+        if (factor - 1.0).abs() <= TOLERANCE {
+            return None;
+        }
+        let said = format!(
+            "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor is {factor:.3}"
+        );
         let strength = plain(rounded(factor * self.material.yield_strength, 3));
         Some(match presets::all().iter().find(|preset| preset.has_strength_of(&self.material)) {
             Some(preset) => format!(
@@ -155,19 +162,6 @@ impl Scene {
                 preset.name
             ),
             None => format!("{said}; if it is the strength where that is 1, write {strength}"),
-        })
-    }
-
-    /// That the yield strength is taken to hold at an initial temperature at which the softening factor is not 1.
-    pub fn strength_where_softened(&self) -> Option<String> {
-        const TOLERANCE: f64 = 0.01;
-        let temperature = self.loading.temperature;
-        let factor = self.material.softening.factor(temperature);
-        ((factor - 1.0).abs() > TOLERANCE).then(|| {
-            format!(
-                "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor \
-                 is {factor:.3}"
-            )
         })
     }
 

@@ -158,51 +158,17 @@ impl FrictionTable {
             return Err(ExportError::NotFriction { path: shown });
         }
         let (pressures, slip_rates) = (file.coordinate("pressure")?, file.coordinate("slip_rate")?);
-        let with_error = |name: &str, shape: &[usize]| -> Result<Vec<Estimate>, DatasetError> {
-            let (values, errors) = (file.reals(name, shape)?, file.reals(&format!("{name}_error"), shape)?);
-            Ok(values.into_iter().zip(errors).map(|(value, error)| Estimate { value, error }).collect())
-        };
-        let mu = with_error("mu", &[pressures.len(), slip_rates.len()])?;
+        let mu = estimates(&file, "mu", &[pressures.len(), slip_rates.len()])?;
         if let Some(cell) = mu.iter().position(|mu| mu.value.is_nan()) {
             let (pressure, slip_rate) =
                 (pressures[cell / slip_rates.len()], slip_rates[cell % slip_rates.len()]);
             return Err(ExportError::NoFriction { path: shown, pressure, slip_rate });
         }
         let rows = [pressures.len()];
-        let laws = |names: [&str; 3], exponents: Vec<Estimate>, prefix: &str| -> Result<_, DatasetError> {
-            let parameters: Vec<Vec<Estimate>> =
-                names.iter().map(|name| with_error(name, &rows)).collect::<Result<_, _>>()?;
-            let misfits = file.reals(&format!("{prefix}_rms"), &rows)?;
-            let law = |row: usize| -> Result<FittedLaw, DatasetError> {
-                let doubt = format!("{prefix}_doubt");
-                let doubt = if file.has(&doubt) { file.text(&doubt, &[row])? } else { String::new() };
-                let name = match prefix {
-                    "rate" => file.text("rate_law", &[row])?,
-                    _ if parameters[0][row].value.is_finite() => FLASH_HEATING.name.to_owned(),
-                    _ => String::new(),
-                };
-                let known = FORMS.iter().chain([&FLASH_HEATING]).find(|form| form.name == name);
-                let Some(form) = known else { return Ok(Err(doubt)) };
-                let law = RateLaw {
-                    form,
-                    mu_0: parameters[0][row],
-                    plateau: parameters[1][row],
-                    velocity: parameters[2][row],
-                    exponent: exponents[row],
-                    misfit: misfits[row],
-                    r_squared: f64::NAN,
-                    criterion: f64::NAN,
-                    condition: f64::NAN,
-                    fastest: f64::NAN,
-                };
-                Ok(Ok((law, doubt)))
-            };
-            (0..pressures.len()).map(law).collect::<Result<Vec<FittedLaw>, _>>()
-        };
-        let chosen =
-            laws(["rate_mu_0", "rate_mu_inf", "rate_V_star"], with_error("rate_exponent", &rows)?, "rate")?;
+        let exponents = estimates(&file, "rate_exponent", &rows)?;
+        let chosen = fitted(&file, ["rate_mu_0", "rate_mu_inf", "rate_V_star"], &exponents, "rate")?;
         let eight = vec![Estimate::exact(8.0); pressures.len()];
-        let flash_heating = laws(["mu_0", "mu_w", "V_w"], eight, "flash_heating")?;
+        let flash_heating = fitted(&file, ["mu_0", "mu_w", "V_w"], &eight, "flash_heating")?;
         let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
         Ok(Self {
             sources: vec![shown],
@@ -242,6 +208,51 @@ impl FrictionTable {
         self.slip_rates = rates;
         Ok(self)
     }
+}
+
+/// A variable with its errors.
+fn estimates(file: &DatasetReader, name: &str, shape: &[usize]) -> Result<Vec<Estimate>, DatasetError> {
+    let (values, errors) = (file.reals(name, shape)?, file.reals(&format!("{name}_error"), shape)?);
+    Ok(values.into_iter().zip(errors).map(|(value, error)| Estimate { value, error }).collect())
+}
+
+/// The laws of each pressure, from the variables of μ_0, the plateau and the slip rate, and those called after `prefix`.
+fn fitted(
+    file: &DatasetReader,
+    names: [&str; 3],
+    exponents: &[Estimate],
+    prefix: &str,
+) -> Result<Vec<FittedLaw>, DatasetError> {
+    let rows = [exponents.len()];
+    let [mu_0, plateau, velocity] = names.map(|name| estimates(file, name, &rows));
+    let (mu_0, plateau, velocity) = (mu_0?, plateau?, velocity?);
+    let misfits = file.reals(&format!("{prefix}_rms"), &rows)?;
+    let law = |row: usize| -> Result<FittedLaw, DatasetError> {
+        let doubt = format!("{prefix}_doubt");
+        let doubt = if file.has(&doubt) { file.text(&doubt, &[row])? } else { String::new() };
+        let form = match prefix {
+            "rate" => {
+                let name = file.text("rate_law", &[row])?;
+                FORMS.iter().find(|form| form.name == name)
+            }
+            _ => Some(&FLASH_HEATING).filter(|_| mu_0[row].value.is_finite()),
+        };
+        let Some(form) = form else { return Ok(Err(doubt)) };
+        let law = RateLaw {
+            form,
+            mu_0: mu_0[row],
+            plateau: plateau[row],
+            velocity: velocity[row],
+            exponent: exponents[row],
+            misfit: misfits[row],
+            r_squared: f64::NAN,
+            criterion: f64::NAN,
+            condition: f64::NAN,
+            fastest: f64::NAN,
+        };
+        Ok(Ok((law, doubt)))
+    };
+    (0..exponents.len()).map(law).collect()
 }
 
 /// Error of the values of a row at the logarithm of a slip rate, linear between those computed.

@@ -109,11 +109,8 @@ pub fn html(results: &Results, origin: &Origin) -> String {
     let note = "<p>Value ± estimated absolute error.</p>\n";
     table(&mut page, "Results", note, &quantities(results, &COLUMNS));
     table(&mut page, "Rate dependence", RATE_LAW, &rate_laws::rows(results));
-    for footnote in rate_laws::footnotes(results) {
-        let _ = writeln!(page, "<p>{}</p>", escaped(&footnote));
-    }
+    page.extend(rate_laws::footnotes(results).map(|line| format!("<p>{}</p>\n", escaped(&line))));
     table(&mut page, "Influence of the cut-off of the topography", "", &cutoffs::rows(results));
-    let title = "Standard deviations from uncertain parameters";
     if let Some(propagated) = &results.propagated {
         let parameter = |varied: &VariedParameter| {
             let std = varied.std.map_or("another table".into(), |std| format!("± {std:e}"));
@@ -121,7 +118,7 @@ pub fn html(results: &Results, origin: &Origin) -> String {
         };
         list(&mut page, "Uncertain parameters", propagated.parameters.iter().map(parameter));
     }
-    table(&mut page, title, "", &parameters(results));
+    table(&mut page, "Standard deviations from uncertain parameters", "", &parameters(results));
     table(&mut page, "Models of the literature", "", &compared(results));
     list(&mut page, "What is left out", CAVEATS.iter().map(ToString::to_string));
     let _ = write!(
