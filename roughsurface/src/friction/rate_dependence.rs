@@ -5,7 +5,7 @@ use tables::law::Estimate;
 /// Share of the change of slope between neighbouring intervals that covers the error of the parabolas for the forms
 /// μ₀/(1 + √(V/V*)) and μ₀/(1 + V/V*), V* from 0.3 to 100 m/s, on the slip rates of the shipped tables.
 const SHARE_OF_BEND: f64 = 0.2;
-/// Mean width of two intervals of ln V up to which that holds, that of the widest of those tables.
+/// Mean width of two intervals of ln V up to which that holds.
 const WIDTH: f64 = 1.2;
 /// On wider intervals the curve may bend both ways between three rates: the share of the change grows with the square of the
 /// width, and the excess of the width times this share of the slope is added. Covers the same forms on rates a factor of 10

@@ -97,11 +97,16 @@ impl SteppedContact<'_> {
         let elapsed = after * step.rates[0] / step.rates[1];
         let now = (step.isothermal)(interference, slip)?;
         let given = (step.sliding[1])(interference, slip)?;
-        let past = self.heated(0, before + elapsed)?;
+        // A contact that begins to slide after the step has the strength at V₂, and not in addition what the one at V₁ was
+        // of that without heat before inception.
+        let past = (before + elapsed).max(if slip >= begins { begins } else { 0.0 });
+        let past = self.heated(0, past)?;
         let then = self.heated(0, before)?;
-        // Since the step: heat at V₂, and cooling of that at V₁; each from the inception of sliding.
-        let warmer = self.heated(1, begins + after)?.less(&self.heated(1, begins)?);
-        let cooler = self.heated(0, begins + elapsed)?.less(&self.heated(0, begins)?);
+        // Since the step: heat at V₂, and cooling of that at V₁; each from the inception of sliding, which is later at a
+        // higher strength, in proportion.
+        let [slides, first] = [1, 0].map(|rate| begins * self.factors[rate].max(1.0));
+        let warmer = self.heated(1, slides + after)?.less(&self.heated(1, slides)?);
+        let cooler = self.heated(0, first + elapsed)?.less(&self.heated(0, first)?);
         let change = warmer.less(&cooler);
         let ratio = |q: usize| past.ratios[q] + change.ratios[q];
         let missing = past.missing.max(warmer.missing);
@@ -234,6 +239,12 @@ mod tests {
         let slide = |rate: f64, slip: f64| law.response(1e-4, 1.0, rate, slip).unwrap().friction.value;
         let direct = friction(1e-6, 0.0) / slide(1.0, 1e-6);
         assert!((direct / (1.184207 / 1.138155) - 1.0).abs() < 1e-6, "{direct}");
+        // One that begins to slide after the step has the strength at the second rate too.
+        let cold = PowerLaw { history: |_, _, _| 1.0, inception: 2e-6, ..law.clone() };
+        let step = RateStep::new(&cold, 1e-4, [1.0, 10.0]).unwrap();
+        let begun = step.contact(1.0).unwrap().response(1e-6, 2e-6).unwrap().friction.value;
+        let exact = cold.response(1e-4, 1.0, 10.0, 3e-6).unwrap().friction.value;
+        assert!((begun / exact - 1.0).abs() < 1e-6, "{begun} {exact}");
         // A contact born at the step slides at the second rate only.
         assert!((friction(0.0, 1e-6) / slide(10.0, 1e-6) - 1.0).abs() < 1e-12);
     }
