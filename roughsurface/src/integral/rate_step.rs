@@ -245,6 +245,16 @@ mod tests {
         let begun = step.contact(1.0).unwrap().response(1e-6, 2e-6).unwrap().friction.value;
         let exact = cold.response(1e-4, 1.0, 10.0, 3e-6).unwrap().friction.value;
         assert!((begun / exact - 1.0).abs() < 1e-6, "{begun} {exact}");
+        // Elastic up to the strength, which is reached later where it is larger: no heat.
+        let history = |rate: f64, slip: f64, _: f64| {
+            let factor = |rate: f64| 1.0 + 0.02 * (rate / 1e-3).ln();
+            (slip / (2e-6 * factor(rate) / factor(0.01))).min(1.0)
+        };
+        let elastic = PowerLaw { history, ..cold };
+        let step = RateStep::new(&elastic, 1e-4, [1.0, 10.0]).unwrap();
+        let old = step.contact(1.0).unwrap().response(4e-6, 1e-6).unwrap().friction.value;
+        let exact = elastic.response(1e-4, 1.0, 10.0, 5e-6).unwrap().friction.value;
+        assert!((old / exact - 1.0).abs() < 1e-6, "{old} {exact}");
         // A contact born at the step slides at the second rate only.
         assert!((friction(0.0, 1e-6) / slide(10.0, 1e-6) - 1.0).abs() < 1e-12);
     }
