@@ -17,9 +17,9 @@ const SHARE_OF_SLOPE: f64 = 0.25;
 /// with a single positive rate.
 ///
 /// Below the first rate friction changes in proportion to V, as heat does. The error is the difference of both parabolas and
-/// a fifth of the largest change of slope from this interval to the next ones ([`SHARE_OF_SLOPE`]: more where they are wide),
-/// twice that at the ends; and the difference of the errors of μ over the interval: errors of neighbouring rates come from the same asperities and have the
-/// same sign.
+/// a fifth of the largest change of slope from this interval to the next ones (more where they are wide), twice that at the
+/// ends; and the difference of the errors of μ over the interval: errors of neighbouring rates come from the same asperities
+/// and have the same sign.
 pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimate {
     let first = slip_rates.iter().take_while(|rate| **rate <= 0.0).count();
     let (rates, mu) = (&slip_rates[first..], &mu[first..]);
