@@ -1,5 +1,5 @@
-//! The press: a θ-independent problem without heat, in full stick (without friction if the
-//! interface has none).
+//! The press: a θ-independent problem without heat, in full stick, or without friction if the interface has none or the
+//! counterface is displaced as the asperity is.
 
 use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
@@ -104,7 +104,7 @@ fn press_to(
     start: Vec<f64>,
     stop: &StopRequest,
 ) -> Result<Increment, StepFailure> {
-    let limit = if problem.law.has_friction() { f64::INFINITY } else { 0.0 };
+    let limit = if problem.press_friction.sticks { f64::INFINITY } else { 0.0 };
     let flat = FlatPosition { interference, displacement: 0.0 };
     mechanics.solve(flat, LoadingControl::Interference, start, stop, |_, contact, iteration| {
         if problem.finite_strain {

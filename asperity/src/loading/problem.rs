@@ -38,6 +38,7 @@ pub struct Problem {
     /// ω₀/R.
     pub interference: f64,
     pub law: FrictionLaw,
+    pub press_friction: PressFriction,
     /// Loading control of the slide.
     pub control: Control,
     pub strength: InterfaceStrength,
@@ -61,6 +62,30 @@ pub struct Problem {
     /// h_g R/k.
     pub gap_conductance: f64,
     pub units: Units,
+}
+
+/// Shear tractions of the press.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PressFriction {
+    /// Full stick on the flat, or no friction.
+    pub sticks: bool,
+    /// Change of β² by which either differs from full stick between the two bodies.
+    pub neglected: f64,
+}
+
+impl PressFriction {
+    /// In full stick the load exceeds that without friction in proportion to β² (0.2 β², up to β = 0.5; the area falls by
+    /// 0.3 β²; ratios in `studies::verification::full_stick`). The asperity on a rigid flat has its own β whatever the
+    /// counterface is: of full stick and no friction, the one that is closer to the two bodies.
+    fn of(scene: &Scene) -> Self {
+        let [both, rigid] = scene.dundurs_beta().map(|beta| beta * beta);
+        let sticks = scene.interface.law.has_friction() && both > 0.5 * rigid;
+        let neglected = match scene.interface.law.has_friction() {
+            true => (both - if sticks { rigid } else { 0.0 }).abs(),
+            false => 0.0,
+        };
+        Self { sticks, neglected }
+    }
 }
 
 /// Factors from dimensionless to SI.
@@ -95,6 +120,7 @@ impl Units {
 impl Problem {
     pub fn new(scene: &Scene) -> Self {
         let wave_speed = wave_speed(&scene.material);
+        let press_friction = PressFriction::of(scene);
         let scene = &scene.with_combined_modulus();
         let material = &scene.material;
         let body = material.elastic_plastic();
@@ -111,6 +137,7 @@ impl Problem {
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),
+            press_friction,
             control: scene.loading.control,
             strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,
@@ -202,8 +229,36 @@ impl Discretisation {
     ) -> Mechanics {
         let body = Body::revolve(body, self.mesh.clone());
         let elastic = (problem.contact_modulus, problem.poisson_ratio);
-        let contact = Contact::revolve(contact, &self.mesh, elastic);
+        let mut contact = Contact::revolve(contact, &self.mesh, elastic);
+        if problem.law.has_friction() {
+            contact.stick();
+        }
         let displacement = self.mesh.sectors.spread(displacement);
         Mechanics::new(body, contact, self.factors.clone(), displacement, tolerance)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::tests::of_preset;
+
+    #[test]
+    fn the_press_sticks_where_pressure_displaces_the_surfaces_unlike() {
+        let press = |set: &[&str]| PressFriction::of(&of_preset("steel-4340", set));
+        let (free, stuck) = (
+            |neglected| PressFriction { sticks: false, neglected },
+            |neglected| PressFriction { sticks: true, neglected },
+        );
+        assert_eq!(press(&[]), stuck(0.0));
+        assert_eq!(press(&["interface.law=frictionless"]), free(0.0));
+        let like = "counterface.preset=\"steel-4340\"";
+        assert_eq!(press(&[like]), free(0.0));
+        assert_eq!(press(&[like, "counterface.elastic=false"]), stuck(0.0));
+        // A counterface that is hardly displaced, and one that is displaced along itself and not the asperity.
+        let stiff = press(&["counterface.youngs_modulus=4e12", "counterface.poisson_ratio=0.3"]);
+        assert!(stiff.sticks && (0.005..0.02).contains(&stiff.neglected), "{stiff:?}");
+        let soft = press(&["counterface.youngs_modulus=2e9", "counterface.poisson_ratio=0.0"]);
+        assert!(soft.sticks && (0.1..0.2).contains(&soft.neglected), "{soft:?}");
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::fmt::{self, Display, Formatter};
 
 use serde::{Deserialize, Serialize};
-use tables::closed_forms::hertz::contact_modulus;
+use tables::closed_forms::hertz::{contact_modulus, dundurs_beta};
 
 use crate::scene::Scene;
 
@@ -91,6 +91,14 @@ impl Scene {
             material.youngs_modulus *= combined / own;
         }
         scene
+    }
+
+    /// Dundurs' β of the asperity on its counterface, and on a rigid flat.
+    pub(crate) fn dundurs_beta(&self) -> [f64; 2] {
+        const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
+        let asperity = (self.material.youngs_modulus, self.material.poisson_ratio);
+        let Counterface { youngs_modulus, poisson_ratio, .. } = self.counterface;
+        [youngs_modulus.zip(poisson_ratio).unwrap_or(RIGID), RIGID].map(|flat| dundurs_beta(asperity, flat))
     }
 
     /// Share of the frictional heat that enters the asperity: that of the scene, or the one with which sliding against

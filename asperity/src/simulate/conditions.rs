@@ -101,6 +101,7 @@ impl<'a> Conditions<'a> {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
+            press_coupling: problem.press_friction.neglected,
             localised_shear: scene.localised_shear(run.plastic_strain_in_stick()),
         }
     }

@@ -37,7 +37,7 @@ pub(super) struct PressedMesh {
     pub(super) seconds: f64,
 }
 
-/// Asperity after the press, in full stick: start of slides at any slip rate.
+/// Asperity after the press: start of slides at any slip rate.
 pub struct Pressed {
     /// With the combined modulus of asperity and counterface.
     pub(super) scene: Scene,
@@ -57,7 +57,7 @@ pub struct Pressed {
     pub(super) wall_time: f64,
 }
 
-/// Press the asperity to the interference of the scene, in full stick and without heat.
+/// Press the asperity to the interference of the scene, without heat.
 ///
 /// ```
 /// use asperity::scene::file::parse_scene;

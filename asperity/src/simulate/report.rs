@@ -96,6 +96,7 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     let (pressed, conditions) = (runner.pressed, &runner.conditions);
     let mut notes = vec![Note::resolution(&run.resolution), Note::Heat(conditions.heat, conditions.effect)];
     notes.extend(ladder.notes.iter().cloned());
+    notes.extend(Note::press(&pressed.problem));
     notes.extend(Note::heat_partition(&pressed.problem, &run.history));
     notes.extend(pressed.strain.map(Note::Strain));
     let planned = pressed.numerics.accuracy;

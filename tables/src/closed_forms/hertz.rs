@@ -14,6 +14,30 @@ pub fn contact_modulus(youngs_modulus: f64, poisson_ratio: f64) -> f64 {
     youngs_modulus / (1.0 - poisson_ratio * poisson_ratio)
 }
 
+/// β of two elastic bodies, each by its Young's modulus (Pa; infinite where rigid) and Poisson ratio: pressure displaces their
+/// surfaces tangentially by amounts whose difference is proportional to β/E*; 0 of like bodies (J. Dundurs, J. Appl. Mech. 36,
+/// 650 (1969), doi 10.1115/1.3564739; Johnson §5.1).
+///
+/// ```
+/// use tables::closed_forms::hertz::dundurs_beta;
+///
+/// let (soft, stiff) = ((200e9, 0.3), (400e9, 0.3));
+/// assert_eq!(dundurs_beta(soft, soft), 0.0);
+/// assert_eq!(dundurs_beta(soft, stiff), -dundurs_beta(stiff, soft));
+/// // On a rigid body (1 − 2ν)/(2(1 − ν)).
+/// let rigid = (f64::INFINITY, 0.3);
+/// assert!((dundurs_beta(soft, rigid) - 0.4 / 1.4).abs() < 1e-15);
+/// ```
+pub fn dundurs_beta(first: (f64, f64), second: (f64, f64)) -> f64 {
+    // 1/G times (1 − 2ν) and (1 − ν).
+    let compliances = |(youngs_modulus, ratio): (f64, f64)| {
+        let shear = 2.0 * (1.0 + ratio) / youngs_modulus;
+        [shear * (1.0 - 2.0 * ratio), shear * (1.0 - ratio)]
+    };
+    let ([tangential, normal], [other_tangential, other_normal]) = (compliances(first), compliances(second));
+    (tangential - other_tangential) / (2.0 * (normal + other_normal))
+}
+
 /// P = (4/3) E* √R ω^{3/2}, N.
 pub fn hertz_load(e_star: f64, radius: f64, omega: f64) -> f64 {
     4.0 / 3.0 * e_star * radius.sqrt() * omega.powf(1.5)

@@ -139,6 +139,16 @@ impl Contact {
         contact
     }
 
+    /// Points that touch stick where they are: friction begins after a press without it.
+    pub fn stick(&mut self) {
+        for (status, slip) in self.committed.status.iter_mut().zip(&mut self.committed.slip) {
+            if *status == Status::Slip {
+                (*status, *slip) = (Status::Stick, 0.0);
+            }
+        }
+        self.trial = self.committed.clone();
+    }
+
     pub fn len(&self) -> usize {
         self.areas.len()
     }

@@ -7,7 +7,7 @@ use std::fmt::{self, Display, Formatter, Write};
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat};
 use crate::loading::inception::InceptionCriterion;
-use crate::loading::problem::{Problem, Units};
+use crate::loading::problem::{PressFriction, Problem, Units};
 use crate::loading::state::SlideState;
 use crate::scene::Scene;
 use crate::simulate::accuracy::resolution::Resolution;
@@ -31,6 +31,8 @@ pub enum Note {
         last: f64,
     },
     Strain(StrainChoice),
+    /// Beside an elastic counterface.
+    Press(PressFriction),
     /// The first resolution, chosen for the accuracy `planned`, is the last one, as the body may shear without limit.
     UnlimitedShear {
         planned: f64,
@@ -85,6 +87,13 @@ impl Note {
         Self::Resolution { elements_per_radius, sectors, growth }
     }
 
+    /// How the asperity is pressed, if that depends on the counterface.
+    pub(super) fn press(problem: &Problem) -> Option<Self> {
+        let press = problem.press_friction;
+        let depends = problem.law.has_friction() && (!press.sticks || press.neglected > 0.0);
+        depends.then_some(Self::Press(press))
+    }
+
     /// The partition that a slide against a conducting counterface found.
     pub(super) fn heat_partition(problem: &Problem, history: &[SlideState]) -> Option<Self> {
         let (first, last) = (history.first()?.heat_partition, history.last()?.heat_partition);
@@ -117,6 +126,13 @@ impl Display for Note {
                 100.0 * first
             ),
             Self::Strain(choice) => choice.fmt(f),
+            Self::Press(PressFriction { sticks, neglected }) => write!(
+                f,
+                "the press is {}, the closer of both beside this elastic counterface (Dundurs' beta squared differs by {}, \
+                 which the errors include)",
+                if *sticks { "in full stick" } else { "without friction" },
+                digits(*neglected, 2),
+            ),
             Self::UnlimitedShear { planned } => write!(
                 f,
                 "the resolution is chosen for an accuracy of {:.0} % and not refined: the body does not harden and is \

@@ -12,7 +12,7 @@ use tables::closed_forms::hertz;
 use tables::quantity::Quantity;
 
 use super::heat_source::{START, slide_beside};
-use super::setup::{Hertz, last, mesh, plain_material, run_press, scene, slide_at_small_strain};
+use super::setup::{Hertz, last, mesh, plain_material, pressed, run_press, scene, slide_at_small_strain};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::heat::counterface::HalfSpace;
 use crate::scene::{Counterface, FrictionLaw, Scene, Switch};
@@ -217,9 +217,33 @@ fn elastic(watch: &dyn Watch) -> Rows {
     let found = outcome.scalars[Quantity::LoadPress];
     let yields = Reference::exact(critical, SOURCE);
     let exact = Tolerance::relative(1e-9, "closed form");
-    Ok(vec![
+    let mut rows = vec![
         Row::new("P at 0.3 omega_c, elastic counterface of half the modulus", found, reference, tolerance)
             .unit("N"),
         Row::new("omega_c, elastic counterface", outcome.critical_interference, yields, exact).unit("m"),
-    ])
+    ];
+    rows.extend(like_bodies(watch)?);
+    Ok(rows)
+}
+
+/// Like bodies are displaced alike by the pressure: Hertz's contact whatever their friction (K. L. Johnson, *Contact
+/// Mechanics*, 1985, §5.1).
+fn like_bodies(watch: &dyn Watch) -> Rows {
+    let mut scene = scene(plain_material(0.3), FrictionLaw::ShearStrength, 0.3, mesh(8, 4));
+    scene.counterface.youngs_modulus = Some(scene.material.youngs_modulus);
+    scene.counterface.poisson_ratio = Some(scene.material.poisson_ratio);
+    let outcome = run_press(&scene, watch)?;
+    let (state, hertz) = (pressed(&outcome), Hertz::of(&scene));
+    let row = |name: &str, found, reference| {
+        let name = format!("{name} with friction over Hertz, like bodies, 0.3 omega_c");
+        let reference = Reference::exact(reference, "Johnson 1985, Contact Mechanics, sec. 5.1");
+        Row::new(
+            name,
+            found,
+            reference.known_to(0.0003),
+            Tolerance::relative(0.004, "mesh; half space, 0.03 %"),
+        )
+    };
+    let area = PI * hertz.contact_radius * hertz.contact_radius;
+    Ok(vec![row("P", state[Quantity::Load] / hertz.load, 1.0), row("A", state[Quantity::Area] / area, 1.0)])
 }
