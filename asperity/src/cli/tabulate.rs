@@ -42,6 +42,12 @@ fn tabulate_request(
     if display.verbose {
         say(format!("note: {}", Note::of_scene(&request.template)));
     }
+    if !arguments.resume && tabulate::existing(request, arguments.shard, &arguments.output).is_err() {
+        let output = arguments.output.display();
+        let replaced =
+            format!("{output}: holds a table of another request, which this one replaces when it is done");
+        display.printer().warn([replaced]);
+    }
     if arguments.resume
         && let Some(table) =
             tabulate::completed(request, arguments.shard, &arguments.output).map_err(Failure::input)?

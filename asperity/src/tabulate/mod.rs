@@ -197,13 +197,8 @@ pub fn completed(
     if journal.exists() {
         return Ok(None);
     }
-    let Ok(table) = Table::read(output) else { return Ok(None) };
+    let Some(table) = existing(request, shard, output)? else { return Ok(None) };
     let metadata = table.metadata();
-    let other_shard = shard.is_some_and(|shard| shard.to_string() != metadata.shard);
-    let text = write_request(request);
-    if metadata.scene != text || other_shard {
-        return Err(TabulateError::OtherTable(output.display().to_string()));
-    }
     if metadata.fingerprint != FINGERPRINT {
         return Ok(None);
     }
@@ -211,8 +206,23 @@ pub fn completed(
     if shard.is_some() || table.missing().is_empty() {
         return Ok(Some(table));
     }
-    Journal::of_table(&journal, &text, &table)?;
+    Journal::of_table(&journal, &write_request(request), &table)?;
     Ok(None)
+}
+
+/// The table at `output`, if there is one; an error if it is of another request or shard.
+pub fn existing(
+    request: &Request,
+    shard: Option<Shard>,
+    output: &Path,
+) -> Result<Option<Table>, TabulateError> {
+    let Ok(table) = Table::read(output) else { return Ok(None) };
+    let metadata = table.metadata();
+    let other_shard = shard.is_some_and(|shard| shard.to_string() != metadata.shard);
+    match metadata.scene != write_request(request) || other_shard {
+        true => Err(TabulateError::OtherTable(output.display().to_string())),
+        false => Ok(Some(table)),
+    }
 }
 
 pub(crate) fn tabulate_with<S: Simulator>(

@@ -296,6 +296,30 @@ fn an_interface_stronger_than_the_pressure_is_warned_of() {
 }
 
 #[test]
+fn contacts_that_hardly_slide_are_warned_of() {
+    // Friction grows over 0.1 µm; contacts are some 10 µm large.
+    let history = |_: f64, slip: f64, _: f64| (slip / 1e-7).min(1.0);
+    let law = PowerLaw { inception: 1e-7, history, last_slip: 20.0, ..PowerLaw::hertz() };
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let found = |life: f64| {
+        let contact_life = ContactLife::Diameters(life);
+        let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
+        predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap()
+    };
+    let lives = |found: &Prediction| {
+        let life = found.warnings.iter().find_map(|warning| match warning {
+            Warning::ShortLife { life, inception, .. } => Some(inception / life),
+            _ => None,
+        });
+        (life, found.friction[0][0].sliding.mu.value)
+    };
+    let (none, sliding) = lives(&found(1.0));
+    assert_eq!(none, None);
+    let (share, mu) = lives(&found(0.002));
+    assert!(share.is_some_and(|share| share > 0.2) && mu < 0.95 * sliding, "{share:?} {mu} {sliding}");
+}
+
+#[test]
 fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
     let steady = Some(Estimate { value: 0.4, error: 0.1 });
     let law = PowerLaw { last_slip: 20.0, steady, ..PowerLaw::hertz() };

@@ -81,6 +81,12 @@ pub enum Warning {
         100.0 * .share
     )]
     NotSliding { at: Place, share: f64 },
+    #[error(
+        "{at}: contacts live for a slip of {} m, of which they stick for {:.0} %: mu is that of contacts that hardly slide; a larger contact_life is nearer to sliding friction",
+        digits(*.life, 2),
+        100.0 * (.inception / .life).min(1.0)
+    )]
+    ShortLife { at: Place, life: f64, inception: f64 },
     #[error("{at}: friction still rises at the end of the slide; mu_static is the last value")]
     StillRising { at: Place },
     #[error(

@@ -33,6 +33,9 @@ const MOSTLY_BELOW: f64 = 0.5;
 /// Static friction coefficient above which a warning says that the interface is stronger than the pressure.
 const LARGEST_FRICTION: f64 = 1.0;
 
+/// Share of the life of a contact in which it may stick; friction is then about a tenth below that of sliding.
+const LARGEST_STICK: f64 = 0.2;
+
 /// Number of measured heights in contact below which the result is that of a few summits and not of a surface.
 const FEW_CONTACTS: f64 = 10.0;
 
@@ -244,6 +247,7 @@ impl<'a> Sweep<'a> {
         let outside_table =
             curve.iter().chain([&slide.sliding]).map(|state| state.outside).fold(0.0, f64::max);
         let stuck = contacts.stuck_load > NEGLIGIBLE_SHARE;
+        warnings.extend(self.short_life((row, rate), pressed, start.slip.value));
         self.warn((row, rate), &slide, outside_table, start.reached || start.mu.value.is_nan(), warnings);
         let friction = Friction {
             mu_static: start.mu,
@@ -325,6 +329,14 @@ impl<'a> Sweep<'a> {
         if let Some((melting, highest)) = molten.filter(|(melting, highest)| highest.value > *melting) {
             warnings.push(Warning::AboveMelting { at: at(), highest: highest.value, melting });
         }
+    }
+
+    /// A warning where contacts stick for much of the slip that they live for.
+    fn short_life(&self, (row, rate): (usize, usize), pressed: &Pressed, inception: f64) -> Option<Warning> {
+        let ContactLife::Diameters(life) = self.query.contact_life else { return None };
+        let life = 2.0 * life * pressed.equilibrium.state.loaded_radius;
+        let at = || Place::of(self.query, row, rate);
+        (inception > LARGEST_STICK * life).then(|| Warning::ShortLife { at: at(), life, inception })
     }
 
     /// Time of sliding inception over that of a shear wave across a contact, at the largest mean shear stress of the slide.
