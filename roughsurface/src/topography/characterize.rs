@@ -87,6 +87,7 @@ const STEEP: f64 = 2.0;
 
 /// Moments and summits of `topography`, or the error in the cut-off.
 pub fn characterize(mut topography: Topography, options: &Options) -> Result<Characterization, String> {
+    plausibility::none_is_marked(&topography)?;
     let mut warnings = topography.remarks.clone();
     warnings.extend(plausibility::seems_periodic(&topography));
     warnings.extend(plausibility::spikes(&topography));

@@ -4,6 +4,7 @@ use super::Topography;
 use super::detrend::Detrend;
 use super::spectrum::Window;
 use super::warning::Warning;
+use tables::numbers::digits;
 
 /// Lengths (m) above which a rough surface was hardly measured: those of machined ones are micrometres.
 const LONG: f64 = 1e-3;
@@ -13,6 +14,9 @@ const SHORT: f64 = 1e-11;
 
 /// Standard deviations of a spike; one of 1e15 Gaussian heights lies beyond.
 const SPIKE: f64 = 8.0;
+
+/// Range of all other heights over that with a mark of missing ones.
+const MARKED: f64 = 0.05;
 
 /// Share of the mean square without plane that a paraboloid takes off: at most 0.69 in 192 self-affine maps
 /// of Hurst exponents from 0.3 to 1 and roll-offs up to twice their size.
@@ -71,6 +75,32 @@ pub(super) fn edges_jump(topography: &Topography, window: Window) -> Option<Warn
     let ratios = steps(topography).into_iter().map(|[across, neighbours]| (across / neighbours).sqrt());
     let ratio = ratios.fold(0.0, f64::max);
     (ratio > limit).then_some(Warning::EdgesJump { ratio })
+}
+
+/// Fails if the lowest or the highest height, of one point or of several, is far from all others: the mark of missing heights,
+/// as −9999, of many instruments.
+pub(super) fn none_is_marked(topography: &Topography) -> Result<(), String> {
+    let heights = &topography.heights;
+    let range = |heights: &mut dyn Iterator<Item = f64>| {
+        heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (z.min(low), z.max(high)))
+    };
+    let (low, high) = range(&mut heights.iter().copied());
+    for extreme in [low, high] {
+        let count = heights.iter().filter(|height| **height == extreme).count();
+        let (next_low, next_high) = range(&mut heights.iter().copied().filter(|height| *height != extreme));
+        let distant = next_high - next_low < MARKED * (high - low);
+        // Two levels alone may be a grating.
+        if distant && next_high > next_low && 2 * count < heights.len() {
+            return Err(format!(
+                "{count} heights are {} m and all others between {} and {} m: if that marks missing heights, give them as nan, \
+                 which is filled in from the neighbours",
+                digits(extreme, 6),
+                digits(next_low, 3),
+                digits(next_high, 3)
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// A warning if points stand out from the median of their neighbours: eight on a map, four on a profile.
@@ -157,6 +187,26 @@ mod tests {
         }
         let refused = characterize(scaled(1.0, 1e200), &Options::default()).unwrap_err();
         assert!(refused.contains("slopes are not finite"), "{refused}");
+    }
+
+    #[test]
+    fn marks_of_missing_heights_are_refused() {
+        let map = SelfAffine::default().quarter(1);
+        let with = |mark: f64, places: &[usize]| {
+            let mut marked = map.clone();
+            places.iter().for_each(|place| marked.heights[*place] = mark);
+            none_is_marked(&marked)
+        };
+        assert_eq!(with(0.0, &[]), Ok(()));
+        // Pits twice as deep as the surface is rough.
+        let [low, high] = [f64::min, f64::max].map(|of| map.heights.iter().copied().reduce(of).unwrap());
+        assert_eq!(with(3.0 * low - 2.0 * high, &[500, 501]), Ok(()));
+        for (mark, places) in [(-9999.0, &[500, 501, 502][..]), (32767.0, &[7])] {
+            let refused = with(mark, places).unwrap_err();
+            assert!(refused.contains(&format!("{} heights are {mark} m", places.len())), "{refused}");
+        }
+        let grating = (0..400).map(|place| f64::from(place / 10 % 2)).collect();
+        assert_eq!(none_is_marked(&Topography::map((20, 1.0), (20, 1.0), grating)), Ok(()));
     }
 
     #[test]

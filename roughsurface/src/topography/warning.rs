@@ -65,8 +65,12 @@ pub enum Warning {
     Noise { share: f64 },
     #[error(
         "no cut-off was given and the reliability limit of {limit:.3e} m ({reason}) is used: summit radius and \
-         density follow from it, twice the cut-off gives {radius_at_twice:.2} times the radius; an instrument may \
-         blur longer waves than that, give what it resolves with --cutoff"
+         density follow from it, {}; an instrument may \
+         blur longer waves than that, give what it resolves with --cutoff",
+        match *.radius_at_twice {
+            ratio if ratio.is_finite() => format!("twice the cut-off gives {ratio:.2} times the radius"),
+            _ => "twice the cut-off leaves no waves".to_owned(),
+        }
     )]
     NoCutoff { limit: f64, reason: Limit, radius_at_twice: f64 },
     #[error(
