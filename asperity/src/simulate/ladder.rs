@@ -62,17 +62,9 @@ impl Ladder {
         Self { obstacle, ..Self::new(start, coarse, auxiliary) }
     }
 
-    /// Elements per contact radius of the last two main runs.
-    fn last_meshes(&self) -> [usize; 2] {
-        let elements = |back: usize| self.main[self.main.len() - back].resolution.elements_per_radius;
-        [elements(2), elements(1)]
-    }
-
-    /// Whether `next` is finer in a direction in which the last refinement was too: what a refinement of the angles gained says
-    /// nothing of one of the mesh.
-    fn is_refined_likewise(&self, next: &Resolution) -> bool {
-        let [before, last] = [2, 1].map(|back| &self.main[self.main.len() - back].resolution);
-        std::iter::zip(last.is_finer(before), next.is_finer(last)).any(|(once, again)| once && again)
+    /// Resolutions of the last two main runs.
+    fn last_two(&self) -> [&Resolution; 2] {
+        [2, 1].map(|back| &self.main[self.main.len() - back].resolution)
     }
 
     /// The finest main run.
@@ -93,8 +85,13 @@ impl Ladder {
         let finer = self.result().resolution.refine(numerics, &parts)?;
         let after = parts.total();
         if let Some(&before) = self.errors.last()
-            && self.is_refined_likewise(&finer)
-            && has_stagnated([before, after], numerics.accuracy, self.last_meshes())
+            && let [coarse, fine] = self.last_two()
+            && fine.is_refined_likewise(coarse, &finer)
+            && has_stagnated(
+                [before, after],
+                numerics.accuracy,
+                [coarse, fine].map(|run| run.elements_per_radius),
+            )
         {
             let [before, after] = [before, after].map(|error| error / numerics.accuracy);
             self.notes.push(Note::RefinementStopped { before, after });

@@ -59,7 +59,11 @@ pub(super) fn report(
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let interference = runner.pressed.scene.loading.interference;
     let mut outcome = outcome(problem, (interference, programme), &mut run, budget, account);
-    let hotter = hotter_counterface(&runner.pressed.scene, &outcome);
+    let initial = runner.pressed.scene.loading.temperature;
+    let counterface = counterface_temperature(&runner.pressed.scene, &outcome);
+    let hotter = counterface.and_then(|counterface| {
+        hotter_counterface(counterface.value, outcome.scalars[Quantity::TemperatureMax].value, initial)
+    });
     outcome.account.warnings.extend(hotter);
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
@@ -175,12 +179,9 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
 
 /// A conducting counterface that is hotter than the asperity: both have the mean temperature of the contact in common, and not
 /// that of each point.
-fn hotter_counterface(scene: &Scene, outcome: &Outcome) -> Option<Warning> {
+fn hotter_counterface(counterface: f64, asperity: f64, initial: f64) -> Option<Warning> {
     /// Rise over that of the asperity above which there is a warning.
     const HOTTER: f64 = 1.1;
-    let (counterface, asperity) =
-        (counterface_temperature(scene, outcome)?.value, outcome.scalars[Quantity::TemperatureMax].value);
-    let initial = scene.loading.temperature;
     let is_hotter = counterface - initial > HOTTER * (asperity - initial);
     is_hotter.then_some(Warning::HotterCounterface { counterface, asperity })
 }
@@ -336,4 +337,16 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
         });
     }
     history
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By more than a tenth of the rise of the asperity; a counterface that stays cold is none.
+    #[test]
+    fn a_counterface_hotter_than_the_asperity_is_noticed() {
+        let noticed = |counterface| hotter_counterface(counterface, 500.0, 300.0).is_some();
+        assert_eq!([300.0, 500.0, 519.0, 521.0].map(noticed), [false, false, false, true]);
+    }
 }

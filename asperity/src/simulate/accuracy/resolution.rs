@@ -164,8 +164,14 @@ impl Resolution {
         Self { growth: self.growth / factor as f64, ..*self }
     }
 
+    /// Whether `next` is finer than it in a direction in which it is finer than `before`: what a refinement of the angles gained
+    /// says nothing of one of the mesh.
+    pub fn is_refined_likewise(&self, before: &Self, next: &Self) -> bool {
+        std::iter::zip(self.is_finer(before), next.is_finer(self)).any(|(once, again)| once && again)
+    }
+
     /// Whether it is finer than another in the mesh, the angles and the increments.
-    pub fn is_finer(&self, than: &Self) -> [bool; 3] {
+    fn is_finer(&self, than: &Self) -> [bool; 3] {
         [
             self.elements_per_radius > than.elements_per_radius,
             self.sectors > than.sectors,
@@ -302,6 +308,24 @@ mod tests {
             let count = thermal_sublayers(depth, refinements);
             let thinnest = |count: u32| 0.5f64.powi(refinements as i32 + 1) / thickness_ratio(count);
             assert!(thinnest(count) <= 2.0 * depth && thinnest(count - 1) > 2.0 * depth, "{depth} {count}");
+        }
+    }
+
+    #[test]
+    fn refinements_are_compared_in_their_own_direction() {
+        let start = Resolution::choose(&NUMERICS);
+        let ways: [fn(&Resolution) -> Resolution; 3] = [
+            |now| now.finer_mesh(2),
+            |now| Resolution { sectors: 2 * now.sectors, ..*now },
+            |now| now.shorter_steps(2),
+        ];
+        for (i, first) in ways.iter().enumerate() {
+            let once = first(&start);
+            for (j, second) in ways.iter().enumerate() {
+                assert_eq!(once.is_refined_likewise(&start, &second(&once)), i == j, "{i} {j}");
+            }
+            // Both ways at once repeat the first.
+            assert!(once.is_refined_likewise(&start, &ways.iter().fold(once, |now, finer| finer(&now))));
         }
     }
 
