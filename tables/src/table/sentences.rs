@@ -39,11 +39,13 @@ impl Sentence {
         true
     }
 
-    /// With the ranges of its numbers.
+    /// With the ranges of its numbers; of those "up to" a number the largest.
     pub fn text(&self) -> String {
-        let ranges = self.numbers.iter().map(|[low, high]| match low == high {
-            true => low.clone(),
-            false => format!("{low} to {high}"),
+        let ranges = self.numbers.iter().zip(&self.words).map(|([low, high], before)| {
+            match low == high || before.ends_with("up to ") {
+                true => high.clone(),
+                false => format!("{low} to {high}"),
+            }
         });
         let ranges = ranges.chain([String::new()]);
         self.words.iter().zip(ranges).map(|(words, range)| format!("{words}{range}")).collect()
@@ -101,6 +103,13 @@ mod tests {
         assert!(!sentence.absorbs(&Sentence::new("mu_3 is 1.9 %, above 2.0 % at 4340.", (0, 0))));
         assert_eq!(sentence.text(), "mu_2 is 1.9 to 10.3 %, above 2.0 % at 4340.");
         assert_eq!(sentence.places, [(0, 0), (0, 1), (2, 0)]);
+    }
+
+    #[test]
+    fn of_upper_limits_the_largest_is_stated() {
+        let mut sentence = Sentence::new("up to 14.34 % of 2 loads", (0, 0));
+        assert!(sentence.absorbs(&Sentence::new("up to 14.28 % of 3 loads", (0, 1))));
+        assert_eq!(sentence.text(), "up to 14.34 % of 2 to 3 loads");
     }
 
     #[test]
