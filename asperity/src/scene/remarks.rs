@@ -1,9 +1,11 @@
 //! What is worth knowing about a scene before it is run: implausible values, strengths that make the result depend on
 //! the mesh, defaults in effect.
 
+use std::collections::HashMap;
+
 use tables::closed_forms::hertz::yield_coefficient;
 use tables::numbers::{digits, plain, rounded};
-use tables::quantity::plausible;
+use tables::quantity::{plausible, values_by_path};
 use toml::{Table, Value};
 
 use crate::scene::fitted_constants::localised_shear;
@@ -187,35 +189,22 @@ impl Scene {
             numerics: Numerics::default(),
             ..self.clone()
         };
-        let [here, default] = [self, &default].map(|scene| Value::try_from(scene).expect("plain data"));
-        let mut equal = Vec::new();
-        common_leaves("", &here, &default, &mut equal);
-        equal.retain(|leaf| !(leaf.starts_with("interface.heat_partition") && self.partition_is_result()));
-        equal
+        let [here, default] = [self, &default].map(|scene| Table::try_from(scene).expect("plain data"));
+        let default: HashMap<String, &Value> = values_by_path(&default).into_iter().collect();
+        let without_effect = |path: &str| path == "interface.heat_partition" && self.partition_is_result();
+        let unchanged = |(path, here): (String, &Value)| {
+            let default = default.get(&path).filter(|default| **default == here)?;
+            (is_optional(&path) && !without_effect(&path)).then(|| format!("{path} = {default}"))
+        };
+        values_by_path(&here).into_iter().filter_map(unchanged).collect()
     }
 }
 
-/// Optional keys with equal values.
-fn common_leaves(path: &str, here: &Value, default: &Value, equal: &mut Vec<String>) {
-    match (here, default) {
-        (Value::Table(here), Value::Table(default)) => {
-            for (name, here) in here {
-                let path = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
-                if let Some(default) = default.get(name) {
-                    common_leaves(&path, here, default, equal);
-                }
-            }
-        }
-        _ if here == default => {
-            let within = |section: &&str| {
-                path.strip_prefix(*section).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-            };
-            if OPTIONAL.iter().any(within) {
-                equal.push(format!("{path} = {default}"));
-            }
-        }
-        _ => {}
-    }
+fn is_optional(path: &str) -> bool {
+    let within = |section: &&str| {
+        path.strip_prefix(*section).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    };
+    OPTIONAL.iter().any(within)
 }
 
 #[cfg(test)]

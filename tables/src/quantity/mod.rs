@@ -20,7 +20,7 @@ mod words;
 pub use history::{History, State};
 pub use list::Quantity;
 pub use scalars::{COVERAGE_FACTOR, Estimate, OF_BOUND, Scalars, WithUnit};
-pub use words::{hint, nearest};
+pub use words::{hint, nearest, values_by_path};
 
 /// Where the history of a quantity is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@
 use toml::{Table, Value};
 
 use super::numbers::plain;
+use super::values_by_path;
 
 /// An input quantity by its key in the input files, or the end of the path of the key.
 struct Plausible {
@@ -119,26 +120,11 @@ pub fn ranges() -> impl Iterator<Item = (&'static [&'static str], &'static str, 
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn remarks(sections: &Table) -> Vec<String> {
-    let mut found = Vec::new();
-    for (key, value) in sections {
-        collect(key, value, &mut found);
-    }
-    found
-}
-
-/// Those of the value at a path.
-fn collect(path: &str, value: &Value, found: &mut Vec<String>) {
-    match value {
-        Value::Table(inner) => {
-            for (name, value) in inner {
-                collect(&format!("{path}.{name}"), value, found);
-            }
-        }
-        Value::Array(values) => {
-            found.extend(values.iter().filter_map(number).find_map(|number| remark(path, number)));
-        }
-        value => found.extend(number(value).and_then(|number| remark(path, number))),
-    }
+    let first = |(path, value): (String, &Value)| {
+        let values = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);
+        values.iter().filter_map(number).find_map(|number| remark(&path, number))
+    };
+    values_by_path(sections).into_iter().filter_map(first).collect()
 }
 
 fn number(value: &Value) -> Option<f64> {

@@ -1,4 +1,6 @@
-//! Names that are misspelt in input files and on the command line.
+//! Names in input files and on the command line, those that are misspelt among them.
+
+use toml::{Table, Value};
 
 /// The known word nearest to a misspelt one, if near enough to suggest (Damerau and Levenshtein's distance).
 ///
@@ -24,4 +26,19 @@ pub fn hint(word: &str, known: &[&str]) -> String {
         None if known.is_empty() => "no name is allowed here".into(),
         None => format!("known: {all}"),
     }
+}
+
+/// Every value of an input file with the path of its key, `section.key`, in the order of the file; sections are no values.
+pub fn values_by_path(sections: &Table) -> Vec<(String, &Value)> {
+    let mut values = Vec::new();
+    for (name, value) in sections {
+        match value {
+            Value::Table(inner) => {
+                let below = values_by_path(inner).into_iter();
+                values.extend(below.map(|(path, value)| (format!("{name}.{path}"), value)));
+            }
+            value => values.push((name.clone(), value)),
+        }
+    }
+    values
 }

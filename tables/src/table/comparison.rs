@@ -1,6 +1,6 @@
 //! Two tables side by side.
 
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, values_by_path};
 use crate::table::{Slice, Status};
 
 /// Coordinates closer than this, relatively, are the same.
@@ -26,31 +26,17 @@ pub struct OfKey {
 
 /// Keys in which two requests (TOML) differ, in the order of the first, then those that only the second has.
 pub fn request_differences(here: &str, there: &str) -> Vec<OfKey> {
-    let [here, there] = [here, there].map(|text| {
-        let mut leaves = Vec::new();
-        leaves_of("", &text.parse().unwrap_or_default(), &mut leaves);
-        leaves
-    });
-    let value = |leaves: &[(String, String)], key: &str| {
-        let found = leaves.iter().find(|(name, _)| name == key);
-        found.map_or_else(|| "nothing".to_owned(), |(_, value)| value.clone())
+    let [here, there] = [here, there].map(|text| text.parse().unwrap_or_default());
+    let [here, there] = [&here, &there].map(values_by_path);
+    let value = |values: &[(String, &toml::Value)], key: &str| {
+        let found = values.iter().find(|(name, _)| name == key);
+        found.map_or_else(|| "nothing".to_owned(), |(_, value)| value.to_string())
     };
     let only_there = there.iter().filter(|(key, _)| here.iter().all(|(name, _)| name != key));
     let keys = here.iter().chain(only_there).map(|(key, _)| key);
     let pairs =
         keys.map(|key| OfKey { key: key.clone(), here: value(&here, key), there: value(&there, key) });
     pairs.filter(|OfKey { here, there, .. }| here != there).collect()
-}
-
-/// Keys with their values, which are no sections.
-fn leaves_of(path: &str, section: &toml::Table, leaves: &mut Vec<(String, String)>) {
-    for (name, value) in section {
-        let key = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
-        match value {
-            toml::Value::Table(inner) => leaves_of(&key, inner, leaves),
-            value => leaves.push((key, value.to_string())),
-        }
-    }
 }
 
 /// How two tables differ; "here" is the first of them.
