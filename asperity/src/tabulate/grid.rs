@@ -10,8 +10,7 @@ use rayon::prelude::*;
 
 use super::cell::Finished;
 use super::cost::{CostModel, Forecast};
-use super::journal::{CellResult, Index, Journal, JournalError};
-use super::known::Known;
+use super::journal::{CellResult, Index, Journal, JournalError, Known};
 use super::layout::Layout;
 use super::{CellProgress, Simulator, TableWatch};
 use crate::simulate::{SimulationError, Watch};
@@ -82,7 +81,7 @@ pub fn run<S: Simulator>(
     let mut finished = Vec::new();
     let ledger = grid.ledger.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
     for (k, case) in cases.iter().enumerate() {
-        match ledger.known.get(layout.point((k / columns, k % columns))) {
+        match ledger.known.get(&layout.point((k / columns, k % columns)).key()) {
             Some(result) => {
                 if let Ok(result) = result {
                     model.learn(*case, result.cell.wall_time);
@@ -155,7 +154,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
         let is_pending = |j: &usize| {
             self.work.wanted[self.position((i, *j))]
                 && !ledger.taken.contains(&(i, *j))
-                && ledger.known.get(self.work.layout.point((i, *j))).is_none()
+                && !ledger.known.contains_key(&self.work.layout.point((i, *j)).key())
         };
         let chosen = chosen((0..self.work.layout.axes.slip_rate.len()).filter(is_pending).collect());
         ledger.taken.extend(chosen.iter().map(|&j| (i, j)));
@@ -201,7 +200,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
             remaining: ledger.forecast.remaining(now),
         };
         self.watch.finished(index, &result, &progress);
-        ledger.known.insert(self.work.layout.point(index), result);
+        ledger.known.insert(self.work.layout.point(index).key(), result);
     }
 
     fn position(&self, (i, j): Index) -> usize {

@@ -9,6 +9,7 @@
 
 mod record;
 
+use std::collections::HashMap;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -37,6 +38,16 @@ pub struct Point {
     /// V, m/s.
     pub slip_rate: f64,
 }
+
+impl Point {
+    /// Its bits.
+    pub(super) fn key(self) -> [u64; 3] {
+        [self.temperature, self.interference, self.slip_rate].map(f64::to_bits)
+    }
+}
+
+/// Results so far by [`Point::key`].
+pub(super) type Known = HashMap<[u64; 3], CellResult>;
 
 /// Result of a cell, or the reason of its failure.
 pub type CellResult = Result<Finished, String>;

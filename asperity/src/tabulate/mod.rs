@@ -16,7 +16,6 @@ mod cost;
 mod fake;
 mod grid;
 mod journal;
-mod known;
 mod layout;
 mod shard;
 mod tabulation;
@@ -40,7 +39,7 @@ use crate::simulate::outcome::Outcome;
 use crate::simulate::{self, Pressed, STACK_SIZE, SimulationError, Watch};
 use cost::CostModel;
 use grid::Work;
-use known::Known;
+use journal::Known;
 use layout::Layout;
 
 /// Progress of a tabulation.
@@ -238,7 +237,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
     let (mut journal, found) =
         Journal::open(options.journal, &write_request(request), options.shard, options.resume)?;
     let resumed = found.len();
-    let mut known: Known = found.into_iter().collect();
+    let mut known: Known = found.into_iter().map(|(point, result)| (point.key(), result)).collect();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.jobs)
         .stack_size(STACK_SIZE)
@@ -258,7 +257,7 @@ pub(crate) fn tabulate_with<S: Simulator>(
         watch.expects(expected_time_left(&layout, &wanted, &known));
         grid::run(simulator, &work, (&mut known, &mut journal), &pool, watch)?;
         let columns = axes.slip_rate.len();
-        let row = |i: usize| (0..columns).map(|j| known.get(layout.point((i, j))).cloned()).collect();
+        let row = |i: usize| (0..columns).map(|j| known.get(&layout.point((i, j)).key()).cloned()).collect();
         let tabulation = Tabulation {
             request: request.clone(),
             shard: options.shard,
@@ -303,7 +302,7 @@ fn check_depth(request: &Request) -> Result<(), TabulateError> {
 fn expected_time_left(layout: &Layout<'_>, wanted: &[bool], known: &Known) -> f64 {
     let columns = layout.axes.slip_rate.len();
     let left = (0..wanted.len()).map(|k| (k / columns, k % columns)).zip(wanted);
-    left.filter(|(index, wanted)| **wanted && known.get(layout.point(*index)).is_none())
+    left.filter(|(index, wanted)| **wanted && !known.contains_key(&layout.point(*index).key()))
         .map(|(index, _)| expected_time(&layout.scene(index)))
         .sum()
 }
