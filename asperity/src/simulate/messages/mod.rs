@@ -16,46 +16,64 @@ use tables::quantity::Quantity;
 pub use warning::Warning;
 
 /// Choices of a run, with their reasons.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Note {
+    #[error(
+        "{elements_per_radius} elements per contact radius, {sectors} angles over the half circle, slip increments of {:.0} % of the slip",
+        100.0 * .growth
+    )]
     Resolution {
         elements_per_radius: usize,
         sectors: usize,
         /// Largest slip increment over the slip.
         growth: f64,
     },
+    #[error("heat is {}", heat_in_words(.0, .1))]
     Heat(HeatChoice, HeatEffect),
     /// Share of the frictional heat that enters the asperity beside a conducting counterface.
-    HeatPartition {
-        first: f64,
-        last: f64,
-    },
+    #[error(
+        "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, {:.1} % at its start",
+        100.0 * .last,
+        100.0 * .first
+    )]
+    HeatPartition { first: f64, last: f64 },
+    #[error("{0}")]
     Strain(StrainChoice),
     /// Beside an elastic counterface.
+    #[error(
+        "the press is {}, the closer of both beside this elastic counterface (Dundurs' beta squared differs by {}, which the errors include)",
+        if .0.sticks { "in full stick" } else { "without friction" },
+        digits(.0.neglected, 2)
+    )]
     Press(PressFriction),
     /// The first resolution, chosen for the accuracy `planned`, is the last one, as the body may shear without limit.
-    UnlimitedShear {
-        planned: f64,
-    },
+    #[error(
+        "the resolution is chosen for an accuracy of {:.0} % and not refined: the body does not harden and is no stronger than the interface, so shear localises in the elements below it; give material.hardening, or interface.strength_factor below 1, for a higher accuracy",
+        100.0 * .planned
+    )]
+    UnlimitedShear { planned: f64 },
     /// The part of the solver in the relative error of a quantity is above the accuracy.
-    AccuracyOutOfReach {
-        quantity: Quantity,
-        solver: f64,
-        accuracy: f64,
-    },
+    #[error(
+        "not refined: {} changes by {:.1} % with the tolerance of equilibrium, above the accuracy of {:.1} %, and no finer mesh reduces that; the body hardly resists more than the interface transmits: give more hardening, interface.strength_factor below 1, or no rate law",
+        .quantity.descriptor().name,
+        100.0 * .solver,
+        100.0 * .accuracy
+    )]
+    AccuracyOutOfReach { quantity: Quantity, solver: f64, accuracy: f64 },
     /// A refinement would take longer than the factor of the expected time, s.
-    RefinementTooLong {
-        next: f64,
-        expected: f64,
-        elements: usize,
-        sectors: usize,
-    },
+    #[error(
+        "not refined further: that would take about {next:.0} s more, and {expected:.0} s were expected; numerics.elements_per_radius = {elements} and numerics.sectors = {sectors} take that mesh at once"
+    )]
+    RefinementTooLong { next: f64, expected: f64, elements: usize, sectors: usize },
     /// A refinement did not reduce the largest relative error.
-    RefinementStopped {
-        before: f64,
-        after: f64,
-    },
+    #[error(
+        "not refined further: the last refinement changed the largest error from {before:.2} to {after:.2} times what is asked"
+    )]
+    RefinementStopped { before: f64, after: f64 },
     /// The run was repeated on a mesh with more room.
+    #[error(
+        "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine mesh, which now has room for {room:.2} times"
+    )]
     Remeshed {
         /// Contact radius over that after the press.
         growth: f64,
@@ -63,6 +81,7 @@ pub enum Note {
         room: f64,
     },
     /// Optional keys of the scene with their default values.
+    #[error("at their defaults: {}", .0.join(", "))]
     Defaults(Vec<String>),
 }
 
@@ -102,70 +121,13 @@ impl Note {
     }
 }
 
-impl Display for Note {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Resolution { elements_per_radius, sectors, growth } => write!(
-                f,
-                "{elements_per_radius} elements per contact radius, {sectors} angles over the half circle, slip \
-                 increments of {:.0} % of the slip",
-                100.0 * growth
-            ),
-            Self::Heat(HeatChoice::Coupled, effect) => write!(f, "heat is included: {effect}"),
-            Self::Heat(HeatChoice::Off(reason), effect) => match reason {
-                NoHeat::SwitchedOff => write!(f, "heat is left out: it is switched off"),
-                NoHeat::AtRest => write!(f, "heat is left out: the slip rate is 0, the isothermal limit"),
-                NoHeat::NoFriction => write!(f, "heat is left out: there is no friction"),
-                NoHeat::Negligible => write!(f, "heat is left out: {effect}, which the errors include"),
-            },
-            Self::HeatPartition { first, last } => write!(
-                f,
-                "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, \
-                 {:.1} % at its start",
-                100.0 * last,
-                100.0 * first
-            ),
-            Self::Strain(choice) => choice.fmt(f),
-            Self::Press(PressFriction { sticks, neglected }) => write!(
-                f,
-                "the press is {}, the closer of both beside this elastic counterface (Dundurs' beta squared differs by {}, \
-                 which the errors include)",
-                if *sticks { "in full stick" } else { "without friction" },
-                digits(*neglected, 2),
-            ),
-            Self::UnlimitedShear { planned } => write!(
-                f,
-                "the resolution is chosen for an accuracy of {:.0} % and not refined: the body does not harden and is \
-                 no stronger than the interface, so shear localises in the elements below it; give \
-                 material.hardening, or interface.strength_factor below 1, for a higher accuracy",
-                100.0 * planned
-            ),
-            Self::AccuracyOutOfReach { quantity, solver, accuracy } => write!(
-                f,
-                "not refined: {} changes by {:.1} % with the tolerance of equilibrium, above the accuracy of {:.1} %, \
-                 and no finer mesh reduces that; the body hardly resists more than the interface transmits: give \
-                 more hardening, interface.strength_factor below 1, or no rate law",
-                quantity.descriptor().name,
-                100.0 * solver,
-                100.0 * accuracy
-            ),
-            Self::RefinementTooLong { next, expected, elements, sectors } => write!(
-                f,
-                "not refined further: that would take about {next:.0} s more, and {expected:.0} s were expected; \
-                 numerics.elements_per_radius = {elements} and numerics.sectors = {sectors} take that mesh at once"
-            ),
-            Self::RefinementStopped { before, after } => write!(
-                f,
-                "not refined further: the last refinement changed the largest error from {:.2} to {:.2} times what is asked",
-                before, after
-            ),
-            Self::Defaults(keys) => write!(f, "at their defaults: {}", keys.join(", ")),
-            Self::Remeshed { growth, room } => write!(
-                f,
-                "repeated: the contact grew to {growth:.2} times its radius after the press, past the fine mesh, \
-                 which now has room for {room:.2} times"
-            ),
-        }
+fn heat_in_words(choice: &HeatChoice, effect: &HeatEffect) -> String {
+    match choice {
+        HeatChoice::Coupled => format!("included: {effect}"),
+        HeatChoice::Off(NoHeat::SwitchedOff) => "left out: it is switched off".into(),
+        HeatChoice::Off(NoHeat::AtRest) => "left out: the slip rate is 0, the isothermal limit".into(),
+        HeatChoice::Off(NoHeat::NoFriction) => "left out: there is no friction".into(),
+        HeatChoice::Off(NoHeat::Negligible) => format!("left out: {effect}, which the errors include"),
     }
 }
 
