@@ -7,9 +7,9 @@ use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use tables::table::{Status, Table};
+use tables::table::Status;
 
-use crate::{alone, ended, message};
+use crate::{alone, cells, ended, message};
 
 const CELLS: usize = 6;
 const JOBS: usize = 2;
@@ -26,31 +26,13 @@ fn folder() -> tempfile::TempDir {
     crate::folder_with("request.toml", &format!("{sections}{}", crate::COARSE))
 }
 
-/// All of a table but the wall times.
-fn content(table: &Path) -> String {
-    let table = Table::read(table).unwrap().at(None).unwrap();
-    let (rows, columns) = table.shape();
-    let mut text = String::new();
-    for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
-        text += &match table.status(i, j) {
-            Status::Done(cell) => {
-                let mut cell = (**cell).clone();
-                cell.wall_time = 0.0;
-                format!("{cell:?}\n")
-            }
-            other => format!("{other:?}\n"),
-        };
-    }
-    text
-}
-
-/// Content of the table of an undisturbed run.
-fn undisturbed() -> &'static str {
-    static CONTENT: OnceLock<String> = OnceLock::new();
-    CONTENT.get_or_init(|| {
+/// Cells of the table of an undisturbed run.
+fn undisturbed() -> &'static [Status] {
+    static CELLS: OnceLock<Vec<Status>> = OnceLock::new();
+    CELLS.get_or_init(|| {
         let folder = folder();
         ended(&tabulate(folder.path(), &[]).output().unwrap(), 0);
-        content(&folder.path().join("table.nc"))
+        cells(&folder.path().join("table.nc"))
     })
 }
 
@@ -78,7 +60,7 @@ fn continued(directory: &Path) -> String {
 }
 
 fn assert_undisturbed(directory: &Path) {
-    assert_eq!(content(&directory.join("table.nc")), undisturbed());
+    assert_eq!(cells(&directory.join("table.nc")), undisturbed());
     assert!(!directory.join("table.nc.part").exists());
 }
 
@@ -160,7 +142,7 @@ fn a_full_disk_loses_nothing() {
             assert!(said.contains("error: ") && !said.contains("panicked"), "{kilobytes} kB: {said}");
             assert!(said.contains("no space left") || said.contains("cannot"), "{kilobytes} kB: {said}");
         }
-        assert_eq!(content(&folder.path().join("table.nc")), undisturbed(), "{kilobytes} kB");
+        assert_eq!(cells(&folder.path().join("table.nc")), undisturbed(), "{kilobytes} kB");
         let left = std::fs::read_to_string(folder.path().join("left")).unwrap();
         let strays: Vec<&str> =
             left.lines().filter(|name| !["filler", "request.toml", "table.nc"].contains(name)).collect();
@@ -282,7 +264,7 @@ fn names_may_be_anything_and_links_are_followed() {
     }
     let mut command = crate::command(folder.path(), "tabulate --jobs 2 -o");
     ended(&command.arg(&table).arg("--plot").arg(&figure).arg(&request).output().unwrap(), 0);
-    assert_eq!(content(&table), undisturbed());
+    assert_eq!(cells(&table), undisturbed());
     for (link, target) in [(&table, "table.nc"), (&figure, "figure.svg")] {
         assert!(link.is_symlink() && targets.join(target).is_file(), "{target}");
     }

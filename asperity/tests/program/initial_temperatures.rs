@@ -1,14 +1,13 @@
 //! Tables over initial temperature from outside: made, made in parts, read at one of them and in
 //! between. A coarse asperity at 2 × 1 points and 3 temperatures.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::OnceLock;
 
 use tables::quantity::Quantity;
-use tables::table::Cell;
 use tables::table::Table;
 
-use crate::{alone, done, refused};
+use crate::{alone, cells, done, refused};
 
 const REQUEST: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
                        [loading]\nslip_distance = 0.05\n\
@@ -42,24 +41,12 @@ fn made() -> PathBuf {
     folder.path().to_path_buf()
 }
 
-/// Cells of all temperatures, without times.
-fn cells(folder: &Path, name: &str) -> Vec<Cell> {
-    let table = Table::read(&folder.join(name)).unwrap();
-    let slices = table.slices().iter();
-    let cells = slices.flat_map(|slice| (0..2).map(|i| slice.cell(i, 0).unwrap().clone()));
-    let timeless = |mut cell: Cell| {
-        cell.wall_time = 0.0;
-        cell
-    };
-    cells.map(timeless).collect()
-}
-
 #[test]
 fn shards_merge_to_the_undivided_table() {
     let _alone = alone();
     let folder = made();
     done(&folder, "merge 2.nc 1.nc -o merged.nc --plot merged.svg");
-    assert_eq!(cells(&folder, "merged.nc"), cells(&folder, "whole.nc"));
+    assert_eq!(cells(&folder.join("merged.nc")), cells(&folder.join("whole.nc")));
     let merged = Table::read(&folder.join("merged.nc")).unwrap();
     assert!(merged.slices().iter().all(|table| table.metadata().shard.is_empty()));
     refused(&folder, "merge 1.nc -o partial.nc", &["of 6 cells", "K; --partial"]);

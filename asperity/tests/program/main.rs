@@ -16,6 +16,8 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::{Mutex, MutexGuard};
 
+use tables::table::{Cell, Status, Table};
+
 /// One test at a time: a program started by one would inherit the files that another has open in
 /// the HDF5 library, and their locks.
 fn alone() -> MutexGuard<'static, ()> {
@@ -49,6 +51,17 @@ fn folder_with(name: &str, sections: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join(name), format!("{SPHERE}{sections}")).unwrap();
     folder
+}
+
+/// The cells of a table at all its initial temperatures, but for the times that they took.
+fn cells(table: &Path) -> Vec<Status> {
+    let table = Table::read(table).unwrap();
+    let of_slices = table.slices().iter().flat_map(|slice| slice.grid().map(|(i, j)| slice.status(i, j)));
+    let timeless = |status: &Status| match status {
+        Status::Done(cell) => Status::Done(Box::new(Cell { wall_time: 0.0, ..(**cell).clone() })),
+        other => other.clone(),
+    };
+    of_slices.map(timeless).collect()
 }
 
 /// What the program wrote on stderr.

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use tables::table::{Metadata, Slice, Table};
+use tables::table::{Cell, Metadata, Slice, Table};
 
 use crate::{alone, asperity, done, ended};
 
@@ -45,11 +45,9 @@ fn merged_shards_are_the_undivided_table_bit_for_bit() {
     done(&folder, "merge 2.nc 1.nc -o merged.nc");
     let numbers = |name: &str| {
         let mut table = read(&folder, name);
-        let (rows, columns) = table.shape();
-        for at in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
-            let mut cell = table.cell(at.0, at.1).unwrap().clone();
-            cell.wall_time = 0.0;
-            table.set_cell(at.0, at.1, cell).unwrap();
+        for (i, j) in table.grid() {
+            let cell = Cell { wall_time: 0.0, ..table.cell(i, j).unwrap().clone() };
+            table.set_cell(i, j, cell).unwrap();
         }
         table.set_metadata(Metadata { history: String::new(), ..table.metadata().clone() });
         table
