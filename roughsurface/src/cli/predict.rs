@@ -18,9 +18,9 @@ use std::path::PathBuf;
 use tables::closed_forms::NAMES;
 use tables::figures::Figure;
 use tables::law::AsperityLaw;
+use tables::netcdf::history;
 use tables::netcdf::input::number;
 use tables::netcdf::streams::say;
-use tables::netcdf::{history, write_atomically};
 use tables::numbers::plain;
 
 pub const HELP: &str = "\
@@ -182,10 +182,7 @@ fn write(
     });
     let reported = options.report.as_ref().map_or(Ok(()), |report| {
         let page = report::html(results, &origin);
-        save(report, |path| {
-            write_atomically(path, page.as_bytes())
-                .map_err(|error| format!("cannot write {}: {error}", path.display()))
-        })
+        save(report, |path| write_whole(path, page.as_bytes()))
     });
     display.printer().warn(Warning::condensed(&results.prediction.warnings[said..]));
     let printed = display.printer().print(|| summary_json::json(results), || summary::text(results));

@@ -8,11 +8,13 @@ use std::process::ExitCode;
 use super::streams::{self, say};
 
 /// Reason of a failed command.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum Failure {
     /// Bad input or usage, exit status 2; no computation was started.
+    #[error("{0}")]
     Input(String),
     /// The command failed, exit status 1; the results up to the failure are written.
+    #[error("{0}")]
     Run(String),
 }
 
@@ -30,7 +32,7 @@ impl Failure {
     /// Ok, or a failed command with the reasons of all failures: each may name the place of something that was saved.
     pub fn all(results: impl IntoIterator<Item = Result<(), Self>>) -> Result<(), Self> {
         let failures = results.into_iter().filter_map(Result::err);
-        let reasons: Vec<String> = failures.map(|(Self::Input(reason) | Self::Run(reason))| reason).collect();
+        let reasons: Vec<String> = failures.map(|failure| failure.to_string()).collect();
         if reasons.is_empty() { Ok(()) } else { Err(Self::Run(reasons.join("; "))) }
     }
 }
