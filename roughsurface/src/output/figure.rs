@@ -59,47 +59,26 @@ fn states_temperature(case: &Case) -> bool {
 pub fn figure(results: &Results) -> Figure {
     let prediction = &results.prediction;
     let is_steady_known = prediction.friction.iter().flatten().any(|cell| cell.mu_steady.value.is_finite());
+    let over = |panel: &str, title: &str, y: Axis, shown: &[(&str, &'static str)]| {
+        over_loading(prediction, (panel, title), y, shown, 1.0)
+    };
+    let sliding: &[_] =
+        if is_steady_known { &[("", "mu"), ("steady, ", "mu_steady")] } else { &[("", "mu")] };
+    let (area, gap) =
+        (Axis::logarithmic("Real area fraction"), Axis::linear("Separation while sliding (µm)"));
     let mut panels = vec![
         over_slip_rate(prediction),
-        over_loading(
-            prediction,
-            ("friction", "Sliding friction"),
-            Axis::linear(FRICTION_LABEL),
-            if is_steady_known { &[("", "mu"), ("steady, ", "mu_steady")] } else { &[("", "mu")] },
-            1.0,
-        ),
-        over_loading(
-            prediction,
-            ("static", "Static friction"),
-            Axis::linear(FRICTION_LABEL),
-            &[("", "mu_static")],
-            1.0,
-        ),
+        over("friction", "Sliding friction", Axis::linear(FRICTION_LABEL), sliding),
+        over("static", "Static friction", Axis::linear(FRICTION_LABEL), &[("", "mu_static")]),
         along_the_slide(prediction),
-        over_loading(
-            prediction,
-            ("area", "Real contact area"),
-            Axis::logarithmic("Real area fraction"),
-            &[("", "real_area_fraction")],
-            1.0,
-        ),
-        over_loading(
-            prediction,
-            ("separation", "Separation"),
-            Axis::linear("Separation while sliding (µm)"),
-            &[("", "separation_sliding")],
-            1e6,
-        ),
+        over("area", "Real contact area", area, &[("", "real_area_fraction")]),
+        over_loading(prediction, ("separation", "Separation"), gap, &[("", "separation_sliding")], 1e6),
     ];
     panels.extend(shares(prediction));
     if prediction.friction[0][0].contacts.temperature_mean.is_some() {
-        panels.push(over_loading(
-            prediction,
-            ("temperature", "Temperature of the contacts"),
-            Axis::linear("Temperature (K)"),
-            &[("mean, ", "temperature_mean"), ("highest, ", "temperature_max")],
-            1.0,
-        ));
+        let temperature = Axis::linear("Temperature (K)");
+        let shown = [("mean, ", "temperature_mean"), ("highest, ", "temperature_max")];
+        panels.push(over("temperature", "Temperature of the contacts", temperature, &shown));
     }
     panels.extend(prediction.rate_step.as_ref().map(|response| since_step(prediction, response)));
     if !results.comparisons.is_empty() {
