@@ -42,7 +42,14 @@ pub fn execute(name: &str, folder: &Path, arguments: &str) -> Output {
     execute_file(&program(name), folder, arguments)
 }
 
-/// The same of the program in a file.
+/// The same of a program that ends well.
+pub fn done(name: &str, folder: &Path, arguments: &str) -> Output {
+    let output = execute(name, folder, arguments);
+    assert!(output.status.success(), "{name} {arguments}: {}", stderr(&output));
+    output
+}
+
+/// What becomes of the program in a file.
 pub fn execute_file(program: &Path, folder: &Path, arguments: &str) -> Output {
     Command::new(program)
         .args(arguments.split_whitespace())

@@ -10,7 +10,7 @@ use roughsurface::surface::file::SurfaceFile;
 use roughsurface::surface::heights::DISTRIBUTIONS;
 use tables::numbers::plain;
 use tables::quantity::plausible::ranges;
-use tests::programs::{execute, stderr};
+use tests::programs::done;
 use tests::{files, root};
 
 fn read(path: &Path) -> String {
@@ -254,8 +254,7 @@ fn variables_are_documented() {
             "files/others.md",
         ),
     ] {
-        let output = execute(program, folder.path(), &arguments);
-        assert!(output.status.success(), "{program} {arguments}: {}", stderr(&output));
+        done(program, folder.path(), &arguments);
         let missing = undocumented(&folder.path().join(arguments.split(' ').next_back().unwrap()), chapter);
         assert!(missing.is_empty(), "{chapter} lacks {missing:?}");
     }
@@ -286,8 +285,7 @@ fn commands_have_the_options_that_the_book_gives_them() {
                 ("table", [inner, ..]) => format!("table {inner}"),
                 (command, _) => command.to_owned(),
             };
-            let help = execute(program, &root(), &format!("{command} --help"));
-            assert!(help.status.success(), "{}: {line}", path.display());
+            let help = done(program, &root(), &format!("{command} --help"));
             let help = String::from_utf8(help.stdout).unwrap();
             for option in rest.iter().filter(|word| word.starts_with('-')) {
                 assert!(help.contains(option), "{}: {option} of {line}", path.display());

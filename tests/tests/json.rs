@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use tables::quantity::Quantity;
-use tests::programs::{execute, stderr};
+use tests::programs::done;
 
 const SCENE: &str = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
                      [loading]\ninterference = 2\nslip_rate = 1\nslip_distance = 0.05\n\
@@ -17,8 +17,7 @@ fn summary(program: &str, arguments: &str) -> Value {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
     std::fs::write(folder.path().join("surface.toml"), SURFACE).unwrap();
-    let output = execute(program, folder.path(), &format!("{arguments} --json"));
-    assert!(output.status.success(), "{program} {arguments}: {}", stderr(&output));
+    let output = done(program, folder.path(), &format!("{arguments} --json"));
     serde_json::from_slice(&output.stdout).unwrap()
 }
 

@@ -11,7 +11,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 use tables::netcdf::DatasetReader;
-use tests::programs::{execute, stderr};
+use tests::programs::{done, execute, stderr};
 
 const REQUEST: &str = r#"
 [material]
@@ -45,8 +45,7 @@ fn tabulated() -> &'static Path {
         .get_or_init(|| {
             let folder = tempfile::tempdir().unwrap();
             std::fs::write(folder.path().join("request.toml"), REQUEST).unwrap();
-            let output = execute("asperity", folder.path(), "tabulate request.toml -o table.nc --jobs 2");
-            assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+            done("asperity", folder.path(), "tabulate request.toml -o table.nc --jobs 2");
             folder
         })
         .path()
@@ -63,12 +62,11 @@ fn exponential_heights_make_friction_independent_of_load() {
     let folder = tabulated();
     let std = 0.6 * critical_interference();
     std::fs::write(folder.join("exponential.toml"), surface("[1e2, 1e3, 1e4]", std)).unwrap();
-    let output = execute(
+    done(
         "roughsurface",
         folder,
         "predict exponential.toml --table table.nc -o friction.nc --plot friction.svg",
     );
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(folder.join("friction.svg").exists());
     let file = DatasetReader::open(&folder.join("friction.nc")).unwrap();
     let mu = file.reals("mu", &[3, 2]).unwrap();
@@ -93,8 +91,7 @@ fn load_above_the_table_is_extrapolated_until_the_sphere_ends() {
     let error = |widths: f64| {
         std::fs::write(folder.join("rough.toml"), surface("[1e2]", widths * critical_interference()))
             .unwrap();
-        let output = execute("roughsurface", folder, "predict rough.toml --table table.nc -o rough.nc");
-        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let output = done("roughsurface", folder, "predict rough.toml --table table.nc -o rough.nc");
         let said = stderr(&output).contains("extrapolated towards the fully plastic limit");
         let file = DatasetReader::open(&folder.join("rough.nc")).unwrap();
         let first = |name| file.reals(name, &[1, 2]).unwrap()[0];
@@ -113,6 +110,5 @@ fn load_above_the_table_is_extrapolated_until_the_sphere_ends() {
     assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{message}");
     assert!(message.contains("above 0.4 of their radius") && message.contains("--extrapolate"), "{message}");
     assert!(!folder.join("none.nc").exists());
-    let output = execute("roughsurface", folder, &format!("{strict} --extrapolate"));
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    done("roughsurface", folder, &format!("{strict} --extrapolate"));
 }

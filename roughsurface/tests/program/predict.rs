@@ -79,8 +79,7 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
     at(500.0);
     assert_eq!(friction("predict at.toml --table both.nc"), expected);
     assert_eq!(friction("predict at.toml --table hot.nc"), expected);
-    let sample = "sample at.toml --table both.nc --asperities 50 --realizations 4 -o mc.nc";
-    assert_eq!(folder.run(sample).status.code(), Some(0));
+    folder.run_well("sample at.toml --table both.nc --asperities 50 --realizations 4 -o mc.nc");
     at(400.0);
     let between = friction("predict at.toml --table both.nc");
     at(298.0);
