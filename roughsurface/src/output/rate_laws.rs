@@ -80,7 +80,6 @@ fn variables(
         Err(reason) => reason.to_string(),
     };
     let reasons: Vec<String> = fits.iter().map(reason).collect();
-    let reasons: Vec<&str> = reasons.iter().map(String::as_str).collect();
     let meaning = format!("why there is no law or it is not reliable, empty elsewhere, {prefix} fit");
     file.texts(&format!("{prefix}_doubt"), &[row], &reasons, &[("long_name", meaning.as_str().into())])
 }

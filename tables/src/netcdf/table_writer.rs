@@ -219,7 +219,6 @@ impl Content<'_> {
             .each_cell()
             .map(|(_, cell)| cell.map_or(String::new(), |cell| cell.warnings.join("\n")))
             .collect();
-        let warnings: Vec<&str> = warnings.iter().map(String::as_str).collect();
         file.texts(
             "warnings",
             self.grid(),

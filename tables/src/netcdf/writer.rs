@@ -93,7 +93,7 @@ impl DatasetWriter {
         &mut self,
         name: &str,
         dimensions: &[&str],
-        values: &[&str],
+        values: &[impl AsRef<str>],
         attributes: &[(&str, AttributeValue)],
     ) -> Result<(), DatasetError> {
         let shape = self.shape(name, dimensions, values.len())?;
@@ -103,7 +103,7 @@ impl DatasetWriter {
                 variable.put_attribute(attribute, value.clone())?;
             }
             for (position, value) in values.iter().enumerate() {
-                variable.put_string(value, indices(position, &shape))?;
+                variable.put_string(value.as_ref(), indices(position, &shape))?;
             }
             Ok(())
         })
