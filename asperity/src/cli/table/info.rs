@@ -94,7 +94,8 @@ fn text(table: &Table, table_name: &str, verbose: bool) -> String {
     // Starts at +0: the sum of an empty list is −0.
     let cost = slices.iter().map(Slice::cost).fold(0.0, |sum, cost| sum + cost);
     line("cost", format!("{} s in all, {} s a cell", plain(cost.round()), plain(cost / done.max(1) as f64)));
-    line("made by", format!("{}, fingerprint {}", metadata.source, or_none(&metadata.fingerprint)));
+    let fingerprint = if metadata.fingerprint.is_empty() { "none" } else { &metadata.fingerprint };
+    line("made by", format!("{}, fingerprint {fingerprint}", metadata.source));
     let (version, checksum) = (table.schema_version(), table.checksum());
     line("schema", format!("version {version}, content agrees with its {checksum}"));
     for entry in metadata.history.lines() {
@@ -133,10 +134,6 @@ fn energy_ratios(slices: &[Slice]) -> Option<(f64, f64)> {
     };
     let known = slices.iter().flat_map(of_slice).filter(|ratio| ratio.is_finite());
     known.fold(None, |range, x| Some(range.map_or((x, x), |(from, to): (f64, f64)| (from.min(x), to.max(x)))))
-}
-
-fn or_none(text: &str) -> &str {
-    if text.is_empty() { "none" } else { text }
 }
 
 fn range(axis: &[f64], unit: &str) -> String {

@@ -20,11 +20,6 @@ pub(super) struct Line<'a> {
 }
 
 impl Line<'_> {
-    /// Slope of the energy at the start.
-    fn initial_slope(&self) -> f64 {
-        dot(self.residual, self.direction)
-    }
-
     pub(super) fn is_short(&self) -> bool {
         let longest = self.direction.iter().fold(0.0f64, |longest, d| longest.max(d.abs()));
         longest <= SHORT * self.flat.interference
@@ -78,7 +73,8 @@ impl Mechanics {
         next: Option<&CouplingData>,
     ) -> f64 {
         let rise = next.unwrap_or(data).rise.as_deref();
-        let most = SUFFICIENT_DECREASE * line.initial_slope().abs();
+        // Of the slope of the energy at the start.
+        let most = SUFFICIENT_DECREASE * dot(line.residual, line.direction).abs();
         // Steps that fall short and that go too far, each with the slope of the body alone.
         let mut low = (0.0, dot(&self.internal, &line.direction[..self.internal.len()]));
         let mut high: Option<(f64, f64)> = None;
