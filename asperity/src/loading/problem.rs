@@ -33,6 +33,8 @@ pub struct Problem {
     pub contact_modulus: f64,
     /// ν.
     pub poisson_ratio: f64,
+    /// Share of the elastic compliance that is the counterface's.
+    pub counterface_share: f64,
     /// ω_c/R.
     pub critical_interference: f64,
     /// ω₀/R.
@@ -121,6 +123,7 @@ impl Problem {
     pub fn new(scene: &Scene) -> Self {
         let wave_speed = wave_speed(&scene.material);
         let press_friction = PressFriction::of(scene);
+        let own_modulus = scene.material.youngs_modulus;
         let scene = &scene.with_combined_modulus();
         let material = &scene.material;
         let body = material.elastic_plastic();
@@ -134,6 +137,7 @@ impl Problem {
             finite_strain: scene.model.kinematics == Kinematics::Finite,
             contact_modulus: body.contact_modulus() / material.yield_strength,
             poisson_ratio: material.poisson_ratio,
+            counterface_share: 1.0 - material.youngs_modulus / own_modulus,
             critical_interference: critical,
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),
@@ -157,6 +161,16 @@ impl Problem {
                 temperature: scene.loading.temperature,
             },
         }
+    }
+
+    /// d ln P/d ln E* at a held interference by Jackson & Green 2005: 1 in elastic contact, 0 in fully plastic.
+    pub fn elastic_share(&self) -> f64 {
+        const STEP: f64 = 1.1;
+        let ratio = self.interference / self.critical_interference;
+        let load = |ratio| jackson_green::load(ratio, 1.0 / self.contact_modulus, self.poisson_ratio);
+        // ω_c and P_c are in proportion to 1/E*².
+        let exponent = (load(STEP * ratio) / load(ratio)).ln() / STEP.ln();
+        (2.0 * (exponent - 1.0)).clamp(0.0, 1.0)
     }
 
     /// Contact radius over R to expect at ω₀ (Jackson & Green 2005).

@@ -102,6 +102,9 @@ impl<'a> Conditions<'a> {
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
             press_coupling: problem.press_friction.neglected,
+            finite_counterface: problem.counterface_share
+                * self.pressed.contact_radius
+                * problem.elastic_share(),
             localised_shear: scene.localised_shear(run.plastic_strain_in_stick()),
         }
     }

@@ -1,6 +1,7 @@
 //! The response of one asperity, by the name given with `--table`.
 
 use std::collections::BTreeMap;
+use tables::closed_forms::hertz::contact_modulus;
 use tables::closed_forms::{ElasticPlastic, UnknownClosedForm, closed_form, partial_slip};
 use tables::law::AsperityLaw;
 use tables::shipped::{self, TableSourceError};
@@ -24,6 +25,11 @@ pub enum LawSourceError {
         "--table {table}: its counterface is {found}; the section [counterface] of the surface file {asked}"
     )]
     Counterface { table: String, found: String, asked: String },
+    #[error(
+        "--table {table}: closed forms are of a rigid counterface; leave out [counterface], and with an elastic one give in [material] \
+         youngs_modulus = {combined:.4e}, with which the asperity on a rigid flat has the contact modulus of both bodies"
+    )]
+    RigidClosedForm { table: String, combined: f64 },
     #[error(
         "--table {table}: its slides hold the load (loading.control = \"load\"), while the summits of a surface slide at \
          constant interference; make the table with loading.control = \"interference\""
@@ -112,7 +118,15 @@ impl LawSource {
         asked: &BTreeMap<String, f64>,
     ) -> Result<(), LawSourceError> {
         const ROUNDING: f64 = 1e-3;
-        let Some(Counterface { words, constants }) = &self.counterface else { return Ok(()) };
+        let Some(Counterface { words, constants }) = &self.counterface else {
+            let [youngs_modulus, ratio] =
+                ["youngs_modulus", "poisson_ratio"].map(|key| asked.get(key).copied());
+            let Some((youngs_modulus, ratio)) = youngs_modulus.zip(ratio) else { return Ok(()) };
+            let own = self.material.contact_modulus();
+            let combined = 1.0 / (1.0 / own + 1.0 / contact_modulus(youngs_modulus, ratio));
+            let combined = self.youngs_modulus * combined / own;
+            return Err(LawSourceError::RigidClosedForm { table: table.to_owned(), combined });
+        };
         let same = |(key, value): (&String, &f64)| {
             let found = constants.get(key);
             found.is_some_and(|found| value == found || (value / found - 1.0).abs() <= ROUNDING)
@@ -250,6 +264,20 @@ mod tests {
             let message = refused(asked, material, temperature);
             assert!(message.contains(expected), "{message}");
         }
+    }
+
+    /// Of like bodies half of the modulus.
+    #[test]
+    fn closed_forms_are_of_a_rigid_counterface() {
+        let source = LawSource::open("model:hertz", Some(&STEEL), None, false).unwrap();
+        let refusal = |asked: &[(&str, f64)]| {
+            let asked = asked.iter().map(|&(key, value)| (key.to_owned(), value)).collect();
+            source.check_counterface("model:hertz", &asked).err().map(|error| error.to_string())
+        };
+        assert_eq!(refusal(&[]), None);
+        assert_eq!(refusal(&[("thermal_conductivity", 40.0)]), None);
+        let said = refusal(&[("youngs_modulus", 200e9), ("poisson_ratio", 0.3)]).unwrap();
+        assert!(said.contains("youngs_modulus = 1.0000e11"), "{said}");
     }
 
     #[test]

@@ -9,6 +9,10 @@ use crate::scene::fitted_constants::localised_shear;
 /// friction (ratios in `studies::verification::full_stick`).
 const OF_LOAD: f64 = 0.21;
 const OF_AREA: f64 = 0.34;
+/// The same of slip at inception and `G`, which contains the energy of the shear tractions of the press: half of the changes from
+/// full stick to no friction (0.17 and 0.64 at ω_c and β² = 0.093 on the flat, less in deeper contacts), over that half.
+const OF_INCEPTION: f64 = 1.0;
+const OF_ENERGY: f64 = 6.0;
 
 /// Effects neglected in a run.
 #[derive(Clone, Copy, Default)]
@@ -21,6 +25,8 @@ pub struct ModellingError {
     pub strain: f64,
     /// β² neglected in the press, see [`crate::loading::problem::PressFriction`].
     pub press_coupling: f64,
+    /// a/R times the shares of the elastic compliance of the counterface, which is a half-space, and of elasticity in the load.
+    pub finite_counterface: f64,
     /// Bounds where shear localises in one layer of elements: values follow the mesh.
     pub localised_shear: Option<&'static localised_shear::Bounds>,
 }
@@ -45,13 +51,24 @@ impl ModellingError {
         let press = self.press_coupling
             * match quantity {
                 Load | LoadPress => OF_LOAD,
-                Area | AreaPress | Friction | FrictionStatic | EnergyRelease => OF_AREA,
+                Area | AreaPress | Friction | FrictionStatic => OF_AREA,
                 Mu | MuStatic | MuPeak | MuMean | MuSteady => OF_LOAD + OF_AREA,
-                ContactRadius | InceptionSlip => 0.5 * OF_AREA,
+                ContactRadius => 0.5 * OF_AREA,
+                InceptionSlip => OF_INCEPTION,
+                EnergyRelease => OF_ENERGY,
+                _ => 0.0,
+            };
+        let hemisphere = self.finite_counterface
+            * match quantity {
+                Load | LoadPress | EnergyRelease | InceptionSlip => 0.9,
+                Area | AreaPress | Friction | FrictionStatic => 0.5,
+                Mu | MuStatic | MuPeak | MuMean | MuSteady => 0.5,
+                ContactRadius => 0.25,
                 _ => 0.0,
             };
         localised
             + press
+            + hemisphere
             + match quantity {
                 Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
                 MuStatic | FrictionStatic | EnergyRelease => self.strain,

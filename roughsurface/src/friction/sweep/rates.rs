@@ -6,15 +6,26 @@ use crate::surface::query::ContactLife;
 use rayon::prelude::*;
 use tables::law::Estimate;
 
+/// Distance in ln V of slip rates that are not taken for one.
+const APART: f64 = 0.1;
+
 impl<'a> Sweep<'a> {
-    /// The slip rates (m/s) of the law that it has at all radii; none of a formula.
+    /// The slip rates (m/s) of the law that it has at all radii, and the ends of the range of these; none of a formula.
     pub(crate) fn rates_around(&self) -> Vec<f64> {
         let radii = &self.surface.asperity_radius;
         let ranges = radii.classes().iter().map(|class| self.law.slip_rate_range(class.radius));
         let (from, to) =
             ranges.fold((0.0f64, f64::INFINITY), |(low, high), (from, to)| (low.max(from), high.min(to)));
         let rates = self.law.slip_rates(radii.mean()).into_iter();
-        let inside: Vec<f64> = rates.filter(|rate| *rate > 0.0 && (from..=to).contains(rate)).collect();
+        let mut inside: Vec<f64> = rates.filter(|rate| *rate > 0.0 && (from..=to).contains(rate)).collect();
+        if !inside.is_empty() {
+            for end in [from, to].into_iter().filter(|end| *end > 0.0 && end.is_finite()) {
+                if inside.iter().all(|rate| (end / rate).ln().abs() > APART) {
+                    inside.push(end);
+                }
+            }
+            inside.sort_by(f64::total_cmp);
+        }
         if inside.len() < 2 { Vec::new() } else { inside }
     }
 
