@@ -1,0 +1,94 @@
+//! Limits of validity that a prediction names.
+
+use super::*;
+
+#[test]
+fn large_real_areas_are_warned_of_with_the_key_that_helps() {
+    let law = closed_form("jackson-green", &STEEL).unwrap();
+    let surface = surface(Box::new(Gaussian::new(3e-8)));
+    let warned = |pressure, interaction| {
+        let query = Query { interaction, ..query(NormalLoading::Pressure(vec![pressure])) };
+        let found = predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
+        let area = found.friction[0][0].sliding.area_fraction.value;
+        let named = |warning: &Warning| match warning {
+            Warning::AsperitiesInteract { .. } => "interact",
+            Warning::ContactsMerge { .. } => "merge",
+            _ => "",
+        };
+        (area, found.warnings.iter().map(named).collect::<String>())
+    };
+    let moved = Interaction::MeanPressure { nominal_size: 1e-4 };
+    for pressure in [1e7, 5e7, 3e8] {
+        let (area, without) = warned(pressure, Interaction::None);
+        assert_eq!(without, if area > 0.05 { "interact" } else { "" }, "{area}");
+        assert_eq!(warned(pressure, moved).1, if area > 0.1 { "merge" } else { "" }, "{area}");
+    }
+    assert!(warned(1e7, moved).0 < 0.05 && warned(3e8, moved).0 > 0.1);
+}
+
+#[test]
+fn an_interface_stronger_than_the_pressure_is_warned_of() {
+    let law = closed_form("hertz", &STEEL).unwrap();
+    let critical = law.critical_interference(1e-4);
+    // Friction is 0.4039/ψ.
+    for (psi, is_strong) in [(0.3, true), (0.5, false)] {
+        let surface = surface(Box::new(Exponential::new(critical * psi * psi)));
+        let found = predicted(law.as_ref(), &surface, &[1e3], &[1.0], LoadingControl::Load).unwrap();
+        let strong = found.warnings.iter().find_map(|warning| match warning {
+            Warning::StrongInterface { friction, .. } => Some(*friction),
+            _ => None,
+        });
+        let friction = found.friction[0][0].mu_static.value;
+        assert_eq!(strong, is_strong.then_some(friction));
+    }
+}
+
+#[test]
+fn contacts_that_hardly_slide_are_warned_of() {
+    // Friction grows over 0.1 µm; contacts are some 10 µm large.
+    let history = |_: f64, slip: f64, _: f64| (slip / 1e-7).min(1.0);
+    let law = PowerLaw { inception: 1e-7, history, last_slip: 20.0, ..PowerLaw::hertz() };
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let found = |life: f64| {
+        let contact_life = ContactLife::Diameters(life);
+        let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
+        predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap()
+    };
+    let lives = |found: &Prediction| {
+        let life = found.warnings.iter().find_map(|warning| match warning {
+            Warning::ShortLife { life, inception, .. } => Some(inception / life),
+            _ => None,
+        });
+        (life, found.friction[0][0].sliding.mu.value)
+    };
+    let (none, sliding) = lives(&found(1.0));
+    assert_eq!(none, None);
+    let (share, mu) = lives(&found(0.002));
+    assert!(share.is_some_and(|share| share > 0.2) && mu < 0.95 * sliding, "{share:?} {mu} {sliding}");
+}
+
+#[test]
+fn fast_inceptions_and_uncertain_steady_friction_draw_warnings() {
+    let steady = Some(Estimate { value: 0.4, error: 0.1 });
+    let law = PowerLaw { last_slip: 20.0, steady, ..PowerLaw::hertz() };
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let query = Query { slip_rates: vec![0.5, 1.0], ..query(NormalLoading::Pressure(vec![1e6])) };
+    let settings = Settings { inception_time: Some(4e-8), ..Settings::default() };
+    let found = predict(&law, &surface, &query, &settings, &|_, _| ()).unwrap();
+    // A mean shear stress of 1e8 Pa: 8 at 0.5 m/s, 4 at 1 m/s.
+    let fast = found.warnings.iter().filter_map(|warning| match warning {
+        Warning::FastInception { at, time } => Some((at.slip_rate, *time)),
+        _ => None,
+    });
+    let fast: Vec<(f64, f64)> = fast.collect();
+    assert!(fast.len() == 1 && fast[0].0 == 1.0 && (fast[0].1 - 4.0).abs() < 1e-6, "{fast:?}");
+    let uncertain = found.warnings.iter().filter_map(|warning| match warning {
+        Warning::SteadyUncertain { error, .. } => Some(*error),
+        _ => None,
+    });
+    let uncertain: Vec<f64> = uncertain.collect();
+    assert!(
+        uncertain.len() == 2 && uncertain.iter().all(|error| (error - 0.25).abs() < 0.01),
+        "{uncertain:?}"
+    );
+}
