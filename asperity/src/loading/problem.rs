@@ -80,13 +80,14 @@ impl PressFriction {
     /// 0.3 β²; ratios in `studies::verification::full_stick`). The asperity on a rigid flat has its own β whatever the
     /// counterface is: of full stick and no friction, the one that is closer to the two bodies.
     fn of(scene: &Scene) -> Self {
+        if !scene.interface.law.has_friction() {
+            return Self { sticks: false, neglected: 0.0 };
+        }
         let [both, rigid] = scene.dundurs_beta().map(|beta| beta * beta);
-        let sticks = scene.interface.law.has_friction() && both > 0.5 * rigid;
-        let neglected = match scene.interface.law.has_friction() {
-            true => (both - if sticks { rigid } else { 0.0 }).abs(),
-            false => 0.0,
-        };
-        Self { sticks, neglected }
+        match both > 0.5 * rigid {
+            true => Self { sticks: true, neglected: (both - rigid).abs() },
+            false => Self { sticks: false, neglected: both },
+        }
     }
 }
 

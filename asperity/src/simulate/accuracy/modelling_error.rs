@@ -13,6 +13,10 @@ const OF_AREA: f64 = 0.34;
 /// full stick to no friction (0.17 and 0.64 at ω_c and β² = 0.093 on the flat, less in deeper contacts), over that half.
 const OF_INCEPTION: f64 = 1.0;
 const OF_ENERGY: f64 = 6.0;
+/// Excess of the load and the area of an elastic contact over a/R, where all compliance is that of the hemisphere in place of a
+/// half-space: 0.62, 0.69, 0.79 and 0.91, and 0.46, 0.49, 0.51 and 0.50, at a/R = 0.041, 0.071, 0.136 and 0.265.
+const LOAD_OF_HEMISPHERE: f64 = 0.9;
+const AREA_OF_HEMISPHERE: f64 = 0.5;
 
 /// Effects neglected in a run.
 #[derive(Clone, Copy, Default)]
@@ -60,10 +64,11 @@ impl ModellingError {
             };
         let hemisphere = self.finite_counterface
             * match quantity {
-                Load | LoadPress | EnergyRelease | InceptionSlip => 0.9,
-                Area | AreaPress | Friction | FrictionStatic => 0.5,
-                Mu | MuStatic | MuPeak | MuMean | MuSteady => 0.5,
-                ContactRadius => 0.25,
+                Load | LoadPress | EnergyRelease | InceptionSlip => LOAD_OF_HEMISPHERE,
+                Area | AreaPress | Friction | FrictionStatic => AREA_OF_HEMISPHERE,
+                // The excess of the area is in the friction, and makes up for a part of that of the load.
+                Mu | MuStatic | MuPeak | MuMean | MuSteady => LOAD_OF_HEMISPHERE - AREA_OF_HEMISPHERE,
+                ContactRadius => 0.5 * AREA_OF_HEMISPHERE,
                 _ => 0.0,
             };
         localised

@@ -238,7 +238,7 @@ fn soft_counterface(watch: &dyn Watch) -> Rows {
     let ratio = hertz.contact_radius / scene.radius;
     let row = |name: &str, quantity, value, share: f64, unit| {
         let name = format!("{name} at 0.9 omega_c, counterface of a twentieth of the modulus");
-        let reference = Reference::exact(value, "Johnson 1985, Contact Mechanics, sec. 4.2").known_to(0.01);
+        let reference = Reference::exact(value, "Johnson 1985, Contact Mechanics, sec. 4.2").known_to(0.001);
         let tolerance = Tolerance::relative(share * ratio, "hemisphere in place of a half-space");
         Row::new(name, outcome.scalars[quantity], reference, tolerance).unit(unit)
     };

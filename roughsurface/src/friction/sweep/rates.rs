@@ -6,8 +6,22 @@ use crate::surface::query::ContactLife;
 use rayon::prelude::*;
 use tables::law::Estimate;
 
-/// Distance in ln V of slip rates that are not taken for one.
-const APART: f64 = 0.1;
+/// The positive ones of ascending `rates` within a range, and its ends where they are not among them; none if fewer than two.
+fn in_common(mut rates: Vec<f64>, (from, to): (f64, f64)) -> Vec<f64> {
+    /// Distance in ln V of slip rates that are not taken for one.
+    const APART: f64 = 0.1;
+    rates.retain(|rate| *rate > 0.0 && (from..=to).contains(rate));
+    if rates.is_empty() {
+        return rates;
+    }
+    for end in [from, to].into_iter().filter(|end| *end > 0.0 && end.is_finite()) {
+        if rates.iter().all(|rate| (end / rate).ln().abs() > APART) {
+            rates.push(end);
+        }
+    }
+    rates.sort_by(f64::total_cmp);
+    if rates.len() < 2 { Vec::new() } else { rates }
+}
 
 impl<'a> Sweep<'a> {
     /// The slip rates (m/s) of the law that it has at all radii, and the ends of the range of these; none of a formula.
@@ -16,17 +30,7 @@ impl<'a> Sweep<'a> {
         let ranges = radii.classes().iter().map(|class| self.law.slip_rate_range(class.radius));
         let (from, to) =
             ranges.fold((0.0f64, f64::INFINITY), |(low, high), (from, to)| (low.max(from), high.min(to)));
-        let rates = self.law.slip_rates(radii.mean()).into_iter();
-        let mut inside: Vec<f64> = rates.filter(|rate| *rate > 0.0 && (from..=to).contains(rate)).collect();
-        if !inside.is_empty() {
-            for end in [from, to].into_iter().filter(|end| *end > 0.0 && end.is_finite()) {
-                if inside.iter().all(|rate| (end / rate).ln().abs() > APART) {
-                    inside.push(end);
-                }
-            }
-            inside.sort_by(f64::total_cmp);
-        }
-        if inside.len() < 2 { Vec::new() } else { inside }
+        in_common(self.law.slip_rates(radii.mean()), (from, to))
     }
 
     /// Sliding friction of every row at `slip_rates` (m/s); `pressed` is the surface before the slide.
@@ -90,5 +94,21 @@ impl<'a> Sweep<'a> {
         };
         let rows = (0..pressed.len()).map(stepped).collect();
         Ok(Some(RateStepResponse { rates, slip, rows }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A table at 0, 0.1, 1 and 10 m/s at the mean radius, of which other radii have 0.05 to 2.5 m/s.
+    #[test]
+    fn rates_reach_to_the_ends_of_the_range_that_all_radii_have() {
+        let rates = || vec![0.0, 0.1, 1.0, 10.0];
+        assert_eq!(in_common(rates(), (0.05, 2.5)), [0.05, 0.1, 1.0, 2.5]);
+        assert_eq!(in_common(rates(), (0.0, 10.0)), [0.1, 1.0, 10.0]);
+        // An end by rounding beside a rate of the table is that rate.
+        assert_eq!(in_common(rates(), (0.0999, 10.001)), [0.1, 1.0, 10.0]);
+        assert!(in_common(Vec::new(), (0.05, 2.5)).is_empty());
     }
 }
