@@ -199,3 +199,18 @@ fn a_slide_that_stops_cools_and_restarts() {
     let off = again.work - spent - again.moduli_softening - again.springs;
     assert!(off.abs() < 1e-3 * again.work, "{off} of {}", again.work);
 }
+
+/// A press without friction, between like bodies, leaves a contact that sticks with no shear traction; of an interface without
+/// friction, one that does not.
+#[test]
+fn a_slide_after_a_press_without_friction_begins_in_stick() {
+    let like = ["counterface.youngs_modulus=200e9", "counterface.poisson_ratio=0.3"];
+    for (changes, sticks) in [(&like[..], 1.0), (&["interface.law=frictionless"], 0.0)] {
+        let problem = problem_of(changes);
+        assert!(!problem.press_friction.sticks);
+        let slide = ready(&problem);
+        let contact = &slide.mechanics.contact;
+        assert_eq!(slide.history[0].stick_fraction, sticks, "{changes:?}");
+        assert!(contact.committed.traction.iter().all(|traction| traction[0].hypot(traction[1]) == 0.0));
+    }
+}
