@@ -15,6 +15,7 @@ use roughsurface::topography::characterize::{self, Detrend, Options};
 use roughsurface::topography::readers::{self, Reading};
 use roughsurface::topography::report as characterization;
 use roughsurface::topography::spectrum::Window;
+use roughsurface::topography::two_faces::on_each_other;
 use roughsurface::topography::{Topography, TopographyError};
 use tables::netcdf::history;
 use tables::netcdf::input::Override;
@@ -30,6 +31,8 @@ pub struct Characterization {
     found: characterize::Characterization,
     /// File or name.
     place: String,
+    /// What the surface file is said to be of.
+    name: String,
 }
 
 /// Whether it is periodic, cut-off (m), trend and window.
@@ -60,7 +63,10 @@ fn characterized(
     let found =
         py.detach(|| topography().and_then(|topography| characterize::characterize(topography, options)));
     match found {
-        Ok(found) => Ok(Characterization { found, place }),
+        Ok(found) => {
+            let name = Path::new(&place).file_name().unwrap_or_default().to_string_lossy().into_owned();
+            Ok(Characterization { found, place, name })
+        }
         Err(reason) => Err(errors::input(format!("{place}: {reason}"), Some(&place), None, reason)),
     }
 }
@@ -109,6 +115,14 @@ impl Characterization {
         characterization::json(&self.found).to_string()
     }
 
+    /// As `--other-face`.
+    fn on(&self, other: &Self) -> PyResult<Self> {
+        let Self { found, place, name } = self;
+        let found = on_each_other(found.clone(), other.found.clone())
+            .map_err(|reason| errors::input(format!("{place}: {reason}"), Some(place), None, reason))?;
+        Ok(Self { found, place: place.clone(), name: format!("{name} on {}", other.name) })
+    }
+
     fn text(&self) -> String {
         characterization::text(&self.found)
     }
@@ -119,8 +133,7 @@ impl Characterization {
 
     /// The surface file; `heights` is the name of the file of heights of the summits found, where these are chosen.
     fn surface_file(&self, heights: Option<&str>) -> String {
-        let name = Path::new(&self.place).file_name().unwrap_or_default().to_string_lossy();
-        characterization::surface_file(&self.found, &name, heights)
+        characterization::surface_file(&self.found, &self.name, heights)
     }
 
     fn heights_file(&self) -> String {
@@ -180,8 +193,8 @@ impl Question<'_> {
         let overrides = self.overrides()?;
         let file = match (&self.measured, self.surface.take()) {
             (Some(measured), _) => {
-                let Characterization { found, place } = measured.get();
-                surface_of(found, Path::new(place), &overrides)
+                let Characterization { found, place, name } = measured.get();
+                surface_of(found, (Path::new(place), name), &overrides)
             }
             (None, Some(given)) => match given.source()? {
                 Source::Path(path) => SurfaceFile::read_with(&path, &overrides),

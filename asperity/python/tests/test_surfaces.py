@@ -148,6 +148,25 @@ def test_a_map_in_memory_is_as_in_a_file(folder):
     assert from_array.plot().svg == from_array._repr_svg_()
 
 
+def test_two_rough_faces_are_as_with_the_option_of_the_program(folder):
+    np.save("one.npy", rough())
+    np.save("two.npy", rough().T)
+    measured = ["--pixel", "1e-6", "--unit", "m", "--cutoff", "8e-6", "--other-face", "two.npy"]
+    query = ["--pressure", "1e5", "--slip-rate", "1", "--table", "copper", "-o", "program.nc", "--quiet"]
+    run("roughsurface", "predict", "one.npy", *measured, *query)
+    one, two = (asperity.characterize(name, pixel=1e-6, cutoff=8e-6) for name in ("one.npy", "two.npy"))
+    both = one.on(two)
+    assert both.surface.startswith("# Summits of one.npy on two.npy")
+    asperity.predict(both, "copper", pressure=1e5, slip_rate=1.0).save("python.nc")
+    of_program = asperity._results.dataset(lambda path: path.write_bytes((folder / "program.nc").read_bytes()))
+    of_python = asperity._results.dataset(lambda path: path.write_bytes((folder / "python.nc").read_bytes()))
+    np.testing.assert_array_equal(of_python["mu"].values, of_program["mu"].values)
+    with pytest.raises(asperity.InputError, match="they are of one face"):
+        both.save("surface.toml", summits="found")
+    with pytest.raises(asperity.InputError, match="that of the other face"):
+        one.on(asperity.characterize("two.npy", pixel=1e-6, cutoff=1.2e-5))
+
+
 def test_objects_of_surface_topography():
     heights = 1e6 * rough()
     topography = SurfaceTopography.Topography(heights, (96.0, 96.0), unit="um", periodic=True)

@@ -155,7 +155,9 @@ fn summary(scene: &Scene, outcome: &Outcome) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "{name:17} {value}");
     };
-    line("interference", format!("{} omega_c", numbers::plain(scene.loading.interference)));
+    let interference = scene.loading.interference;
+    let length = numbers::digits(interference * outcome.critical_interference, 4);
+    line("interference", format!("{} omega_c, {length} m", numbers::plain(interference)));
     match &scene.loading.steps[..] {
         [] => line("slip_rate", format!("{} m/s", numbers::plain(scene.loading.slip_rate))),
         steps => line("steps", steps.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),

@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use tables::netcdf::in_words;
+use tables::shipped::JOURNAL;
 use tables::table::comparison::{OfKey, request_differences};
 use tables::table::{Status, Table};
 
@@ -125,7 +126,7 @@ impl Journal {
     /// Path of the journal of a table to be written to `output`.
     pub fn beside(output: &Path) -> PathBuf {
         let mut name = output.file_name().unwrap_or_default().to_owned();
-        name.push(".part");
+        name.push(JOURNAL);
         output.with_file_name(name)
     }
 

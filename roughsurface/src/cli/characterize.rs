@@ -55,7 +55,9 @@ pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
         ("the file of heights", heights.as_deref()),
         ("--plot", options.plot.as_deref()),
     ];
-    check_outputs(&[("the topography", &options.topography)], &outputs)?;
+    let mut inputs = vec![("the topography", &*options.topography)];
+    inputs.extend(options.measured.input());
+    check_outputs(&inputs, &outputs)?;
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(Failure::input)?;
     }
@@ -71,7 +73,7 @@ pub fn run(options: &Characterize, display: &Display) -> Result<(), Failure> {
             write_whole(heights, report::heights_file(&found).as_bytes())?;
         }
         let name = heights.map(|path| path.file_name().unwrap_or_default().to_string_lossy().into_owned());
-        let source = options.topography.file_name().unwrap_or_default().to_string_lossy();
+        let source = options.measured.name(&options.topography);
         write_whole(output, report::surface_file(&found, &source, name.as_deref()).as_bytes())?;
     }
     if let Some(plot) = &options.plot {

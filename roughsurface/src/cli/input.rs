@@ -120,6 +120,7 @@ impl InputOptions {
         let role = if topography { "the topography" } else { "the surface file" };
         let mut inputs: Vec<(&str, &Path)> = vec![(role, &self.surface)];
         let table = self.table.as_deref().map(Path::new).filter(|table| table.exists());
+        inputs.extend(self.topography.input());
         inputs.extend(table.map(|table| ("--table", table)));
         check_results(&inputs, outputs)?;
         let measured = match topography {
@@ -140,7 +141,10 @@ impl InputOptions {
         overrides: &[Override],
     ) -> Result<SurfaceFile, SurfaceFileError> {
         match measured {
-            Some(found) => surface_of(found, &self.surface, overrides),
+            Some(found) => {
+                let name = self.topography.name(&self.surface);
+                surface_of(found, (&self.surface, &name), overrides)
+            }
             None => SurfaceFile::read_with(&self.surface, overrides),
         }
     }

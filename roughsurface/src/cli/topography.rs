@@ -6,7 +6,8 @@ use roughsurface::topography::characterize::{Characterization, Detrend, Options,
 use roughsurface::topography::readers::length;
 use roughsurface::topography::readers::{Reading, read};
 use roughsurface::topography::spectrum::Window;
-use std::path::Path;
+use roughsurface::topography::two_faces::characterize_both;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 #[command(next_help_heading = "Topography")]
@@ -31,6 +32,10 @@ pub struct TopographyOptions {
     /// Distance between the points of a text or npy file that does not state it, or only counts them
     #[arg(long, value_name = "LENGTH", value_parser = length::parse)]
     pixel: Option<f64>,
+    /// Topography of the face on the other side, where both are rough: the sum of the heights, taken to be independent,
+    /// slides on a smooth flat
+    #[arg(long, value_name = "FILE")]
+    other_face: Option<PathBuf>,
 }
 
 fn unit(text: &str) -> Result<f64, String> {
@@ -47,6 +52,7 @@ impl TopographyOptions {
             ("--periodic", self.periodic),
             ("--unit", self.unit.is_some()),
             ("--pixel", self.pixel.is_some()),
+            ("--other-face", self.other_face.is_some()),
         ] {
             if given {
                 let shown = file.display();
@@ -58,17 +64,43 @@ impl TopographyOptions {
         Ok(())
     }
 
-    /// Reads and characterises a topography; summits found can be asked `of_maps` only.
+    /// The other face as an input of a command.
+    pub fn input(&self) -> Option<(&'static str, &Path)> {
+        self.other_face.as_deref().map(|file| ("--other-face", file))
+    }
+
+    /// Name of the topography `file`, and of the face on the other side, for comments and messages.
+    pub fn name(&self, file: &Path) -> String {
+        let name = |file: &Path| file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        match &self.other_face {
+            Some(other) => format!("{} on {}", name(file), name(other)),
+            None => name(file),
+        }
+    }
+
+    /// Reads and characterises a topography, and the one on the other side; summits found can be asked `of_maps` only.
     pub fn characterize(&self, file: &Path, of_maps: bool) -> Result<Characterization, Failure> {
         let reading = Reading { unit: self.unit, pixel: self.pixel };
-        let mut topography = read(file, &reading).map_err(Failure::input)?;
-        topography.periodic |= self.periodic;
-        let refused = |what: String| Failure::input(format!("{}: {what}", file.display()));
+        let read = |file: &Path| {
+            let mut topography = read(file, &reading).map_err(Failure::input)?;
+            topography.periodic |= self.periodic;
+            Ok::<_, Failure>(topography)
+        };
+        let refused = |file: &Path, what: String| Failure::input(format!("{}: {what}", file.display()));
+        let topography = read(file)?;
         if of_maps && topography.is_profile() {
-            return Err(refused("peaks of a profile are no summits; --summits found needs a map".into()));
+            let what = "peaks of a profile are no summits; --summits found needs a map";
+            return Err(refused(file, what.into()));
         }
         let window = self.window.unwrap_or_default();
         let options = Options { cutoff: self.cutoff, detrend: self.detrend, window };
-        characterize(topography, &options).map_err(refused)
+        match &self.other_face {
+            None => characterize(topography, &options).map_err(|what| refused(file, what)),
+            Some(_) if of_maps => Err(Failure::input(
+                "--summits found are of one face; with --other-face they follow from the moments of both",
+            )),
+            Some(other) => characterize_both([topography, read(other)?], &options)
+                .map_err(|(index, what)| refused([file, other][index], what)),
+        }
     }
 }

@@ -125,6 +125,11 @@ pub enum Warning {
     SamplesWithoutContact { at: Place, idle: usize, count: usize },
     #[error("{0}")]
     Implausible(String),
+    #[error(
+        "asperity density x mean radius x standard deviation of the heights is {}; of random surfaces it is 0.01 to 1 (Nayak 1971): is one of them in another unit?",
+        digits(*.product, 2)
+    )]
+    UnlikeRandomSurfaces { product: f64 },
     #[error("topography: {0}")]
     Topography(warning::Warning),
     #[error(
@@ -193,6 +198,7 @@ impl Warning {
         matches!(
             self,
             Self::Implausible(_)
+                | Self::UnlikeRandomSurfaces { .. }
                 | Self::Topography(_)
                 | Self::MaterialUnused { .. }
                 | Self::TablesDiffer { .. }

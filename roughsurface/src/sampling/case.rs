@@ -11,7 +11,8 @@ use crate::friction::{Prediction, PredictionError, Settings, predict};
 use crate::integral::law_source::{LawSource, LawSourceError};
 use crate::surface::file::{SurfaceFile, SurfaceFileError};
 use crate::surface::query::{NormalLoading, Query, Surface};
-use crate::topography::characterize::{AtCutoff as AtOtherCutoff, Characterization};
+use crate::topography::characterize::Characterization;
+use crate::topography::nayak::Nayak;
 use crate::topography::report;
 use tables::closed_forms::ElasticPlastic;
 use tables::netcdf::input::Override;
@@ -84,6 +85,7 @@ impl Case {
             heights.and_then(toml::Value::as_table_mut).map(|heights| heights.insert("std".into(), std));
         }
         warnings.extend(remarks(&sections).into_iter().map(Warning::Implausible));
+        warnings.extend(self.unlike_random_surfaces());
         warnings.extend(self.unused_material());
         warnings.extend(self.strain_rate());
         let cells = &self.source.interpolated_cells;
@@ -118,6 +120,16 @@ impl Case {
             defaults.push(format!("tolerance = {:e}", settings.tolerance));
         }
         defaults
+    }
+
+    /// Density, radius and heights that are far from ηRσ_s = 0.0204 √(α − 0.8968) of isotropic Gaussian surfaces (Nayak
+    /// 1971, doi 10.1115/1.3451608; see [`Nayak`](crate::topography::nayak::Nayak)), α = 1.5 to 2000; textured and worn
+    /// ones have room.
+    fn unlike_random_surfaces(&self) -> Option<Warning> {
+        const ANY: std::ops::RangeInclusive<f64> = 1e-4..=10.0;
+        let Surface { asperity_density, asperity_radius, heights } = &self.file.surface;
+        let product = asperity_density * asperity_radius.mean() * heights.standard_deviation();
+        (!ANY.contains(&product)).then_some(Warning::UnlikeRandomSurfaces { product })
     }
 
     /// Constants of the surface file that a table has other values of.
@@ -196,13 +208,11 @@ impl Case {
 
     /// The surface with other cut-offs of the topography (m), and the same keys in place of those of the summits.
     fn at_other_cutoffs(&self, measured: &Characterization) -> Vec<(f64, Surface)> {
-        let others = measured.other_cutoffs.iter();
-        let surface = |other: &AtOtherCutoff| {
-            let found = Characterization { summits: other.summits, ..measured.clone() };
-            let file = self.file.with_text(report::surface_file(&found, "", None)).ok()?;
-            Some((other.cutoff, file.surface))
+        let surface = |(cutoff, summits): (f64, Nayak)| {
+            let file = self.file.with_text(report::sections_of(&summits)).ok()?;
+            Some((cutoff, file.surface))
         };
-        others.filter_map(surface).collect()
+        measured.summits_at_other_cutoffs().into_iter().filter_map(surface).collect()
     }
 
     /// Finite surfaces, at `slip` (m) or where [`predict`](Case::predict) ends; `show` is told surfaces done and in all.
@@ -237,12 +247,12 @@ fn initial_temperature(request: &str) -> Option<f64> {
     value.and_then(|kelvin| kelvin.as_float().or(kelvin.as_integer().map(|whole| whole as f64)))
 }
 
-/// The surface file of a characterised topography, with `overrides`; `place` is the topography, named in messages.
+/// The surface file of a characterised topography, with `overrides`; `place` is the topography, named in messages, and
+/// `name` that of one or both faces.
 pub fn surface_of(
     found: &Characterization,
-    place: &Path,
+    (place, name): (&Path, &str),
     overrides: &[Override],
 ) -> Result<SurfaceFile, SurfaceFileError> {
-    let name = place.file_name().unwrap_or_default().to_string_lossy();
-    SurfaceFile::parse_with(place, report::surface_file(found, &name, None), overrides)
+    SurfaceFile::parse_with(place, report::surface_file(found, name, None), overrides)
 }

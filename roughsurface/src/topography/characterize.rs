@@ -4,6 +4,7 @@ use super::moments::{Isotropic, Moments};
 use super::nayak::{Nayak, SMALLEST_ALPHA};
 use super::spectrum::{LONGEST_CUTOFF, Limit, NOISY, Spectrum, Window};
 use super::summits::{self, Summits};
+use super::two_faces::TwoFaces;
 use super::warning::{UNIT_REMEDY, Warning};
 use super::{Topography, detrend, plausibility};
 use tables::numbers::plain;
@@ -58,18 +59,40 @@ pub struct Characterization {
     pub radius_at_twice_the_cutoff: f64,
     /// Summits with half and with twice the cut-off, where the topography allows it.
     pub other_cutoffs: Vec<AtCutoff>,
+    /// Together with the rough face on the other side.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub two_faces: Option<Box<TwoFaces>>,
     /// (wavenumber in rad/m, mean power of a wave in m²).
     #[serde(skip)]
     pub spectrum: Vec<(f64, f64)>,
     pub warnings: Vec<Warning>,
 }
 
-/// Summits from the moments with another cut-off.
+/// Moments and summits with another cut-off.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct AtCutoff {
     /// m.
     pub cutoff: f64,
+    pub moments: Moments,
     pub summits: Nayak,
+}
+
+impl Characterization {
+    /// Moments and summits against a smooth flat: of the face, or of the sum of both faces.
+    pub fn in_contact(&self) -> (&Isotropic, &Nayak) {
+        match &self.two_faces {
+            Some(both) => (&both.moments, &both.summits),
+            None => (&self.moments.isotropic, &self.summits),
+        }
+    }
+
+    /// The same with other cut-offs (m).
+    pub fn summits_at_other_cutoffs(&self) -> Vec<(f64, Nayak)> {
+        match &self.two_faces {
+            Some(both) => both.other_cutoffs.iter().map(|at| (at.cutoff, at.summits)).collect(),
+            None => self.other_cutoffs.iter().map(|at| (at.cutoff, at.summits)).collect(),
+        }
+    }
 }
 
 /// Principal mean square slopes that differ by more than this factor make a surface with a lay.
@@ -110,10 +133,11 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
     }
     let moments_at = |cutoff: f64| Moments::of(&topography, options.window, cutoff);
     let moments = moments_at(cutoff);
-    let nayak = summits_of(&moments)?;
+    let nayak = summits_of(&moments.isotropic)?;
     let other = |cutoff: f64| {
-        let summits = Nayak::of(&moments_at(cutoff).isotropic);
-        summits.filter(|_| (shortest..=longest).contains(&cutoff)).map(|summits| AtCutoff { cutoff, summits })
+        let is_allowed = (shortest..=longest).contains(&cutoff);
+        let moments = is_allowed.then(|| moments_at(cutoff))?;
+        Nayak::of(&moments.isotropic).map(|summits| AtCutoff { cutoff, moments, summits })
     };
     let areal_slope = (!topography.is_profile()).then(|| (2.0 * moments.m2).sqrt());
     let mut characterization = Characterization {
@@ -135,6 +159,7 @@ pub fn characterize(mut topography: Topography, options: &Options) -> Result<Cha
         found: summits::find(&topography, cutoff),
         radius_at_twice_the_cutoff: (moments.isotropic.m4 / moments_at(2.0 * cutoff).isotropic.m4).sqrt(),
         other_cutoffs: [0.5, 2.0].into_iter().filter_map(|factor| other(factor * cutoff)).collect(),
+        two_faces: None,
         spectrum: spectrum.radial(),
         warnings,
     };
@@ -151,12 +176,12 @@ fn cutoffs(topography: &Topography) -> (f64, f64) {
 }
 
 /// Summits from the moments, or why there are none.
-fn summits_of(moments: &Moments) -> Result<Nayak, String> {
-    if !moments.m2.is_finite() {
+pub(super) fn summits_of(moments: &Isotropic) -> Result<Nayak, String> {
+    let Isotropic { m0, m2, m4 } = *moments;
+    if !m2.is_finite() {
         return Err("the heights are so large that their slopes are not finite".into());
     }
-    let Isotropic { m0, m2, m4 } = moments.isotropic;
-    Nayak::of(&moments.isotropic).ok_or_else(|| {
+    Nayak::of(moments).ok_or_else(|| {
         format!(
             "bandwidth alpha = {:.3}: that of a random surface is finite and at least 0.897; a single wave, waves along \
              one direction only, noise, or too long a cut-off?",

@@ -3,7 +3,8 @@
 //! Height maps and profiles are [read](readers::read), a trend is subtracted, and short wavelengths that the
 //! instrument did not resolve ([`spectrum`]) are filtered out ([`filter`], ISO 16610). The remainder gives the
 //! [`moments`] m0, m2, m4 (m², 1, 1/m²) and from them the summits of a Gaussian surface ([`nayak`]); the
-//! [`summits`] are also searched for directly. [`characterize`](characterize::characterize) performs all steps.
+//! [`summits`] are also searched for directly. [`characterize`](characterize::characterize) performs all steps;
+//! [`two_faces`] adds a rough face on the other side.
 //! Depends on `surface` for reading files and the wording of messages only. Chapter "Rough surfaces" of the book, "From topography".
 
 pub mod characterize;
@@ -19,6 +20,7 @@ pub mod readers;
 pub mod report;
 pub mod spectrum;
 pub mod summits;
+pub mod two_faces;
 pub mod warning;
 
 #[cfg(test)]

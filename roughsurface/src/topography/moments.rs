@@ -21,6 +21,8 @@ pub struct Moments {
     /// Angle of the lay, the direction of the smallest slopes, to the rows, degrees from −90 to 90, positive
     /// towards later rows.
     pub lay_angle: f64,
+    /// Mean square curvatures across the lay and along it, 1/m²; of a profile, those of the isotropic surface.
+    pub principal_curvatures: (f64, f64),
     /// Of the isotropic surface that has the summits.
     pub isotropic: Isotropic,
 }
@@ -62,7 +64,7 @@ impl Moments {
         // Of the steepest direction; the lay is across it.
         let steepest = 0.5 * (2.0 * mixed).atan2(along - across);
         let (laplacian, across, along) = filtered.curvatures(steepest);
-        let m4 = 0.375 * laplacian;
+        let (m4, principal_curvatures) = (0.375 * laplacian, (across, along));
         let angle = steepest.to_degrees();
         Self {
             m0,
@@ -70,13 +72,32 @@ impl Moments {
             m4,
             principal_slopes,
             lay_angle: if angle > 0.0 { angle - 90.0 } else { angle + 90.0 },
-            isotropic: Isotropic {
-                m0,
-                m2: (principal_slopes.0 * principal_slopes.1).sqrt(),
-                // ⟨(∇²z)²⟩ with the geometric for the arithmetic mean of the two curvatures.
-                m4: m4 - 0.375 * (across.sqrt() - along.sqrt()).powi(2),
-            },
+            principal_curvatures,
+            isotropic: Isotropic::with_lay(m0, principal_slopes, (m4, principal_curvatures)),
         }
+    }
+
+    /// Of the isotropic surface with the summits of the sum of two independent heights, whose lays are parallel, or
+    /// `crossed` at right angles: the mean squares of heights, slopes and curvatures add.
+    pub(super) fn of_sum(&self, other: &Self, crossed: bool) -> Isotropic {
+        let turned = |(across, along): (f64, f64)| if crossed { (along, across) } else { (across, along) };
+        let add = |one: (f64, f64), two: (f64, f64)| (one.0 + two.0, one.1 + two.1);
+        let slopes = add(self.areal_slopes(), turned(other.areal_slopes()));
+        let curvatures = add(self.principal_curvatures, turned(other.principal_curvatures));
+        let m4 = self.areal_m4() + other.areal_m4();
+        Isotropic::with_lay(self.isotropic.m0 + other.isotropic.m0, slopes, (m4, curvatures))
+    }
+
+    /// Principal mean square slopes of the area; of a profile, those of the isotropic surface.
+    fn areal_slopes(&self) -> (f64, f64) {
+        let (across, along) = self.principal_slopes;
+        let areal = self.isotropic.m2 / (across * along).sqrt();
+        (areal * across, areal * along)
+    }
+
+    /// 3⟨(∇²z)²⟩/8, by the part that [`Isotropic::with_lay`] takes off.
+    fn areal_m4(&self) -> f64 {
+        self.isotropic.m4 + lost_to_lay(self.principal_curvatures)
     }
 
     /// Those of the profile, and of the isotropic surface that has it after the filter over its area.
@@ -95,9 +116,22 @@ impl Moments {
             m4,
             principal_slopes: (m2, m2),
             lay_angle: 0.0,
+            principal_curvatures: (m4_isotropic, m4_isotropic),
             isotropic: Isotropic { m0: m0_isotropic, m2: m2_isotropic, m4: m4_isotropic },
         }
     }
+}
+
+impl Isotropic {
+    /// With the geometric means of the slopes and of the curvatures across a lay and along it; `m4` is 3⟨(∇²z)²⟩/8.
+    fn with_lay(m0: f64, slopes: (f64, f64), (m4, curvatures): (f64, (f64, f64))) -> Self {
+        Self { m0, m2: (slopes.0 * slopes.1).sqrt(), m4: m4 - lost_to_lay(curvatures) }
+    }
+}
+
+/// What the geometric for the arithmetic mean of two mean square curvatures takes off 3⟨(∇²z)²⟩/8.
+fn lost_to_lay((across, along): (f64, f64)) -> f64 {
+    0.375 * (across.sqrt() - along.sqrt()).powi(2)
 }
 
 /// A topography after the filter.

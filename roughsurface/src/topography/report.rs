@@ -1,6 +1,7 @@
 //! A characterisation as text, as JSON, and as a surface file.
 
 use super::characterize::Characterization;
+use super::nayak::Nayak;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tables::figures::{Axis, Curve, Figure, Panel};
@@ -21,6 +22,30 @@ pub enum WhichSummits {
 
 /// As lines of text.
 pub fn text(found: &Characterization) -> String {
+    let Some(both) = &found.two_faces else { return text_of_face(found) };
+    let mut text =
+        text_of_face(found) + "\nother face\n\n" + &text_of_face(&both.other_face) + "\nboth faces\n\n";
+    let (moments, summits) = found.in_contact();
+    for (name, value) in [
+        ("m0, m2", format!("{:.4e} m2, {:.4e}", moments.m0, moments.m2)),
+        ("m4", format!("{:.4e} 1/m2", moments.m4)),
+        ("bandwidth alpha", format!("{:.3}", summits.alpha)),
+        ("eta R sigma_s", product(summits)),
+        ("density eta, 1/m2", format!("{:.4e}", summits.density)),
+        ("radius R, m", format!("{:.4e}", summits.radius)),
+        ("standard deviation of heights sigma_s, m", format!("{:.4e}", summits.std)),
+        ("mean summit plane above mean plane, m", format!("{:.4e}", summits.mean_summit)),
+    ] {
+        let _ = writeln!(text, "{name:<44} {value}");
+    }
+    text
+}
+
+fn product(summits: &Nayak) -> String {
+    format!("{:.4}", summits.density * summits.radius * summits.std)
+}
+
+fn text_of_face(found: &Characterization) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         let _ = writeln!(text, "{name:<44} {value}");
@@ -58,8 +83,7 @@ pub fn text(found: &Characterization) -> String {
     let isotropic = found.moments.isotropic;
     line("m2, m4 of the isotropic surface", format!("{:.4e}, {:.4e} 1/m2", isotropic.m2, isotropic.m4));
     line("bandwidth alpha", format!("{:.3}", found.summits.alpha));
-    let product = found.summits.density * found.summits.radius * found.summits.std;
-    line("eta R sigma_s", format!("{product:.4}"));
+    line("eta R sigma_s", product(&found.summits));
     let what = if profile { "peaks found" } else { "summits found" };
     let _ = writeln!(text, "\n{:<44} {:>14}   {:>14}", "summits", "from moments", what);
     let per = if profile { "density eta, 1/m2 (found: 1/m)" } else { "density eta, 1/m2" };
@@ -85,10 +109,20 @@ pub fn text(found: &Characterization) -> String {
 
 /// As JSON; `units` has the unit of every number at its place.
 pub fn json(found: &Characterization) -> Value {
+    let mut value = json!(found);
+    value["units"] = units(found);
+    value
+}
+
+fn units(found: &Characterization) -> Value {
     let per = if found.points.0 == 1 { "m-1" } else { "m-2" };
     let summits = json!({ "alpha": "1", "density": "m-2", "radius": "m", "std": "m", "mean_summit": "m" });
-    let mut value = json!(found);
-    value["units"] = json!({
+    let isotropic = json!({ "m0": "m2", "m2": "1", "m4": "m-2" });
+    let moments = json!({
+        "m0": "m2", "m2": "1", "m4": "m-2", "principal_slopes": "1", "lay_angle": "degree",
+        "principal_curvatures": "m-2", "isotropic": isotropic
+    });
+    let mut units = json!({
         "points": "1",
         "pixel": "m",
         "size": "m",
@@ -98,23 +132,52 @@ pub fn json(found: &Characterization) -> Value {
         "Sdq": "1",
         "Rdq": "1",
         "rms_curvature": "m-1",
-        "moments": {
-            "m0": "m2", "m2": "1", "m4": "m-2", "principal_slopes": "1", "lay_angle": "degree",
-            "isotropic": { "m0": "m2", "m2": "1", "m4": "m-2" }
-        },
+        "moments": moments,
         "summits": summits,
         "found": {
             "count": "1", "density": per, "radius": "m", "mean": "m", "std": "m", "skewness": "1", "kurtosis": "1"
         },
         "radius_at_twice_the_cutoff": "1",
-        "other_cutoffs": { "cutoff": "m", "summits": summits },
+        "other_cutoffs": { "cutoff": "m", "moments": moments, "summits": summits },
     });
-    value
+    if let Some(both) = &found.two_faces {
+        units["two_faces"] = json!({
+            "other_face": self::units(&both.other_face), "moments": isotropic, "summits": summits,
+            "other_cutoffs": { "cutoff": "m", "summits": summits }
+        });
+    }
+    units
+}
+
+/// The sections of a surface file of summits with that density (1/m²), radius (m) and heights.
+fn sections(density: f64, radius: f64, heights: &str) -> String {
+    let [low, middle, high] = PRESSURES;
+    format!(
+        "[surface]\n\
+         asperity_density = {density:.6e}   # summits per nominal area, 1/m2\n\
+         asperity_radius = {radius:.6e}     # m\n\
+         heights = {heights}\n\
+         \n\
+         [query]\n\
+         pressure = [{low:e}, {middle:e}, {high:e}]         # nominal, Pa\n\
+         slip_rate = {SLIP_RATES:?}       # m/s\n\
+         hold = \"load\"\n"
+    )
+}
+
+fn gaussian(std: f64) -> String {
+    format!("{{ distribution = \"gaussian\", std = {std:.6e} }}")
+}
+
+/// The sections of a surface file of summits with Gaussian heights.
+pub fn sections_of(summits: &Nayak) -> String {
+    sections(summits.density, summits.radius, &gaussian(summits.std))
 }
 
 /// A surface file with the summits, ready for `roughsurface predict`; `heights` is the name of the
 /// file of the heights of the summits found, where these are chosen.
 pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str>) -> String {
+    let (moments, summits) = found.in_contact();
     let (density, radius, distribution, mean) = match heights {
         Some(file) => (
             found.found.density,
@@ -122,14 +185,10 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
             format!("{{ distribution = \"sample\", file = {} }}", json!(file)),
             found.found.mean,
         ),
-        None => (
-            found.summits.density,
-            found.summits.radius,
-            format!("{{ distribution = \"gaussian\", std = {:.6e} }}", found.summits.std),
-            found.summits.mean_summit,
-        ),
+        None => (summits.density, summits.radius, gaussian(summits.std), summits.mean_summit),
     };
-    let [low, middle, high] = PRESSURES;
+    let limit_of_other = found.two_faces.as_ref().map_or(0.0, |both| both.other_face.reliability_limit);
+    let limit = found.reliability_limit.max(limit_of_other);
     let plane = if heights.is_some() { "mean plane of the surface" } else { "mean plane of the summits" };
     // A control character could end the comment.
     let source: String = source.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
@@ -139,15 +198,7 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
          # bandwidth {:.3}. Mean summit plane {mean:.4e} m above the mean plane of the surface.\n\
          # Separations are counted from the {plane}.\n\
          \n\
-         [surface]\n\
-         asperity_density = {density:.6e}   # summits per nominal area, 1/m2\n\
-         asperity_radius = {radius:.6e}     # m\n\
-         heights = {distribution}\n\
-         \n\
-         [query]\n\
-         pressure = [{low:e}, {middle:e}, {high:e}]         # nominal, Pa\n\
-         slip_rate = {SLIP_RATES:?}       # m/s\n\
-         hold = \"load\"\n\
+         {}\
          \n\
          # For --table model:NAME give the material of the summits:\n\
          # [material]\n\
@@ -156,11 +207,12 @@ pub fn surface_file(found: &Characterization, source: &str, heights: Option<&str
          # yield_strength = 792e6           # Pa\n",
         env!("CARGO_PKG_VERSION"),
         found.cutoff,
-        found.reliability_limit,
-        found.moments.isotropic.m0,
-        found.moments.isotropic.m2,
-        found.moments.isotropic.m4,
-        found.summits.alpha,
+        limit,
+        moments.m0,
+        moments.m2,
+        moments.m4,
+        summits.alpha,
+        sections(density, radius, &distribution),
     )
 }
 

@@ -94,6 +94,13 @@ pub enum Warning {
     Profile,
     #[error("{count} summits were found, too few for statistics")]
     FewSummits { count: usize },
+    #[error("other face: {0}")]
+    OtherFace(Box<Warning>),
+    #[error(
+        "the lays of both faces are taken to be parallel; at right angles the density of summits is {density:.2} and \
+         their radius {radius:.2} times as large"
+    )]
+    ParallelLays { density: f64, radius: f64 },
     #[error(
         "summit heights have skewness {skewness:.2} and kurtosis {kurtosis:.2}, a Gaussian distribution 0 and 3; \
          --summits found writes those that were found"

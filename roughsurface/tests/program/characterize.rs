@@ -93,7 +93,7 @@ fn curves(svg: &str, panel: &str) -> usize {
 }
 
 /// Whether `units` has a unit at the place of every number of `value`.
-fn numbers_have_units(value: &serde_json::Value, units: &serde_json::Value, place: &str) {
+pub fn numbers_have_units(value: &serde_json::Value, units: &serde_json::Value, place: &str) {
     match value {
         serde_json::Value::Number(_) => assert!(units.is_string(), "{place}: {units}"),
         serde_json::Value::Array(list) => {

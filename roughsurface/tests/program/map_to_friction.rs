@@ -1,6 +1,8 @@
 //! From a topography to friction in one command, and the query on the command line.
 
+use crate::characterize::numbers_have_units;
 use crate::folder::{Folder, data, stderr};
+use roughsurface::surface::file::SurfaceFile;
 use tables::netcdf::DatasetReader;
 
 fn map(name: &str) -> String {
@@ -68,6 +70,48 @@ fn keys_in_place_of_those_of_the_summits_hold_at_every_cutoff() {
         let one = DatasetReader::open(&folder.path("one.nc")).unwrap();
         assert_eq!(one.reals("mu", &[1, 1]).unwrap(), mu[index..=index]);
     }
+}
+
+/// The moments of two independent faces of the same roughness are twice those of one: the summits are as many, with
+/// R/√2 and √2 σ_s.
+#[test]
+fn two_rough_faces_slide_as_their_sum_on_a_smooth_flat() {
+    let folder = Folder::new();
+    let map = map("map.x3p");
+    let surface = |name: &str| SurfaceFile::read(&folder.path(name)).unwrap().surface;
+    folder.run_well(&format!("characterize {map} --cutoff 1.2um -o one.toml"));
+    let both = format!("{map} --cutoff 1.2um --other-face {map}");
+    let output = folder.run_well(&format!("characterize {both} -o two.toml --json"));
+    let (one, two) = (surface("one.toml"), surface("two.toml"));
+    for (ratio, expected) in [
+        (two.asperity_density / one.asperity_density, 1.0),
+        (two.asperity_radius.mean() / one.asperity_radius.mean(), 0.5f64.sqrt()),
+        (two.heights.standard_deviation() / one.heights.standard_deviation(), 2f64.sqrt()),
+    ] {
+        assert!((ratio / expected - 1.0).abs() < 1e-6, "{ratio} {expected}");
+    }
+    assert!(folder.read("two.toml").starts_with("# Summits of map.x3p on map.x3p"));
+    let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let of_both = |place: &str| result.pointer(&format!("/two_faces/{place}")).unwrap().as_f64().unwrap();
+    assert!((of_both("summits/radius") / two.asperity_radius.mean() - 1.0).abs() < 1e-6);
+    assert_eq!(of_both("other_face/summits/radius"), result["summits"]["radius"].as_f64().unwrap());
+    numbers_have_units(&result, &result["units"], "");
+
+    let law = format!("--table model:jackson-green {STEEL} --extrapolate --pressure 1e6 --slip-rate 1");
+    folder.run_well(&format!("predict {both} {law} -o direct.nc"));
+    folder.run_well(&format!("predict two.toml {law} -o file.nc"));
+    let [direct, file] =
+        ["direct.nc", "file.nc"].map(|name| DatasetReader::open(&folder.path(name)).unwrap());
+    assert_eq!(direct.reals("mu", &[1, 1]).unwrap(), file.reals("mu", &[1, 1]).unwrap());
+    assert_eq!(direct.reals("cutoff", &[3]).unwrap(), [0.6e-6, 1.2e-6, 2.4e-6]);
+
+    folder.refused(&format!("characterize {both} --summits found -o found.toml"), "are of one face");
+    folder
+        .refused(&format!("predict two.toml --other-face {map} {law} -o f.nc"), "two.toml is a surface file");
+    let missing = format!("characterize {map} --cutoff 1.2um --other-face missing.txt");
+    folder.refused(&missing, "missing.txt");
+    std::fs::copy(&map, folder.path("copy.x3p")).unwrap();
+    folder.refused(&format!("characterize {map} --other-face copy.x3p -o copy.x3p"), "--other-face");
 }
 
 #[test]

@@ -63,6 +63,21 @@ fn constants_that_a_table_has_other_values_of_are_named() {
     assert!(!said.contains("poisson_ratio"), "{said}");
 }
 
+/// Density, radius and heights of a surface go together.
+#[test]
+fn a_density_in_another_unit_is_noticed() {
+    let material = "[material]\nyoungs_modulus = 2e11\npoisson_ratio = 0.3\nyield_strength = 4e8\n";
+    let folder = Folder::with(&format!(
+        "[surface]\nasperity_density = 1e10\nasperity_radius = 2e-5\n\
+         heights = {{ distribution = \"gaussian\", std = 2e-7 }}\n[query]\npressure = 1e3\nslip_rate = 1\n{material}"
+    ));
+    let predict = "predict surface.toml --table model:jackson-green --extrapolate -o f.nc";
+    assert!(!stderr(&folder.run_well(predict)).contains("Nayak"));
+    // 1/mm2.
+    let said = stderr(&folder.run(&format!("{predict} --set surface.asperity_density=1e7")));
+    assert!(said.contains("heights is 4e-5") && said.contains("another unit?"), "{said}");
+}
+
 /// Files of heights have no key that states their size or their decimal sign.
 #[test]
 fn heights_in_other_units_or_with_decimal_commas_are_noticed() {

@@ -75,15 +75,18 @@ const PLAUSIBLE: &[Plausible] = &[
         mistaken: &[("kJ/m2", 1e3, 0.0)],
     },
     Plausible { keys: &["uniform_elongation"], unit: "1", range: (1e-4, 1.0), mistaken: &[("%", 1e-2, 0.0)] },
+    // Liquid nitrogen 77 K.
     Plausible {
         keys: &["temperature", "softening.reference", "softening.melting"],
         unit: "K",
-        range: (50.0, 5e3),
+        range: (77.0, 5e3),
         mistaken: &[("degrees Celsius", 1.0, 273.15)],
     },
     Plausible { keys: &["slip_rate"], unit: "m/s", range: (1e-13, 1e3), mistaken: &[("mm/s", 1e-3, 0.0)] },
-    Plausible { keys: &["radius", "asperity_radius"], unit: "m", range: (1e-9, 0.05), mistaken: LENGTH },
-    // Heights of a rough surface.
+    // Of one asperity, or of a ball in a test.
+    Plausible { keys: &["radius"], unit: "m", range: (1e-9, 0.05), mistaken: LENGTH },
+    // Summits and heights of a rough surface.
+    Plausible { keys: &["asperity_radius"], unit: "m", range: (1e-9, 5e-3), mistaken: LENGTH },
     Plausible { keys: &["std", "separation"], unit: "m", range: (1e-12, 1e-3), mistaken: LENGTH },
     Plausible {
         keys: &["asperity_density"],
@@ -94,7 +97,7 @@ const PLAUSIBLE: &[Plausible] = &[
     Plausible {
         keys: &["pressure"],
         unit: "Pa",
-        range: (100.0, 1e11),
+        range: (1e3, 1e11),
         mistaken: &[("MPa", 1e6, 0.0), ("GPa", 1e9, 0.0)],
     },
 ];
@@ -114,7 +117,7 @@ pub fn ranges() -> impl Iterator<Item = (&'static [&'static str], &'static str, 
 ///     remarks(&sections),
 ///     [
 ///         "material.density = 7.85 kg/m3 is implausible (500 to 25000 kg/m3); if it is in g/cm3, write 7850",
-///         "loading.temperature = 25 K is implausible (50 to 5000 K); if it is in degrees Celsius, write 298.15",
+///         "loading.temperature = 25 K is implausible (77 to 5000 K); if it is in degrees Celsius, write 298.15",
 ///     ]
 /// );
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -181,8 +184,11 @@ mod tests {
             ("uniform_elongation", "15", "%, write 0.15"),
             ("specific_heat", "0.475", "kJ/(kg K), write 475"),
             ("temperature", "25", "degrees Celsius, write 298.15"),
+            ("temperature", "60", "degrees Celsius, write 333.15"),
             ("radius", "50", "um, write 5e-5"),
+            ("asperity_radius", "0.02", "mm, write 2e-5"),
             ("pressure", "[1, 10]", "MPa, write 1e6"),
+            ("pressure", "400", "MPa, write 4e8"),
             ("asperity_density", "1e4", "1/mm2, write 1e10"),
         ] {
             let sections: Table = format!("[section]\n{key} = {value}").parse().unwrap();

@@ -48,6 +48,9 @@ pub fn on_rigid_flat(metal: &str) -> String {
     format!("{metal}{RIGID}")
 }
 
+/// End of the name of a journal of finished cells, beside the table that it will be.
+pub const JOURNAL: &str = ".part";
+
 /// Why a table is unavailable.
 #[derive(Debug, thiserror::Error)]
 pub enum TableSourceError {
@@ -57,6 +60,10 @@ pub enum TableSourceError {
     File(#[from] DatasetError),
     #[error("{asked}: {error}")]
     Temperature { asked: String, error: TemperatureError },
+    #[error(
+        "{asked}: is the journal of a table that is not finished; its command with --resume completes the table"
+    )]
+    Unfinished { asked: String },
     #[error("{name}: cannot be unpacked into a temporary file: {reason}")]
     Unpacked { name: &'static str, reason: std::io::Error },
 }
@@ -84,6 +91,9 @@ pub fn open(asked: &str, temperature: Option<f64>) -> Result<InterpolatedTable, 
 /// The table in the file `asked`, or the shipped one of that name, with all its initial temperatures.
 pub fn load(asked: &str) -> Result<Table, TableSourceError> {
     if Path::new(asked).exists() {
+        if asked.ends_with(JOURNAL) {
+            return Err(TableSourceError::Unfinished { asked: asked.to_owned() });
+        }
         return Ok(Table::read(Path::new(asked))?);
     }
     match SHIPPED.iter().find(|(name, _)| *name == asked) {

@@ -41,6 +41,17 @@ class Characterization(Drawn):
         """Limitations of the result."""
         return self._core.warnings()
 
+    def on(self, other: Characterization) -> Characterization:
+        """Both rough faces of a contact: ``--other-face`` of ``roughsurface``.
+
+        The summits are those of the sum of the heights, which slides on a smooth flat. Both must have been characterised
+        with the same ``cutoff``.
+
+        Raises:
+            InputError: the cut-offs differ.
+        """
+        return Characterization(self._core.on(other._core), [*self._inputs, *other._inputs])
+
     def save(self, path: str | os.PathLike[str], summits: str = "moments") -> None:
         """Writes the surface file.
 
@@ -53,8 +64,12 @@ class Characterization(Drawn):
             raise ValueError(f'summits = {summits!r}: must be "moments" or "found"')
         heights = None
         if summits == "found":
+            reason = None
             if self.summary["points"][0] == 1:
                 reason = "peaks of a profile are no summits"
+            elif "two_faces" in self.summary:
+                reason = "they are of one face; of two they follow from the moments"
+            if reason:
                 raise InputError(f'summits="found": {reason}', None, "summits", reason)
             heights = output(path.with_suffix(".heights.txt"), self._inputs)
             _core.write_bytes(heights, self._core.heights_file().encode())
