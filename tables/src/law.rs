@@ -49,12 +49,18 @@ pub enum LookupError {
     )]
     ContactTooLarge { interference: f64, limit: f64 },
     #[error(
-        "slip rate {} m/s is outside the table, which covers {} to {} m/s at this radius; the limits are in proportion to 1/R",
+        "slip rate {} m/s is outside the table, which covers {} to {} m/s at the radii asked; the limits are in proportion to 1/R",
         plain(*.slip_rate),
         plain(*.from),
         plain(*.to)
     )]
     SlipRateOutside { slip_rate: f64, from: f64, to: f64 },
+    #[error(
+        "the table covers no slip rate at all radii from {} to {} m: its limits are in proportion to 1/R",
+        plain(*.smallest),
+        plain(*.largest)
+    )]
+    NoSlipRateInCommon { smallest: f64, largest: f64 },
     #[error(
         "the table depends on its radius of {} m (gap conductance); it cannot be read at {} m",
         plain(*.table),

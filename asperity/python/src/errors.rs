@@ -81,7 +81,7 @@ pub fn of_law(error: LawSourceError) -> PyErr {
 pub fn of_lookup(error: &LookupError) -> PyErr {
     let key = match error {
         LookupError::ContactTooLarge { .. } => Some("interference"),
-        LookupError::SlipRateOutside { .. } => Some("slip_rate"),
+        LookupError::SlipRateOutside { .. } | LookupError::NoSlipRateInCommon { .. } => Some("slip_rate"),
         LookupError::RadiusFixed { .. } => Some("radius"),
         LookupError::Missing { .. } => None,
     };

@@ -85,7 +85,8 @@ impl UncertaintyError {
     /// Whether the varied parameter takes a slip rate out of the table, as another radius does.
     fn leaves_slip_rates(&self) -> bool {
         let Self::Prediction { error, .. } = self else { return false };
-        matches!(error, PredictionError::Lookup(LookupError::SlipRateOutside { .. }))
+        use LookupError::{NoSlipRateInCommon, SlipRateOutside};
+        matches!(error, PredictionError::Lookup(SlipRateOutside { .. } | NoSlipRateInCommon { .. }))
     }
 }
 

@@ -165,15 +165,18 @@ impl Query {
         self.loading.values().iter().flat_map(of_row)
     }
 
-    /// Refuses slip rates outside the range of the law for any of the `radii`.
+    /// Refuses slip rates outside the range of the law that all `radii` have.
     pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radii: &Radii) -> Result<(), LookupError> {
-        for class in radii.classes() {
-            let range @ (from, to) = law.slip_rate_range(class.radius);
-            let mut rates = self.slip_rates.iter().chain(self.rate_step.iter().flatten());
-            if let Some(&slip_rate) = rates.find(|rate| !covers(range, **rate)) {
-                return Err(LookupError::SlipRateOutside { slip_rate, from, to });
-            }
+        let range @ (from, to) = radii.slip_rate_range(law);
+        if let [first, .., last] = radii.classes()
+            && from > to
+        {
+            return Err(LookupError::NoSlipRateInCommon { smallest: first.radius, largest: last.radius });
         }
-        Ok(())
+        let mut rates = self.slip_rates.iter().chain(self.rate_step.iter().flatten());
+        match rates.find(|rate| !covers(range, **rate)) {
+            Some(&slip_rate) => Err(LookupError::SlipRateOutside { slip_rate, from, to }),
+            None => Ok(()),
+        }
     }
 }

@@ -6,6 +6,7 @@
 
 use gauss_quad::GaussLegendre;
 use rand::RngExt;
+use tables::law::AsperityLaw;
 
 use crate::surface::heights::Random;
 
@@ -91,6 +92,12 @@ impl Radii {
     /// Mean radius, m.
     pub fn mean(&self) -> f64 {
         self.classes.iter().map(|class| class.share * class.radius).sum()
+    }
+
+    /// The range of slip rates (m/s) that a law has at all radii; its ends in the wrong order where there is none.
+    pub fn slip_rate_range(&self, law: &dyn AsperityLaw) -> (f64, f64) {
+        let ranges = self.classes.iter().map(|class| law.slip_rate_range(class.radius));
+        ranges.fold((0.0, f64::INFINITY), |(low, high), (from, to)| (from.max(low), to.min(high)))
     }
 
     /// All radii times `factor`.

@@ -114,6 +114,16 @@ fn bad_input_ends_with_status_two_and_one_line() {
     let folder = Folder::with(SURFACE);
     folder.write("typo.toml", SURFACE.replace("pressure", "presure"));
     folder.write("rigid.toml", format!("{SURFACE}[counterface]\n"));
+    folder.write("table.nc.part", "a journal");
+    // 0 to 10 m/s at 1 mm, with rate law 0.01 to 10 m/s at 0.1 mm: at R the limits are in proportion to 1/R.
+    let radii = |radii: &str| {
+        let classes =
+            format!("radii = {{ distribution = \"classes\", radius = {radii}, share = [1, 1] }}\nheights");
+        let lines = SURFACE.lines().filter(|line| !line.starts_with("asperity_radius"));
+        lines.collect::<Vec<_>>().join("\n").replacen("heights", &classes, 1)
+    };
+    folder.write("two.toml", radii("[0.5e-3, 2e-3]"));
+    folder.write("far.toml", radii("[1e-6, 1e-2]"));
     // NetCDF, but not a table.
     let mut foreign = DatasetWriter::create(&folder.path("foreign.nc"), "foreign").unwrap();
     foreign.dimension("x", 2).unwrap();
@@ -124,6 +134,18 @@ fn bad_input_ends_with_status_two_and_one_line() {
         ("predict surface.toml --table model:herz -o f.nc", "kogut-etsion"),
         ("predict surface.toml --table none.nc -o f.nc", "cannot read none.nc"),
         ("predict surface.toml --table surface.toml -o f.nc", "surface.toml"),
+        (
+            "predict surface.toml --table table.nc.part -o f.nc",
+            "is the journal of a table that is not finished",
+        ),
+        (
+            "predict two.toml --table steel-4340 --slip-rate 7 -o f.nc -q",
+            "covers 0 to 5 m/s at the radii asked",
+        ),
+        (
+            "predict far.toml --table steel-4340-rate --slip-rate 7 -o f.nc -q",
+            "no slip rate at all radii from 1e-6 to 0.01 m",
+        ),
         ("predict rigid.toml --table steel-4340 -o f.nc", "[counterface] of the surface file is empty"),
         ("predict surface.toml --table foreign.nc -o f.nc", "foreign.nc"),
         ("predict surface.toml --table model:hertz -o no/f.nc", "its folder does not exist"),

@@ -27,10 +27,7 @@ impl<'a> Sweep<'a> {
     /// The slip rates (m/s) of the law that it has at all radii, and the ends of the range of these; none of a formula.
     pub(crate) fn rates_around(&self) -> Vec<f64> {
         let radii = &self.surface.asperity_radius;
-        let ranges = radii.classes().iter().map(|class| self.law.slip_rate_range(class.radius));
-        let (from, to) =
-            ranges.fold((0.0f64, f64::INFINITY), |(low, high), (from, to)| (low.max(from), high.min(to)));
-        in_common(self.law.slip_rates(radii.mean()), (from, to))
+        in_common(self.law.slip_rates(radii.mean()), radii.slip_rate_range(self.law))
     }
 
     /// Sliding friction of every row at `slip_rates` (m/s); `pressed` is the surface before the slide.
