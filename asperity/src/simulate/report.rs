@@ -59,12 +59,9 @@ pub(super) fn report(
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let interference = runner.pressed.scene.loading.interference;
     let mut outcome = outcome(problem, (interference, programme), &mut run, budget, account);
-    let initial = runner.pressed.scene.loading.temperature;
-    let counterface = counterface_temperature(&runner.pressed.scene, &outcome);
-    let hotter = counterface.and_then(|counterface| {
-        hotter_counterface(counterface.value, outcome.scalars[Quantity::TemperatureMax].value, initial)
-    });
-    outcome.account.warnings.extend(hotter);
+    if let Some(counterface) = counterface_temperature(&runner.pressed.scene, &outcome) {
+        charge_counterface(counterface.value, runner.pressed.scene.loading.temperature, &mut outcome);
+    }
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
         None => {
@@ -177,13 +174,20 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     warnings
 }
 
-/// A conducting counterface that is hotter than the asperity: both have the mean temperature of the contact in common, and not
-/// that of each point.
-fn hotter_counterface(counterface: f64, asperity: f64, initial: f64) -> Option<Warning> {
+/// A conducting `counterface` hotter than the asperity (K): both have the mean temperature of the contact in common, not that of
+/// each point. The highest temperature of the contact lies between both, which bounds its error.
+fn charge_counterface(counterface: f64, initial: f64, outcome: &mut Outcome) {
     /// Rise over that of the asperity above which there is a warning.
     const HOTTER: f64 = 1.1;
+    let highest = &mut outcome.scalars[Quantity::TemperatureMax];
+    let asperity = highest.value;
+    outcome.budget.add_model_bound(Quantity::TemperatureMax, (counterface - asperity).max(0.0));
+    highest.error = outcome.budget.total(Quantity::TemperatureMax);
     let is_hotter = counterface - initial > HOTTER * (asperity - initial);
-    is_hotter.then_some(Warning::HotterCounterface { counterface, asperity })
+    outcome
+        .account
+        .warnings
+        .extend(is_hotter.then_some(Warning::HotterCounterface { counterface, asperity }));
 }
 
 /// The controlled quantity that misses its accuracy most, and whatever is undetermined.
@@ -342,11 +346,29 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simulate::fake;
 
-    /// By more than a tenth of the rise of the asperity; a counterface that stays cold is none.
+    /// The error contains the whole difference, and a warning names one of more than a tenth of the rise of the asperity; a
+    /// counterface that stays cold changes nothing.
     #[test]
-    fn a_counterface_hotter_than_the_asperity_is_noticed() {
-        let noticed = |counterface| hotter_counterface(counterface, 500.0, 300.0).is_some();
-        assert_eq!([300.0, 500.0, 519.0, 521.0].map(noticed), [false, false, false, true]);
+    fn the_highest_temperature_is_as_uncertain_as_a_hotter_counterface_makes_it() {
+        let mut cool = fake::outcome(&fake::scene(5.0, 1.0));
+        cool.budget.add_model_bound(Quantity::TemperatureMax, 5.0);
+        let (initial, value) = (298.0, cool.scalars[Quantity::TemperatureMax].value);
+        let rise = value - initial;
+        let own = cool.budget.total(Quantity::TemperatureMax);
+        for (counterface, warns) in
+            [(initial, false), (value, false), (value + 0.09 * rise, false), (value + 0.11 * rise, true)]
+        {
+            let mut outcome = cool.clone();
+            charge_counterface(counterface, initial, &mut outcome);
+            let found = outcome.scalars[Quantity::TemperatureMax];
+            let difference = (counterface - value).max(0.0);
+            let exact = (own * own + 4.0 / 3.0 * difference * difference).sqrt();
+            assert!((found.error / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
+            assert_eq!(outcome.budget.total(Quantity::TemperatureMax), found.error);
+            let is_warned = matches!(outcome.account.warnings[..], [.., Warning::HotterCounterface { .. }]);
+            assert_eq!(is_warned, warns, "{counterface}");
+        }
     }
 }
