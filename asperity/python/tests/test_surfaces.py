@@ -151,7 +151,8 @@ def test_a_map_in_memory_is_as_in_a_file(folder):
 def test_two_rough_faces_are_as_with_the_option_of_the_program(folder):
     np.save("one.npy", rough())
     np.save("two.npy", rough().T)
-    measured = ["--pixel", "1e-6", "--unit", "m", "--cutoff", "8e-6", "--other-face", "two.npy"]
+    measured = ["--pixel", "1e-6", "--unit", "m", "--cutoff", "8e-6"]
+    measured += ["--other-face", "two.npy", "--other-pixel", "1e-6", "--other-unit", "m"]
     query = ["--pressure", "1e5", "--slip-rate", "1", "--table", "copper", "-o", "program.nc", "--quiet"]
     run("roughsurface", "predict", "one.npy", *measured, *query)
     one, two = (asperity.characterize(name, pixel=1e-6, cutoff=8e-6) for name in ("one.npy", "two.npy"))

@@ -42,11 +42,10 @@ fn tabulate_request(
     if display.verbose {
         say(format!("note: {}", Note::of_scene(&request.template)));
     }
-    if !arguments.resume && tabulate::existing(request, arguments.shard, &arguments.output).is_err() {
-        let output = arguments.output.display();
-        let replaced =
-            format!("{output}: holds a table of another request, which this one replaces when it is done");
-        display.printer().warn([replaced]);
+    let replaces = !arguments.resume || journal.exists();
+    if replaces && tabulate::existing(request, arguments.shard, &arguments.output).is_err() {
+        let what = "holds a table of another request, which this one replaces when it is done";
+        display.printer().warn([format!("{}: {what}", arguments.output.display())]);
     }
     if arguments.resume
         && let Some(table) =

@@ -4,9 +4,9 @@ use super::common::*;
 use clap::Args;
 use roughsurface::topography::characterize::{Characterization, Detrend, Options, characterize};
 use roughsurface::topography::readers::length;
-use roughsurface::topography::readers::{Reading, read};
+use roughsurface::topography::readers::{Reading, is_topography, read};
 use roughsurface::topography::spectrum::Window;
-use roughsurface::topography::two_faces::characterize_both;
+use roughsurface::topography::two_faces::{characterize_both, options_of_other};
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
@@ -36,6 +36,12 @@ pub struct TopographyOptions {
     /// slides on a smooth flat
     #[arg(long, value_name = "FILE")]
     other_face: Option<PathBuf>,
+    /// Unit of the lengths that the file of --other-face does not state
+    #[arg(long, value_name = "UNIT", value_parser = unit, requires = "other_face")]
+    other_unit: Option<f64>,
+    /// Distance between the points of --other-face, where its file does not state it
+    #[arg(long, value_name = "LENGTH", value_parser = length::parse, requires = "other_face")]
+    other_pixel: Option<f64>,
 }
 
 fn unit(text: &str) -> Result<f64, String> {
@@ -80,14 +86,13 @@ impl TopographyOptions {
 
     /// Reads and characterises a topography, and the one on the other side; summits found can be asked `of_maps` only.
     pub fn characterize(&self, file: &Path, of_maps: bool) -> Result<Characterization, Failure> {
-        let reading = Reading { unit: self.unit, pixel: self.pixel };
-        let read = |file: &Path| {
-            let mut topography = read(file, &reading).map_err(Failure::input)?;
+        let read = |file: &Path, unit, pixel| {
+            let mut topography = read(file, &Reading { unit, pixel }).map_err(|error| error.to_string())?;
             topography.periodic |= self.periodic;
-            Ok::<_, Failure>(topography)
+            Ok::<_, String>(topography)
         };
         let refused = |file: &Path, what: String| Failure::input(format!("{}: {what}", file.display()));
-        let topography = read(file)?;
+        let topography = read(file, self.unit, self.pixel).map_err(Failure::input)?;
         if of_maps && topography.is_profile() {
             let what = "peaks of a profile are no summits; --summits found needs a map";
             return Err(refused(file, what.into()));
@@ -99,8 +104,15 @@ impl TopographyOptions {
             Some(_) if of_maps => Err(Failure::input(
                 "--summits found are of one face; with --other-face they follow from the moments of both",
             )),
-            Some(other) => characterize_both([topography, read(other)?], &options)
-                .map_err(|(index, what)| refused([file, other][index], what)),
+            Some(other) if other.is_file() && !is_topography(other) => {
+                Err(refused(other, "is a surface file; --other-face takes a topography".into()))
+            }
+            Some(other) => {
+                let of_other = read(other, self.other_unit, self.other_pixel);
+                let faces = [topography, of_other.map_err(|what| Failure::input(options_of_other(&what)))?];
+                characterize_both(faces, &options)
+                    .map_err(|(index, what)| refused([file, other][index], what))
+            }
         }
     }
 }

@@ -105,6 +105,9 @@ const FEW_SUMMITS: usize = 100;
 const SKEWED: f64 = 0.5;
 const HEAVY_TAILED: f64 = 1.0;
 
+/// Of positions and of cut-offs that are equal but for it.
+const ROUNDING: f64 = 1e-6;
+
 /// Slope above which lengths may be in different units.
 const STEEP: f64 = 2.0;
 
@@ -211,7 +214,7 @@ fn limits(found: &Characterization, spectrum: &Spectrum) -> Vec<Warning> {
     if !found.cutoff_asked {
         let radius_at_twice = found.radius_at_twice_the_cutoff;
         warnings.push(Warning::NoCutoff { limit, reason, radius_at_twice });
-    } else if cutoff < limit {
+    } else if cutoff < limit * (1.0 - ROUNDING) {
         warnings.push(Warning::CutoffTooShort { cutoff, limit, reason });
     }
     if let Some(share) = spectrum.noise_share(cutoff).filter(|share| *share > NOISY) {

@@ -103,11 +103,13 @@ pub(super) fn none_is_marked(topography: &Topography) -> Result<(), String> {
     Ok(())
 }
 
-/// A warning if points stand out from the median of their neighbours: eight on a map, four on a profile.
+/// A warning if points stand out from their neighbours, eight on a map and four on a profile, all but one: along a lay two of
+/// them are as high as a ridge.
 pub(super) fn spikes(topography: &Topography) -> Option<Warning> {
     let Topography { rows, columns, heights, .. } = topography;
     let (rows, columns) = (*rows, *columns);
-    let deviation = |row: usize, column: usize| {
+    // From the median of the neighbours, and beyond the second lowest and the second highest of them.
+    let deviations = |row: usize, column: usize| {
         let mut around: Vec<f64> = match topography.is_profile() {
             true => [column - 2, column - 1, column + 1, column + 2].map(|place| heights[place]).to_vec(),
             false => (0..9)
@@ -115,17 +117,20 @@ pub(super) fn spikes(topography: &Topography) -> Option<Warning> {
                 .map(|place| heights[(row + place / 3 - 1) * columns + column + place % 3 - 1])
                 .collect(),
         };
-        (heights[row * columns + column] - median(&mut around)).abs()
+        around.sort_by(f64::total_cmp);
+        let (height, count) = (heights[row * columns + column], around.len());
+        let beyond = (height - around[count - 2]).max(around[1] - height);
+        ((height - around[count / 2]).abs(), beyond)
     };
     let edge = if topography.is_profile() { 2 } else { 1 };
     let lines = if topography.is_profile() { 0..1 } else { 1..rows - 1 };
-    let deviations: Vec<f64> = lines
-        .flat_map(|row| (edge..columns - edge).map(move |column| (row, column)))
-        .map(|(row, column)| deviation(row, column))
-        .collect();
-    // Of a Gaussian distribution the median of the magnitude is 0.6745 standard deviations.
-    let std = median(&mut deviations.clone()) / 0.6745;
-    let count = deviations.iter().filter(|deviation| **deviation > SPIKE * std).count();
+    let places = lines.flat_map(|row| (edge..columns - edge).map(move |column| (row, column)));
+    let (mut deviations, beyond): (Vec<f64>, Vec<f64>) =
+        places.map(|(row, column)| deviations(row, column)).unzip();
+    // 95 % of a Gaussian distribution lie within 1.96 standard deviations.
+    let last = (0.95 * (deviations.len() - 1) as f64) as usize;
+    let std = *deviations.select_nth_unstable_by(last, f64::total_cmp).1 / 1.96;
+    let count = beyond.iter().filter(|beyond| **beyond > SPIKE * std).count();
     (std > 0.0 && count > 0).then_some(Warning::Spikes { count })
 }
 
@@ -141,12 +146,6 @@ fn mean_square_about_mean(heights: &[f64]) -> f64 {
     let count = heights.len() as f64;
     let mean = heights.iter().sum::<f64>() / count;
     heights.iter().map(|height| (height - mean).powi(2)).sum::<f64>() / count
-}
-
-/// The middle of the values, of an even number the upper one of two.
-fn median(values: &mut [f64]) -> f64 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
 #[cfg(test)]
@@ -170,6 +169,17 @@ mod tests {
             spiked.heights[place] += 1e-6;
         }
         assert_eq!(spikes(&spiked), Some(Warning::Spikes { count: 2 }));
+
+        // A ground face: rows of a profile that are alike but for a thousandth.
+        let fine = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() }.map(2);
+        let smooth = SelfAffine { points: 512, shortest_pixels: 64.0, ..SelfAffine::default() }.map(1);
+        let mut ground = fine.clone();
+        for (place, height) in ground.heights.iter_mut().enumerate() {
+            *height = smooth.heights[place % fine.columns] + 1e-3 * *height;
+        }
+        assert_eq!(spikes(&ground), None);
+        ground.heights[200 * fine.columns + 77] += 20.0 * mean_square_about_mean(&ground.heights).sqrt();
+        assert_eq!(spikes(&ground), Some(Warning::Spikes { count: 1 }));
 
         let mut curved = map.clone();
         for (place, height) in curved.heights.iter_mut().enumerate() {

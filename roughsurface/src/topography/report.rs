@@ -253,7 +253,8 @@ pub fn figure(found: &Characterization) -> Figure {
         Axis::linear("Share of summits below"),
         vec![Curve::new("found", z.clone(), measured), Curve::new("from moments", z, gaussian)],
     );
-    Figure::new("", vec![spectrum, summits])
+    let title = if found.two_faces.is_some() { "First of two faces" } else { "" };
+    Figure::new(title, vec![spectrum, summits])
 }
 
 /// Heights (µm), share of the summits found below them, and that of the moments.

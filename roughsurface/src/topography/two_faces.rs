@@ -27,6 +27,11 @@ pub struct SummitsAt {
     pub summits: Nayak,
 }
 
+/// A message about a topography with the options of the face on the other side.
+pub fn options_of_other(message: &str) -> String {
+    message.replace("--unit", "--other-unit").replace("--pixel", "--other-pixel")
+}
+
 /// A face with an error, 0 or 1, and the error.
 pub type FaceError = (usize, String);
 

@@ -1,6 +1,7 @@
 //! Warnings about a topography, with the numbers that they rest on; `Display` renders them.
 
 use super::spectrum::Limit;
+use super::two_faces::options_of_other;
 use tables::numbers::{beside, digits, plain, rounded};
 
 /// How a unit is given that a file does not state.
@@ -47,7 +48,7 @@ pub enum Warning {
     )]
     EdgesJump { ratio: f64 },
     #[error(
-        "{count} points stand out from the median of their neighbours by more than eight standard deviations: \
+        "{count} points stand out from their neighbours by more than eight standard deviations: \
          spikes make R too small, and count as noise; a height of nan is filled in from its neighbours"
     )]
     Spikes { count: usize },
@@ -94,7 +95,7 @@ pub enum Warning {
     Profile,
     #[error("{count} summits were found, too few for statistics")]
     FewSummits { count: usize },
-    #[error("other face: {0}")]
+    #[error("other face: {}", options_of_other(&.0.to_string()))]
     OtherFace(Box<Warning>),
     #[error(
         "the lays of both faces are taken to be parallel; at right angles the density of summits is {density:.2} and \

@@ -108,10 +108,28 @@ fn two_rough_faces_slide_as_their_sum_on_a_smooth_flat() {
     folder.refused(&format!("characterize {both} --summits found -o found.toml"), "are of one face");
     folder
         .refused(&format!("predict two.toml --other-face {map} {law} -o f.nc"), "two.toml is a surface file");
-    let missing = format!("characterize {map} --cutoff 1.2um --other-face missing.txt");
-    folder.refused(&missing, "missing.txt");
+    for (other, expected) in [("missing.txt", "missing.txt"), ("two.toml", "two.toml: is a surface file")] {
+        folder.refused(&format!("characterize {map} --cutoff 1.2um --other-face {other}"), expected);
+    }
     std::fs::copy(&map, folder.path("copy.x3p")).unwrap();
     folder.refused(&format!("characterize {map} --other-face copy.x3p -o copy.x3p"), "--other-face");
+}
+
+/// Faces of two instruments: each file states its lengths or has its own options.
+#[test]
+fn each_face_has_its_own_unit_and_pixel() {
+    let folder = Folder::new();
+    let [stated, matrix] = ["map.x3p", "map-um.npy"].map(map);
+    let radius = |arguments: &str| {
+        let output = folder.run_well(&format!("characterize {arguments} --cutoff 1.6um --json"));
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        found["two_faces"]["summits"]["radius"].as_f64().unwrap()
+    };
+    let one = radius(&format!("{stated} --other-face {matrix} --other-unit um --other-pixel 0.2um"));
+    let two = radius(&format!("{matrix} --unit um --pixel 0.2um --other-face {stated}"));
+    assert!((one / two - 1.0).abs() < 1e-12, "{one} {two}");
+    let lacks = format!("characterize {stated} --cutoff 1.6um --other-face {matrix}");
+    folder.refused(&lacks, "give it with --other-pixel");
 }
 
 #[test]

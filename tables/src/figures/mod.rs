@@ -230,7 +230,8 @@ impl Figure {
         let width = start(columns, panel::SIZE.0) - BETWEEN;
         let height = top + start(row + 1, panel::SIZE.1) - BETWEEN;
         let mut title = Group { name: "title".into(), ..Group::default() };
-        title.text((0.5 * width, 1.4 * TITLE), &self.title, TITLE, Anchor::Middle);
+        let size = panel::fitting(&self.title, TITLE, width);
+        title.text((0.5 * width, 1.4 * TITLE), &self.title, size, Anchor::Middle);
         let panels = self.panels.iter().zip(places).map(|(panel, (row, column))| {
             panel::draw(panel, (start(column, panel::SIZE.0), top + start(row, panel::SIZE.1)))
         });

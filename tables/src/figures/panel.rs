@@ -169,9 +169,9 @@ impl Frame {
         let middle = (0.5 * (left + right), 0.5 * (top + bottom));
         let below = bottom + SMALL + LABEL + 1.5 * GAP;
         group.text((middle.0, below), &panel.x.label, LABEL, Anchor::Middle);
-        let size = fitting(&panel.y.label, 2.0 * middle.1.min(SIZE.1 - middle.1));
+        let size = fitting(&panel.y.label, LABEL, 2.0 * middle.1.min(SIZE.1 - middle.1));
         group.text((left - y.widest() - 1.5 * GAP, middle.1), &panel.y.label, size, Anchor::Upwards);
-        let size = fitting(&panel.title, 2.0 * middle.0.min(SIZE.0 - middle.0));
+        let size = fitting(&panel.title, LABEL, 2.0 * middle.0.min(SIZE.0 - middle.0));
         group.text((middle.0, top - 1.2 * GAP), &panel.title, size, Anchor::Middle);
     }
 
@@ -305,9 +305,9 @@ impl Drawing<'_> {
     }
 }
 
-/// Size at which a text is not longer than `room`.
-fn fitting(text: &str, room: f64) -> f64 {
-    LABEL.min(LABEL * room / width(text, LABEL))
+/// Size, at most `largest`, at which a text is not longer than `room`.
+pub(super) fn fitting(text: &str, largest: f64, room: f64) -> f64 {
+    largest.min(largest * room / width(text, largest))
 }
 
 impl Ticks {
