@@ -3,8 +3,8 @@
 use crate::friction::predict::predict;
 use crate::friction::result::{Friction, Prediction};
 use crate::friction::settings::{PredictionError, Settings};
-use crate::surface::query::Surface;
-use tables::law::AsperityLaw;
+use crate::surface::query::{Query, Surface};
+use tables::law::{AsperityLaw, covers};
 
 /// A topography with another cut-off.
 #[derive(Clone, Debug)]
@@ -17,8 +17,9 @@ pub struct AtCutoff {
     pub asperity_radius: f64,
     /// Standard deviation of their heights, m.
     pub heights_std: f64,
-    /// By row (pressure or separation) and slip rate, as in [`Prediction`].
-    pub friction: Result<Vec<Vec<Friction>>, PredictionError>,
+    /// By row (pressure or separation) and slip rate, as in [`Prediction`]; none at slip rates that the law does not have at
+    /// these radii, as other ones than at the cut-off of the prediction.
+    pub friction: Result<Vec<Vec<Option<Friction>>>, PredictionError>,
 }
 
 impl AtCutoff {
@@ -38,12 +39,34 @@ impl AtCutoff {
             heights_std: surface.heights.standard_deviation(),
             friction,
         };
-        let mut all = vec![at(cutoff, surface, Ok(prediction.friction.clone()))];
+        let of_prediction = prediction.friction.iter().map(|row| row.iter().cloned().map(Some).collect());
+        let mut all = vec![at(cutoff, surface, Ok(of_prediction.collect()))];
         all.extend(others.into_iter().map(|(cutoff, surface)| {
-            let predicted = predict(law, &surface, &prediction.query, settings, &|_, _| ());
-            at(cutoff, &surface, predicted.map(|prediction| prediction.friction))
+            let friction = where_covered(law, &surface, &prediction.query, settings);
+            at(cutoff, &surface, friction)
         }));
         all.sort_by(|one, other| one.cutoff.total_cmp(&other.cutoff));
         all
     }
+}
+
+/// Friction at the slip rates that the law has at all radii of the surface; the error of the others where there are none.
+fn where_covered(
+    law: &dyn AsperityLaw,
+    surface: &Surface,
+    query: &Query,
+    settings: &Settings,
+) -> Result<Vec<Vec<Option<Friction>>>, PredictionError> {
+    let range = surface.asperity_radius.slip_rate_range(law);
+    let is_covered = |rate: &f64| covers(range, *rate);
+    let mut asked = Query { rate_step: None, ..query.clone() };
+    if query.slip_rates.iter().any(is_covered) {
+        asked.slip_rates.retain(is_covered);
+    }
+    let predicted = predict(law, surface, &asked, settings, &|_, _| ())?;
+    let spread = |row: Vec<Friction>| {
+        let mut found = row.into_iter();
+        query.slip_rates.iter().map(|rate| is_covered(rate).then(|| found.next()).flatten()).collect()
+    };
+    Ok(predicted.friction.into_iter().map(spread).collect())
 }

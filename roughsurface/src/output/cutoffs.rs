@@ -1,5 +1,6 @@
 //! The influence of the cut-off of a topography, in `friction.nc`, in JSON and as rows of a table.
 
+use crate::friction::Friction;
 use crate::friction::cutoff::AtCutoff;
 use crate::friction::quantities::Quantity;
 use crate::output::result_tables::Rows;
@@ -18,6 +19,13 @@ const SUMMITS: [Summit; 3] = [
     ("asperity_radius", "m", "radius of the summits", |at| at.asperity_radius),
     ("heights_std", "m", "standard deviation of the summit heights", |at| at.heights_std),
 ];
+
+/// In place of results at a slip rate that the table does not cover at the radius of another cut-off.
+const OUTSIDE: &str = "outside table";
+
+fn estimate(quantity: &Quantity, cell: &Option<Friction>) -> Estimate {
+    cell.as_ref().map_or(Estimate::UNKNOWN, |cell| quantity.estimate(cell))
+}
 
 /// Variables over the dimension `cutoff`.
 pub(super) fn write(
@@ -38,7 +46,7 @@ pub(super) fn write(
     }
     for quantity in SHOWN.map(Quantity::named) {
         let of = |at: &AtCutoff| match &at.friction {
-            Ok(rows) => rows.iter().flatten().map(|cell| quantity.estimate(cell).value).collect(),
+            Ok(rows) => rows.iter().flatten().map(|cell| estimate(quantity, cell).value).collect(),
             Err(_) => vec![f64::NAN; cells],
         };
         let values: Vec<f64> = cutoffs.iter().flat_map(of).collect();
@@ -61,7 +69,7 @@ pub(super) fn json(cutoffs: &[AtCutoff]) -> Value {
         match &at.friction {
             Ok(rows) => {
                 for quantity in SHOWN.map(Quantity::named) {
-                    let of = |cell| json!(quantity.estimate(cell).in_unit(quantity.unit));
+                    let of = |cell| json!(estimate(quantity, cell).in_unit(quantity.unit));
                     entry[quantity.name] = rows.iter().flatten().map(of).collect();
                 }
             }
@@ -96,8 +104,11 @@ pub(super) fn rows(results: &Results) -> Rows {
             match &at.friction {
                 Ok(friction) => {
                     for &rate in &rates {
-                        let shown = |name| Quantity::named(name).estimate(&friction[index][rate]).value;
-                        row.extend(SHOWN.map(|name| format!("{:.4}", shown(name))));
+                        let shown = |name| match &friction[index][rate] {
+                            Some(cell) => format!("{:.4}", Quantity::named(name).estimate(cell).value),
+                            None => OUTSIDE.into(),
+                        };
+                        row.extend(SHOWN.map(shown));
                     }
                 }
                 Err(reason) => row.push(reason.to_string()),

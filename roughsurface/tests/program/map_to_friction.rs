@@ -72,6 +72,29 @@ fn keys_in_place_of_those_of_the_summits_hold_at_every_cutoff() {
     }
 }
 
+/// A table covers slip rates up to a limit in proportion to 1/R, and R grows with the cut-off.
+#[test]
+fn a_slip_rate_beyond_the_table_at_one_cutoff_leaves_the_others() {
+    let folder = Folder::new();
+    let map = map("map.x3p");
+    let predict = |slip_rates: &str| {
+        let rest = format!("--material steel-4340 --pressure 1e6 --slip-rate {slip_rates} --extrapolate");
+        let output = folder.run_well(&format!("predict {map} --cutoff 1.6um {rest} -o f.nc"));
+        (DatasetReader::open(&folder.path("f.nc")).unwrap(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (slow, _) = predict("1");
+    let radii = slow.reals("asperity_radius_cutoff", &[3]).unwrap();
+    let mu = slow.reals("mu_cutoff", &[3, 1, 1]).unwrap();
+    // 10 m/s at 1 mm.
+    let fast = 0.9 * 10e-3 / radii[1];
+    assert!(radii[2] > 1.2 * radii[1] && mu.iter().all(|mu| mu.is_finite()), "{radii:?} {mu:?}");
+    let (both, summary) = predict(&format!("1,{fast}"));
+    let found = both.reals("mu_cutoff", &[3, 1, 2]).unwrap();
+    assert_eq!([found[0], found[2], found[4]], mu[..]);
+    assert!(found[1].is_finite() && found[3].is_finite() && found[5].is_nan(), "{found:?}");
+    assert!(summary.contains("outside table"), "{summary}");
+}
+
 /// The moments of two independent faces of the same roughness are twice those of one: the summits are as many, with
 /// R/√2 and √2 σ_s.
 #[test]
