@@ -18,6 +18,8 @@ pub struct Settings {
     pub melting_temperature: Option<f64>,
     /// Time of sliding inception as in [`inception_time`](tables::closed_forms::partial_slip::inception_time), where it is known.
     pub inception_time: Option<f64>,
+    /// The larger effusivity √(kρc) of asperities and counterface, J/(m² K √s), where it is known.
+    pub effusivity: Option<f64>,
 }
 
 impl Default for Settings {
@@ -29,6 +31,7 @@ impl Default for Settings {
             extrapolate: false,
             melting_temperature: None,
             inception_time: None,
+            effusivity: None,
         }
     }
 }

@@ -66,6 +66,12 @@ pub enum Warning {
     )]
     AboveMelting { at: Place, highest: f64, melting: f64 },
     #[error(
+        "{at}: a nominal contact longer than {} m along the slip warms by more than a fifth of the mean rise of its contacts, {} K: the heat of neighbouring contacts and of earlier sliding is left out; temperature in [query], with a table over initial temperatures, can contain it",
+        digits(*.length, 2),
+        digits(*.rise, 2)
+    )]
+    NominalHeating { at: Place, length: f64, rise: f64 },
+    #[error(
         "the table is of a strength that grows with the strain rate: it holds at its own radius; at {} m friction and load are uncertain by {:.1} % more",
         digits(*.radius, 6),
         100.0 * .share

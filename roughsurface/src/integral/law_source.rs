@@ -48,6 +48,8 @@ pub struct LawSource {
     pub melting_temperature: Option<f64>,
     /// Time of sliding inception as in [`partial_slip::inception_time`], from the scene of a table.
     pub inception_time: Option<f64>,
+    /// The larger effusivity √(kρc) of the bodies of the scene of a table, J/(m² K √s).
+    pub effusivity: Option<f64>,
     /// Cells of the table without results, interpolated around.
     pub interpolated_cells: Vec<String>,
     /// Of a table.
@@ -89,6 +91,7 @@ impl LawSource {
             of_material(&metadata.scene, &["youngs_modulus"]).unwrap_or(material.youngs_modulus);
         let melting_temperature = of_material(&metadata.scene, &["softening", "melting"]);
         let inception_time = inception_time(&metadata.scene, &material);
+        let effusivity = effusivity(&metadata.scene);
         let counterface = Some(Counterface {
             words: metadata.counterface_in_words(),
             constants: metadata.counterface_constants(),
@@ -105,6 +108,7 @@ impl LawSource {
             youngs_modulus,
             melting_temperature,
             inception_time,
+            effusivity,
             interpolated_cells,
             counterface,
         })
@@ -163,6 +167,7 @@ impl LawSource {
                 youngs_modulus: material.youngs_modulus,
                 melting_temperature: None,
                 inception_time: None,
+                effusivity: None,
                 interpolated_cells: Vec::new(),
                 counterface: None,
             }),
@@ -174,6 +179,16 @@ impl LawSource {
 fn of_material(scene: &str, path: &[&str]) -> Option<f64> {
     let scene: toml::Table = scene.parse().ok()?;
     path.iter().try_fold(scene.get("material")?, |value, key| value.get(key))?.as_float()
+}
+
+/// The larger one of asperity and counterface.
+fn effusivity(scene: &str) -> Option<f64> {
+    let scene: toml::Table = scene.parse().ok()?;
+    let of = |body: &str| {
+        let constant = |key: &str| scene.get(body)?.get(key)?.as_float();
+        Some((constant("thermal_conductivity")? * constant("density")? * constant("specific_heat")?).sqrt())
+    };
+    of("material").into_iter().chain(of("counterface")).reduce(f64::max)
 }
 
 /// Whether the slides of a scene hold the load.

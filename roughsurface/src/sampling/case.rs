@@ -183,8 +183,8 @@ impl Case {
         show: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Results, CaseError> {
         let Self { file, source, .. } = self;
-        let (melting_temperature, inception_time) = (source.melting_temperature, source.inception_time);
-        let settings = Settings { melting_temperature, inception_time, ..*settings };
+        let &LawSource { melting_temperature, inception_time, effusivity, .. } = source;
+        let settings = Settings { melting_temperature, inception_time, effusivity, ..*settings };
         let (law, surface, query) = (source.law.as_ref(), &file.surface, &file.query);
         let mut results = Results::from(predict(law, surface, query, &settings, show)?);
         results.temperature = file.temperature.or_else(|| initial_temperature(law.request()));

@@ -16,6 +16,7 @@ use crate::integral::predictor::{Predictor, PredictorHistory};
 use crate::integral::separation::{EquilibriumState, separation_for};
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
 use crate::surface::query::{ContactLife, Interaction, LoadingControl, NormalLoading, Query, Surface};
+use std::f64::consts::PI;
 use tables::closed_forms::partial_slip::SHORTEST_INCEPTION;
 use tables::law::{AboveRange, AsperityLaw, Estimate, LookupError};
 
@@ -35,6 +36,12 @@ const LARGEST_FRICTION: f64 = 1.0;
 
 /// Share of the life of a contact in which it may stick; friction is then about a tenth below that of sliding.
 const LARGEST_STICK: f64 = 0.2;
+
+/// Mean rise of the nominal contact over that of its contacts above which its heat counts.
+const LARGEST_NOMINAL_RISE: f64 = 0.2;
+
+/// Length (m) of a nominal contact that is small, where the query states none.
+const SMALL_NOMINAL_CONTACT: f64 = 0.01;
 
 /// Number of measured heights in contact below which the result is that of a few summits and not of a surface.
 const FEW_CONTACTS: f64 = 10.0;
@@ -329,6 +336,29 @@ impl<'a> Sweep<'a> {
         if let Some((melting, highest)) = molten.filter(|(melting, highest)| highest.value > *melting) {
             warnings.push(Warning::AboveMelting { at: at(), highest: highest.value, melting });
         }
+        warnings.extend(self.nominal_heating((row, rate), contacts, sliding));
+    }
+
+    /// A warning where the nominal contact, whose heat is left out, warms by much of the rise of its contacts. The mean rise of
+    /// a half-space that passes a length L under the flux q is (4/3) q √(L/(πV))/e (Carslaw & Jaeger 1959, §2.9).
+    fn nominal_heating(
+        &self,
+        (row, rate): (usize, usize),
+        contacts: &Contacts,
+        sliding: &SlipState,
+    ) -> Option<Warning> {
+        let slip_rate = self.query.slip_rates[rate];
+        let initial = self.asperities[rate].classes()[0].1.initial_temperature().ok()?;
+        let rise = contacts.temperature_mean?.value - initial;
+        let flux = sliding.shear.value * slip_rate;
+        let of_unit_length = 4.0 / 3.0 * flux / ((PI * slip_rate).sqrt() * self.settings.effusivity?);
+        let length = (LARGEST_NOMINAL_RISE * rise / of_unit_length).powi(2);
+        let nominal = match self.query.interaction {
+            Interaction::MeanPressure { nominal_size } => nominal_size,
+            Interaction::None => SMALL_NOMINAL_CONTACT,
+        };
+        let at = || Place::of(self.query, row, rate);
+        (rise > 0.0 && length < nominal).then(|| Warning::NominalHeating { at: at(), length, rise })
     }
 
     /// A warning where contacts stick for much of the slip that they live for.

@@ -1,6 +1,8 @@
 //! Limits of validity that a prediction names.
 
 use super::*;
+use crate::integral::law_source::LawSource;
+use std::f64::consts::PI;
 
 #[test]
 fn large_real_areas_are_warned_of_with_the_key_that_helps() {
@@ -65,6 +67,41 @@ fn contacts_that_hardly_slide_are_warned_of() {
     assert_eq!(none, None);
     let (share, mu) = lives(&found(0.002));
     assert!(share.is_some_and(|share| share > 0.2) && mu < 0.95 * sliding, "{share:?} {mu} {sliding}");
+}
+
+/// The mean rise over the length that is named is a fifth of that of the contacts.
+#[test]
+fn a_nominal_contact_that_warms_like_its_contacts_is_warned_of() {
+    let steel = LawSource::open("steel-4340", None, None, false).unwrap();
+    // √(44.5·7850·475).
+    let effusivity = steel.effusivity.unwrap();
+    assert!((effusivity / 12881.4 - 1.0).abs() < 1e-5, "{effusivity}");
+    let surface = surface(Box::new(Gaussian::new(1e-6)));
+    let found = |pressure: f64, slip_rate: f64, interaction| {
+        let loading = NormalLoading::Pressure(vec![pressure]);
+        let query = Query { slip_rates: vec![slip_rate], interaction, ..query(loading) };
+        let settings = Settings { effusivity: Some(effusivity), ..Settings::default() };
+        let found = predict(steel.law.as_ref(), &surface, &query, &settings, &|_, _| ()).unwrap();
+        let length = found.warnings.iter().find_map(|warning| match warning {
+            Warning::NominalHeating { length, .. } => Some(*length),
+            _ => None,
+        });
+        let cell = &found.friction[0][0];
+        let rise = cell.contacts.temperature_mean.unwrap().value - 298.0;
+        // The rise at the end of a length is 2 q √(t/π)/e, in the mean over it two thirds of that.
+        let flux = cell.sliding.shear.value * slip_rate;
+        let mean = |length: f64| 4.0 / 3.0 * flux * (length / slip_rate / PI).sqrt() / effusivity;
+        (length, length.map(|length| mean(length) / rise), mean(0.01) / rise)
+    };
+    let (length, share, _) = found(2e7, 10.0, Interaction::None);
+    assert!(length.is_some_and(|length| length < 0.01), "{length:?}");
+    assert!((share.unwrap() - 0.2).abs() < 1e-9, "{share:?}");
+    let (none, _, of_a_centimetre) = found(2e6, 10.0, Interaction::None);
+    assert!(none.is_none() && of_a_centimetre < 0.2, "{none:?} {of_a_centimetre}");
+    // A nominal area of known size.
+    let size = |nominal_size| Interaction::MeanPressure { nominal_size };
+    assert!(found(2e7, 10.0, size(1e-6)).0.is_none());
+    assert!(found(2e6, 10.0, size(1.0)).0.is_some());
 }
 
 #[test]
