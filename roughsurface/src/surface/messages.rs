@@ -41,7 +41,7 @@ pub(crate) fn short(message: &str) -> String {
     }
 }
 
-pub(crate) fn one_line(message: &str) -> String {
+fn one_line(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

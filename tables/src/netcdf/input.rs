@@ -25,6 +25,19 @@ pub fn read_text(path: &Path) -> io::Result<String> {
     }
 }
 
+/// What a parser says of the syntax of a TOML `text`, in one line; with a hint at a decimal comma.
+pub fn syntax_error(text: &str, error: &toml::de::Error) -> String {
+    let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
+    let place = error.span().map_or(0, |span| span.start);
+    let before = text.get(..place).map_or(0, |before| before.matches('\n').count());
+    let line = text.lines().nth(before).unwrap_or_default().as_bytes();
+    let is_decimal = |part: &[u8]| part[0].is_ascii_digit() && part[1] == b',' && part[2].is_ascii_digit();
+    match line.windows(3).any(is_decimal) && !line.contains(&b'[') {
+        true => format!("{message}; numbers have a decimal point, not a comma"),
+        false => message,
+    }
+}
+
 /// A key and its value in place of that of a TOML file, as `section.key=value`; without a value the key is left out.
 ///
 /// The value is read as TOML (`1e-3`, `[1, 2]`, `{ law = "none" }`, `"on"`); what is not TOML is taken as text, so that
@@ -106,6 +119,16 @@ mod tests {
         assert_eq!(modulus.as_float(), Some(1e9));
         let list = &sections("table.interference=[1, 2]")["table"]["interference"];
         assert_eq!(list.as_array().unwrap().len(), 2);
+    }
+
+    #[test]
+    fn decimal_commas_are_recognised() {
+        let hint = |text: &str| {
+            let error = text.parse::<Table>().unwrap_err();
+            syntax_error(text, &error).ends_with("a decimal point, not a comma")
+        };
+        assert!(hint("[material]\nyield_strength = 250,0e6\n") && hint("[a]\nb = 0,5"));
+        assert!(!hint("[a]\nb = [1,2\n") && !hint("[a]\nb = 1 2\nc = 1\n") && !hint("[a\nb = 1"));
     }
 
     #[test]

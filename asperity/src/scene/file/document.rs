@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tables::netcdf::input::{Override, STANDARD_INPUT, read_text};
+use tables::netcdf::input::{Override, STANDARD_INPUT, read_text, syntax_error};
 use toml::{Table, Value};
 
 use super::counterface::{resolve_counterface, take_preset};
@@ -42,8 +42,7 @@ impl Document {
         let mut sections: Table = text.parse().map_err(|error: toml::de::Error| SceneFileError::Syntax {
             file: file.into(),
             line: source.line(error.span().map_or(0, |span| span.start)),
-            // The parser's message may be several lines long.
-            reason: error.message().split_whitespace().collect::<Vec<_>>().join(" "),
+            reason: syntax_error(text, &error),
         })?;
         if let Some((key, value)) = sections.iter().find(|(_, value)| !value.is_table()) {
             return Err(source.invalid(key, value, "a section, as in [loading]"));

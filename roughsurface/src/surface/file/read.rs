@@ -4,12 +4,12 @@ use super::keys::{FileKeys, SurfaceKeys, allowed, interaction_of, positive, radi
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
 use crate::surface::heights;
-use crate::surface::messages::{explain, one_line, short};
+use crate::surface::messages::{explain, short};
 use crate::surface::query::{NormalLoading, Query, Surface};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tables::closed_forms::ElasticPlastic;
-use tables::netcdf::input::{Override, read_text};
+use tables::netcdf::input::{Override, read_text, syntax_error};
 
 /// A surface file that has been read and checked.
 #[derive(Debug)]
@@ -82,7 +82,7 @@ impl SurfaceFile {
         }
         // An error of the file itself is reported with its line.
         let mut sections: toml::Table = text.parse().map_err(|error: toml::de::Error| {
-            content(file, line_of(&text, error.span()), one_line(error.message()))
+            content(file, line_of(&text, error.span()), syntax_error(&text, &error))
         })?;
         for change in overrides {
             let explained = |what| content(file, None, format!("{}: {what}", change.key()));
@@ -118,7 +118,7 @@ impl SurfaceFile {
     ) -> Result<Self, SurfaceFileError> {
         let content = |line: Option<usize>, what: String| content(file, line, what);
         let deserializer = toml::Deserializer::parse(&text)
-            .map_err(|error| content(line_of(&text, error.span()), one_line(error.message())))?;
+            .map_err(|error| content(line_of(&text, error.span()), syntax_error(&text, &error)))?;
         let mut keys: FileKeys = serde_path_to_error::deserialize(deserializer).map_err(|error| {
             let inner = error.inner();
             let what = explain(&error.path().to_string(), inner.message());
