@@ -110,8 +110,10 @@ impl TopographyOptions {
             Some(other) => {
                 let of_other = read(other, self.other_unit, self.other_pixel);
                 let faces = [topography, of_other.map_err(|what| Failure::input(options_of_other(&what)))?];
-                characterize_both(faces, &options)
-                    .map_err(|(index, what)| refused([file, other][index], what))
+                characterize_both(faces, &options).map_err(|(index, what)| match index {
+                    0 => refused(file, what),
+                    _ => refused(other, options_of_other(&what)),
+                })
             }
         }
     }

@@ -66,7 +66,7 @@ pub enum Warning {
     )]
     AboveMelting { at: Place, highest: f64, melting: f64 },
     #[error(
-        "{at}: a nominal contact longer than {} m along the slip warms by more than a fifth of the mean rise of its contacts, {} K: the heat of neighbouring contacts and of earlier sliding is left out; temperature in [query], with a table over initial temperatures, can contain it",
+        "{at}: friction heats a nominal contact longer than {} m along the slip by more than a fifth of {} K, the mean rise of its contacts; this heat is left out: give the raised temperature as temperature of [query], with a table over initial temperatures",
         digits(*.length, 2),
         digits(*.rise, 2)
     )]

@@ -57,7 +57,7 @@ pub struct Characterization {
     pub found: Summits,
     /// R with twice the cut-off over R: the influence of the cut-off.
     pub radius_at_twice_the_cutoff: f64,
-    /// Summits with half and with twice the cut-off, where the topography allows it.
+    /// Moments and summits with half and with twice the cut-off, where the topography allows it.
     pub other_cutoffs: Vec<AtCutoff>,
     /// Together with the rough face on the other side.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -103,35 +103,47 @@ pub(super) fn none_is_marked(topography: &Topography) -> Result<(), String> {
     Ok(())
 }
 
-/// A warning if points stand out from their neighbours, eight on a map and four on a profile, all but one: along a lay two of
-/// them are as high as a ridge.
+/// A warning if points stand out from their neighbours, or on a map from the points around these, all but one: along a lay
+/// two of them are as high as a ridge, and spikes may be two points wide.
 pub(super) fn spikes(topography: &Topography) -> Option<Warning> {
     let Topography { rows, columns, heights, .. } = topography;
-    let (rows, columns) = (*rows, *columns);
-    // From the median of the neighbours, and beyond the second lowest and the second highest of them.
-    let deviations = |row: usize, column: usize| {
-        let mut around: Vec<f64> = match topography.is_profile() {
-            true => [column - 2, column - 1, column + 1, column + 2].map(|place| heights[place]).to_vec(),
-            false => (0..9)
-                .filter(|place| *place != 4)
-                .map(|place| heights[(row + place / 3 - 1) * columns + column + place % 3 - 1])
-                .collect(),
-        };
-        around.sort_by(f64::total_cmp);
-        let (height, count) = (heights[row * columns + column], around.len());
-        let beyond = (height - around[count - 2]).max(around[1] - height);
-        ((height - around[count / 2]).abs(), beyond)
+    let (rows, columns, profile) = (*rows, *columns, topography.is_profile());
+    // Of a map the square at that distance, of a profile those on both sides.
+    let around = |row: usize, column: usize, distance: usize| {
+        let lines = if profile { 0..1 } else { row - distance..row + distance + 1 };
+        let places = lines.flat_map(|r| (column - distance..=column + distance).map(move |c| (r, c)));
+        let ring = places.filter(|&(r, c)| match profile {
+            true => c != column,
+            false => row.abs_diff(r).max(column.abs_diff(c)) == distance,
+        });
+        let mut ring: Vec<f64> = ring.map(|(r, c)| heights[r * columns + c]).collect();
+        ring.sort_by(f64::total_cmp);
+        ring
     };
-    let edge = if topography.is_profile() { 2 } else { 1 };
-    let lines = if topography.is_profile() { 0..1 } else { 1..rows - 1 };
-    let places = lines.flat_map(|row| (edge..columns - edge).map(move |column| (row, column)));
-    let (mut deviations, beyond): (Vec<f64>, Vec<f64>) =
-        places.map(|(row, column)| deviations(row, column)).unzip();
-    // 95 % of a Gaussian distribution lie within 1.96 standard deviations.
-    let last = (0.95 * (deviations.len() - 1) as f64) as usize;
-    let std = *deviations.select_nth_unstable_by(last, f64::total_cmp).1 / 1.96;
-    let count = beyond.iter().filter(|beyond| **beyond > SPIKE * std).count();
+    let beyond = |height: f64, ring: &[f64]| (height - ring[ring.len() - 2]).max(ring[1] - height);
+    let edge = if profile { 2 } else { 1 };
+    let lines = if profile { 0..1 } else { edge..rows - edge };
+    let (mut deviations, mut spreads, mut farthest) = (Vec::new(), Vec::new(), Vec::new());
+    for (row, column) in lines.flat_map(|row| (edge..columns - edge).map(move |column| (row, column))) {
+        let (height, ring) = (heights[row * columns + column], around(row, column, edge));
+        deviations.push((height - ring[ring.len() / 2]).abs());
+        spreads.push(ring[ring.len() - 2] - ring[1]);
+        let has_second = !profile && row.min(column) > 1 && row + 2 < rows && column + 2 < columns;
+        let second = has_second.then(|| beyond(height, &around(row, column, 2)));
+        farthest.push(beyond(height, &ring).max(second.unwrap_or(f64::NEG_INFINITY)));
+    }
+    // Of Gaussian heights 95 % of the deviations are below 1.96 standard deviations, also across a lay; and the mean spread of the
+    // neighbours, which many spikes leave alone, is that of their second and last but one order statistics.
+    let spread = if profile { 0.594 } else { 1.705 };
+    let std = (quantile(0.95, &mut deviations) / 1.96).min(quantile(0.5, &mut spreads) / spread);
+    let count = farthest.iter().filter(|beyond| **beyond > SPIKE * std).count();
     (std > 0.0 && count > 0).then_some(Warning::Spikes { count })
+}
+
+/// The value that this share of the values do not exceed.
+fn quantile(share: f64, values: &mut [f64]) -> f64 {
+    let place = (share * (values.len() - 1) as f64) as usize;
+    *values.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
 /// A warning if most of the heights of `topography`, without plane, are those of a paraboloid.
@@ -169,6 +181,19 @@ mod tests {
             spiked.heights[place] += 1e-6;
         }
         assert_eq!(spikes(&spiked), Some(Warning::Spikes { count: 2 }));
+        // Two by two points, and one point in twelve.
+        let mut blob = map.clone();
+        for (row, column) in [(20, 30), (20, 31), (21, 30), (21, 31)] {
+            blob.heights[row * map.columns + column] += 1e-6;
+        }
+        assert_eq!(spikes(&blob), Some(Warning::Spikes { count: 4 }));
+        let mut many = map.clone();
+        many.heights.iter_mut().step_by(12).for_each(|height| *height += 1e-6);
+        assert!(
+            matches!(spikes(&many), Some(Warning::Spikes { count }) if count > 1000),
+            "{:?}",
+            spikes(&many)
+        );
 
         // A ground face: rows of a profile that are alike but for a thousandth.
         let fine = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() }.map(2);

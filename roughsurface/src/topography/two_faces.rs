@@ -48,12 +48,17 @@ pub fn characterize_both(faces: [Topography; 2], options: &Options) -> Result<Ch
     let found = [alone(0, options.cutoff)?, alone(1, options.cutoff)?];
     let longest = found[0].cutoff.max(found[1].cutoff);
     let with_longest = |(index, found): (usize, Characterization)| match found.cutoff < longest {
-        true => alone(index, Some(longest)),
+        true => alone(index, Some(longest)).map_err(|(index, what)| {
+            (
+                index,
+                format!("{what}; it is the default of the other face, give one that both allow as --cutoff"),
+            )
+        }),
         false => Ok(found),
     };
     let [face, other_face] = found;
-    let (mut face, other_face) = (with_longest((0, face))?, with_longest((1, other_face))?);
-    face.cutoff_asked = options.cutoff.is_some();
+    let (mut face, mut other_face) = (with_longest((0, face))?, with_longest((1, other_face))?);
+    (face.cutoff_asked, other_face.cutoff_asked) = (options.cutoff.is_some(), options.cutoff.is_some());
     on_each_other(face, other_face).map_err(|what| (0, what))
 }
 
@@ -62,6 +67,9 @@ pub fn on_each_other(
     mut face: Characterization,
     other_face: Characterization,
 ) -> Result<Characterization, String> {
+    if face.two_faces.is_some() || other_face.two_faces.is_some() {
+        return Err("is of two faces already; a contact has no third one".into());
+    }
     let [cutoff, other] = [face.cutoff, other_face.cutoff];
     if cutoff != other {
         let [cutoff, other] = [cutoff, other].map(plain);
@@ -69,9 +77,10 @@ pub fn on_each_other(
     }
     let moments = face.moments.of_sum(&other_face.moments, false);
     let crossed = face.moments.of_sum(&other_face.moments, true);
-    let (summits, crossed) = (summits_of(&moments)?, summits_of(&crossed)?);
-    let [density, radius] = [crossed.density / summits.density, crossed.radius / summits.radius];
-    let matters = (density - 1.0).abs().max((radius - 1.0).abs()) > LITTLE;
+    let summits = summits_of(&moments)?;
+    let crossed = Nayak::of(&crossed)
+        .map(|crossed| [crossed.density / summits.density, crossed.radius / summits.radius])
+        .filter(|ratios| ratios.iter().any(|ratio| (ratio - 1.0).abs() > LITTLE));
     let other_cutoffs = face.other_cutoffs.iter().filter_map(|at| {
         let other = other_face.other_cutoffs.iter().find(|other| other.cutoff == at.cutoff)?;
         let summits = Nayak::of(&at.moments.of_sum(&other.moments, false))?;
@@ -79,7 +88,7 @@ pub fn on_each_other(
     });
     let other_cutoffs = other_cutoffs.collect();
     face.warnings.extend(other_face.warnings.iter().cloned().map(Box::new).map(Warning::OtherFace));
-    face.warnings.extend(matters.then_some(Warning::ParallelLays { density, radius }));
+    face.warnings.extend(crossed.map(|[density, radius]| Warning::ParallelLays { density, radius }));
     face.two_faces = Some(Box::new(TwoFaces { other_face, moments, summits, other_cutoffs }));
     Ok(face)
 }
@@ -140,6 +149,22 @@ mod tests {
                 _ => assert!(lays.is_some_and(|(_, radius)| radius < 0.9), "{lays:?}"),
             }
         }
+    }
+
+    #[test]
+    fn faces_that_do_not_go_together_are_refused() {
+        let map = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() }.map(1);
+        let step = 200.0 * map.row_step;
+        let far = Topography { row_step: step, column_step: step, ..map.clone() };
+        let (index, what) = characterize_both([map.clone(), far], &Options::default()).unwrap_err();
+        assert!(index == 0 && what.contains("it is the default of the other face"), "{what}");
+        let one = characterize(map.clone(), &at(8.0 * map.pixel())).unwrap();
+        let both = on_each_other(one.clone(), one.clone()).unwrap();
+        for (face, other) in [(both.clone(), one.clone()), (one.clone(), both)] {
+            assert!(on_each_other(face, other).unwrap_err().contains("two faces already"));
+        }
+        let other = characterize(map.clone(), &at(9.0 * map.pixel())).unwrap();
+        assert!(on_each_other(one, other).unwrap_err().contains("that of the other face is 9e-7 m"));
     }
 
     #[test]

@@ -50,7 +50,10 @@ class Characterization(Drawn):
         Raises:
             InputError: the cut-offs differ.
         """
-        return Characterization(self._core.on(other._core), [*self._inputs, *other._inputs])
+        both = Characterization(self._core.on(other._core), [*self._inputs, *other._inputs])
+        # Those of each face have been warned of.
+        warn(said for said in both.warnings if said not in self.warnings and not said.startswith("other face: "))
+        return both
 
     def save(self, path: str | os.PathLike[str], summits: str = "moments") -> None:
         """Writes the surface file.
