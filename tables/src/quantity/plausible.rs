@@ -82,8 +82,8 @@ const PLAUSIBLE: &[Plausible] = &[
         range: (77.0, 5e3),
         mistaken: &[("degrees Celsius", 1.0, 273.15)],
     },
-    // A multiple of the interference of first yield, which itself is 1e-12 to 1e-5 m.
-    Plausible { keys: &["interference"], unit: "omega_c", range: (1e-4, 1e6), mistaken: &[] },
+    // A multiple of the interference of first yield, which itself is 1e-12 to 1e-5 m; a large one is refused by the model.
+    Plausible { keys: &["interference"], unit: "omega_c", range: (1e-4, f64::INFINITY), mistaken: &[] },
     Plausible { keys: &["slip_rate"], unit: "m/s", range: (1e-13, 1e3), mistaken: &[("mm/s", 1e-3, 0.0)] },
     // Of one asperity, or of a ball in a test.
     Plausible { keys: &["radius"], unit: "m", range: (1e-9, 0.05), mistaken: LENGTH },
@@ -191,7 +191,7 @@ mod tests {
             ("asperity_radius", "0.02", "mm, write 2e-5"),
             ("pressure", "[1, 10]", "MPa, write 1e6"),
             ("pressure", "400", "MPa, write 4e8"),
-            ("interference", "2e-8", "2e-8 omega_c is implausible (1e-4 to 1e6 omega_c)"),
+            ("interference", "2e-8", "2e-8 omega_c is implausible (1e-4 to inf omega_c)"),
             ("asperity_density", "1e4", "1/mm2, write 1e10"),
         ] {
             let sections: Table = format!("[section]\n{key} = {value}").parse().unwrap();

@@ -40,6 +40,9 @@ const LARGEST_STICK: f64 = 0.2;
 /// Mean rise of the nominal contact over that of its contacts above which its heat counts.
 const LARGEST_NOMINAL_RISE: f64 = 0.2;
 
+/// Mean rise (K) of the nominal contact below which its heat does not count: it takes about a hundredth of the strength of metals.
+const LEAST_NOMINAL_RISE: f64 = 10.0;
+
 /// Length (m) of a nominal contact that is small, where the query states none.
 const SMALL_NOMINAL_CONTACT: f64 = 0.01;
 
@@ -357,8 +360,9 @@ impl<'a> Sweep<'a> {
             Interaction::MeanPressure { nominal_size } => nominal_size,
             Interaction::None => SMALL_NOMINAL_CONTACT,
         };
+        let counts = of_unit_length * nominal.sqrt() > LEAST_NOMINAL_RISE;
         let at = || Place::of(self.query, row, rate);
-        (rise > 0.0 && length < nominal).then(|| Warning::NominalHeating { at: at(), length, rise })
+        (rise > 0.0 && length < nominal && counts).then(|| Warning::NominalHeating { at: at(), length, rise })
     }
 
     /// A warning where contacts stick for much of the slip that they live for.
