@@ -6,7 +6,8 @@ use roughsurface::topography::characterize::{Characterization, Detrend, Options,
 use roughsurface::topography::readers::length;
 use roughsurface::topography::readers::{Reading, is_topography, read};
 use roughsurface::topography::spectrum::Window;
-use roughsurface::topography::two_faces::{characterize_both, options_of_other};
+use roughsurface::topography::two_faces::characterize_both;
+use roughsurface::topography::warning::options_of_other;
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]

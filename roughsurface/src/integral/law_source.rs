@@ -88,8 +88,8 @@ impl LawSource {
             yield_strength: metadata.yield_strength,
         };
         let youngs_modulus =
-            of_material(&metadata.scene, &["youngs_modulus"]).unwrap_or(material.youngs_modulus);
-        let melting_temperature = of_material(&metadata.scene, &["softening", "melting"]);
+            number(&metadata.scene, &["material", "youngs_modulus"]).unwrap_or(material.youngs_modulus);
+        let melting_temperature = number(&metadata.scene, &["material", "softening", "melting"]);
         let inception_time = inception_time(&metadata.scene, &material);
         let effusivity = effusivity(&metadata.scene);
         let counterface = Some(Counterface {
@@ -175,18 +175,19 @@ impl LawSource {
     }
 }
 
-/// A constant of the material of a scene.
-fn of_material(scene: &str, path: &[&str]) -> Option<f64> {
+/// A number of a scene, by its section and key.
+fn number(scene: &str, path: &[&str]) -> Option<f64> {
     let scene: toml::Table = scene.parse().ok()?;
-    path.iter().try_fold(scene.get("material")?, |value, key| value.get(key))?.as_float()
+    let (section, keys) = path.split_first()?;
+    keys.iter().try_fold(scene.get(*section)?, |value, key| value.get(key))?.as_float()
 }
 
 /// The larger one of asperity and counterface.
 fn effusivity(scene: &str) -> Option<f64> {
-    let scene: toml::Table = scene.parse().ok()?;
     let of = |body: &str| {
-        let constant = |key: &str| scene.get(body)?.get(key)?.as_float();
-        Some((constant("thermal_conductivity")? * constant("density")? * constant("specific_heat")?).sqrt())
+        let constants =
+            ["thermal_conductivity", "density", "specific_heat"].map(|key| number(scene, &[body, key]));
+        constants.into_iter().product::<Option<f64>>().map(f64::sqrt)
     };
     of("material").into_iter().chain(of("counterface")).reduce(f64::max)
 }
@@ -200,7 +201,7 @@ fn holds_load(scene: &str) -> bool {
 
 /// Of the asperity of a scene; `combined` has the modulus of the elastic counterface as well, which is displaced too.
 fn inception_time(scene: &str, combined: &ElasticPlastic) -> Option<f64> {
-    let [youngs, density] = ["youngs_modulus", "density"].map(|key| of_material(scene, &[key]));
+    let [youngs, density] = ["youngs_modulus", "density"].map(|key| number(scene, &["material", key]));
     let compliance = youngs? / combined.youngs_modulus;
     Some(compliance * partial_slip::inception_time(youngs?, combined.poisson_ratio, density?))
 }
@@ -252,7 +253,7 @@ mod tests {
     #[test]
     fn the_scene_of_a_table_states_the_melting_temperature() {
         let scene = "[material]\nsoftening = { law = \"johnson-cook\", melting = 1793.0 }\n";
-        let melting = |scene| of_material(scene, &["softening", "melting"]);
+        let melting = |scene| number(scene, &["material", "softening", "melting"]);
         assert_eq!(melting(scene), Some(1793.0));
         assert_eq!(melting("[material]\nsoftening = { law = \"none\" }\n"), None);
         assert_eq!(melting(""), None);

@@ -4,7 +4,6 @@ use super::moments::{Isotropic, Moments};
 use super::nayak::{Nayak, SMALLEST_ALPHA};
 use super::spectrum::{LONGEST_CUTOFF, Limit, NOISY, Spectrum, Window};
 use super::summits::{self, Summits};
-use super::two_faces::TwoFaces;
 use super::warning::{UNIT_REMEDY, Warning};
 use super::{Topography, detrend, plausibility};
 use tables::numbers::plain;
@@ -74,6 +73,25 @@ pub struct AtCutoff {
     /// m.
     pub cutoff: f64,
     pub moments: Moments,
+    pub summits: Nayak,
+}
+
+/// The face on the other side, and what both have together.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct TwoFaces {
+    pub other_face: Characterization,
+    /// Moments and summits of the sum of the heights of both.
+    pub moments: Isotropic,
+    pub summits: Nayak,
+    /// Summits with half and with twice the cut-off, where both topographies allow it.
+    pub other_cutoffs: Vec<SummitsAt>,
+}
+
+/// Summits of the sum with another cut-off.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct SummitsAt {
+    /// m.
+    pub cutoff: f64,
     pub summits: Nayak,
 }
 

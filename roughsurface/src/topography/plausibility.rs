@@ -132,9 +132,10 @@ pub(super) fn spikes(topography: &Topography) -> Option<Warning> {
         let second = has_second.then(|| beyond(height, &around(row, column, 2)));
         farthest.push(beyond(height, &ring).max(second.unwrap_or(f64::NEG_INFINITY)));
     }
-    // Of Gaussian heights 95 % of the deviations are below 1.96 standard deviations, also across a lay; and the mean spread of the
-    // neighbours, which many spikes leave alone, is that of their second and last but one order statistics.
-    let spread = if profile { 0.594 } else { 1.705 };
+    // Two estimates of a standard deviation. 95 % of the deviations are below 1.96 of it; their median is not of use, as it is far
+    // smaller across a lay. More than one spike in twenty increases this one, but not the spread of the neighbours, which is the
+    // expected difference of the second and the last but one of eight, or four, normal numbers.
+    let spread = if profile { 0.594 } else { 1.704 };
     let std = (quantile(0.95, &mut deviations) / 1.96).min(quantile(0.5, &mut spreads) / spread);
     let count = farthest.iter().filter(|beyond| **beyond > SPIKE * std).count();
     (std > 0.0 && count > 0).then_some(Warning::Spikes { count })
@@ -194,6 +195,14 @@ mod tests {
             "{:?}",
             spikes(&many)
         );
+
+        let profile = Topography::profile(map.column_step, map.heights[..map.columns].to_vec());
+        assert_eq!(spikes(&profile), None);
+        let mut spiked = profile.clone();
+        for place in [40, 41, 90] {
+            spiked.heights[place] += 1e-6;
+        }
+        assert_eq!(spikes(&spiked), Some(Warning::Spikes { count: 3 }));
 
         // A ground face: rows of a profile that are alike but for a thousandth.
         let fine = SelfAffine { points: 512, shortest_pixels: 2.0, ..SelfAffine::default() }.map(2);

@@ -2,35 +2,10 @@
 //! the same gap (Greenwood & Tripp 1970, doi 10.1243/PIME_PROC_1970_185_069_02).
 
 use super::Topography;
-use super::characterize::{Characterization, Options, characterize, summits_of};
-use super::moments::Isotropic;
+use super::characterize::{Characterization, Options, SummitsAt, TwoFaces, characterize, summits_of};
 use super::nayak::Nayak;
 use super::warning::Warning;
 use tables::numbers::plain;
-
-/// The face on the other side, and what both have together.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct TwoFaces {
-    pub other_face: Characterization,
-    /// Moments and summits of the sum of the heights of both.
-    pub moments: Isotropic,
-    pub summits: Nayak,
-    /// Summits with half and with twice the cut-off, where both topographies allow it.
-    pub other_cutoffs: Vec<SummitsAt>,
-}
-
-/// Summits of the sum with another cut-off.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct SummitsAt {
-    /// m.
-    pub cutoff: f64,
-    pub summits: Nayak,
-}
-
-/// A message about a topography with the options of the face on the other side.
-pub fn options_of_other(message: &str) -> String {
-    message.replace("--unit", "--other-unit").replace("--pixel", "--other-pixel")
-}
 
 /// A face with an error, 0 or 1, and the error.
 pub type FaceError = (usize, String);
@@ -95,7 +70,9 @@ pub fn on_each_other(
 
 #[cfg(test)]
 mod tests {
-    use super::super::synthetic::SelfAffine;
+    use super::super::moments::Moments;
+    use super::super::spectrum::Window;
+    use super::super::synthetic::{SelfAffine, cosine};
     use super::*;
 
     fn at(cutoff: f64) -> Options {
@@ -147,6 +124,26 @@ mod tests {
             match stretch {
                 1.0 => assert_eq!(lays, None),
                 _ => assert!(lays.is_some_and(|(_, radius)| radius < 0.9), "{lays:?}"),
+            }
+        }
+    }
+
+    /// Waves of other lengths or directions have no mean product: moments of their sum are exact.
+    #[test]
+    fn lays_add_by_their_directions() {
+        let sum = |waves: &[(usize, usize)]| {
+            let maps: Vec<Topography> = waves.iter().map(|waves| cosine(64, 80, *waves).0).collect();
+            let heights = |place: usize| maps.iter().map(|map| map.heights[place]).sum();
+            Topography { heights: (0..64 * 80).map(heights).collect(), ..maps[0].clone() }
+        };
+        let moments = |waves: &[(usize, usize)]| Moments::of(&sum(waves), Window::Hann, 1e-6);
+        // Two are steeper along their rows, the third along its columns.
+        let [one, two, turned] = [[(0, 9), (2, 0)], [(0, 7), (1, 0)], [(0, 4), (6, 0)]];
+        for (other, crossed) in [(two, false), (turned, true)] {
+            let added = moments(&one).of_sum(&moments(&other), crossed);
+            let exact = moments(&[one, other].concat()).isotropic;
+            for (added, exact) in [(added.m0, exact.m0), (added.m2, exact.m2), (added.m4, exact.m4)] {
+                assert!((added / exact - 1.0).abs() < 1e-9, "{added:e} {exact:e}");
             }
         }
     }

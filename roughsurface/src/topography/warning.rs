@@ -1,12 +1,16 @@
 //! Warnings about a topography, with the numbers that they rest on; `Display` renders them.
 
 use super::spectrum::Limit;
-use super::two_faces::options_of_other;
 use tables::numbers::{beside, digits, plain, rounded};
 
 /// How a unit is given that a file does not state.
 pub(super) const UNIT_REMEDY: &str =
     "for text and npy --unit um changes that, or titles such as x [mm], z [um]";
+
+/// A message about a topography with the options of the face on the other side.
+pub fn options_of_other(message: &str) -> String {
+    message.replace("--unit", "--other-unit").replace("--pixel", "--other-pixel")
+}
 
 /// Assumptions made in reading a topography, and limits of validity of its characterisation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
