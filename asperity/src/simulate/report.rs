@@ -60,7 +60,7 @@ pub(super) fn report(
     let interference = runner.pressed.scene.loading.interference;
     let mut outcome = outcome(problem, (interference, programme), &mut run, budget, account);
     if let Some(counterface) = counterface_temperature(&runner.pressed.scene, &outcome) {
-        charge_counterface(counterface.value, runner.pressed.scene.loading.temperature, &mut outcome);
+        charge_counterface(counterface.value, &runner.pressed.scene, &mut outcome);
     }
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
@@ -175,14 +175,17 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
 }
 
 /// A conducting `counterface` hotter than the asperity (K): both have the mean temperature of the contact in common, not that of
-/// each point. The highest temperature of the contact lies between both, which bounds its error.
-fn charge_counterface(counterface: f64, initial: f64, outcome: &mut Outcome) {
+/// each point. The highest temperature of the contact lies between both, and is no higher than the melting temperature, at which
+/// there is no frictional heat: this bounds its error.
+fn charge_counterface(counterface: f64, scene: &Scene, outcome: &mut Outcome) {
     /// Rise over that of the asperity above which there is a warning.
     const HOTTER: f64 = 1.1;
     let highest = &mut outcome.scalars[Quantity::TemperatureMax];
     let asperity = highest.value;
-    outcome.budget.add_model_bound(Quantity::TemperatureMax, (counterface - asperity).max(0.0));
+    let possible = scene.highest_temperature().map_or(counterface, |melting| counterface.min(melting));
+    outcome.budget.add_model_bound(Quantity::TemperatureMax, (possible - asperity).max(0.0));
     highest.error = outcome.budget.total(Quantity::TemperatureMax);
+    let initial = scene.loading.temperature;
     let is_hotter = counterface - initial > HOTTER * (asperity - initial);
     outcome
         .account
@@ -346,24 +349,27 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Softening;
     use crate::simulate::fake;
 
-    /// The error contains the whole difference, and a warning names one of more than a tenth of the rise of the asperity; a
-    /// counterface that stays cold changes nothing.
+    /// The error contains the whole difference up to the melting temperature, and a warning names one of more than a tenth of the
+    /// rise of the asperity; a counterface that stays cold changes nothing.
     #[test]
     fn the_highest_temperature_is_as_uncertain_as_a_hotter_counterface_makes_it() {
-        let mut cool = fake::outcome(&fake::scene(5.0, 1.0));
+        let mut scene = fake::scene(5.0, 1.0);
+        let mut cool = fake::outcome(&scene);
         cool.budget.add_model_bound(Quantity::TemperatureMax, 5.0);
-        let (initial, value) = (298.0, cool.scalars[Quantity::TemperatureMax].value);
+        let (initial, value) = (scene.loading.temperature, cool.scalars[Quantity::TemperatureMax].value);
+        let melting = value + 0.5 * (value - initial);
+        scene.material.softening = Softening::JohnsonCook { reference: initial, melting, exponent: 1.0 };
         let rise = value - initial;
         let own = cool.budget.total(Quantity::TemperatureMax);
-        for (counterface, warns) in
-            [(initial, false), (value, false), (value + 0.09 * rise, false), (value + 0.11 * rise, true)]
-        {
+        for (share, warns) in [(-1.0, false), (0.0, false), (0.09, false), (0.11, true), (3.0, true)] {
+            let counterface = value + share * rise;
             let mut outcome = cool.clone();
-            charge_counterface(counterface, initial, &mut outcome);
+            charge_counterface(counterface, &scene, &mut outcome);
             let found = outcome.scalars[Quantity::TemperatureMax];
-            let difference = (counterface - value).max(0.0);
+            let difference = (counterface.min(melting) - value).max(0.0);
             let exact = (own * own + 4.0 / 3.0 * difference * difference).sqrt();
             assert!((found.error / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
             assert_eq!(outcome.budget.total(Quantity::TemperatureMax), found.error);

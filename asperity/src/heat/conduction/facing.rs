@@ -1,5 +1,5 @@
-//! A conducting counterface in a step: it takes up a flux F that is uniform over the contact and makes the mean rises of
-//! both surfaces differ by what the resistance of the contact needs,
+//! A conducting counterface in a step: it takes up a mean flux F that makes the mean rises of both surfaces differ by what the
+//! resistance of the contact needs,
 //!
 //! ```text
 //! θ̄ = θ̄₂(F) + r (F − (1 − f_h) q̄),
@@ -8,6 +8,9 @@
 //! q̄ the mean flux of frictional heat, of which 1 − f_h is released on the side of the counterface. θ̄ falls with F in
 //! proportion but for the softening of friction, so that a secant finds F in two or three solutions of the stage
 //! ([`super::step`]).
+//!
+//! Between 0 and q̄, F is taken at each point as the same share of the heat that friction generates there: points that do not
+//! slip give no heat to a counterface that is heated at others. What exceeds q̄, or enters the asperity, is uniform.
 
 use std::cell::Cell;
 
@@ -61,16 +64,28 @@ impl Facing {
     }
 }
 
-/// Heat flow at the contact less a uniform flux.
+/// Heat flow at the contact less that into the counterface.
 pub(super) struct Drawn<'a> {
     pub(super) heat: &'a dyn ContactHeat,
     pub(super) areas: &'a [f64],
-    pub(super) flux: f64,
+    /// Share of the frictional heat that the counterface takes up at each point.
+    pub(super) share: f64,
+    /// Flux that it takes up beside, at all points.
+    pub(super) uniform: f64,
+}
+
+impl<'a> Drawn<'a> {
+    /// With the mean flux `flux` into the counterface while friction generates the mean flux `frictional`.
+    pub(super) fn new(heat: &'a dyn ContactHeat, facing: &'a Facing, flux: f64, frictional: f64) -> Self {
+        let share = if frictional > 0.0 { (flux / frictional).clamp(0.0, 1.0) } else { 0.0 };
+        Self { heat, areas: &facing.areas, share, uniform: flux - share * frictional }
+    }
 }
 
 impl ContactHeat for Drawn<'_> {
     fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
         let (flow, slope) = self.heat.flow(point, rise);
-        (flow - self.flux * self.areas[point], slope)
+        let left = 1.0 - self.share;
+        (left * flow - self.uniform * self.areas[point], left * slope)
     }
 }

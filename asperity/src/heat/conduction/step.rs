@@ -111,22 +111,29 @@ impl Step<'_> {
         let Some(facing) = self.facing.filter(|facing| facing.total > 0.0) else {
             return solver.solve(self, rhs, guess);
         };
+        let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_places[point]];
+        // Mean flux of frictional heat.
+        let frictional = |rise: &[f64]| {
+            let flow = |point: usize| self.heat.flow(point, rise_of(rise, point)).0;
+            (0..facing.areas.len()).map(flow).sum::<f64>() / facing.total
+        };
+        let at_start = frictional(guess);
+        // Of the counterface, if the frictional heat is that of the start of the stage.
         let mut flux = facing.expected[stage];
         let mut before: Option<(f64, f64, Stage)> = None;
         let mut residual = f64::INFINITY;
         for _ in 0..FLUX_ITERATIONS {
-            let heat = Drawn { heat: self.heat, areas: &facing.areas, flux };
+            let heat = Drawn::new(self.heat, facing, flux, at_start);
             let start = before.as_ref().map_or(guess, |(.., stage)| &stage.rise);
             let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start)?;
-            let rise = |point: usize| solved.rise[self.conduction.contact_places[point]];
-            let mean = facing.mean(rise);
-            let opposite = facing.response.free(stage, fluxes[0]) + facing.response.own() * flux;
-            let generated: f64 =
-                (0..facing.areas.len()).map(|point| self.heat.flow(point, rise(point)).0).sum();
-            let released = facing.released * generated / facing.total;
-            let difference = mean - opposite - facing.resistance * (flux - released);
-            let largest = facing.resistance * flux.abs().max(released.abs());
-            fluxes[stage] = flux;
+            let mean = facing.mean(|point| rise_of(&solved.rise, point));
+            let generated = frictional(&solved.rise);
+            let taken = heat.share * generated + heat.uniform;
+            fluxes[stage] = taken;
+            let opposite = facing.response.free(stage, fluxes[0]) + facing.response.own() * taken;
+            let released = facing.released * generated;
+            let difference = mean - opposite - facing.resistance * (taken - released);
+            let largest = facing.resistance * taken.abs().max(released.abs());
             residual = difference.abs() / mean.abs().max(opposite.abs()).max(largest).max(f64::MIN_POSITIVE);
             if residual <= FLUX_TOLERANCE {
                 return Ok(solved);
@@ -142,6 +149,7 @@ impl Step<'_> {
         }
         Err(HeatError::NotConverged { residual })
     }
+
     /// Heat per time through the contact, net, and the part lost to the flat.
     fn flows(&self, stage: &Stage) -> (f64, f64) {
         let places = self.conduction.contact_places.iter().enumerate();
