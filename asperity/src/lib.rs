@@ -72,7 +72,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Not modelled: a rough, deformable or heated flat, adhesion, strain rates, neighbouring asperities.
+//! Not modelled: a rough or plastic flat, adhesion, wear, neighbouring asperities.
 
 mod discretisation;
 mod heat;

@@ -53,8 +53,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion, a rough
-//! counter-face.
+//! Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion.
 
 pub mod friction;
 pub mod integral;

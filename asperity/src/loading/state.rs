@@ -10,7 +10,6 @@ const ALONG: f64 = 0.5;
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SlideState {
     /// Step of the programme, from 0.
-    #[serde(default)]
     pub step: usize,
     /// Displacement of the flat.
     pub slip: f64,
@@ -24,7 +23,6 @@ pub struct SlideState {
     /// Share of the shear strength of the contact that its shear traction mobilises.
     pub mobilised: f64,
     /// Part of the shear traction that is not along the motion, 1 − |Q|/∫|τ| dA.
-    #[serde(default)]
     pub transverse: f64,
     pub rise_max: f64,
     pub rise_mean: f64,

@@ -169,7 +169,8 @@ impl Solid {
             }
             Hardening::JohnsonCook { modulus, exponent } => {
                 let b = modulus / self.yield_strength;
-                let at_zero = if *exponent < 1.0 { f64::INFINITY } else { b };
+                // nBε^(n − 1) at ε = 0.
+                let at_zero = b * 0f64.powf(exponent - 1.0);
                 let power: Lanes<W> = powers(strain, *exponent);
                 let power: Lanes<W> = lanes(|l| b * power[l]);
                 let slope = lanes(|l| {

@@ -38,9 +38,11 @@ pub fn fracture_energy(material: &Material) -> FractureEnergy {
 fn necking_stress(hardening: &Hardening, yield_strength: f64) -> f64 {
     match hardening {
         Hardening::None => yield_strength,
-        Hardening::Linear { modulus } => modulus.max(yield_strength),
-        // The slope is finite and falls below the stress only by itself: it necks at once.
-        Hardening::JohnsonCook { exponent, .. } if *exponent >= 1.0 => yield_strength,
+        Hardening::Linear { modulus } | Hardening::JohnsonCook { modulus, exponent: 1.0 } => {
+            modulus.max(yield_strength)
+        }
+        // The slope is zero at first.
+        Hardening::JohnsonCook { exponent, .. } if *exponent > 1.0 => yield_strength,
         // Before ε = n, as dσ/dε is then Bεⁿ.
         Hardening::JohnsonCook { modulus, exponent } => {
             let power = |strain: f64| modulus * strain.powf(*exponent);
@@ -79,6 +81,13 @@ mod tests {
         // Without hardening, or where it is slight, at once.
         assert_eq!(necking_stress(&Hardening::None, 5e8), 5e8);
         assert_eq!(necking_stress(&Hardening::Linear { modulus: 1e8 }, 5e8), 5e8);
+        assert_eq!(necking_stress(&Hardening::JohnsonCook { modulus: 2e9, exponent: 2.0 }, 5e8), 5e8);
+        // A straight line of 2 GPa necks at 2 GPa, by any of its laws.
+        assert_eq!(necking_stress(&Hardening::Linear { modulus: 2e9 }, 5e8), 2e9);
+        for exponent in [0.99999, 1.0] {
+            let stress = necking_stress(&Hardening::JohnsonCook { modulus: 2e9, exponent }, 5e8);
+            assert!((stress / 2e9 - 1.0).abs() < 1e-4, "{exponent}: {stress}");
+        }
         assert_eq!(necking_stress(&Hardening::JohnsonCook { modulus: 0.0, exponent: 0.3 }, 5e8), 5e8);
         // The slope falls from 2 to 1 GPa at 600 MPa, and to 0.2 GPa at 700 MPa.
         let table = Hardening::Table {

@@ -29,3 +29,11 @@ fn places_between_the_cells_are_computed() {
         assert!(off > 0.0 && off < number("table", 1).hypot(number("again", 1)), "{cell}");
     }
 }
+
+/// A folder that happens to have the name of a metal does not hide its table.
+#[test]
+fn a_folder_does_not_hide_a_shipped_table() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("steel-4340")).unwrap();
+    assert!(done(folder.path(), "table info steel-4340").contains("steel-4340"));
+}

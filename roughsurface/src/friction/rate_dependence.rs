@@ -53,7 +53,12 @@ pub fn rate_sensitivity(slip_rates: &[f64], mu: &[Estimate], at: f64) -> Estimat
     let t = ((x_at - x[inner]) / (x[inner + 1] - x[inner])).clamp(0.0, 1.0);
     let (value, of_interval) = match (before, after) {
         (Some(before), Some(after)) => (before + t * (after - before), (after - before).abs() + bend),
-        (Some(only), None) | (None, Some(only)) => (only, 2.0 * bend),
+        (Some(only), None) | (None, Some(only)) => {
+            // Beside a knee the parabola rises at one end of friction that falls: its error reaches the slope of the interval.
+            let secant = secant(inner);
+            let beyond = if only * secant < 0.0 { (only - secant).abs() } else { 0.0 };
+            (only, (2.0 * bend).max(beyond))
+        }
         (None, None) => (secant(inner), f64::NAN),
     };
     let of_mu = (mu[inner + 1].error - mu[inner].error).abs() / (x[inner + 1] - x[inner]);
@@ -123,6 +128,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Friction that falls beyond a knee only: a parabola rises at the first rate.
+    #[test]
+    fn the_error_has_the_sign_of_the_interval_beside_a_knee() {
+        let mu = |v: f64| 0.84 - 1e-3 * v.ln() - 0.12 * (v / 30.0).ln().max(0.0).powi(2);
+        let rates = [10.0, 30.0, 100.0];
+        let found = rate_sensitivity(&rates, &rates.map(|v| Estimate::exact(mu(v))), 10.0);
+        assert!(found.value > 0.02 && (found.value + 1e-3).abs() <= found.error, "{found:?}");
     }
 
     /// Below the first rate of a table friction changes in proportion to the slip rate.

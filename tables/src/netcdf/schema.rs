@@ -91,7 +91,7 @@ impl Slice {
     /// that came later only if it is known in any cell: older files lack it.
     pub fn holds(&self, quantity: Quantity) -> bool {
         let known = |(i, j)| self.cell(i, j).is_some_and(|cell| !cell[quantity].value.is_nan());
-        quantity.descriptor().since == 0 || self.grid().any(known)
+        !quantity.descriptor().optional || self.grid().any(known)
     }
 
     /// Of all that a reader relies on, as in the attribute `checksum`.

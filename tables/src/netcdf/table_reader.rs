@@ -108,7 +108,7 @@ fn read_cells(
     let mut cells = vec![Cell::new(); status.len()];
     for quantity in Quantity::SCALARS {
         let name = quantity.descriptor().name;
-        if quantity.descriptor().since > 0 && !file.has(name) {
+        if quantity.descriptor().optional && !file.has(name) {
             continue;
         }
         let values = file.reals(name, grid)?;

@@ -50,7 +50,7 @@ quantities! {
     MuStatic: scalar("mu_static", "1", "friction coefficient Q/P at sliding inception", NUMBER, Limit::StaticCoefficient);
     MuPeak: scalar("mu_peak", "1", "largest friction coefficient Q/P of the slide", NUMBER, Limit::StaticCoefficient);
     /// ∫Q ds/∫P ds.
-    MuMean: scalar("mu_mean", "1", "mean friction coefficient of the slide, work of friction over the integral of P along the slip", NUMBER, Limit::SlidingCoefficient).since(1);
+    MuMean: scalar("mu_mean", "1", "mean friction coefficient of the slide, work of friction over the integral of P along the slip", NUMBER, Limit::SlidingCoefficient).optional();
     /// Q at the end of the slide.
     Friction: scalar("Q", "N", "friction force", FORCE, Limit::SlidingFriction).history(Stored::RunAndTable, "last value");
     FrictionStatic: scalar("Q_static", "N", "friction force at sliding inception", FORCE, Limit::StaticFriction);
@@ -71,9 +71,9 @@ quantities! {
     /// At the end of the slide.
     TemperatureMean: scalar("temperature_mean", "K", "mean temperature of the contact", NUMBER, Limit::TemperatureRise).history(Stored::Run, "last value");
     InceptionSlip: scalar("inception_slip", "m", "slip at sliding inception", ELASTIC_SLIP, Limit::InceptionSlip);
-    MuSteady: scalar("mu_steady", "1", "friction coefficient Q/P that a longer slide tends to", NUMBER, Limit::SlidingCoefficient).since(2);
+    MuSteady: scalar("mu_steady", "1", "friction coefficient Q/P that a longer slide tends to", NUMBER, Limit::SlidingCoefficient).optional();
     /// Of the last increment.
-    HeatPartition: scalar("heat_partition", "1", "share of the frictional heat that enters the asperity", NUMBER, Limit::FirstRow).history(Stored::Run, "last value").since(3);
+    HeatPartition: scalar("heat_partition", "1", "share of the frictional heat that enters the asperity", NUMBER, Limit::FirstRow).history(Stored::Run, "last value").optional();
     /// ω/ω_c during the press.
     InterferencePress: history("interference_press", "1", "interference over that of first yield", NUMBER).history(Stored::Press, "");
     Slip: history("slip", "m", "slip: displacement of the flat since the end of the press", LENGTH);
@@ -120,7 +120,7 @@ const fn scalar(
         scalar: true,
         moment: "",
         history: Stored::No,
-        since: 0,
+        optional: false,
     }
 }
 
@@ -144,8 +144,8 @@ impl Descriptor {
         Self { of_press: true, ..self }
     }
 
-    const fn since(self, since: u32) -> Self {
-        Self { since, ..self }
+    const fn optional(self) -> Self {
+        Self { optional: true, ..self }
     }
 }
 

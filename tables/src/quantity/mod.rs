@@ -2,8 +2,8 @@
 //!
 //! An entry of `LIST` (file `list.rs`) gives name, unit and meaning of a quantity, how it scales with the
 //! radius of the asperity and with the material, and how it is stored: as a scalar of a run and of a table, as a history
-//! of the press, of the slide or of a table. Run file, summary, table, CSV and figures
-//! loop over this list. To add an output, add an entry here and the formula that computes it in
+//! of the press, of the slide or of a table. Run file, summary, table and CSV loop
+//! over this list. To add an output, add an entry here and the formula that computes it in
 //! `asperity`.
 //!
 //! Results are [`Scalars`] and [`History`], keyed by [`Quantity`]; [`numbers`] writes them as text. [`plausible`] has the
@@ -110,8 +110,8 @@ pub struct Descriptor {
     pub moment: &'static str,
     /// Where its history is stored.
     pub history: Stored,
-    /// Minor version of the table schema that introduced it; older files lack it.
-    pub since: u32,
+    /// Whether a table may lack it.
+    pub optional: bool,
 }
 
 /// Temperatures closer than this, relatively, are equal.

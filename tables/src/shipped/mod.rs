@@ -90,13 +90,15 @@ pub fn open(asked: &str, temperature: Option<f64>) -> Result<InterpolatedTable, 
 
 /// The table in the file `asked`, or the shipped one of that name, with all its initial temperatures.
 pub fn load(asked: &str) -> Result<Table, TableSourceError> {
-    if Path::new(asked).exists() {
+    let shipped = SHIPPED.iter().find(|(name, _)| *name == asked);
+    // A folder of its name does not hide a shipped table.
+    if Path::new(asked).is_file() || (shipped.is_none() && Path::new(asked).exists()) {
         if asked.ends_with(JOURNAL) {
             return Err(TableSourceError::Unfinished { asked: asked.to_owned() });
         }
         return Ok(Table::read(Path::new(asked))?);
     }
-    match SHIPPED.iter().find(|(name, _)| *name == asked) {
+    match shipped {
         Some((name, bytes)) => unpacked(name, bytes),
         // The library has the better message for a path.
         None if asked.contains(['/', '.']) => Ok(Table::read(Path::new(asked))?),

@@ -177,7 +177,7 @@ impl Slide<'_> {
             failure: None,
             heat_time: 0.0,
         };
-        let solved = self.mechanics.solve(flat, self.hold, start, stop, |body, contact, iteration| {
+        let solved = self.mechanics.solve(flat, self.control, start, stop, |body, contact, iteration| {
             coupling.update(body, contact, iteration)
         });
         if solved.is_ok() {

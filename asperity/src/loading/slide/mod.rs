@@ -110,7 +110,7 @@ pub struct Slide<'a> {
     /// Time that the motion before took.
     time_before: f64,
     interference: f64,
-    hold: LoadingControl,
+    control: LoadingControl,
     /// Elastic energy after the press.
     elastic_of_press: f64,
     /// Whether the contact has slipped everywhere since the start, the last hold or the last reversal.
@@ -137,7 +137,7 @@ impl<'a> Slide<'a> {
     pub fn new(problem: &'a Problem, mechanics: Mechanics, heat: Option<Conduction>, growth: f64) -> Self {
         let mut slide = Self {
             interference: problem.interference,
-            hold: LoadingControl::Interference,
+            control: LoadingControl::Interference,
             elastic_of_press: mechanics.body.elastic_energy(&mechanics.body.committed),
             has_begun: false,
             problem,
@@ -159,7 +159,7 @@ impl<'a> Slide<'a> {
         let start = slide.present_state(0.0, start);
         slide.history.push(start);
         if problem.control == Control::Load {
-            slide.hold = LoadingControl::Load(start.load);
+            slide.control = LoadingControl::Load(start.load);
         }
         slide
     }

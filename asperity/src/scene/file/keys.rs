@@ -26,6 +26,9 @@ const SHARE: Range = Range { text: "a number from 0 to 1", accepts: |x| (0.0..=1
 /// Of an isotropic solid that is neither auxetic nor incompressible.
 const POISSON: Range =
     Range { text: "a number from 0 to less than 0.5", accepts: |x| (0.0..0.5).contains(&x) };
+/// Below, the plastic strain at a stress just above the yield strength, (σ/B)^(1/n), is less than the smallest number.
+const HARDENING_EXPONENT: Range =
+    Range { text: "a number from 0.02 to 10", accepts: |x| (0.02..=10.0).contains(&x) };
 const ACCURACY: Range = Range { text: "a number from 1e-6 to 0.5", accepts: |x| (1e-6..=0.5).contains(&x) };
 
 /// From far below an atom to far above a planet: lengths, areas and energies are numbers of normal precision.
@@ -142,7 +145,7 @@ const MATERIAL: &[Key] = &[
 const HARDENING: &[Key] = &[
     key("law", Name),
     parameter(&["linear", "johnson-cook"], "modulus", Number("Pa", NOT_NEGATIVE)),
-    parameter(&["johnson-cook"], "exponent", Number("1", POSITIVE)),
+    parameter(&["johnson-cook"], "exponent", Number("1", HARDENING_EXPONENT)),
     parameter(&["table"], "plastic_strain", List("1", NOT_NEGATIVE, Order::Rising)),
     parameter(&["table"], "factor", List("1", POSITIVE, Order::Any)),
 ];

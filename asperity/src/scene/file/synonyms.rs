@@ -6,8 +6,8 @@ use super::keys::all_keys;
 const SYNONYMS: &[(&[&str], &str)] = &[
     (&["e", "young", "elastic_modulus", "modulus_of_elasticity"], "youngs_modulus"),
     (&["nu", "poisson", "poissons_ratio"], "poisson_ratio"),
-    (&["hardness", "yield_stress", "flow_stress", "sigma_y", "proof_strength"], "yield_strength"),
-    (&["hardening_modulus", "tangent_modulus", "b"], "modulus"),
+    (&["yield_stress", "flow_stress", "sigma_y", "proof_strength"], "yield_strength"),
+    (&["hardening_modulus", "b"], "modulus"),
     (&["hardening_exponent", "strain_exponent", "n", "m"], "exponent"),
     (&["rho", "mass_density"], "density"),
     (&["cp", "c_p", "heat_capacity"], "specific_heat"),

@@ -174,14 +174,24 @@ impl Scene {
         let said = format!(
             "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor is {factor:.3}"
         );
-        let strength = plain(rounded(factor * self.material.yield_strength, 3));
+        let here = |constant: f64| plain(rounded(factor * constant, 3));
+        let modulus = match &self.material.hardening {
+            Hardening::Linear { modulus } | Hardening::JohnsonCook { modulus, .. } => {
+                format!(" and hardening.modulus = {}", here(*modulus))
+            }
+            Hardening::None | Hardening::Table { .. } => String::new(),
+        };
+        let remedy = format!("write yield_strength = {}{modulus}", here(self.material.yield_strength));
         Some(match presets::all().iter().find(|preset| preset.has_strength_of(&self.material)) {
             Some(preset) => format!(
-                "{said}; the constants of the preset \"{}\" hold where it is 1: use a table with table.temperature = [..] \
-                 for other temperatures",
+                "{said}; the constants of the preset \"{}\" hold where it is 1: {remedy}, or use a table with two or more \
+                 values of table.temperature",
                 preset.name
             ),
-            None => format!("{said}; if it is the strength where that is 1, write {strength}"),
+            None => {
+                let strength = plain(self.material.yield_strength);
+                format!("{said}; if {strength} Pa is the strength where that is 1, {remedy}")
+            }
         })
     }
 

@@ -80,13 +80,18 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
     assert!(found.len() == 1 && found[0].contains("= 700 K, where the softening"), "{found:?}");
     // (1200 - 700)/(1200 - 298) of the yield strength.
     let strength = scene_with(&own).material.yield_strength * 500.0 / 902.0;
-    assert!(found[0].ends_with(&format!("write {}", plain(rounded(strength, 3)))), "{found:?}");
+    let strength = format!("write yield_strength = {}", plain(rounded(strength, 3)));
+    assert!(found[0].ends_with(&strength), "{found:?}");
+    // Hardening softens alike.
+    let hardening = "material.hardening={law=\"linear\", modulus=902e6}";
+    let found = remarks(&[&own[..], &[hardening]].concat());
+    assert!(found[0].ends_with(&format!("{strength} and hardening.modulus = 5e8")), "{found:?}");
     let said = |set: &[&str]| of_preset("copper", set).remarks();
     assert!(said(&["loading.temperature=700"])[0].contains("of the preset \"copper\" hold where it is 1"));
     assert_eq!(said(&["loading.temperature=298"]), Vec::<String>::new());
     assert!(
         said(&["loading.temperature=700", "material.yield_strength=70e6"])[0]
-            .contains("where that is 1, write")
+            .contains("if 7e7 Pa is the strength where that is 1, write")
     );
 }
 
