@@ -6,7 +6,7 @@ use tables::quantity::Quantity;
 
 use crate::loading::inception::InceptionCriterion;
 use crate::scene::curve::interpolate;
-use crate::scene::fitted_constants::error_estimates::{ELEMENTS, INTERFERENCES, ORDER};
+use crate::scene::fitted_constants::error_estimates::{AtEach, ELEMENTS, INTERFERENCES, ORDER};
 use crate::scene::fitted_constants::mean_errors::{ENERGY, INCEPTION_SLIP, MeanError, SECTORS};
 use crate::simulate::accuracy::resolution::Resolution;
 
@@ -33,7 +33,7 @@ pub fn correction(
     resolution: &Resolution,
 ) -> f64 {
     let Some(MeanError { mesh, angles }) = mean_error(quantity, inception) else { return 0.0 };
-    let at = |values: [f64; 4]| interpolate(&INTERFERENCES.map(f64::ln), &values, interference.ln()).0;
+    let at = |values: AtEach| interpolate(&INTERFERENCES.map(f64::ln), &values, interference.ln()).0;
     let elements = ELEMENTS.max(resolution.elements_per_radius as f64);
     let sectors = SECTORS.max(resolution.sectors as f64);
     at(mesh) * (ELEMENTS / elements).powf(ORDER) + at(angles) * (SECTORS / sectors).powi(2)
