@@ -170,7 +170,7 @@ impl Solid {
             Hardening::JohnsonCook { modulus, exponent } => {
                 let b = modulus / self.yield_strength;
                 // nBε^(n − 1) at ε = 0.
-                let at_zero = b * 0f64.powf(exponent - 1.0);
+                let at_zero = if b > 0.0 { b * 0f64.powf(exponent - 1.0) } else { 0.0 };
                 let power: Lanes<W> = powers(strain, *exponent);
                 let power: Lanes<W> = lanes(|l| b * power[l]);
                 let slope = lanes(|l| {

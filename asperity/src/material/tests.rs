@@ -28,6 +28,22 @@ fn solid(hardening: Hardening) -> Solid {
     Solid::new(&Material { softening, ..material }, 298.0)
 }
 
+/// nBε^(n − 1)/σ_Y at ε = 0, also without hardening.
+#[test]
+fn the_power_law_begins_with_the_slope_of_its_exponent() {
+    for (modulus, exponent, slope) in
+        [(792e6, 0.3, f64::INFINITY), (792e6, 1.0, 1.0), (792e6, 2.0, 0.0), (0.0, 0.3, 0.0)]
+    {
+        let law = solid(Hardening::JohnsonCook { modulus, exponent });
+        assert_eq!(law.hardened(0.0), (1.0, slope), "{modulus} {exponent}");
+    }
+    let [none, zero] = [Hardening::None, Hardening::JohnsonCook { modulus: 0.0, exponent: 0.3 }]
+        .map(|hardening| returned(&solid(hardening), 1.5, 0.0, 0.8, 0.0, 1.0));
+    for (none, zero) in none.into_iter().zip(zero) {
+        assert!((none - zero).abs() < 1e-12, "{none} {zero}");
+    }
+}
+
 /// (increment, strength, slope) of one lane; the other lanes, of points that do not flow or flow differently, must
 /// have no effect on it.
 fn returned(solid: &Solid, trial: f64, strain: f64, factor: f64, guess: f64, time_step: f64) -> [f64; 3] {

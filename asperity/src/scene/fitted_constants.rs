@@ -72,7 +72,7 @@ pub(crate) mod sliding_inception {
 ///   Its 64 other scenes test the coverage.
 /// - Above 100 ω_c: true errors of presses of copper, 304 steel and indium at up to 30000 ω_c with 6 to 14 elements against 32
 ///   (`loading.slip_rate = 0`, `slip_distance = 0`): load +2.6 % (copper), +3.5 % (indium) at 3000 ω_c and +6.6 % at 30000 ω_c with
-///   6 elements, +1.0 % at 3000 ω_c with 10. The values of slides at 1000 ω_c lie within the errors of those at 100 ω_c.
+///   6 elements, +1.0 % at 3000 ω_c with 10. Slides at 300 and 1000 ω_c lie within their errors.
 pub(crate) mod error_estimates {
     /// Of the square-root edge of the pressure.
     pub const ORDER: f64 = 1.5;

@@ -49,7 +49,7 @@ quantities! {
     Mu: scalar("mu", "1", "sliding friction coefficient Q/P", NUMBER, Limit::SlidingCoefficient).history(Stored::RunAndTable, "last value");
     MuStatic: scalar("mu_static", "1", "friction coefficient Q/P at sliding inception", NUMBER, Limit::StaticCoefficient);
     MuPeak: scalar("mu_peak", "1", "largest friction coefficient Q/P of the slide", NUMBER, Limit::StaticCoefficient);
-    /// ∫Q ds/∫P ds.
+    /// ∫Q ds/∫P|ds|.
     MuMean: scalar("mu_mean", "1", "mean friction coefficient of the slide, work of friction over the integral of P along the slip", NUMBER, Limit::SlidingCoefficient).optional();
     /// Q at the end of the slide.
     Friction: scalar("Q", "N", "friction force", FORCE, Limit::SlidingFriction).history(Stored::RunAndTable, "last value");

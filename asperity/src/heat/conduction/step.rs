@@ -118,7 +118,7 @@ impl Step<'_> {
             (0..facing.areas.len()).map(flow).sum::<f64>() / facing.total
         };
         let at_start = frictional(guess);
-        // Of the counterface, if the frictional heat is that of the start of the stage.
+        // Into the counterface, with the frictional heat of the start of the stage.
         let mut flux = facing.expected[stage];
         let mut before: Option<(f64, f64, Stage)> = None;
         let mut residual = f64::INFINITY;
