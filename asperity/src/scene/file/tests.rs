@@ -264,8 +264,11 @@ fn numbers_out_of_range_are_refused() {
         }
     }
     for value in ["0.5", "-0.1", "nan", "0.7"] {
-        let text = format!("material.poisson_ratio={value}");
-        refused(&[&text], &["material.poisson_ratio", "less than 0.5"]);
+        refused(&[&format!("material.poisson_ratio={value}")], &["material.poisson_ratio", "less than 0.5"]);
+    }
+    for value in ["0", "0.01", "11"] {
+        let text = format!("material.hardening={{law=\"johnson-cook\", modulus=5e8, exponent={value}}}");
+        refused(&[&text], &["material.hardening.exponent", "0.02 to 10"]);
     }
     // In few digits.
     for value in ["0.0", "0.6", "-0.1", "nan", "1e-150"] {
@@ -273,8 +276,7 @@ fn numbers_out_of_range_are_refused() {
         refused(&[&format!("numerics.accuracy={value}")], &[&said]);
     }
     for value in ["0", "3", "-8", "8.5", "1000000000"] {
-        let text = format!("numerics.elements_per_radius={value}");
-        refused(&[&text], &["a whole number from 4"]);
+        refused(&[&format!("numerics.elements_per_radius={value}")], &["a whole number from 4"]);
     }
     for value in ["0", "2", "6", "-4", "16.0"] {
         refused(&[&format!("numerics.sectors={value}")], &["a multiple of 4"]);
