@@ -99,6 +99,7 @@ impl<'a> Conditions<'a> {
         let small = scene.model.kinematics == Kinematics::Auto && !problem.finite_strain;
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
+            shares_heat: self.heat.is_coupled() && problem.counterface.is_some(),
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
             press_coupling: problem.press_friction.neglected,

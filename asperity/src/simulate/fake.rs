@@ -86,6 +86,7 @@ pub fn outcome(scene: &Scene) -> Outcome {
         inception: InceptionCriterion::FullSlip,
         steady: true,
         budget: ErrorBudget::default(),
+        counterface_rise: None,
         grid: ContactGrid { theta: vec![0.0, 1.0], r: vec![0.0, 1e-5, 2e-5] },
         snapshots: vec![Snapshot {
             slip: 1e-5,

@@ -94,6 +94,8 @@ pub struct Outcome {
     pub press: History,
     /// One row for the start and one for each increment, [`Quantity::RUN_HISTORIES`].
     pub slide: History,
+    /// Highest rise of the surface of a conducting counterface within the contact at the end of the slide, K.
+    pub counterface_rise: Option<f64>,
     pub grid: ContactGrid,
     pub snapshots: Vec<Snapshot>,
     /// If recorded.

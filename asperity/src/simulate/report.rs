@@ -18,7 +18,7 @@ use crate::scene::{InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::correction::correction;
 use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::derived::{counterface_temperature, inception_time};
+use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, Outcome};
 use crate::solver::timings::Kernel;
 
@@ -58,10 +58,7 @@ pub(super) fn report(
     let budget = budget.unwrap_or_else(|| ErrorBudget::unknown(of_press));
     let (problem, programme) = (&runner.pressed.problem, &runner.conditions.programme);
     let interference = runner.pressed.scene.loading.interference;
-    let mut outcome = outcome(problem, (interference, programme), &mut run, budget, account);
-    if let Some(counterface) = counterface_temperature(&runner.pressed.scene, &outcome) {
-        charge_counterface(counterface.value, &runner.pressed.scene, &mut outcome);
-    }
+    let outcome = outcome(problem, (interference, programme), &mut run, budget, account);
     let error = match obstacle {
         Some(error) => Some(next_not_begun(error, &run)),
         None => {
@@ -174,25 +171,6 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
     warnings
 }
 
-/// A conducting `counterface` hotter than the asperity (K): both have the mean temperature of the contact in common, not that of
-/// each point. The highest temperature of the contact lies between both, and is no higher than the melting temperature, at which
-/// there is no frictional heat: this bounds its error.
-fn charge_counterface(counterface: f64, scene: &Scene, outcome: &mut Outcome) {
-    /// Rise over that of the asperity above which there is a warning.
-    const HOTTER: f64 = 1.1;
-    let highest = &mut outcome.scalars[Quantity::TemperatureMax];
-    let asperity = highest.value;
-    let possible = scene.highest_temperature().map_or(counterface, |melting| counterface.min(melting));
-    outcome.budget.add_model_bound(Quantity::TemperatureMax, (possible - asperity).max(0.0));
-    highest.error = outcome.budget.total(Quantity::TemperatureMax);
-    let initial = scene.loading.temperature;
-    let is_hotter = counterface - initial > HOTTER * (asperity - initial);
-    outcome
-        .account
-        .warnings
-        .extend(is_hotter.then_some(Warning::HotterCounterface { counterface, asperity }));
-}
-
 /// The controlled quantity that misses its accuracy most, and whatever is undetermined.
 fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warning> {
     let of = |quantity: Quantity| (quantity, budget.relative(quantity, &run.values));
@@ -288,10 +266,17 @@ fn outcome(
             theta: run.contact.angles.clone(),
             r: run.contact.radii.iter().map(|r| r * units.length).collect(),
         },
+        counterface_rise: counterface_rise(run),
         snapshots: std::mem::take(&mut run.snapshots),
         body: run.body.take(),
         account,
     }
+}
+
+fn counterface_rise(run: &Run) -> Option<f64> {
+    let radius = run.contact.radius(&run.contact.committed);
+    let counterface = run.counterface.as_ref().filter(|_| radius > 0.0);
+    counterface.map(|half_space| half_space.highest_rise(radius))
 }
 
 fn press_history(problem: &Problem, increments: &[Increment]) -> History {
@@ -344,37 +329,4 @@ fn slide_history(problem: &Problem, programme: &[LoadingStep], states: &[SlideSt
         });
     }
     history
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::Softening;
-    use crate::simulate::fake;
-
-    /// The error contains the whole difference up to the melting temperature, and a warning names one of more than a tenth of the
-    /// rise of the asperity; a counterface that stays cold changes nothing.
-    #[test]
-    fn the_highest_temperature_is_as_uncertain_as_a_hotter_counterface_makes_it() {
-        let mut scene = fake::scene(5.0, 1.0);
-        let mut cool = fake::outcome(&scene);
-        cool.budget.add_model_bound(Quantity::TemperatureMax, 5.0);
-        let (initial, value) = (scene.loading.temperature, cool.scalars[Quantity::TemperatureMax].value);
-        let melting = value + 0.5 * (value - initial);
-        scene.material.softening = Softening::JohnsonCook { reference: initial, melting, exponent: 1.0 };
-        let rise = value - initial;
-        let own = cool.budget.total(Quantity::TemperatureMax);
-        for (share, warns) in [(-1.0, false), (0.0, false), (0.09, false), (0.11, true), (3.0, true)] {
-            let counterface = value + share * rise;
-            let mut outcome = cool.clone();
-            charge_counterface(counterface, &scene, &mut outcome);
-            let found = outcome.scalars[Quantity::TemperatureMax];
-            let difference = (counterface.min(melting) - value).max(0.0);
-            let exact = (own * own + 4.0 / 3.0 * difference * difference).sqrt();
-            assert!((found.error / exact - 1.0).abs() < 1e-12, "{found:?} {exact}");
-            assert_eq!(outcome.budget.total(Quantity::TemperatureMax), found.error);
-            let is_warned = matches!(outcome.account.warnings[..], [.., Warning::HotterCounterface { .. }]);
-            assert_eq!(is_warned, warns, "{counterface}");
-        }
-    }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::pressed::PressedMesh;
+use crate::heat::counterface::HalfSpace;
 use crate::interface::contact::Contact;
 use crate::loading::body_fields::BodyFields;
 use crate::loading::recording::Snapshot;
@@ -24,6 +25,8 @@ pub(super) struct Run {
     pub body: Option<BodyFields>,
     /// At its end.
     pub contact: Contact,
+    /// With its heat at the end, if it conducts.
+    pub counterface: Option<HalfSpace>,
     pub unknowns: usize,
     pub effort: Effort,
     pub timings: Timings,

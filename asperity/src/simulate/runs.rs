@@ -293,6 +293,7 @@ impl<'a> Runner<'a> {
             unknowns: mesh.field_length(3),
             cutbacks: slide.cutbacks,
             contact: slide.mechanics.into_parts().1,
+            counterface: slide.heat.and_then(Conduction::into_counterface),
             failure,
             press,
         })

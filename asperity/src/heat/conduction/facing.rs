@@ -1,84 +1,144 @@
-//! A conducting counterface in a step: it takes up a mean flux F that makes the mean rises of both surfaces differ by what the
-//! resistance of the contact needs,
+//! A conducting counterface in a step: it takes up a flux F that makes the rises of both surfaces differ by what the resistance
+//! of the contact needs,
 //!
 //! ```text
-//! θ̄ = θ̄₂(F) + r (F − (1 − f_h) q̄),
+//! θ = θ₂(F) + r (F − (1 − f_h) q),
 //! ```
 //!
-//! q̄ the mean flux of frictional heat, of which 1 − f_h is released on the side of the counterface. θ̄ falls with F in
-//! proportion but for the softening of friction, so that a secant finds F in two or three solutions of the stage
-//! ([`super::step`]).
+//! q the flux of frictional heat, of which 1 − f_h is released on the side of the counterface. Fluxes and rises are those of
+//! their [`Profile`], mean and slope along the motion: a counterface that moves is hotter downstream. θ falls with F in
+//! proportion but for the softening of friction, so that Broyden's method finds F in a few solutions of the stage
+//! ([`super::step`]); C. G. Broyden, Math. Comp. 19, 577 (1965), doi 10.1090/S0025-5718-1965-0198670-6.
 //!
-//! Between 0 and q̄, F is taken at each point as the same share of the heat that friction generates there: points that do not
-//! slip give no heat to a counterface that is heated at others. What exceeds q̄, or enters the asperity, is uniform.
+//! While the mean of F is between 0 and that of q, F is the same share of the heat that friction generates at each point, and a
+//! linear part beside it: points that do not slip give no heat to a counterface that is heated at others.
 
 use std::cell::Cell;
 
-use super::{ContactHeat, GAMMA};
-use crate::heat::counterface::{HalfSpace, StepResponse};
+use nalgebra::Matrix2;
+
+use super::ContactHeat;
+use crate::heat::counterface::{HalfSpace, Profile, StepResponse};
 
 /// The counterface in a step.
 pub(super) struct Facing {
     pub(super) response: StepResponse,
+    pub(super) disc: ContactDisc,
     /// r = 1/h_c.
     pub(super) resistance: f64,
     /// 1 − f_h.
     pub(super) released: f64,
-    /// Of the contact points, as far as they are in contact.
-    pub(super) areas: Vec<f64>,
-    /// Their sum: half of the contact.
-    pub(super) total: f64,
     /// Fluxes of the stages to start from.
-    pub(super) expected: [f64; 2],
-    /// Estimate of d(θ̄ − θ̄₂ − …)/dF, negative.
-    pub(super) slope: Cell<f64>,
+    pub(super) expected: [Profile; 2],
+    /// Estimate of d(θ − θ₂ − …)/dF.
+    pub(super) slope: Cell<Matrix2<f64>>,
 }
 
 impl Facing {
     /// In a step `dt` of a body of effusivity `effusivity` in which the counterface moves by `slip`.
     pub(super) fn new(
         half_space: &HalfSpace,
-        areas: Vec<f64>,
+        disc: ContactDisc,
         effusivity: f64,
         (dt, slip): (f64, f64),
     ) -> Self {
-        let total: f64 = areas.iter().sum();
-        let response = half_space.step(dt, slip, (2.0 * total / std::f64::consts::PI).sqrt());
-        // The rise of a half-space under a uniform flux of duration γΔt.
-        let body = 2.0 * (GAMMA * dt / std::f64::consts::PI).sqrt() / effusivity;
+        let response = half_space.step(dt, slip, disc.radius());
+        // Of the asperity as of a half-space at rest, κ = 1.
+        let body = HalfSpace::new(1.0, effusivity).step(dt, 0.0, disc.radius()).own();
         let resistance = half_space.resistance;
         Self {
             response,
+            disc,
             resistance,
             released: 1.0 - half_space.share,
-            areas,
-            total,
             expected: half_space.expected_fluxes(),
-            slope: Cell::new(-(body + response.own() + resistance)),
+            slope: Cell::new(-(body + response.own() + Matrix2::identity() * resistance)),
         }
     }
 
-    /// Mean over the contact.
-    pub(super) fn mean(&self, value: impl Fn(usize) -> f64) -> f64 {
-        (0..self.areas.len()).map(|point| self.areas[point] * value(point)).sum::<f64>() / self.total
+    /// Improves the estimate of the slope by the change of the difference with the flux.
+    pub(super) fn learn(&self, flux: Profile, difference: Profile) {
+        let slope = self.slope.get();
+        let better = slope + (difference - slope * flux) * flux.transpose() / flux.norm_squared();
+        if better.trace() < 0.0 && better.determinant() > 0.0 {
+            self.slope.set(better);
+        }
     }
+}
+
+/// Contact points as far as they are in contact, half of the contact.
+pub(super) struct ContactDisc {
+    areas: Vec<f64>,
+    pub(super) total: f64,
+    /// ξ = x/a from the centre of the contact.
+    places: Vec<f64>,
+    /// ⟨ξ²⟩.
+    second: f64,
+}
+
+impl ContactDisc {
+    /// Of points at `along`, x.
+    pub(super) fn new(areas: Vec<f64>, along: impl Fn(usize) -> f64) -> Self {
+        let total: f64 = areas.iter().sum();
+        let mean = |value: &dyn Fn(usize) -> f64| {
+            (0..areas.len()).map(|point| areas[point] * value(point)).sum::<f64>() / total
+        };
+        let (centre, radius) = (mean(&along), radius(total));
+        let places: Vec<f64> = (0..areas.len()).map(|point| (along(point) - centre) / radius).collect();
+        let second = mean(&|point| places[point] * places[point]);
+        Self { areas, total, places, second }
+    }
+
+    fn radius(&self) -> f64 {
+        radius(self.total)
+    }
+
+    /// Profile of a field, given its integral over the area of each point.
+    pub(super) fn profile(&self, integral: impl Fn(usize) -> f64) -> Profile {
+        let moments = (0..self.areas.len())
+            .map(|point| integral(point) * Profile::new(1.0, self.places[point]))
+            .sum::<Profile>()
+            / self.total;
+        // A single point has no slope.
+        Profile::new(moments.x, if self.second > 0.0 { moments.y / self.second } else { 0.0 })
+    }
+
+    /// The same, given its value at each point.
+    pub(super) fn profile_of_values(&self, value: impl Fn(usize) -> f64) -> Profile {
+        self.profile(|point| self.areas[point] * value(point))
+    }
+}
+
+/// Of the disc that has twice the area.
+fn radius(half: f64) -> f64 {
+    (2.0 * half / std::f64::consts::PI).sqrt()
 }
 
 /// Heat flow at the contact less that into the counterface.
 pub(super) struct Drawn<'a> {
-    pub(super) heat: &'a dyn ContactHeat,
-    pub(super) areas: &'a [f64],
+    heat: &'a dyn ContactHeat,
+    disc: &'a ContactDisc,
     /// Share of the frictional heat that the counterface takes up at each point.
-    pub(super) share: f64,
-    /// Flux that it takes up beside, at all points.
-    pub(super) uniform: f64,
+    share: f64,
+    /// Flux that it takes up beside.
+    linear: Profile,
 }
 
 impl<'a> Drawn<'a> {
-    /// With the mean flux `flux` into the counterface while friction generates the mean flux `frictional`.
-    pub(super) fn new(heat: &'a dyn ContactHeat, facing: &'a Facing, flux: f64, frictional: f64) -> Self {
-        let share = if frictional > 0.0 { (flux / frictional).clamp(0.0, 1.0) } else { 0.0 };
-        Self { heat, areas: &facing.areas, share, uniform: flux - share * frictional }
+    /// With the flux `flux` into the counterface while friction generates `frictional`.
+    pub(super) fn new(
+        heat: &'a dyn ContactHeat,
+        disc: &'a ContactDisc,
+        flux: Profile,
+        frictional: Profile,
+    ) -> Self {
+        let share = if frictional.x > 0.0 { (flux.x / frictional.x).clamp(0.0, 1.0) } else { 0.0 };
+        Self { heat, disc, share, linear: flux - share * frictional }
+    }
+
+    /// Flux into the counterface while friction generates `frictional`.
+    pub(super) fn flux(&self, frictional: Profile) -> Profile {
+        self.share * frictional + self.linear
     }
 }
 
@@ -86,6 +146,7 @@ impl ContactHeat for Drawn<'_> {
     fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
         let (flow, slope) = self.heat.flow(point, rise);
         let left = 1.0 - self.share;
-        (left * flow - self.uniform * self.areas[point], left * slope)
+        let linear = self.linear.x + self.linear.y * self.disc.places[point];
+        (left * flow - linear * self.disc.areas[point], left * slope)
     }
 }

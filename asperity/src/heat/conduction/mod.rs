@@ -23,7 +23,7 @@ use crate::heat::counterface::HalfSpace;
 use crate::scene::curve::Curve;
 use crate::solver::harmonic::{FactorError, FieldKind, HarmonicPattern};
 use contact_iteration::ContactIteration;
-use facing::Facing;
+use facing::{ContactDisc, Facing};
 use kirchhoff::Kirchhoff;
 use step::{Step, StepMatrix};
 use sublayers::Sublayers;
@@ -208,8 +208,11 @@ impl Conduction {
         let body = &self.sublayers.spread(body)[..];
         let facing = self.counterface.as_ref().map(|half_space| {
             let areas = (0..self.contact_places.len()).map(|point| heat.area(point)).collect();
+            let (radii, angles) = (self.mesh.meridian.contact_radii(), self.mesh.sectors.angles());
+            let along = |point: usize| radii[point / angles.len()] * angles[point % angles.len()].cos();
+            let disc = ContactDisc::new(areas, along);
             // κ = 1: the effusivity is the capacity.
-            Facing::new(half_space, areas, self.capacity, (dt, heat.slip()))
+            Facing::new(half_space, disc, self.capacity, (dt, heat.slip()))
         });
         let step = Step { conduction: self, matrix: &matrix, dt, body, heat, facing: facing.as_ref() };
         let solved = match &self.varying {
@@ -226,7 +229,7 @@ impl Conduction {
         let (rise, balance, fluxes) = solved?;
         let response = facing.map(|facing| facing.response);
         if let Some((half_space, response)) = self.counterface.as_mut().zip(response) {
-            half_space.try_fluxes(&response, fluxes);
+            half_space.try_fluxes(response, fluxes);
         }
         Ok((rise, balance))
     }
@@ -252,6 +255,11 @@ impl Conduction {
             }
         }
         flow
+    }
+
+    /// The counterface with the heat that it has taken up, if it conducts.
+    pub fn into_counterface(self) -> Option<HalfSpace> {
+        self.counterface
     }
 
     /// Heat in the body at a temperature rise, half body: ∫ρc₀H dV.

@@ -6,12 +6,13 @@ use faer::{Mat, MatMut, Side};
 use super::facing::{Drawn, Facing};
 use super::{Conduction, ContactHeat, GAMMA, HeatBalance, HeatError};
 use crate::discretisation::collocation::Parity;
+use crate::heat::counterface::Profile;
 use crate::solver::harmonic::HarmonicFactors;
 
-/// Iterations for the flux into a conducting counterface, and the tolerance of the balance of the mean rises, relative to its
-/// largest term.
+/// Iterations for the flux into a conducting counterface, and the tolerance of the balance of the rises, relative to the largest
+/// term so far: the one that remains may be zero.
 const FLUX_ITERATIONS: usize = 30;
-const FLUX_TOLERANCE: f64 = 1e-8;
+const FLUX_TOLERANCE: f64 = 1e-7;
 
 /// M + γΔt K.
 pub(super) struct StepMatrix {
@@ -74,13 +75,13 @@ impl Step<'_> {
     pub(super) fn integrate(
         &self,
         solver: &mut impl StageSolver,
-    ) -> Result<(Vec<f64>, HeatBalance, [f64; 2]), HeatError> {
+    ) -> Result<(Vec<f64>, HeatBalance, [Profile; 2]), HeatError> {
         let (conduction, n) = (self.conduction, self.body.len());
         let start: Vec<f64> = conduction.committed.iter().map(|&rise| solver.enthalpy(rise)).collect();
         let right = |content: &dyn Fn(usize) -> f64| -> Vec<f64> {
             (0..n).map(|i| conduction.mass[i] * content(i) + GAMMA * self.body[i]).collect()
         };
-        let mut fluxes = [0.0; 2];
+        let mut fluxes = [Profile::zeros(); 2];
         let first = self.solve(solver, (&right(&|i| start[i]), &conduction.committed), 0, &mut fluxes)?;
         let reached: Vec<f64> = first.rise.iter().map(|&rise| solver.enthalpy(rise)).collect();
         let ratio = (1.0 - GAMMA) / GAMMA;
@@ -89,7 +90,8 @@ impl Step<'_> {
 
         let weighted = |a: f64, b: f64| self.dt * ((1.0 - GAMMA) * a + GAMMA * b);
         let [(net_first, lost_first), (net_last, lost_last)] = [&first, &last].map(|stage| self.flows(stage));
-        let counterface = self.facing.map_or(0.0, |facing| facing.total * weighted(fluxes[0], fluxes[1]));
+        let counterface =
+            self.facing.map_or(0.0, |facing| facing.disc.total * weighted(fluxes[0].x, fluxes[1].x));
         let balance = HeatBalance {
             contact: weighted(net_first + lost_first, net_last + lost_last) - counterface,
             counterface,
@@ -106,46 +108,42 @@ impl Step<'_> {
         solver: &mut impl StageSolver,
         (rhs, guess): (&[f64], &[f64]),
         stage: usize,
-        fluxes: &mut [f64; 2],
+        fluxes: &mut [Profile; 2],
     ) -> Result<Stage, HeatError> {
-        let Some(facing) = self.facing.filter(|facing| facing.total > 0.0) else {
+        let Some(facing) = self.facing.filter(|facing| facing.disc.total > 0.0) else {
             return solver.solve(self, rhs, guess);
         };
+        let (disc, resistance) = (&facing.disc, facing.resistance);
         let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_places[point]];
-        // Mean flux of frictional heat.
-        let frictional = |rise: &[f64]| {
-            let flow = |point: usize| self.heat.flow(point, rise_of(rise, point)).0;
-            (0..facing.areas.len()).map(flow).sum::<f64>() / facing.total
-        };
+        let frictional = |rise: &[f64]| disc.profile(|point| self.heat.flow(point, rise_of(rise, point)).0);
         let at_start = frictional(guess);
         // Into the counterface, with the frictional heat of the start of the stage.
         let mut flux = facing.expected[stage];
-        let mut before: Option<(f64, f64, Stage)> = None;
-        let mut residual = f64::INFINITY;
+        let mut before: Option<(Profile, Profile, Stage)> = None;
+        let (mut residual, mut largest) = (f64::INFINITY, f64::MIN_POSITIVE);
         for _ in 0..FLUX_ITERATIONS {
-            let heat = Drawn::new(self.heat, facing, flux, at_start);
+            let heat = Drawn::new(self.heat, disc, flux, at_start);
             let start = before.as_ref().map_or(guess, |(.., stage)| &stage.rise);
             let solved = solver.solve(&Step { heat: &heat, ..*self }, rhs, start)?;
-            let mean = facing.mean(|point| rise_of(&solved.rise, point));
+            let rise = disc.profile_of_values(|point| rise_of(&solved.rise, point));
             let generated = frictional(&solved.rise);
-            let taken = heat.share * generated + heat.uniform;
+            let taken = heat.flux(generated);
             fluxes[stage] = taken;
             let opposite = facing.response.free(stage, fluxes[0]) + facing.response.own() * taken;
             let released = facing.released * generated;
-            let difference = mean - opposite - facing.resistance * (taken - released);
-            let largest = facing.resistance * taken.abs().max(released.abs());
-            residual = difference.abs() / mean.abs().max(opposite.abs()).max(largest).max(f64::MIN_POSITIVE);
+            let difference = rise - opposite - resistance * (taken - released);
+            let terms = [rise, opposite, resistance * taken, resistance * released];
+            largest = terms.iter().map(Profile::amax).fold(largest, f64::max);
+            residual = difference.amax() / largest;
             if residual <= FLUX_TOLERANCE {
                 return Ok(solved);
             }
             if let Some((other, its_difference, _)) = before {
-                let slope = (difference - its_difference) / (flux - other);
-                if slope < 0.0 {
-                    facing.slope.set(slope);
-                }
+                facing.learn(flux - other, difference - its_difference);
             }
             before = Some((flux, difference, solved));
-            flux -= difference / facing.slope.get();
+            let change = facing.slope.get().try_inverse().map(|inverse| inverse * difference);
+            flux -= change.ok_or(HeatError::NotConverged { residual })?;
         }
         Err(HeatError::NotConverged { residual })
     }

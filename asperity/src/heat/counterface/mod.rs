@@ -1,22 +1,27 @@
 //! The counterface: a conducting half-space with constant properties that moves past the contact.
 //!
-//! It takes up a heat flux that is uniform over the contact, a disc of the contact's area, and otherwise loses no heat.
-//! The mean rise over the disc is a convolution of the flux F with the response of the half-space, which has moved by
-//! d = s(t) − s(t') since the heat of the time t' entered:
+//! It takes up heat over the contact, a disc of the contact's area, and otherwise loses none. Flux and rise over the disc are
+//! described by their [`Profile`]. That of the rise is a convolution of that of the flux, F, with the response of the
+//! half-space, which has moved by d = s(t) − s(t') since the heat of the time t' entered:
 //!
 //! ```text
-//! θ̄(t) = ∫ F(t') G(t − t', s(t) − s(t')) dt',     G(t, d) = S(√(2κt), d)/(e√(πt)),   e = √(kρc).
+//! θ(t) = ∫ G(t − t', s(t) − s(t')) F(t') dt',     G(t, d) = S(√(2κt), d)/(e√(πt)),   e = √(kρc).
 //! ```
 //!
-//! S is the share of [`overlap`]. The flux is constant over parts of an increment, and the integral over each part is
-//! taken in √(t − t'), in which the integrand is smooth. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
+//! S is the share of [`overlap`], a matrix. The flux is constant over parts of an increment, and the integral over each part
+//! is taken in √(t − t'), in which the integrand is smooth. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
 //! (1959), §10.3–10.7. Chapter "Heat" of the book.
 
 mod overlap;
 
 use gauss_quad::GaussLegendre;
+use nalgebra::{Matrix2, Vector2};
 
-use overlap::Overlap;
+use overlap::{Overlap, integral};
+
+/// A field over a disc of radius a: its mean, and its slope in ξ = x/a, x from the centre along the motion of the half-space,
+/// which fits it best.
+pub type Profile = Vector2<f64>;
 
 /// Points per panel of the convolution.
 const POINTS: usize = 6;
@@ -28,6 +33,8 @@ const PANELS_AT_A_POINT: f64 = 4.0;
 const POINT: f64 = 1e-3;
 /// Places between the middle of the contact and its edge at which the highest rise is sought.
 const PLACES: i32 = 16;
+/// Relative change of the contact radius up to which the response in an increment is that of the trial before.
+const SAME_RADIUS: f64 = 1e-3;
 /// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
 const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
@@ -52,7 +59,7 @@ impl Moment {
 struct Interval {
     from: Moment,
     to: Moment,
-    flux: f64,
+    flux: Profile,
     /// Of the contact.
     radius: f64,
 }
@@ -64,19 +71,19 @@ pub struct HalfSpace {
     spreading: f64,
     /// e = √(kρc).
     effusivity: f64,
-    /// 1/h_c: difference of the mean temperatures of both surfaces per flux.
+    /// 1/h_c: difference of the temperatures of both surfaces per flux.
     pub resistance: f64,
     /// Share of the frictional heat that is released on the side of the other body; of no influence without resistance.
     pub share: f64,
     now: Moment,
     history: Vec<Interval>,
-    /// The increment tried last.
-    trial: Option<[Interval; 2]>,
+    /// The increment tried last, and the fluxes of its stages.
+    trial: Option<(StepResponse, [Profile; 2])>,
     rule: GaussLegendre,
     overlap: Overlap,
 }
 
-/// The disc over which the mean of a rise is taken: its radius, and how far its centre is downstream of that of the contact, in
+/// The disc over which the profile of a rise is taken: its radius, and how far its centre is downstream of that of the contact, in
 /// the direction of motion of the half-space.
 #[derive(Clone, Copy, Debug)]
 struct Disc {
@@ -86,15 +93,15 @@ struct Disc {
     panel: f64,
 }
 
-/// Linear response of the half-space in an increment: mean rise of its surface over the contact.
+/// Linear response of the half-space in an increment: profile of the rise of its surface over the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct StepResponse {
     /// At the ends of the two stages, from the heat of the increments before.
-    free: [f64; 2],
+    free: [Profile; 2],
     /// At the end of the second stage per flux of the first.
-    first: f64,
+    first: Matrix2<f64>,
     /// At the end of each stage per flux of that stage.
-    own: f64,
+    own: Matrix2<f64>,
     /// a, of the contact.
     radius: f64,
     from: Moment,
@@ -102,13 +109,13 @@ pub struct StepResponse {
 }
 
 impl StepResponse {
-    /// Mean rise at the end of stage `stage` (0, 1) without the flux of that stage, given that of the first.
-    pub fn free(&self, stage: usize, first: f64) -> f64 {
-        self.free[stage] + if stage == 0 { 0.0 } else { self.first * first }
+    /// Rise at the end of stage `stage` (0, 1) without the flux of that stage, given that of the first.
+    pub fn free(&self, stage: usize, first: Profile) -> Profile {
+        self.free[stage] + if stage == 0 { Profile::zeros() } else { self.first * first }
     }
 
-    /// Mean rise at the end of a stage per flux of that stage.
-    pub fn own(&self) -> f64 {
+    /// Rise at the end of a stage per flux of that stage.
+    pub fn own(&self) -> Matrix2<f64> {
         self.own
     }
 }
@@ -143,35 +150,40 @@ impl HalfSpace {
     /// The response at the end of a stage to its own flux is that to a flux during γ in both.
     pub fn step(&self, dt: f64, slip: f64, radius: f64) -> StepResponse {
         let (from, to) = (self.now, Moment { time: self.now.time + dt, slip: self.now.slip + slip });
+        let is_same = |tried: &StepResponse| {
+            tried.from == from && tried.to == to && (tried.radius / radius - 1.0).abs() <= SAME_RADIUS
+        };
+        if let Some((tried, _)) = self.trial.filter(|(tried, _)| is_same(tried)) {
+            return tried;
+        }
         let stage = from.towards(to, 1.0 - FIRST_PART);
-        let unit = |from: Moment, to: Moment| Interval { from, to, flux: 1.0, radius };
         let contact = Disc { radius, downstream: 0.0, panel: radius / PANELS_PER_RADIUS };
         let free = [stage, to].map(|at| self.history.iter().map(|heat| self.rise(heat, at, contact)).sum());
-        let first = self.rise(&unit(from, from.towards(to, FIRST_PART)), to, contact);
-        let own = self.rise(&unit(from, stage), stage, contact);
+        let response = |until: Moment, at: Moment| {
+            let heat = Interval { from, to: until, flux: Profile::zeros(), radius };
+            self.response(&heat, at, contact)
+        };
+        let first = response(from.towards(to, FIRST_PART), to);
+        let own = response(stage, stage);
         StepResponse { free, first, own, radius, from, to }
     }
 
     /// Takes note of the fluxes of the stages of an increment, which [`HalfSpace::commit`] makes final.
-    pub fn try_fluxes(&mut self, step: &StepResponse, fluxes: [f64; 2]) {
-        let middle = step.from.towards(step.to, FIRST_PART);
-        let part = |from: Moment, to: Moment, flux: f64| Interval { from, to, flux, radius: step.radius };
-        self.trial = Some([part(step.from, middle, fluxes[0]), part(middle, step.to, fluxes[1])]);
+    pub fn try_fluxes(&mut self, step: StepResponse, fluxes: [Profile; 2]) {
+        self.trial = Some((step, fluxes));
     }
 
     /// Adds the increment tried last to the history.
     pub fn commit(&mut self) {
-        if let Some(parts) = self.trial.take() {
-            self.now = parts[1].to;
-            self.history.extend(parts.into_iter().filter(|part| part.flux != 0.0));
+        if let Some((StepResponse { from, to, radius, .. }, [first, second])) = self.trial.take() {
+            let middle = from.towards(to, FIRST_PART);
+            let parts = [
+                Interval { from, to: middle, flux: first, radius },
+                Interval { from: middle, to, flux: second, radius },
+            ];
+            self.history.extend(parts.into_iter().filter(|part| part.flux != Profile::zeros()));
+            self.now = to;
         }
-    }
-
-    /// Adds an increment of a given flux to the history.
-    pub fn heat(&mut self, dt: f64, slip: f64, radius: f64, flux: f64) {
-        let to = Moment { time: self.now.time + dt, slip: self.now.slip + slip };
-        self.history.push(Interval { from: self.now, to, flux, radius });
-        self.now = to;
     }
 
     /// Highest rise within a contact of this radius: on its diameter along the motion, downstream of the middle, where the
@@ -181,41 +193,51 @@ impl HalfSpace {
             let from_edge = 1.0 - f64::from(place.abs()) / f64::from(PLACES);
             let downstream = f64::from(place.signum()) * (1.0 - from_edge * from_edge) * radius;
             let point = Disc { radius: POINT * radius, downstream, panel: radius / PANELS_AT_A_POINT };
-            self.history.iter().map(|heat| self.rise(heat, self.now, point)).sum()
+            self.history.iter().map(|heat| self.rise(heat, self.now, point).x).sum()
         };
         // On both sides: after a reversal the hotter one may be upstream.
         (-PLACES..=PLACES).map(rise).fold(0.0, f64::max)
     }
 
     /// Fluxes of the stages to start from: those of the increment tried last or, without one, the last flux.
-    pub fn expected_fluxes(&self) -> [f64; 2] {
-        let last = self.history.last().map_or(0.0, |interval| interval.flux);
-        self.trial.map_or([last; 2], |parts| parts.map(|part| part.flux))
+    pub fn expected_fluxes(&self) -> [Profile; 2] {
+        let last = self.history.last().map_or(Profile::zeros(), |interval| interval.flux);
+        self.trial.map_or([last; 2], |(_, fluxes)| fluxes)
     }
 
-    /// Mean rise over a disc at `at` from the heat of an interval before.
-    fn rise(&self, heat: &Interval, at: Moment, Disc { radius, downstream, panel }: Disc) -> f64 {
+    /// Rise over a disc at `at` from the heat of an interval before.
+    fn rise(&self, heat: &Interval, at: Moment, disc: Disc) -> Profile {
+        self.response(heat, at, disc) * heat.flux
+    }
+
+    /// The same per flux.
+    fn response(
+        &self,
+        heat: &Interval,
+        at: Moment,
+        Disc { radius, downstream, panel }: Disc,
+    ) -> Matrix2<f64> {
         let [near, far] = [heat.to, heat.from].map(|then| at.time - then.time);
         let [here, there] = [heat.to, heat.from].map(|then| at.slip - then.slip);
         if far <= near.max(0.0) || radius <= 0.0 {
-            return 0.0;
+            return Matrix2::zeros();
         }
         let speed = (there - here) / (far - near);
         let share = |root: f64| {
-            let distance = here + speed * (root * root - near);
-            self.overlap.share([radius, heat.radius], self.spreading * root, (distance - downstream).abs())
+            let moved = here + speed * (root * root - near);
+            self.overlap.share([radius, heat.radius], self.spreading * root, moved - downstream)
         };
         let (mut from, end) = (near.max(0.0).sqrt(), far.sqrt());
-        let mut integral = 0.0;
+        let mut sum = Matrix2::zeros();
         while from < end {
             // Heat that has spread further than over the contact varies over the distance that it has spread.
             let length = panel * (self.spreading * from / heat.radius).max(1.0);
             let moved = (from * from + length / speed.abs()).sqrt();
             let to = end.min(moved).min(from + length / self.spreading);
-            integral += self.rule.integrate(from, to, share);
+            sum += integral(&self.rule, from, to, share);
             from = to;
         }
-        2.0 * heat.flux * integral / (self.effusivity * std::f64::consts::PI.sqrt())
+        sum * (2.0 / (self.effusivity * std::f64::consts::PI.sqrt()))
     }
 }
 
@@ -231,10 +253,17 @@ mod tests {
         let fourier: f64 = 1e6;
         let length = fourier / (1.0 - FIRST_PART);
         for slip in [0.0, 1e-4 * length] {
-            let rise = half_space.step(length, slip, 1.0).own();
+            let rise = half_space.step(length, slip, 1.0).own()[(0, 0)];
             let expected = 8.0 / (3.0 * std::f64::consts::PI) - 0.5 / (std::f64::consts::PI * fourier).sqrt();
             assert!((rise / expected - 1.0).abs() < 2e-4, "{rise} {expected}");
         }
+    }
+
+    /// An increment with a uniform flux over the unit disc.
+    fn heat(half_space: &mut HalfSpace, dt: f64, slip: f64, flux: f64) {
+        let step = half_space.step(dt, slip, 1.0);
+        half_space.try_fluxes(step, [Profile::new(flux, 0.0); 2]);
+        half_space.commit();
     }
 
     /// Steady sliding at Pe = 10 in either direction, then a hold: the mirror image has the same highest rise, before the hold
@@ -245,10 +274,10 @@ mod tests {
             let mut half_space = HalfSpace::new(1.0, 1.0);
             let mut dt = 1e-4;
             for _ in 0..35 {
-                half_space.heat(dt, direction * 20.0 * dt, 1.0, 1.0);
+                heat(&mut half_space, dt, direction * 20.0 * dt, 1.0);
                 dt *= 1.3;
             }
-            half_space.heat(hold, 0.0, 1.0, 0.0);
+            heat(&mut half_space, hold, 0.0, 0.0);
             half_space.highest_rise(1.0)
         };
         assert!((after(1.0, 1e-9) / 0.338382 - 1.0).abs() < 2e-3, "{}", after(1.0, 1e-9));

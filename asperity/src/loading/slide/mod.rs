@@ -104,7 +104,7 @@ pub struct Slide<'a> {
     problem: &'a Problem,
     pub mechanics: Mechanics,
     /// None without heat.
-    heat: Option<Conduction>,
+    pub heat: Option<Conduction>,
     /// The present one.
     motion: Motion,
     /// Time that the motion before took.

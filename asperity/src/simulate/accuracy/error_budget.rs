@@ -166,12 +166,6 @@ impl ErrorBudget {
             .map(|quantity| OF_BOUND * modelling_error.share(quantity) * values.magnitude(quantity));
     }
 
-    /// A further bound of the model's part, independent of the others.
-    pub fn add_model_bound(&mut self, quantity: Quantity, bound: f64) {
-        let part = &mut self.parts[ErrorSource::Model as usize][quantity as usize];
-        *part = part.hypot(OF_BOUND * bound);
-    }
-
     /// Of runs that did not all finish: unknown, but for quantities with a `known` reported error.
     pub fn unknown(known: impl Fn(Quantity) -> Option<f64>) -> Self {
         let known = Quantity::SCALARS.map(|q| known(q).map_or(f64::NAN, |error| error / COVERAGE_FACTOR));

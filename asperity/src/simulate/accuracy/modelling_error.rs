@@ -3,7 +3,7 @@
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
-use crate::scene::fitted_constants::localised_shear;
+use crate::scene::fitted_constants::{linear_flux, localised_shear};
 
 /// Change of load and area over that of β², 0.20 to 0.22 and 0.29 to 0.34 between full stick at any two of ν = 0 to 0.45, or no
 /// friction (ratios in `studies::verification::full_stick`).
@@ -25,6 +25,8 @@ pub struct ModellingError {
     pub heat: Option<HeatEffect>,
     /// Relative change of the heat partition where heat is left out for any reason.
     pub heat_partition: f64,
+    /// Whether a counterface takes up heat.
+    pub shares_heat: bool,
     /// Largest plastic strain of a slide at small strain.
     pub strain: f64,
     /// β² neglected in the press, see [`crate::loading::problem::PressFriction`].
@@ -71,6 +73,7 @@ impl ModellingError {
                 ContactRadius => 0.5 * AREA_OF_HEMISPHERE,
                 _ => 0.0,
             };
+        let shared = f64::from(self.shares_heat);
         localised
             + press
             + hemisphere
@@ -82,8 +85,9 @@ impl ModellingError {
                 Load => load,
                 // The whole rise is an expected one.
                 TemperatureMax | TemperatureMean if self.heat.is_some() => 1.0,
-                TemperatureMax | TemperatureMean => self.strain,
-                HeatPartition => self.heat_partition,
+                TemperatureMax => self.strain + shared * linear_flux::HIGHEST_RISE,
+                TemperatureMean => self.strain + shared * linear_flux::MEAN_RISE,
+                HeatPartition => self.heat_partition + shared * linear_flux::PARTITION,
                 _ => 0.0,
             }
     }

@@ -1,6 +1,6 @@
 //! Warnings of a run.
 
-use tables::numbers::{beside, digits, plain, rounded};
+use tables::numbers::{beside, plain, rounded};
 use tables::quantity::Quantity;
 
 /// Limitations of the results.
@@ -101,13 +101,6 @@ pub enum Warning {
         plain(*.melting)
     )]
     AboveMelting { highest: f64, melting: f64 },
-    /// A conducting counterface that is hotter than the asperity, K.
-    #[error(
-        "the counterface reaches {} K within the contact and the asperity {} K, as only the mean temperature of the contact is that of both: the highest of the contact lies between",
-        digits(*.counterface, 4),
-        digits(*.asperity, 4)
-    )]
-    HotterCounterface { counterface: f64, asperity: f64 },
     /// Temperatures of the run outside a table of the scene.
     #[error("{0}")]
     OutsideTable(String),
