@@ -45,7 +45,7 @@ def over_other_square(width, i, j, peclet):
 
 
 def rises(cells, peclet):
-    """Rise in the middle of each square per flux of each, over a/k, and x/a and y/a of the squares."""
+    """Rise in the middle of each square per flux of each, over a/k, and x/a of the squares."""
     width = 2 / cells
     centres = (np.arange(cells) + 0.5) * width - 1
     inside = np.hypot(*np.meshgrid(centres, centres, indexing="ij")) < 1

@@ -54,7 +54,7 @@ impl Solid {
             let excess = stress[l] - softening[l] * trial.strength[l];
             pending[l] = trial.flowing[l] && excess > 0.0;
             // Where the hardening falls, the increment may exceed that at the present strength.
-            let most = if let Hardening::Table { .. } = self.hardening { stress[l] } else { excess };
+            let most = if self.hardening.may_fall() { stress[l] } else { excess };
             high[l] = if pending[l] { most / stiffness } else { 0.0 };
         }
         let mut x = self.first_guess(trial, stress, &pending, &high);

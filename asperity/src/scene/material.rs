@@ -20,6 +20,19 @@ pub enum Hardening {
 }
 
 impl Hardening {
+    /// Of the laws that have one, Pa: it changes with the initial temperature as the yield strength does.
+    pub fn modulus_mut(&mut self) -> Option<&mut f64> {
+        match self {
+            Self::Linear { modulus } | Self::JohnsonCook { modulus, .. } => Some(modulus),
+            Self::None | Self::Table { .. } => None,
+        }
+    }
+
+    /// Whether the strength may fall with strain.
+    pub fn may_fall(&self) -> bool {
+        matches!(self, Self::Table { .. })
+    }
+
     /// Plastic strain up to which the strength does not exceed the initial one; in a table, by more than 1 %.
     pub fn plateau(&self) -> f64 {
         const NO_RISE: f64 = 1.01;

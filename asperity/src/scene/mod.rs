@@ -161,6 +161,14 @@ impl Scene {
         })
     }
 
+    /// Larger relative change of the strengths of metal and film from one temperature rise to another, K.
+    pub fn softening_between(&self, from: f64, to: f64) -> f64 {
+        let metal = |rise: f64| self.material.softening.factor(self.loading.temperature + rise);
+        let film = |rise: f64| self.interface.law.softening_factor(self.loading.temperature + rise);
+        let change = |before: f64, after: f64| if before > 0.0 { (1.0 - after / before).abs() } else { 0.0 };
+        change(metal(from), metal(to)).max(change(film(from), film(to)))
+    }
+
     /// The scene with body and flat at another initial temperature, K: yield strength and hardening
     /// moduli are multiplied by the ratio of the softening factors (a table of hardening factors stays),
     /// properties with a table take their value there. Both softening factors must be above 0.
@@ -175,9 +183,8 @@ impl Scene {
         let material = &mut scene.material;
         let ratio = material.softening.factor(temperature) / material.softening.factor(known);
         material.yield_strength *= ratio;
-        match &mut material.hardening {
-            Hardening::Linear { modulus } | Hardening::JohnsonCook { modulus, .. } => *modulus *= ratio,
-            Hardening::None | Hardening::Table { .. } => {}
+        if let Some(modulus) = material.hardening.modulus_mut() {
+            *modulus *= ratio;
         }
         material.evaluate_at_temperature(temperature);
         scene.loading.temperature = temperature;

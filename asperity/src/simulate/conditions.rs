@@ -1,10 +1,13 @@
 //! Common conditions of all runs of one slip rate: heat and the meshes that it requires, chosen before the slide.
 
+use tables::quantity::Quantity;
+
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway};
+use crate::scene::fitted_constants::linear_flux;
 use crate::scene::loading::extent;
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
 use crate::simulate::SimulationError;
-use crate::simulate::accuracy::modelling_error::ModellingError;
+use crate::simulate::accuracy::modelling_error::{ModellingError, SharedHeat};
 use crate::simulate::accuracy::resolution::{Resolution, thermal_layer_refinements, thermal_sublayers};
 use crate::simulate::messages::Warning;
 use crate::simulate::pressed::Pressed;
@@ -99,7 +102,7 @@ impl<'a> Conditions<'a> {
         let small = scene.model.kinematics == Kinematics::Auto && !problem.finite_strain;
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
-            shares_heat: self.heat.is_coupled() && problem.counterface.is_some(),
+            shared_heat: problem.counterface.as_ref().and_then(|_| self.shared_heat(run)),
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
             press_coupling: problem.press_friction.neglected,
@@ -108,6 +111,17 @@ impl<'a> Conditions<'a> {
                 * problem.elastic_share(),
             localised_shear: scene.localised_shear(run.plastic_strain_in_stick()),
         }
+    }
+
+    fn shared_heat(&self, run: &Run) -> Option<SharedHeat> {
+        let value = |quantity| run.values.value(quantity);
+        let rise = run.values.magnitude(Quantity::TemperatureMean);
+        let scene = &self.pressed.scene;
+        self.heat.is_coupled().then(|| SharedHeat {
+            softening: scene.softening_between(rise, (1.0 + linear_flux::MEAN_RISE) * rise),
+            load: linear_flux::PARTITION
+                * (1.0 - value(Quantity::LoadPress) / value(Quantity::Load)).abs().min(1.0),
+        })
     }
 
     /// A warning where the layer that frictional heat reaches is thinner than the elements at the surface.

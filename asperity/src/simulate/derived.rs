@@ -49,13 +49,13 @@ pub fn of_run(scene: &Scene, outcome: &Outcome) -> Vec<Derived> {
 }
 
 /// Highest temperature of the surface of a conducting counterface within the contact at the end of the slide, K. Its error is
-/// that of the mean rise and the difference from the highest of the asperity: without a resistance between them both are the
-/// same. None without heat or contact.
+/// that of the mean rise and the difference from the highest of the asperity then: without a resistance between them both are
+/// the same, with one it is too large. None without heat or contact.
 fn counterface_temperature(scene: &Scene, outcome: &Outcome) -> Option<Estimate> {
     let value = scene.loading.temperature + outcome.counterface_rise?;
-    let of = |quantity| outcome.scalars[quantity];
-    let difference = (value - of(Quantity::TemperatureMax).value).abs();
-    Some(Estimate { value, error: difference.hypot(of(Quantity::TemperatureMean).error) })
+    let asperity = outcome.slide.last(Quantity::TemperatureMax)?;
+    let of_mean = outcome.scalars[Quantity::TemperatureMean].error;
+    Some(Estimate { value, error: (value - asperity).hypot(of_mean) })
 }
 
 /// Time of sliding inception at `slip_rate` (m/s) over that of a shear wave across the contact radius, from Q at sliding

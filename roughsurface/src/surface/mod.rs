@@ -5,7 +5,7 @@
 //! - [`query`]: loading, slip rates, loading control;
 //! - [`mod@file`]: the surface file (TOML), its keys, its uncertain parameters.
 //!
-//! Depends on no other room.
+//! Depends on `root_finding` alone.
 
 pub mod file;
 pub mod heights;

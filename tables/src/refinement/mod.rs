@@ -5,7 +5,7 @@
 //! next cross-validation. The grid stays a product of its axes: a new interference is a row
 //! of runs, a new slip rate a column. [`statistics`] summarises the errors of a table.
 //!
-//! Depends on `interpolation` and `table`. Chapter "Tables" of the book, "Errors of interpolation".
+//! Depends on `interpolation`, `table` and `quantity`. Chapter "Tables" of the book, "Errors of interpolation".
 
 pub mod cross_validation;
 pub mod statistics;

@@ -1,5 +1,5 @@
-//! A conducting counterface in a step: it takes up a flux F that makes the rises of both surfaces differ by what the resistance
-//! of the contact needs,
+//! A conducting counterface in a step: it takes up the flux F for which the rises of both surfaces differ by the drop over the
+//! resistance of the contact,
 //!
 //! ```text
 //! θ = θ₂(F) + r (F − (1 − f_h) q),
@@ -10,8 +10,8 @@
 //! proportion but for the softening of friction, so that Broyden's method finds F in a few solutions of the stage
 //! ([`super::step`]); C. G. Broyden, Math. Comp. 19, 577 (1965), doi 10.1090/S0025-5718-1965-0198670-6.
 //!
-//! While the mean of F is between 0 and that of q, F is the same share of the heat that friction generates at each point, and a
-//! linear part beside it: points that do not slip give no heat to a counterface that is heated at others.
+//! F is a share of the heat that friction generates at each point plus a linear part, the mean of which is zero while that of F is
+//! between 0 and that of q: points that do not slip give no heat to a counterface that is heated at others.
 
 use std::cell::Cell;
 
@@ -30,7 +30,7 @@ pub(super) struct Facing {
     pub(super) released: f64,
     /// Fluxes of the stages to start from.
     pub(super) expected: [Profile; 2],
-    /// Estimate of d(θ − θ₂ − …)/dF.
+    /// Estimate of d(θ − θ₂ − r(F − (1 − f_h) q))/dF.
     pub(super) slope: Cell<Matrix2<f64>>,
 }
 
@@ -66,9 +66,11 @@ impl Facing {
     }
 }
 
-/// Contact points as far as they are in contact, half of the contact.
+/// The contact as the counterface sees it.
 pub(super) struct ContactDisc {
+    /// Of the contact points of the half model, as far as they are in contact.
     areas: Vec<f64>,
+    /// Their sum.
     pub(super) total: f64,
     /// ξ = x/a from the centre of the contact.
     places: Vec<f64>,
@@ -120,7 +122,7 @@ pub(super) struct Drawn<'a> {
     disc: &'a ContactDisc,
     /// Share of the frictional heat that the counterface takes up at each point.
     share: f64,
-    /// Flux that it takes up beside.
+    /// Linear flux that it takes up in addition.
     linear: Profile,
 }
 

@@ -117,7 +117,7 @@ impl Step<'_> {
         let rise_of = |rise: &[f64], point: usize| rise[self.conduction.contact_places[point]];
         let frictional = |rise: &[f64]| disc.profile(|point| self.heat.flow(point, rise_of(rise, point)).0);
         let at_start = frictional(guess);
-        // Into the counterface, with the frictional heat of the start of the stage.
+        // Into the counterface if friction generated what it does at the start of the stage.
         let mut flux = facing.expected[stage];
         let mut before: Option<(Profile, Profile, Stage)> = None;
         let (mut residual, mut largest) = (f64::INFINITY, f64::MIN_POSITIVE);

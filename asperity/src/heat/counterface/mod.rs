@@ -1,14 +1,14 @@
 //! The counterface: a conducting half-space with constant properties that moves past the contact.
 //!
 //! It takes up heat over the contact, a disc of the contact's area, and otherwise loses none. Flux and rise over the disc are
-//! described by their [`Profile`]. That of the rise is a convolution of that of the flux, F, with the response of the
+//! described by their [`Profile`]. That of the rise is the convolution of that of the flux, F, with the response G of the
 //! half-space, which has moved by d = s(t) − s(t') since the heat of the time t' entered:
 //!
 //! ```text
 //! θ(t) = ∫ G(t − t', s(t) − s(t')) F(t') dt',     G(t, d) = S(√(2κt), d)/(e√(πt)),   e = √(kρc).
 //! ```
 //!
-//! S is the share of [`overlap`], a matrix. The flux is constant over parts of an increment, and the integral over each part
+//! S is the 2 × 2 matrix of [`overlap`]. The flux is constant over parts of an increment, and the integral over each part
 //! is taken in √(t − t'), in which the integrand is smooth. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
 //! (1959), §10.3–10.7. Chapter "Heat" of the book.
 
@@ -19,8 +19,8 @@ use nalgebra::{Matrix2, Vector2};
 
 use overlap::{Overlap, integral};
 
-/// A field over a disc of radius a: its mean, and its slope in ξ = x/a, x from the centre along the motion of the half-space,
-/// which fits it best.
+/// A field over a disc of radius a: its mean, and the slope of its least-squares line in ξ = x/a, x from the centre along the
+/// motion of the half-space.
 pub type Profile = Vector2<f64>;
 
 /// Points per panel of the convolution.
@@ -33,7 +33,8 @@ const PANELS_AT_A_POINT: f64 = 4.0;
 const POINT: f64 = 1e-3;
 /// Places between the middle of the contact and its edge at which the highest rise is sought.
 const PLACES: i32 = 16;
-/// Relative change of the contact radius up to which the response in an increment is that of the trial before.
+/// Relative change of the contact radius up to which the response in an increment is that of the trial before; the heat in the
+/// history differs by up to twice this from that of the increment.
 const SAME_RADIUS: f64 = 1e-3;
 /// Share of an increment over which the flux is that of its first stage, see [`HalfSpace::step`].
 const FIRST_PART: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -186,8 +187,7 @@ impl HalfSpace {
         }
     }
 
-    /// Highest rise within a contact of this radius: on its diameter along the motion, downstream of the middle, where the
-    /// surface has been heated longest. Places are denser towards the edge, near which it is at large Péclet numbers.
+    /// Highest rise within a contact of this radius: on its diameter along the motion. Places are denser towards the edge, near which it is at large Péclet numbers.
     pub fn highest_rise(&self, radius: f64) -> f64 {
         let rise = |place: i32| {
             let from_edge = 1.0 - f64::from(place.abs()) / f64::from(PLACES);

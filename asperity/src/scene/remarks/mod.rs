@@ -175,12 +175,8 @@ impl Scene {
             "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor is {factor:.3}"
         );
         let here = |constant: f64| plain(rounded(factor * constant, 3));
-        let modulus = match &self.material.hardening {
-            Hardening::Linear { modulus } | Hardening::JohnsonCook { modulus, .. } => {
-                format!(" and hardening.modulus = {}", here(*modulus))
-            }
-            Hardening::None | Hardening::Table { .. } => String::new(),
-        };
+        let modulus = self.material.hardening.clone().modulus_mut().map(|modulus| here(*modulus));
+        let modulus = modulus.map_or(String::new(), |modulus| format!(" and hardening.modulus = {modulus}"));
         let remedy = format!("write yield_strength = {}{modulus}", here(self.material.yield_strength));
         Some(match presets::all().iter().find(|preset| preset.has_strength_of(&self.material)) {
             Some(preset) => format!(

@@ -32,8 +32,8 @@ pub enum ErrorSource {
     Steps,
     /// Residual of equilibrium, and of the coupling with heat and contact edge.
     Solver,
-    /// Modelling error: negligible heat, finite strain, localised shear, press and size of an elastic counterface, temperature of
-    /// one that conducts.
+    /// Modelling error: negligible heat, finite strain, localised shear, press and size of an elastic counterface, linear
+    /// flux into one that conducts.
     Model,
 }
 

@@ -18,6 +18,16 @@ const OF_ENERGY: f64 = 6.0;
 const LOAD_OF_HEMISPHERE: f64 = 0.9;
 const AREA_OF_HEMISPHERE: f64 = 0.5;
 
+/// Effects of a linear flux into a counterface in place of temperatures that are equal at each point, see [`linear_flux`].
+#[derive(Clone, Copy)]
+pub struct SharedHeat {
+    /// Relative change of the strength when the mean rise changes by its bound.
+    pub softening: f64,
+    /// Relative change of the load when the heat in the asperity, and with it the part of the load by thermal expansion,
+    /// changes as the heat partition.
+    pub load: f64,
+}
+
 /// Effects neglected in a run.
 #[derive(Clone, Copy, Default)]
 pub struct ModellingError {
@@ -25,8 +35,8 @@ pub struct ModellingError {
     pub heat: Option<HeatEffect>,
     /// Relative change of the heat partition where heat is left out for any reason.
     pub heat_partition: f64,
-    /// Whether a counterface takes up heat.
-    pub shares_heat: bool,
+    /// Beside a counterface that takes up heat.
+    pub shared_heat: Option<SharedHeat>,
     /// Largest plastic strain of a slide at small strain.
     pub strain: f64,
     /// β² neglected in the press, see [`crate::loading::problem::PressFriction`].
@@ -73,10 +83,19 @@ impl ModellingError {
                 ContactRadius => 0.5 * AREA_OF_HEMISPHERE,
                 _ => 0.0,
             };
-        let shared = f64::from(self.shares_heat);
+        let shared = self.shared_heat.map_or(0.0, |SharedHeat { softening, load }| match quantity {
+            Mu | MuMean | MuSteady | Friction => softening + load,
+            Load | Area => load,
+            EnergyWeakening => linear_flux::MEAN_RISE,
+            TemperatureMax => linear_flux::HIGHEST_RISE,
+            TemperatureMean => linear_flux::MEAN_RISE,
+            HeatPartition => linear_flux::PARTITION,
+            _ => 0.0,
+        });
         localised
             + press
             + hemisphere
+            + shared
             + match quantity {
                 Mu | MuPeak | MuMean | MuSteady => softening + load + self.strain,
                 MuStatic | FrictionStatic | EnergyRelease => self.strain,
@@ -85,9 +104,8 @@ impl ModellingError {
                 Load => load,
                 // The whole rise is an expected one.
                 TemperatureMax | TemperatureMean if self.heat.is_some() => 1.0,
-                TemperatureMax => self.strain + shared * linear_flux::HIGHEST_RISE,
-                TemperatureMean => self.strain + shared * linear_flux::MEAN_RISE,
-                HeatPartition => self.heat_partition + shared * linear_flux::PARTITION,
+                TemperatureMax | TemperatureMean => self.strain,
+                HeatPartition => self.heat_partition,
                 _ => 0.0,
             }
     }
