@@ -7,8 +7,8 @@ Conduction of Heat in Solids, 1959, sec. 10.2 and 10.7), integrated over each sq
 
 Prints, over the Peclet number Pe = Va/(2 kappa) and the conductivity of the moving body over that of the other: the share of
 the heat that enters the body at rest, the mean rise over qa/k of this body, and its highest rise over the mean one. They are
-followed by those of a solution in which the flux into the moving body is linear along the motion, and the rises of both bodies
-have only mean and slope in common; and by those with a uniform flux, and the mean in common.
+followed by those of a solution in which the flux into the moving body is a sum of 1, x/a and 2(r/a)^2 - 1, x along the motion,
+and the rises of both bodies have only their moments with these in common; and by those with a uniform flux and a common mean.
 """
 
 import argparse
@@ -45,7 +45,7 @@ def over_other_square(width, i, j, peclet):
 
 
 def rises(cells, peclet):
-    """Rise in the middle of each square per flux of each, over a/k, and x/a of the squares."""
+    """Rise in the middle of each square per flux of each, over a/k, and x/a and y/a of the squares."""
     width = 2 / cells
     centres = (np.arange(cells) + 0.5) * width - 1
     inside = np.hypot(*np.meshgrid(centres, centres, indexing="ij")) < 1
@@ -57,7 +57,7 @@ def rises(cells, peclet):
             value = over_own_square(width, peclet) if own else over_other_square(width, i, j, peclet)
             kernel[cells + i, cells + j] = kernel[cells + i, cells - j] = value / (2 * np.pi)
     offsets = row[:, None] - row, column[:, None] - column
-    return kernel[offsets[0] + cells, offsets[1] + cells], centres[row]
+    return kernel[offsets[0] + cells, offsets[1] + cells], centres[row], centres[column]
 
 
 def shared(resting, moving, shapes=None):
@@ -85,14 +85,14 @@ def main():
         "--constriction", type=float, default=1, help="rise of the body at rest over that of a half-space [default: 1]"
     )
     arguments = parser.parse_args()
-    at_rest, x = rises(arguments.cells, 0.0)
+    at_rest, x, y = rises(arguments.cells, 0.0)
     at_rest *= arguments.constriction
-    constraints = [None, np.array([np.ones_like(x), x]), np.ones((1, len(x)))]
-    headings = ["equal at each point", "mean and slope equal", "mean equal"]
+    constraints = [None, np.array([np.ones_like(x), x, 2 * (x**2 + y**2) - 1]), np.ones((1, len(x)))]
+    headings = ["equal at each point", "three moments equal", "mean equal"]
     print(f"{'':14}", *(f"{heading:26}" for heading in headings))
     print(f"{'Pe':>6} {'k2/k':>6} ", *[f"{'share':>8} {'mean':>8} {'highest':>8}"] * 3)
     for peclet in arguments.peclet:
-        like, _ = rises(arguments.cells, peclet)
+        like, *_ = rises(arguments.cells, peclet)
         for ratio in arguments.ratio:
             values = [value for shapes in constraints for value in shared(at_rest, like / ratio, shapes)]
             print(f"{peclet:6g} {ratio:6g} ", *(f"{value:8.4f}" for value in values))

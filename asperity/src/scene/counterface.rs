@@ -22,7 +22,7 @@ pub struct Counterface {
     pub specific_heat: Option<f64>,
     /// k₂, W/(m K).
     pub thermal_conductivity: Option<f64>,
-    /// h_c, W/(m² K): between both surfaces; infinite where their temperatures agree in mean and slope.
+    /// h_c, W/(m² K): between both surfaces; infinite where their temperatures agree in mean, slope and curvature.
     pub contact_conductance: f64,
 }
 

@@ -3,7 +3,7 @@
 use tables::quantity::Quantity;
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway};
-use crate::scene::fitted_constants::linear_flux;
+use crate::scene::fitted_constants::smooth_flux;
 use crate::scene::loading::extent;
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
 use crate::simulate::SimulationError;
@@ -118,8 +118,8 @@ impl<'a> Conditions<'a> {
         let rise = run.values.magnitude(Quantity::TemperatureMean);
         let scene = &self.pressed.scene;
         self.heat.is_coupled().then(|| SharedHeat {
-            softening: scene.softening_between(rise, (1.0 + linear_flux::MEAN_RISE) * rise),
-            load: linear_flux::PARTITION
+            softening: scene.softening_between(rise, (1.0 + smooth_flux::MEAN_RISE) * rise),
+            load: smooth_flux::PARTITION
                 * (1.0 - value(Quantity::LoadPress) / value(Quantity::Load)).abs().min(1.0),
         })
     }

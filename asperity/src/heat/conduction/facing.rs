@@ -6,16 +6,16 @@
 //! ```
 //!
 //! q the flux of frictional heat, of which 1 − f_h is released on the side of the counterface. Fluxes and rises are those of
-//! their [`Profile`], mean and slope along the motion: a counterface that moves is hotter downstream. θ falls with F in
+//! their [`Profile`], mean, slope along the motion and curvature: a counterface that moves is hotter downstream. θ falls with F in
 //! proportion but for the softening of friction, so that Broyden's method finds F in a few solutions of the stage
 //! ([`super::step`]); C. G. Broyden, Math. Comp. 19, 577 (1965), doi 10.1090/S0025-5718-1965-0198670-6.
 //!
-//! F is a share of the heat that friction generates at each point plus a linear part, the mean of which is zero while that of F is
-//! between 0 and that of q: points that do not slip give no heat to a counterface that is heated at others.
+//! F is a share of the heat that friction generates at each point plus a smooth part, a profile with a mean of zero while that of
+//! F is between 0 and that of q: points that do not slip give no heat to a counterface that is heated at others.
 
 use std::cell::Cell;
 
-use nalgebra::Matrix2;
+use nalgebra::Matrix3;
 
 use super::ContactHeat;
 use crate::heat::counterface::{HalfSpace, Profile, StepResponse};
@@ -31,7 +31,7 @@ pub(super) struct Facing {
     /// Fluxes of the stages to start from.
     pub(super) expected: [Profile; 2],
     /// Estimate of d(θ − θ₂ − r(F − (1 − f_h) q))/dF.
-    pub(super) slope: Cell<Matrix2<f64>>,
+    pub(super) slope: Cell<Matrix3<f64>>,
 }
 
 impl Facing {
@@ -52,7 +52,7 @@ impl Facing {
             resistance,
             released: 1.0 - half_space.share,
             expected: half_space.expected_fluxes(),
-            slope: Cell::new(-(body + response.own() + Matrix2::identity() * resistance)),
+            slope: Cell::new(-(body + response.own() + Matrix3::identity() * resistance)),
         }
     }
 
@@ -60,7 +60,7 @@ impl Facing {
     pub(super) fn learn(&self, flux: Profile, difference: Profile) {
         let slope = self.slope.get();
         let better = slope + (difference - slope * flux) * flux.transpose() / flux.norm_squared();
-        if better.trace() < 0.0 && better.determinant() > 0.0 {
+        if better.trace() < 0.0 && better.determinant() < 0.0 {
             self.slope.set(better);
         }
     }
@@ -72,23 +72,28 @@ pub(super) struct ContactDisc {
     areas: Vec<f64>,
     /// Their sum.
     pub(super) total: f64,
-    /// ξ = x/a from the centre of the contact.
-    places: Vec<f64>,
-    /// ⟨ξ²⟩.
-    second: f64,
+    /// 1, ξ and η, which have a mean of zero.
+    shapes: Vec<Profile>,
+    /// ⟨ξ²⟩ and ⟨η²⟩ behind 1.
+    squares: Profile,
 }
 
 impl ContactDisc {
-    /// Of points at `along`, x.
-    pub(super) fn new(areas: Vec<f64>, along: impl Fn(usize) -> f64) -> Self {
+    /// Of points at (x, y).
+    pub(super) fn new(areas: Vec<f64>, place: impl Fn(usize) -> [f64; 2]) -> Self {
         let total: f64 = areas.iter().sum();
         let mean = |value: &dyn Fn(usize) -> f64| {
             (0..areas.len()).map(|point| areas[point] * value(point)).sum::<f64>() / total
         };
-        let (centre, radius) = (mean(&along), radius(total));
-        let places: Vec<f64> = (0..areas.len()).map(|point| (along(point) - centre) / radius).collect();
-        let second = mean(&|point| places[point] * places[point]);
-        Self { areas, total, places, second }
+        let (centre, radius) = (mean(&|point| place(point)[0]), radius(total));
+        let shape = |point: usize| {
+            let (xi, upsilon) = ((place(point)[0] - centre) / radius, place(point)[1] / radius);
+            Profile::new(1.0, xi, 2.0 * (xi * xi + upsilon * upsilon))
+        };
+        let of_mean = Profile::z() * mean(&|point| shape(point).z);
+        let shapes: Vec<Profile> = (0..areas.len()).map(|point| shape(point) - of_mean).collect();
+        let squares = Profile::from_fn(|k, _| mean(&|point| shapes[point][k].powi(2)));
+        Self { areas, total, shapes, squares }
     }
 
     fn radius(&self) -> f64 {
@@ -97,12 +102,13 @@ impl ContactDisc {
 
     /// Profile of a field, given its integral over the area of each point.
     pub(super) fn profile(&self, integral: impl Fn(usize) -> f64) -> Profile {
-        let moments = (0..self.areas.len())
-            .map(|point| integral(point) * Profile::new(1.0, self.places[point]))
-            .sum::<Profile>()
-            / self.total;
+        let moments =
+            (0..self.areas.len()).map(|point| integral(point) * self.shapes[point]).sum::<Profile>();
         // A single point has no slope.
-        Profile::new(moments.x, if self.second > 0.0 { moments.y / self.second } else { 0.0 })
+        moments.zip_map(
+            &self.squares,
+            |moment, square| if square > 0.0 { moment / (square * self.total) } else { 0.0 },
+        )
     }
 
     /// The same, given its value at each point.
@@ -122,8 +128,8 @@ pub(super) struct Drawn<'a> {
     disc: &'a ContactDisc,
     /// Share of the frictional heat that the counterface takes up at each point.
     share: f64,
-    /// Linear flux that it takes up in addition.
-    linear: Profile,
+    /// Smooth flux that it takes up in addition.
+    smooth: Profile,
 }
 
 impl<'a> Drawn<'a> {
@@ -135,12 +141,12 @@ impl<'a> Drawn<'a> {
         frictional: Profile,
     ) -> Self {
         let share = if frictional.x > 0.0 { (flux.x / frictional.x).clamp(0.0, 1.0) } else { 0.0 };
-        Self { heat, disc, share, linear: flux - share * frictional }
+        Self { heat, disc, share, smooth: flux - share * frictional }
     }
 
     /// Flux into the counterface while friction generates `frictional`.
     pub(super) fn flux(&self, frictional: Profile) -> Profile {
-        self.share * frictional + self.linear
+        self.share * frictional + self.smooth
     }
 }
 
@@ -148,7 +154,7 @@ impl ContactHeat for Drawn<'_> {
     fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
         let (flow, slope) = self.heat.flow(point, rise);
         let left = 1.0 - self.share;
-        let linear = self.linear.x + self.linear.y * self.disc.places[point];
-        (left * flow - linear * self.disc.areas[point], left * slope)
+        let smooth = self.smooth.dot(&self.disc.shapes[point]);
+        (left * flow - smooth * self.disc.areas[point], left * slope)
     }
 }

@@ -209,8 +209,11 @@ impl Conduction {
         let facing = self.counterface.as_ref().map(|half_space| {
             let areas = (0..self.contact_places.len()).map(|point| heat.area(point)).collect();
             let (radii, angles) = (self.mesh.meridian.contact_radii(), self.mesh.sectors.angles());
-            let along = |point: usize| radii[point / angles.len()] * angles[point % angles.len()].cos();
-            let disc = ContactDisc::new(areas, along);
+            let place = |point: usize| {
+                let (sin, cos) = angles[point % angles.len()].sin_cos();
+                [cos, sin].map(|share| radii[point / angles.len()] * share)
+            };
+            let disc = ContactDisc::new(areas, place);
             // κ = 1: the effusivity is the capacity.
             Facing::new(half_space, disc, self.capacity, (dt, heat.slip()))
         });

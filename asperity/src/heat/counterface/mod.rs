@@ -8,20 +8,20 @@
 //! θ(t) = ∫ G(t − t', s(t) − s(t')) F(t') dt',     G(t, d) = S(√(2κt), d)/(e√(πt)),   e = √(kρc).
 //! ```
 //!
-//! S is the 2 × 2 matrix of [`overlap`]. The flux is constant over parts of an increment, and the integral over each part
+//! S is the 3 × 3 matrix of [`overlap`]. The flux is constant over parts of an increment, and the integral over each part
 //! is taken in √(t − t'), in which the integrand is smooth. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
 //! (1959), §10.3–10.7. Chapter "Heat" of the book.
 
 mod overlap;
 
 use gauss_quad::GaussLegendre;
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix3, Vector3};
 
 use overlap::{Overlap, integral};
 
-/// A field over a disc of radius a: its mean, and the slope of its least-squares line in ξ = x/a, x from the centre along the
-/// motion of the half-space.
-pub type Profile = Vector2<f64>;
+/// A field over a disc of radius a: the coefficients of its least-squares fit by 1, ξ = x/a and η = 2r²/a² − 1, with x along the
+/// motion of the half-space and r from the centre: mean, slope and curvature.
+pub type Profile = Vector3<f64>;
 
 /// Points per panel of the convolution.
 const POINTS: usize = 6;
@@ -100,9 +100,9 @@ pub struct StepResponse {
     /// At the ends of the two stages, from the heat of the increments before.
     free: [Profile; 2],
     /// At the end of the second stage per flux of the first.
-    first: Matrix2<f64>,
+    first: Matrix3<f64>,
     /// At the end of each stage per flux of that stage.
-    own: Matrix2<f64>,
+    own: Matrix3<f64>,
     /// a, of the contact.
     radius: f64,
     from: Moment,
@@ -116,7 +116,7 @@ impl StepResponse {
     }
 
     /// Rise at the end of a stage per flux of that stage.
-    pub fn own(&self) -> Matrix2<f64> {
+    pub fn own(&self) -> Matrix3<f64> {
         self.own
     }
 }
@@ -216,11 +216,11 @@ impl HalfSpace {
         heat: &Interval,
         at: Moment,
         Disc { radius, downstream, panel }: Disc,
-    ) -> Matrix2<f64> {
+    ) -> Matrix3<f64> {
         let [near, far] = [heat.to, heat.from].map(|then| at.time - then.time);
         let [here, there] = [heat.to, heat.from].map(|then| at.slip - then.slip);
         if far <= near.max(0.0) || radius <= 0.0 {
-            return Matrix2::zeros();
+            return Matrix3::zeros();
         }
         let speed = (there - here) / (far - near);
         let share = |root: f64| {
@@ -228,7 +228,7 @@ impl HalfSpace {
             self.overlap.share([radius, heat.radius], self.spreading * root, moved - downstream)
         };
         let (mut from, end) = (near.max(0.0).sqrt(), far.sqrt());
-        let mut sum = Matrix2::zeros();
+        let mut sum = Matrix3::zeros();
         while from < end {
             // Heat that has spread further than over the contact varies over the distance that it has spread.
             let length = panel * (self.spreading * from / heat.radius).max(1.0);
@@ -262,7 +262,7 @@ mod tests {
     /// An increment with a uniform flux over the unit disc.
     fn heat(half_space: &mut HalfSpace, dt: f64, slip: f64, flux: f64) {
         let step = half_space.step(dt, slip, 1.0);
-        half_space.try_fluxes(step, [Profile::new(flux, 0.0); 2]);
+        half_space.try_fluxes(step, [Profile::new(flux, 0.0, 0.0); 2]);
         half_space.commit();
     }
 

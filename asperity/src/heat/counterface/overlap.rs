@@ -3,14 +3,15 @@
 use std::f64::consts::PI;
 
 use gauss_quad::GaussLegendre;
-use nalgebra::Matrix2;
+use nalgebra::Matrix3;
 
 /// Points of the quadrature over the distance.
 const POINTS: usize = 24;
 /// Standard deviations beyond which a Gaussian distribution is zero.
 const WIDTH: f64 = 6.5;
-/// 1/⟨ξ²⟩ over a disc.
+/// 1/⟨ξ²⟩ and 1/⟨η²⟩ over a disc.
 const SLOPE: f64 = 4.0;
+const CURVATURE: f64 = 3.0;
 
 #[derive(Clone, Debug)]
 pub(super) struct Overlap {
@@ -22,9 +23,9 @@ impl Overlap {
         Self { rule: GaussLegendre::new(POINTS).expect("there are rules of more than one point") }
     }
 
-    /// Profile over a disc of radius a of what had the profiles (1, 0) and (0, 1) on a disc of radius b, the columns, and has
-    /// since moved by `displacement` along x and spread by a Gaussian distribution of the standard deviation `spread` along
-    /// each axis.
+    /// Profile over a disc of radius a of what had the profiles (1, 0, 0), (0, 1, 0) and (0, 0, 1) on a disc of radius b, the
+    /// columns, and has since moved by `displacement` along x and spread by a Gaussian distribution of the standard deviation
+    /// `spread` along each axis.
     ///
     /// With the centre of the disc b at ρ (cos ψ, sin ψ) from that of the disc a, the moments of the area that both have in
     /// common depend on ψ as 1, cos ψ and cos 2ψ, and the integral of the Gaussian distribution over ψ leaves modified Bessel
@@ -33,30 +34,49 @@ impl Overlap {
     /// ```text
     /// S = ∫ Σ_m C_m(ρ) ρ/σ² exp(−(ρ² + d²)/(2σ²)) I_m(ρd/σ²) dρ.
     /// ```
-    pub fn share(&self, radii: [f64; 2], spread: f64, displacement: f64) -> Matrix2<f64> {
+    pub fn share(&self, radii: [f64; 2], spread: f64, displacement: f64) -> Matrix3<f64> {
         let [a, b] = radii;
         let distance = displacement.abs();
         let from = (distance - WIDTH * spread).max(0.0);
         let to = (distance + WIDTH * spread).min(a + b);
         let variance = spread * spread;
         let density = |rho: f64| {
-            let Lens { area, u, uu, vv } = Lens::of(rho, radii);
             let [constant, cosine, double] = scaled_bessel(rho * distance / variance);
             let exponent = -(rho - distance).powi(2) / (2.0 * variance);
-            let (along, across) = (uu - rho * u, vv);
-            Matrix2::new(
-                area * constant,
-                (u - rho * area) / b * cosine,
-                SLOPE * u / a * cosine,
-                0.5 * SLOPE * ((along + across) * constant + (along - across) * double) / (a * b),
-            ) * (rho / variance * exponent.exp())
+            let weight = rho / variance * exponent.exp();
+            moments(rho, radii, [weight * constant, weight * cosine, weight * double])
         };
         // The area has a kink where one disc leaves the other.
         let kink = (a - b).abs().clamp(from, to.max(from));
         let sum = integral(&self.rule, from, kink, density) + integral(&self.rule, kink, to, density);
-        let sign = if displacement < 0.0 { -1.0 } else { 1.0 };
-        sum.component_mul(&Matrix2::new(1.0, sign, sign, 1.0)) / (PI * a * a)
+        let odd = if displacement < 0.0 { -1.0 } else { 1.0 };
+        let signs = Matrix3::new(1.0, odd, 1.0, odd, 1.0, odd, 1.0, odd, 1.0);
+        sum.component_mul(&signs) / (PI * a * a)
     }
+}
+
+/// Σ C_m w_m over m = 0, 1, 2.
+fn moments(rho: f64, [a, b]: [f64; 2], [constant, cosine, double]: [f64; 3]) -> Matrix3<f64> {
+    let Lens { area, u, uu, vv, urr, rrrr } = Lens::of(rho, [a, b]);
+    // Squared distances from both centres, and u from the second.
+    let (first, away) = (uu + vv, u - rho * area);
+    let second = first - 2.0 * rho * u + rho * rho * area;
+    let (u_second, away_first) = (urr - 2.0 * rho * uu + rho * rho * u, urr - rho * first);
+    let both = rrrr - 2.0 * rho * urr + rho * rho * first;
+    let (along, across) = (uu - rho * u, vv);
+    // Over squared radii.
+    let (first, second) = (2.0 * first / (a * a), 2.0 * second / (b * b));
+    Matrix3::new(
+        area * constant,
+        away / b * cosine,
+        (second - area) * constant,
+        SLOPE * u / a * cosine,
+        0.5 * SLOPE * ((along + across) * constant + (along - across) * double) / (a * b),
+        SLOPE * (2.0 * u_second / (b * b) - u) / a * cosine,
+        CURVATURE * (first - area) * constant,
+        CURVATURE * (2.0 * away_first / (a * a) - away) / b * cosine,
+        CURVATURE * (4.0 * both / (a * b).powi(2) - first - second + area) * constant,
+    )
 }
 
 /// ∫ f dx.
@@ -64,30 +84,32 @@ pub(super) fn integral(
     rule: &GaussLegendre,
     from: f64,
     to: f64,
-    f: impl Fn(f64) -> Matrix2<f64>,
-) -> Matrix2<f64> {
+    f: impl Fn(f64) -> Matrix3<f64>,
+) -> Matrix3<f64> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     if half <= 0.0 {
-        return Matrix2::zeros();
+        return Matrix3::zeros();
     }
     rule.iter().map(|(node, weight)| f(middle + half * node) * (half * weight)).sum()
 }
 
-/// The area that two discs have in common, and its moments ∫u, ∫u² and ∫v² in the frame of the first disc, with u towards
-/// the centre of the second.
-#[derive(Clone, Copy, Debug)]
+/// The area that two discs have in common, and its moments ∫u, ∫u², ∫v², ∫ur² and ∫r⁴ in the frame of the first disc, with u
+/// towards the centre of the second, v across and r² = u² + v².
+#[derive(Clone, Copy, Debug, Default)]
 struct Lens {
     area: f64,
     u: f64,
     uu: f64,
     vv: f64,
+    urr: f64,
+    rrrr: f64,
 }
 
 impl Lens {
     /// Of discs of radii a and b with their centres at a distance.
     fn of(distance: f64, [a, b]: [f64; 2]) -> Self {
         if distance >= a + b {
-            return Self { area: 0.0, u: 0.0, uu: 0.0, vv: 0.0 };
+            return Self::default();
         }
         if distance <= (a - b).abs() {
             let whole = Self::segment(a.min(b), -a.min(b));
@@ -95,10 +117,16 @@ impl Lens {
         }
         // The common chord.
         let chord = (distance * distance + a * a - b * b) / (2.0 * distance);
-        let near = Self::segment(a, chord);
-        let far = Self { u: -Self::segment(b, distance - chord).u, ..Self::segment(b, distance - chord) };
-        let far = far.shifted(distance);
-        Self { area: near.area + far.area, u: near.u + far.u, uu: near.uu + far.uu, vv: near.vv + far.vv }
+        let (near, far) = (Self::segment(a, chord), Self::segment(b, distance - chord));
+        let far = Self { u: -far.u, urr: -far.urr, ..far }.shifted(distance);
+        Self {
+            area: near.area + far.area,
+            u: near.u + far.u,
+            uu: near.uu + far.uu,
+            vv: near.vv + far.vv,
+            urr: near.urr + far.urr,
+            rrrr: near.rrrr + far.rrrr,
+        }
     }
 
     /// The part u > `from` of a disc.
@@ -106,21 +134,30 @@ impl Lens {
         let c = from.clamp(-radius, radius);
         let squared = radius * radius;
         let half_chord = (squared - c * c).max(0.0).sqrt();
+        let (cc, hh) = (c * c, half_chord * half_chord);
         let sector = squared * (c / radius).acos();
         Self {
             area: sector - c * half_chord,
-            u: 2.0 / 3.0 * half_chord.powi(3),
-            uu: 0.25 * (squared * sector - c * (2.0 * c * c - squared) * half_chord),
-            vv: 0.25 * squared * sector - c * (5.0 * squared - 2.0 * c * c) * half_chord / 12.0,
+            u: 2.0 / 3.0 * hh * half_chord,
+            uu: 0.25 * (squared * sector - c * (2.0 * cc - squared) * half_chord),
+            vv: 0.25 * squared * sector - c * (5.0 * squared - 2.0 * cc) * half_chord / 12.0,
+            urr: (2.0 / 3.0 * squared - 4.0 / 15.0 * hh) * hh * half_chord,
+            rrrr: (squared * squared * sector - c * half_chord * (cc * cc + cc * hh / 1.5 + hh * hh / 5.0))
+                / 3.0,
         }
     }
 
     /// With the centre of its disc at `distance` along u.
     fn shifted(self, distance: f64) -> Self {
+        let Self { area, u, uu, vv, urr, rrrr } = self;
+        let (d, rr) = (distance, uu + vv);
         Self {
-            u: self.u + distance * self.area,
-            uu: self.uu + distance * (2.0 * self.u + distance * self.area),
-            ..self
+            area,
+            u: u + d * area,
+            uu: uu + d * (2.0 * u + d * area),
+            vv,
+            urr: urr + d * (rr + 2.0 * uu + d * (3.0 * u + d * area)),
+            rrrr: rrrr + d * (4.0 * urr + d * (2.0 * rr + 4.0 * uu + d * (4.0 * u + d * area))),
         }
     }
 }
@@ -191,16 +228,18 @@ mod tests {
             [(0.1, [1.0, 1.0]), (1.5, [1.0, 1.0]), (0.8, [1.0, 0.5]), (0.7, [0.6, 1.0]), (0.3, [1.0, 0.5])]
         {
             let lens = Lens::of(distance, [a, b]);
-            let mut sums = [0.0; 4];
+            let mut sums = [0.0; 6];
             let width = a / f64::from(CELLS);
             for (i, j) in (-CELLS..CELLS).flat_map(|i| (-CELLS..CELLS).map(move |j| (i, j))) {
                 let [u, v] = [i, j].map(|k| (f64::from(k) + 0.5) * width);
                 if u.hypot(v) < a && (u - distance).hypot(v) < b {
-                    let terms = [1.0, u, u * u, v * v];
-                    (0..4).for_each(|k| sums[k] += terms[k] * width * width);
+                    let rr = u * u + v * v;
+                    let terms = [1.0, u, u * u, v * v, u * rr, rr * rr];
+                    (0..6).for_each(|k| sums[k] += terms[k] * width * width);
                 }
             }
-            for (found, sum) in [lens.area, lens.u, lens.uu, lens.vv].into_iter().zip(sums) {
+            let Lens { area, u, uu, vv, urr, rrrr } = lens;
+            for (found, sum) in [area, u, uu, vv, urr, rrrr].into_iter().zip(sums) {
                 assert!((found - sum).abs() < 1e-3, "{distance} {a} {b}: {lens:?} {sums:?}");
             }
         }
@@ -208,15 +247,13 @@ mod tests {
     }
 
     /// What has not spread is the area in common; what has spread far, a Gaussian of the heat of the disc and of its first
-    /// moment; and inside of a wide disc a linear profile stays one.
+    /// moment; and inside of a wide disc a profile stays one.
     #[test]
     fn shares_have_their_limits() {
         let overlap = Overlap::new();
         for d in [0.0, 0.7, 1.5] {
-            let (share, lens) = (overlap.share([1.0, 1.0], 1e-5, d), Lens::of(d, [1.0, 1.0]));
-            let exact =
-                Matrix2::new(lens.area, lens.u - d * lens.area, 4.0 * lens.u, 4.0 * (lens.uu - d * lens.u))
-                    / PI;
+            let share = overlap.share([1.0, 1.0], 1e-5, d);
+            let exact = moments(d, [1.0, 1.0], [1.0; 3]) / PI;
             assert!((share - exact).abs().max() < 1e-4, "{d}: {share} {exact}");
         }
         for d in [-60.0, -30.0, 0.0f64, 30.0, 60.0] {
@@ -227,14 +264,16 @@ mod tests {
             assert!((share[(0, 1)] + 0.5 * gradient * gauss).abs() < 2e-4 * gauss, "{d}: {share}");
             assert!((share[(1, 0)] - gradient * gauss).abs() < 2e-4 * gauss, "{d}: {share}");
         }
-        for d in [-0.3, 0.3] {
-            for spread in [1e-5, 0.03] {
+        for d in [-0.3f64, 0.3] {
+            for spread in [1e-5f64, 0.03] {
                 let share = overlap.share([0.5, 1.0], spread, d);
-                let exact = Matrix2::new(1.0, -d, 0.0, 0.5);
-                assert!((share - exact).abs().max() < 1e-5, "{spread} {d}: {share}");
+                // 2 (x − d)² + 2y² − 1 and the spread, with x = ξ/2 and y = υ/2.
+                let mean = 2.0 * d * d - 0.75 + 4.0 * spread * spread;
+                let exact = Matrix3::new(1.0, -d, mean, 0.0, 0.5, -2.0 * d, 0.0, 0.0, 0.25);
+                assert!((share - exact).abs().max() < 1e-5, "{spread} {d}: {share} {exact}");
             }
         }
         assert!((overlap.share([10.0, 1.0], 0.5, 2.0)[(0, 0)] - 0.01).abs() < 1e-8);
-        assert_eq!(overlap.share([1.0, 1.0], 0.01, 3.0), Matrix2::zeros());
+        assert_eq!(overlap.share([1.0, 1.0], 0.01, 3.0), Matrix3::zeros());
     }
 }

@@ -32,7 +32,7 @@ pub enum ErrorSource {
     Steps,
     /// Residual of equilibrium, and of the coupling with heat and contact edge.
     Solver,
-    /// Modelling error: negligible heat, finite strain, localised shear, press and size of an elastic counterface, linear
+    /// Modelling error: negligible heat, finite strain, localised shear, press and size of an elastic counterface, smooth
     /// flux into one that conducts.
     Model,
 }

@@ -3,7 +3,7 @@
 use tables::quantity::Quantity;
 
 use crate::heat::expected::HeatEffect;
-use crate::scene::fitted_constants::{linear_flux, localised_shear};
+use crate::scene::fitted_constants::{localised_shear, smooth_flux};
 
 /// Change of load and area over that of β², 0.20 to 0.22 and 0.29 to 0.34 between full stick at any two of ν = 0 to 0.45, or no
 /// friction (ratios in `studies::verification::full_stick`).
@@ -18,7 +18,7 @@ const OF_ENERGY: f64 = 6.0;
 const LOAD_OF_HEMISPHERE: f64 = 0.9;
 const AREA_OF_HEMISPHERE: f64 = 0.5;
 
-/// Effects of a linear flux into a counterface in place of temperatures that are equal at each point, see [`linear_flux`].
+/// Effects of a smooth flux into a counterface in place of temperatures that are equal at each point, see [`smooth_flux`].
 #[derive(Clone, Copy)]
 pub struct SharedHeat {
     /// Relative change of the strength when the mean rise changes by its bound.
@@ -86,10 +86,10 @@ impl ModellingError {
         let shared = self.shared_heat.map_or(0.0, |SharedHeat { softening, load }| match quantity {
             Mu | MuMean | MuSteady | Friction => softening + load,
             Load | Area => load,
-            EnergyWeakening => linear_flux::MEAN_RISE,
-            TemperatureMax => linear_flux::HIGHEST_RISE,
-            TemperatureMean => linear_flux::MEAN_RISE,
-            HeatPartition => linear_flux::PARTITION,
+            EnergyWeakening => smooth_flux::MEAN_RISE,
+            TemperatureMax => smooth_flux::HIGHEST_RISE,
+            TemperatureMean => smooth_flux::MEAN_RISE,
+            HeatPartition => smooth_flux::PARTITION,
             _ => 0.0,
         });
         localised
