@@ -31,7 +31,7 @@ pub(super) struct Facing {
     /// Fluxes of the stages to start from.
     pub(super) expected: [Profile; 2],
     /// Estimate of d(θ − θ₂ − r(F − (1 − f_h) q))/dF.
-    pub(super) slope: Cell<Matrix3<f64>>,
+    pub(super) jacobian: Cell<Matrix3<f64>>,
 }
 
 impl Facing {
@@ -52,16 +52,16 @@ impl Facing {
             resistance,
             released: 1.0 - half_space.share,
             expected: half_space.expected_fluxes(),
-            slope: Cell::new(-(body + response.own() + Matrix3::identity() * resistance)),
+            jacobian: Cell::new(-(body + response.own() + Matrix3::identity() * resistance)),
         }
     }
 
-    /// Improves the estimate of the slope by the change of the difference with the flux.
+    /// Improves the Jacobian by the change of the difference with the flux.
     pub(super) fn learn(&self, flux: Profile, difference: Profile) {
-        let slope = self.slope.get();
-        let better = slope + (difference - slope * flux) * flux.transpose() / flux.norm_squared();
+        let known = self.jacobian.get();
+        let better = known + (difference - known * flux) * flux.transpose() / flux.norm_squared();
         if better.trace() < 0.0 && better.determinant() < 0.0 {
-            self.slope.set(better);
+            self.jacobian.set(better);
         }
     }
 }
@@ -72,9 +72,9 @@ pub(super) struct ContactDisc {
     areas: Vec<f64>,
     /// Their sum.
     pub(super) total: f64,
-    /// 1, ξ and η, which have a mean of zero.
+    /// 1, and ξ and η less their means.
     shapes: Vec<Profile>,
-    /// ⟨ξ²⟩ and ⟨η²⟩ behind 1.
+    /// Their mean squares.
     squares: Profile,
 }
 
@@ -104,7 +104,7 @@ impl ContactDisc {
     pub(super) fn profile(&self, integral: impl Fn(usize) -> f64) -> Profile {
         let moments =
             (0..self.areas.len()).map(|point| integral(point) * self.shapes[point]).sum::<Profile>();
-        // A single point has no slope.
+        // A single point has neither slope nor curvature.
         moments.zip_map(
             &self.squares,
             |moment, square| if square > 0.0 { moment / (square * self.total) } else { 0.0 },
@@ -117,7 +117,7 @@ impl ContactDisc {
     }
 }
 
-/// Of the disc that has twice the area.
+/// Radius of the disc of twice the area.
 fn radius(half: f64) -> f64 {
     (2.0 * half / std::f64::consts::PI).sqrt()
 }

@@ -142,7 +142,7 @@ impl Step<'_> {
                 facing.learn(flux - other, difference - its_difference);
             }
             before = Some((flux, difference, solved));
-            let change = facing.slope.get().try_inverse().map(|inverse| inverse * difference);
+            let change = facing.jacobian.get().try_inverse().map(|inverse| inverse * difference);
             flux -= change.ok_or(HeatError::NotConverged { residual })?;
         }
         Err(HeatError::NotConverged { residual })
