@@ -5,6 +5,8 @@ use crate::discretisation::collocation::Collocation;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::scene::curve::Curve;
 
+mod counterface;
+
 /// Flux over the points inside a radius.
 struct Uniform {
     areas: Vec<f64>,
@@ -318,52 +320,6 @@ fn thin_layers_have_no_temperatures_outside_those_around() {
             assert!((rise - 1.0).abs() < 0.05, "{radius}: {rise}");
         } else {
             assert!(rise < 0.1, "{radius}: {rise}");
-        }
-    }
-}
-
-/// Friction in the outer part of a contact, and the counterface of the whole.
-struct Rim {
-    contact: Uniform,
-    /// Radius inside which nothing is heated.
-    inner: f64,
-}
-
-impl ContactHeat for Rim {
-    fn flow(&self, point: usize, rise: f64) -> (f64, f64) {
-        let slips = self.contact.radii[point / self.contact.columns] > self.inner;
-        if slips { self.contact.flow(point, rise) } else { (0.0, 0.0) }
-    }
-
-    fn area(&self, point: usize) -> f64 {
-        self.contact.flow(point, 0.0).0 / self.contact.flux
-    }
-}
-
-/// Before heat spreads along the surface a counterface takes up the share e₂/(e + e₂) of it where it is generated; the middle
-/// of the contact stays cold.
-#[test]
-fn a_counterface_takes_up_heat_where_it_is_generated() {
-    let size = MeshSize::new(0.01, 8);
-    let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(4));
-    let none = vec![0.0; mesh.field_length(1)];
-    let rises = |counterface: Option<HalfSpace>, flux: f64| -> Vec<f64> {
-        let contact = Uniform { flux, ..Uniform::new(&mesh, size.contact_radius) };
-        let heat = Rim { contact, inner: 0.6 * size.contact_radius };
-        let mut conduction = Conduction::new(&mesh, 1.0, 8).unwrap().with_counterface(counterface);
-        let time = (0.01 * size.contact_radius).powi(2);
-        for _ in 0..20 {
-            let (rise, _) = conduction.advance(time / 20.0, &none, &heat).unwrap();
-            conduction.commit(rise);
-        }
-        conduction.contact_places.iter().map(|&place| conduction.committed[place]).collect()
-    };
-    for effusivity in [1.0, 9.0, 200.0] {
-        let left = 1.0 / (1.0 + effusivity);
-        let (beside, alone) = (rises(Some(HalfSpace::new(1.0, effusivity)), 1.0), rises(None, left));
-        let most = alone.iter().fold(0.0, |most: f64, rise| most.max(*rise));
-        for (beside, alone) in beside.iter().zip(&alone) {
-            assert!((beside - alone).abs() < 0.05 * most, "{effusivity}: {beside:e} {alone:e}");
         }
     }
 }
