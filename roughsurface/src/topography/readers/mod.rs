@@ -2,6 +2,7 @@
 //!
 //! Chapter "Rough surfaces" of the book, "From topography".
 
+mod fill;
 mod gsf;
 pub mod length;
 mod netcdf;
@@ -108,7 +109,7 @@ fn check(topography: &mut Topography) -> Result<(), String> {
         ));
     }
     if undefined > 0.0 {
-        fill(topography);
+        fill::fill(topography);
         topography.remarks.push(Warning::Filled { share: undefined });
     }
     let defined = || topography.heights.iter().copied();
@@ -117,35 +118,4 @@ fn check(topography: &mut Topography) -> Result<(), String> {
         return Err(format!("all heights are {} m", plain(low)));
     }
     Ok(())
-}
-
-/// Gives undefined points the mean of their defined neighbours, from the rims of holes inwards.
-fn fill(topography: &mut Topography) {
-    let (rows, columns) = (topography.rows, topography.columns);
-    let heights = &mut topography.heights;
-    loop {
-        let mut filled = Vec::new();
-        for place in (0..heights.len()).filter(|place| heights[*place].is_nan()) {
-            let (row, column) = (place / columns, place % columns);
-            let (mut sum, mut count) = (0.0, 0);
-            for r in row.saturating_sub(1)..=(row + 1).min(rows - 1) {
-                for c in column.saturating_sub(1)..=(column + 1).min(columns - 1) {
-                    let height = heights[r * columns + c];
-                    if !height.is_nan() {
-                        sum += height;
-                        count += 1;
-                    }
-                }
-            }
-            if count > 0 {
-                filled.push((place, sum / f64::from(count)));
-            }
-        }
-        if filled.is_empty() {
-            return;
-        }
-        for (place, height) in filled {
-            heights[place] = height;
-        }
-    }
 }

@@ -119,8 +119,12 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
             header.titles.add(content, false);
             continue;
         }
+        let remedy = match lines.is_empty() {
+            true => "lines before the heights begin with #",
+            false => "a point without a height is nan, --- or an empty cell",
+        };
         let or_where = |word: &&str| {
-            number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number", index + 1))
+            number(word).ok_or_else(|| format!("line {}: \"{word}\" is not a number; {remedy}", index + 1))
         };
         let numbers: Vec<f64> = words.iter().map(or_where).collect::<Result<_, _>>()?;
         if !numbers.is_empty() {
@@ -142,14 +146,14 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
     Ok((header, lines))
 }
 
-/// The words of a line, separated by commas, semicolons or white space; an empty cell beside a separator is a word without
-/// characters.
+/// The words of a line, separated by commas, semicolons or white space, without the quotation marks of a cell; an empty cell
+/// beside a separator is a word without characters.
 fn words(content: &str) -> Vec<&str> {
     let content = content.trim();
     if content.is_empty() {
         return Vec::new();
     }
-    let cells = content.split([',', ';']).map(str::trim);
+    let cells = content.split([',', ';']).map(|cell| cell.trim().trim_matches('"').trim());
     cells
         .flat_map(|cell| if cell.is_empty() { vec![cell] } else { cell.split_whitespace().collect() })
         .collect()
@@ -157,10 +161,11 @@ fn words(content: &str) -> Vec<&str> {
 
 /// A number, or what stands for a missing value.
 fn number(word: &str) -> Option<f64> {
-    const MISSING: [&str; 8] = ["", "---", "nan", "NaN", "NAN", "bad", "BAD", "*****"];
+    const MISSING: [&str; 6] = ["", "nan", "NaN", "NAN", "bad", "BAD"];
+    let is_marked = |mark: char| word.len() > 2 && word.chars().all(|letter| letter == mark);
     match word.parse::<f64>() {
         Ok(number) => Some(number),
-        Err(_) => MISSING.contains(&word).then_some(f64::NAN),
+        Err(_) => (MISSING.contains(&word) || is_marked('-') || is_marked('*')).then_some(f64::NAN),
     }
 }
 
@@ -350,6 +355,8 @@ mod tests {
         }
         assert_eq!(heights("1.5,2.5 3.5,4.5").0, [1.5, 2.5, 3.5, 4.5]);
         assert!(heights("1,,2,3").0[1].is_nan());
+        assert_eq!(heights("\"1.5\",\"2.5\",\"3.5\",\"4.5\"").0, [1.5, 2.5, 3.5, 4.5]);
+        assert!(heights("1,***,2,----").0[1].is_nan());
         // A last cell may be empty too; a separator at the end of every line is none.
         let map = |text: &str| parse(text, &Reading { unit: Some(1.0), pixel: Some(1.0) }).unwrap().heights;
         for text in ["1,2,3,4\n5,6,7,\n", "1,2,3,4\n,6,7,8\n"] {
@@ -366,7 +373,13 @@ mod tests {
 
     #[test]
     fn what_is_no_topography_says_where() {
-        assert_eq!(read("1 2 3 4\n1 2 three 4\n").unwrap_err(), "line 2: \"three\" is not a number");
+        let word = read("1 2 3 4\n1 2 three 4\n").unwrap_err();
+        assert!(
+            word.starts_with("line 2: \"three\" is not a number; a point without a height is nan"),
+            "{word}"
+        );
+        let header = read("Points: 4\n1 2 3 4\n").unwrap_err();
+        assert!(header.ends_with("lines before the heights begin with #"), "{header}");
         let ragged = read("1 2 3 4\n1 2 3\n").unwrap_err();
         assert!(ragged.starts_with("line 2: 3 numbers, 4 in the lines before; write NaN"), "{ragged}");
         assert_eq!(read("# nothing\n").unwrap_err(), "holds no numbers");

@@ -1,0 +1,171 @@
+//! Undefined points filled in from the defined ones around them.
+//!
+//! The filled heights minimise the sum of the squared differences between neighbours, each over the mean square of the
+//! differences of the map in its direction: on a surface with a lay heights are continued along the lay. Of equal mean squares
+//! they are harmonic. The sum is minimised by conjugate gradients.
+
+use super::Topography;
+
+/// Neighbours of a point on one side, in rows and columns.
+const DIRECTIONS: [(isize, isize); 4] = [(0, 1), (1, 0), (1, 1), (1, -1)];
+/// Change of the heights in an iteration, over those that are filled in, at which they are final.
+const TOLERANCE: f64 = 1e-6;
+/// Iterations at most; holes are rarely a hundred points wide.
+const ITERATIONS: usize = 10_000;
+/// Mean square of differences, over the largest, that counts as the smallest.
+const LEAST: f64 = 1e-9;
+
+/// Gives undefined points heights; at least one must be defined.
+pub(super) fn fill(topography: &mut Topography) {
+    let defined = || topography.heights.iter().filter(|height| !height.is_nan());
+    let mean = defined().sum::<f64>() / defined().count() as f64;
+    let system = System::of(topography);
+    let filled = system.solve(mean);
+    let places = system.places;
+    for (place, height) in places.into_iter().zip(filled) {
+        topography.heights[place] = height;
+    }
+}
+
+/// The point `direction` from a place of the map.
+fn next(topography: &Topography, place: usize, (down, right): (isize, isize)) -> Option<usize> {
+    let &Topography { rows, columns, .. } = topography;
+    let (row, column) = (place / columns, place % columns);
+    let (row, column) = (row.checked_add_signed(down)?, column.checked_add_signed(right)?);
+    (row < rows && column < columns).then_some(row * columns + column)
+}
+
+/// The equations of the undefined points.
+struct System<'a> {
+    topography: &'a Topography,
+    /// Of each of [`DIRECTIONS`].
+    weights: [f64; DIRECTIONS.len()],
+    places: Vec<usize>,
+    /// Number of the undefined point at each place of the map.
+    numbers: Vec<Option<u32>>,
+}
+
+impl<'a> System<'a> {
+    fn of(topography: &'a Topography) -> Self {
+        let heights = &topography.heights;
+        let squares = DIRECTIONS.map(|direction| {
+            let difference = |place| Some(heights[place] - heights[next(topography, place, direction)?]);
+            let differences = (0..heights.len()).filter_map(difference).filter(|value| !value.is_nan());
+            let (sum, count) =
+                differences.fold((0.0, 0.0), |(sum, count), value| (sum + value * value, count + 1.0));
+            if count > 0.0 { sum / count } else { f64::INFINITY }
+        });
+        let largest = squares.into_iter().filter(|square| square.is_finite()).fold(0.0, f64::max);
+        // Without differences all directions are alike.
+        let weights =
+            squares.map(|square| if largest > 0.0 { largest / square.max(LEAST * largest) } else { 1.0 });
+        let places: Vec<usize> = (0..heights.len()).filter(|place| heights[*place].is_nan()).collect();
+        let mut numbers = vec![None; heights.len()];
+        for (number, place) in (0..).zip(&places) {
+            numbers[*place] = Some(number);
+        }
+        Self { topography, weights, places, numbers }
+    }
+
+    /// Σ w (h − `own`) over the neighbours of the n-th undefined point: h is `of_undefined` of one of these, `known` times
+    /// the height of a defined one.
+    fn differences(&self, n: usize, own: f64, known: f64, of_undefined: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for ((down, right), weight) in DIRECTIONS.into_iter().zip(self.weights) {
+            for direction in [(down, right), (-down, -right)] {
+                let Some(place) = next(self.topography, self.places[n], direction) else { continue };
+                let height = match self.numbers[place] {
+                    Some(number) => of_undefined[number as usize],
+                    None => known * self.topography.heights[place],
+                };
+                sum += weight * (height - own);
+            }
+        }
+        sum
+    }
+
+    /// Heights of the undefined points, from `start`: conjugate gradients, preconditioned by the diagonal.
+    fn solve(&self, start: f64) -> Vec<f64> {
+        let count = self.places.len();
+        let zeros = vec![0.0; count];
+        let diagonal: Vec<f64> = (0..count).map(|n| self.differences(n, -1.0, 0.0, &zeros)).collect();
+        let mut x = vec![start; count];
+        let mut residual: Vec<f64> = (0..count).map(|n| self.differences(n, x[n], 1.0, &x)).collect();
+        let (mut direction, mut before) = (zeros, f64::INFINITY);
+        for _ in 0..ITERATIONS {
+            let size: f64 = residual.iter().zip(&diagonal).map(|(r, d)| r * r / d).sum();
+            if size == 0.0 {
+                break;
+            }
+            for n in 0..count {
+                direction[n] = residual[n] / diagonal[n] + size / before * direction[n];
+            }
+            let product: Vec<f64> =
+                (0..count).map(|n| -self.differences(n, direction[n], 0.0, &direction)).collect();
+            let length = size / direction.iter().zip(&product).map(|(p, q)| p * q).sum::<f64>();
+            let (mut change, mut spread) = (0.0_f64, 0.0_f64);
+            for n in 0..count {
+                x[n] += length * direction[n];
+                residual[n] -= length * product[n];
+                change = change.max((length * direction[n]).abs());
+                spread = spread.max((x[n] - start).abs());
+            }
+            before = size;
+            if change <= TOLERANCE * spread {
+                break;
+            }
+        }
+        x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 60 x 80 points with a hole of 20 x 30 and one at a corner.
+    fn with_holes(height: impl Fn(f64, f64) -> f64) -> (Topography, Vec<f64>) {
+        let (rows, columns) = (60, 80);
+        let whole: Vec<f64> =
+            (0..rows * columns).map(|p| height((p / columns) as f64, (p % columns) as f64)).collect();
+        let mut map = Topography::map((rows, 1e-6), (columns, 1e-6), whole.clone());
+        for (row, column) in (10..30).flat_map(|r| (20..50).map(move |c| (r, c))).chain([(0, 0), (0, 1)]) {
+            map.heights[row * columns + column] = f64::NAN;
+        }
+        (map, whole)
+    }
+
+    fn largest_error(height: impl Fn(f64, f64) -> f64) -> f64 {
+        let (mut map, whole) = with_holes(height);
+        fill(&mut map);
+        map.heights.iter().zip(&whole).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn a_lay_is_continued_across_holes() {
+        let error = largest_error(|_, column| 1e-6 * (0.9 * column).sin());
+        assert!(error < 1e-8, "{error:e}");
+        let error = largest_error(|row, column| 1e-6 * (0.9 * (row - column)).sin());
+        assert!(error < 1e-8, "{error:e}");
+    }
+
+    /// x² − y² is harmonic; its mean squares along rows and columns are similar and not equal.
+    #[test]
+    fn surfaces_without_a_lay_are_harmonic() {
+        let saddle = |row: f64, column: f64| 1e-9 * ((column - 35.0).powi(2) - (row - 20.0).powi(2));
+        let (map, _) = with_holes(saddle);
+        let range = map.heights.iter().copied().fold(0.0, f64::max);
+        let error = largest_error(saddle);
+        assert!(error < 0.05 * range, "{error:e} {range:e}");
+    }
+
+    #[test]
+    fn planes_stay_as_they_are_and_single_heights_spread() {
+        let mut flat = Topography::profile(1e-6, vec![f64::NAN, 2e-9, f64::NAN, 2e-9, f64::NAN, f64::NAN]);
+        fill(&mut flat);
+        assert!(flat.heights.iter().all(|height| (height / 2e-9 - 1.0).abs() < 1e-9), "{:?}", flat.heights);
+        let mut line = Topography::profile(1e-6, vec![1.0, f64::NAN, f64::NAN, 4.0]);
+        fill(&mut line);
+        assert!((line.heights[1] - 2.0).abs() < 1e-5 && (line.heights[2] - 3.0).abs() < 1e-5);
+    }
+}
