@@ -17,11 +17,6 @@ table=$2
 shards=${3:-$SLURM_ARRAY_TASK_COUNT}
 shard=$table.shards/$SLURM_ARRAY_TASK_ID.nc
 mkdir -p "$table.shards"
-# Its journal is removed when the table is written; without this test it would be computed again.
-if [ -s "$shard" ]; then
-    echo "$shard is done"
-    exit 0
-fi
 # Status 1 with a file: some cells failed and are marked as failed; the others can be merged.
 asperity tabulate "$request" -o "$shard" --shard "$SLURM_ARRAY_TASK_ID/$shards" \
     --jobs "${SLURM_CPUS_PER_TASK:-1}" --resume --quiet || { [ $? -eq 1 ] && [ -s "$shard" ]; }

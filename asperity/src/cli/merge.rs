@@ -13,10 +13,10 @@ use super::{Display, Failure, MergeArguments, command_line, outputs, program};
 /// Read the shards, check that they belong together, write the table.
 pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failure> {
     let shards: Vec<_> = arguments.shards.iter().map(|shard| ("a shard", shard.as_path())).collect();
-    outputs::check(&shards, &outputs::with_plots(&arguments.output, &arguments.plot))?;
+    outputs::check_with_table(&shards, &outputs::with_plots(&arguments.output, &arguments.plot))?;
     let table = merged(&arguments.shards)?;
     let plots = outputs::plots(&arguments.plot, &table.temperatures());
-    outputs::check(&shards, &outputs::with_plots(&arguments.output, &plots))?;
+    outputs::check_with_table(&shards, &outputs::with_plots(&arguments.output, &plots))?;
     let missing = table.missing();
     let cells: usize = table.slices().iter().map(|slice| slice.shape().0 * slice.shape().1).sum();
     if let Some(first) = missing.first()
@@ -28,6 +28,7 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
         )));
     }
     let missing = missing.len();
+    check_replaced(&table, &arguments.output, display)?;
     if let [only] = &arguments.shards[..]
         && missing == 0
     {
@@ -50,16 +51,41 @@ pub fn merge(arguments: &MergeArguments, display: &Display) -> Result<(), Failur
     )
 }
 
-/// All shards in one table, which is not a shard if no cell is missing.
+/// Refuses to replace a table of the same request by one without some of its cells, and warns of another file.
+fn check_replaced(table: &Table, output: &Path, display: &Display) -> Result<(), Failure> {
+    if std::fs::metadata(output).map_or(true, |file| file.len() == 0) {
+        return Ok(());
+    }
+    let not_done = |table: &Table| table.missing().len() + table.failures().len();
+    let mut both = table.clone();
+    let replaced = Table::read(output).map_err(|error| error.to_string());
+    let output = output.display();
+    match replaced.and_then(|replaced| both.merge(&replaced).map_err(|error| error.to_string())) {
+        Ok(()) if not_done(&both) < not_done(table) => Err(Failure::Input(format!(
+            "{output}: has cells of this request that are in none of the shards; give it as a shard too, with another \
+             name for --output, or delete it"
+        ))),
+        Ok(()) => Ok(()),
+        Err(difference) => {
+            display
+                .printer()
+                .warn([format!("{output}: is another file, which this table replaces ({difference})")]);
+            Ok(())
+        }
+    }
+}
+
+/// All shards in one table, which is not a shard if no cell is missing or it is of several.
 fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
     let mut whole: Option<(Table, &Path)> = None;
-    let mut histories = Vec::new();
+    let (mut histories, mut names) = (Vec::new(), Vec::new());
     for path in shards.iter().map(AsRef::as_ref) {
         let shard = match path.to_str() {
             Some(name) => shipped::load(name).map_err(Failure::input)?,
             None => Table::read(path).map_err(Failure::input)?,
         };
         histories.push(shard.metadata().history.clone());
+        names.push(shard.metadata().shard.clone());
         match &mut whole {
             None => whole = Some((shard, path)),
             Some((table, first)) => table.merge(&shard).map_err(|error| {
@@ -69,10 +95,11 @@ fn merged(shards: &[impl AsRef<Path>]) -> Result<Table, Failure> {
     }
     let (mut table, _) = whole.ok_or_else(|| Failure::input("no shards"))?;
     histories.push(provenance::history(&command_line()));
-    let shard = match table.missing().is_empty() {
-        true => String::new(),
-        false => table.metadata().shard.clone(),
+    names.dedup();
+    let shard = match &names[..] {
+        [one] if !table.missing().is_empty() => one,
+        _ => "",
     };
-    table.set_provenance(&histories.join("\n"), &shard);
+    table.set_provenance(&histories.join("\n"), shard);
     Ok(table)
 }

@@ -1,14 +1,15 @@
 //! Progress on stderr, and requests to stop.
 
 use std::io::IsTerminal;
-use std::sync::{Mutex, OnceLock};
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
 use asperity::simulate::Watch;
 use asperity::simulate::expected_time::EXPECTED_TIME_FACTOR;
 use asperity::tabulate::{CellProgress, CellResult, Index, TableWatch};
 use indicatif::{ProgressBar, ProgressStyle};
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::iterator::Signals;
 use tables::netcdf::streams::say;
 
@@ -22,8 +23,11 @@ static INTERRUPTED: OnceLock<Instant> = OnceLock::new();
 const SAME_REQUEST: Duration = Duration::from_millis(500);
 
 /// From now on the first interrupt, or the signal that ends a terminal or a batch job, requests a stop, so that results
-/// can be saved; the second ends the program at once. Signals that are ignored, as under `nohup`, stay ignored.
+/// can be saved; the second ends the program at once. Signals that are ignored, as under `nohup`, stay ignored. A file that
+/// becomes larger than the system allows is an error.
 pub fn watch_for_interrupt() {
+    // Without a handler the signal ends the program.
+    let _ = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
     let ignored = ignored_signals();
     let heard = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
     // Without a handler an interrupt ends the program, which is acceptable.

@@ -14,7 +14,7 @@ use tables::figures::{TABLE_PANELS, table_panels};
 use tables::netcdf::streams::say;
 use tables::numbers;
 use tables::quantity::Quantity;
-use tables::table::{LABEL_DIGITS, Table};
+use tables::table::{LABEL_DIGITS, Slice, Status, Table};
 
 use super::progress::{Progress, watch_for_interrupt};
 use super::{Display, Failure, TabulateArguments, command_line, outputs, timings};
@@ -42,11 +42,7 @@ fn tabulate_request(
     if display.verbose {
         say(format!("note: {}", Note::of_scene(&request.template)));
     }
-    let replaces = !arguments.resume || journal.exists();
-    if replaces && tabulate::existing(request, arguments.shard, &arguments.output).is_err() {
-        let what = "holds a table of another request, which this one replaces when it is done";
-        display.printer().warn([format!("{}: {what}", arguments.output.display())]);
-    }
+    warn_of_replaced(request, arguments, &journal, display);
     if arguments.resume
         && let Some(table) =
             tabulate::completed(request, arguments.shard, &arguments.output).map_err(Failure::input)?
@@ -72,24 +68,39 @@ fn tabulate_request(
             "stopped on request with {} of {} cells done; to continue: {}",
             tabulation.cells.iter().flatten().flatten().count(),
             wanted(&tabulation),
-            resuming(&command_line()),
+            resuming(arguments),
         )));
     }
     let table = tabulation.table(provenance::history(&command_line())).map_err(Failure::run)?;
     let clock = Instant::now();
     table.write(&arguments.output).map_err(|error| {
-        let continued = resuming(&command_line());
+        let continued = resuming(arguments);
         Failure::Run(format!("{error}; the finished cells are kept in the journal; to continue: {continued}"))
     })?;
     let mut spent = tabulation.timings();
     spent.since(Kernel::Output, clock);
     journal.remove().map_err(Failure::run)?;
     let drawn = outputs::plot(&table, &arguments.plot, &arguments.panel);
-    Failure::all([drawn, report(&tabulation, &spent, arguments, display)])?;
+    Failure::all([drawn, report(&tabulation, &table, &spent, arguments, display)])?;
     match tabulation.failures().count() {
         0 => Ok(()),
         failed => Err(Failure::Run(failure(failed, wanted(&tabulation), &arguments.output))),
     }
+}
+
+/// A warning where there is another file than the table of this request, and --resume does not refuse it.
+fn warn_of_replaced(request: &Request, arguments: &TabulateArguments, journal: &Path, display: &Display) {
+    if arguments.resume && !journal.exists() {
+        return;
+    }
+    let Err(error) = tabulate::existing(request, arguments.shard, &arguments.output) else { return };
+    display.printer().warn([match error {
+        TabulateError::NoTable(error) => format!("{error}; the table replaces the file when it is done"),
+        _ => format!(
+            "{}: holds a table of another request, or another part of it, which this one replaces when it is done",
+            arguments.output.display()
+        ),
+    }]);
 }
 
 /// That cells failed, and what is in the table, which is written nevertheless.
@@ -107,14 +118,14 @@ fn check_outputs(arguments: &TabulateArguments, temperatures: &[f64], journal: &
     let plots = outputs::plots(&arguments.plot, temperatures);
     let mut written = outputs::with_plots(&arguments.output, &plots);
     written.push(("the journal", journal));
-    outputs::check(&[("the request", &arguments.request)], &written)
+    outputs::check_with_table(&[("the request", &arguments.request)], &written)
 }
 
 /// With --resume there is nothing to do.
 fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let output = arguments.output.display().to_string();
     let failed = table.failures().len();
-    let json = || json!({ "output": output, "complete": true, "failed": failed });
+    let json = || as_json(table, &output);
     let text = || format!("{output}: the table of this request is complete, nothing was computed\n");
     let printed = display.printer().print(json, text);
     outputs::plot(table, &arguments.plot, &arguments.panel)?;
@@ -128,12 +139,11 @@ fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Displ
     }
 }
 
-/// The command that continues where the given one stopped.
-fn resuming(command: &str) -> String {
-    match command.split(' ').any(|argument| argument == "--resume") {
-        true => command.to_owned(),
-        false => format!("{command} --resume"),
-    }
+/// The command that continues where the present one stopped.
+fn resuming(arguments: &TabulateArguments) -> String {
+    let again = if arguments.resume { "" } else { " --resume" };
+    let input = if arguments.request == Path::new("-") { " < REQUEST" } else { "" };
+    format!("{}{again}{input}", command_line())
 }
 
 /// Number of cells that were to be run.
@@ -143,6 +153,7 @@ fn wanted(tabulation: &Tabulation) -> usize {
 
 fn report(
     tabulation: &Tabulation,
+    table: &Table,
     spent: &Timings,
     arguments: &TabulateArguments,
     display: &Display,
@@ -167,7 +178,7 @@ fn report(
         say(timings::as_text(spent).trim_end());
     }
     let json = || {
-        let mut json = as_json(tabulation, arguments);
+        let mut json = as_json(table, &arguments.output.display().to_string());
         if arguments.timings {
             json["timings"] = timings::as_json(spent);
         }
@@ -216,41 +227,41 @@ fn summary(tabulation: &Tabulation) -> String {
     text
 }
 
-fn as_json(tabulation: &Tabulation, arguments: &TabulateArguments) -> Value {
-    let mut cells = Vec::new();
-    for (i, row) in tabulation.cells.iter().enumerate() {
-        for (j, cell) in row.iter().enumerate() {
-            let (status, reason, summary) = match cell {
-                None => ("not run", None, Value::Null),
-                Some(Err(reason)) => ("failed", Some(reason), Value::Null),
-                Some(Ok(finished)) => {
+fn as_json(table: &Table, output: &str) -> Value {
+    let of_slice = |slice: &Slice| -> Vec<Value> {
+        let cell = |(i, j)| {
+            let (status, reason, summary) = match slice.status(i, j) {
+                Status::NotRun => ("not run", None, Value::Null),
+                Status::Failed(reason) => ("failed", Some(reason), Value::Null),
+                Status::Done(cell) => {
                     let entry = |quantity: Quantity| {
                         let descriptor = quantity.descriptor();
-                        let estimate = finished.cell[quantity];
-                        let value = json!(estimate.in_unit(descriptor.units));
-                        (descriptor.name.to_owned(), value)
+                        (descriptor.name.to_owned(), json!(cell[quantity].in_unit(descriptor.units)))
                     };
                     ("done", None, Quantity::SCALARS.into_iter().map(entry).collect())
                 }
             };
-            let (temperature, interference) = tabulation.row(i);
+            let (interference, slip_rate) = slice.coordinates(i, j);
             let mut cell = json!({
                 "interference": interference,
-                "slip_rate": tabulation.axes.slip_rate[j],
+                "slip_rate": slip_rate,
                 "status": status,
                 "reason": reason,
                 "summary": summary,
             });
-            if let Some(temperature) = temperature {
-                cell["temperature"] = temperature.into();
+            if table.slices().len() > 1 {
+                cell["temperature"] = slice.metadata().temperature.into();
             }
-            cells.push(cell);
-        }
-    }
+            cell
+        };
+        slice.grid().map(cell).collect()
+    };
     json!({
-        "output": arguments.output.display().to_string(),
-        "cells": cells,
-        "warnings": tabulation.warnings(),
+        "output": output,
+        "complete": true,
+        "failed": table.failures().len(),
+        "cells": table.slices().iter().flat_map(of_slice).collect::<Vec<_>>(),
+        "warnings": table.metadata().comment.lines().collect::<Vec<_>>(),
     })
 }
 

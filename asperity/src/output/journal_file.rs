@@ -64,7 +64,7 @@ impl JournalFile {
             return Ok(());
         }
         match fallocate(&self.file, FallocateFlags::KEEP_SIZE, end, bytes as u64) {
-            Err(error @ (Errno::NOSPC | Errno::DQUOT)) => Err(error.into()),
+            Err(error @ (Errno::NOSPC | Errno::DQUOT | Errno::FBIG)) => Err(error.into()),
             // Other errors: the file system cannot reserve.
             _ => Ok(()),
         }

@@ -14,7 +14,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use tables::netcdf::in_words;
+use tables::netcdf::{destination, in_words};
 use tables::shipped::JOURNAL;
 use tables::table::comparison::{OfKey, request_differences};
 use tables::table::{Status, Table};
@@ -123,8 +123,9 @@ pub struct Journal {
 const MOST_OF_A_LINE: usize = 8 << 10;
 
 impl Journal {
-    /// Path of the journal of a table to be written to `output`.
+    /// Path of the journal of a table to be written to `output`: beside the file, whatever links lead to it.
     pub fn beside(output: &Path) -> PathBuf {
+        let output = destination(output);
         let mut name = output.file_name().unwrap_or_default().to_owned();
         name.push(JOURNAL);
         output.with_file_name(name)

@@ -22,6 +22,7 @@ mod tabulation;
 
 use std::path::Path;
 
+use tables::netcdf::DatasetError;
 use tables::numbers::{digits, plain};
 use tables::table::{Axes, Table, TableError};
 
@@ -96,6 +97,9 @@ pub enum TabulateError {
          --resume"
     )]
     OtherTable(String),
+    /// What the file that the table is written to is instead.
+    #[error("{0}; --resume would replace the file: delete it, or choose another name with --output")]
+    NoTable(DatasetError),
     /// The model does not go so deep.
     #[error(
         "table.interference = {asked}: must be at most about {most} (omega_0/omega_c){at}: the model needs a contact that \
@@ -186,7 +190,7 @@ pub fn tabulate(
 
 /// The table at `output`, if it is the complete one of this `request` (or of its `shard`) from this program. The cells of one
 /// that lacks some, a partly merged one or a shard of the request, are written to the journal, which resuming continues. An
-/// error if the table is of another request, which resuming would replace. Nothing where there is a journal already.
+/// error if there is another file, which resuming would replace. Nothing where there is a journal already.
 pub fn completed(
     request: &Request,
     shard: Option<Shard>,
@@ -209,13 +213,16 @@ pub fn completed(
     Ok(None)
 }
 
-/// The table at `output`, if there is one; an error if it is of another request or shard.
+/// The table at `output`, if there is a file that is not empty; an error if it is no table, or one of another request or shard.
 pub fn existing(
     request: &Request,
     shard: Option<Shard>,
     output: &Path,
 ) -> Result<Option<Table>, TabulateError> {
-    let Ok(table) = Table::read(output) else { return Ok(None) };
+    if std::fs::metadata(output).map_or(true, |file| file.len() == 0) {
+        return Ok(None);
+    }
+    let table = Table::read(output).map_err(TabulateError::NoTable)?;
     let metadata = table.metadata();
     let other_shard = shard.is_some_and(|shard| shard.to_string() != metadata.shard);
     match metadata.scene != write_request(request) || other_shard {
@@ -234,15 +241,15 @@ pub(crate) fn tabulate_with<S: Simulator>(
         return Err(TabulateError::Shard(shard));
     }
     check_depth(request)?;
-    let (mut journal, found) =
-        Journal::open(options.journal, &write_request(request), options.shard, options.resume)?;
-    let resumed = found.len();
-    let mut known: Known = found.into_iter().map(|(point, result)| (point.key(), result)).collect();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.jobs)
         .stack_size(STACK_SIZE)
         .build()
         .map_err(|error| TabulateError::Threads { jobs: options.jobs, reason: error.to_string() })?;
+    let (mut journal, found) =
+        Journal::open(options.journal, &write_request(request), options.shard, options.resume)?;
+    let resumed = found.len();
+    let mut known: Known = found.into_iter().map(|(point, result)| (point.key(), result)).collect();
     let templates = request.templates();
     let mut axes = Axes {
         interference: request.interferences.clone(),

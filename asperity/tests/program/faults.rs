@@ -217,10 +217,38 @@ fn a_finished_table_is_not_computed_again() {
     let replacing = tabulate(folder.path(), &other.split(' ').collect::<Vec<_>>()).output().unwrap();
     let said = ended(&replacing, 0);
     assert!(
-        said.contains("warning: table.nc: holds a table of another request, which this one replaces"),
+        said.contains("warning: table.nc: holds a table of another request, or another part of it"),
         "{said}"
     );
     assert_ne!(std::fs::read(&table).unwrap(), before);
+}
+
+/// A table that a transfer cut off, and any other file.
+#[test]
+fn resuming_does_not_replace_what_is_no_table() {
+    let _alone = alone();
+    let folder = folder();
+    let table = folder.path().join("table.nc");
+    std::fs::write(&table, "notes").unwrap();
+    let resumed = "tabulate request.toml -o table.nc --jobs 2 --resume";
+    crate::refused(folder.path(), resumed, &["table.nc", "--resume would replace the file"]);
+    assert_eq!(std::fs::read(&table).unwrap(), b"notes");
+    let said = ended(&tabulate(folder.path(), &[]).output().unwrap(), 0);
+    assert!(said.contains("the table replaces the file when it is done"), "{said}");
+    let whole = std::fs::read(&table).unwrap();
+    std::fs::write(&table, &whole[..whole.len() / 2]).unwrap();
+    crate::refused(folder.path(), resumed, &["table.nc", "--resume would replace the file"]);
+}
+
+/// A table called by a link is the table that the link leads to.
+#[test]
+fn a_journal_is_beside_the_table_whatever_link_leads_to_it() {
+    use asperity::tabulate::Journal;
+
+    let folder = tempfile::tempdir().unwrap();
+    let [table, link] = ["table.nc", "link.nc"].map(|name| folder.path().join(name));
+    std::os::unix::fs::symlink("table.nc", &link).unwrap();
+    assert_eq!(Journal::beside(&link), Journal::beside(&table));
 }
 
 /// A clock that is set back by an hour at every look at it, where the library that does so is installed

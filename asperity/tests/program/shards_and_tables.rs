@@ -63,6 +63,20 @@ fn merged_shards_are_the_undivided_table_bit_for_bit() {
     done(&folder, "tabulate request.toml -o completed.nc --jobs 1 --resume");
     done(&folder, "table diff completed.nc whole.nc --tolerance 0");
     assert!(!folder.join("completed.nc.part").exists());
+    // Cells are not lost by a table with fewer.
+    crate::refused(
+        &folder,
+        "merge 2.nc -o completed.nc --partial",
+        &["completed.nc: has cells of this request"],
+    );
+    std::fs::write(folder.join("notes.nc"), "notes").unwrap();
+    let replacing = ended(&asperity(&folder, "merge 1.nc 2.nc -o notes.nc"), 0);
+    assert!(replacing.contains("notes.nc: is another file, which this table replaces"), "{replacing}");
+    crate::refused(
+        &folder,
+        "merge 1.nc 2.nc -o merged.nc.part",
+        &["merged.nc.part: files named .part are journals"],
+    );
     let alone = ended(&asperity(&folder, "merge whole.nc -o alone.nc"), 0);
     assert!(alone.contains("whole.nc is complete: there is nothing to merge it with"), "{alone}");
     // A shipped one is found by its name, and is of another request.

@@ -50,7 +50,7 @@ pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Fa
 
 /// The same of results, which are no surface files.
 pub fn check_results(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
-    netcdf::check_results(inputs, &given(outputs)).map_err(Failure::input)
+    netcdf::check_other_results(inputs, &given(outputs)).map_err(Failure::input)
 }
 
 fn given<'a>(outputs: &Roles<'a>) -> Vec<(&'a str, &'a Path)> {
@@ -64,9 +64,9 @@ pub fn failure(error: PredictionError) -> Failure {
             Some("--extrapolate keeps their mean pressure and friction")
         }
         PredictionError::Lookup(LookupError::Missing { .. })
-        | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => {
-            Some("--allow-missing interpolates only cells that have results on both sides")
-        }
+        | PredictionError::Separation(SeparationError::Lookup(LookupError::Missing { .. })) => Some(
+            "--allow-missing interpolates cells that have results on both sides, and leaves out interferences and slip rates without any",
+        ),
         PredictionError::Separation(
             SeparationError::NotFound { .. } | SeparationError::NoMeanPlane { .. },
         )

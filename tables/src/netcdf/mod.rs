@@ -39,7 +39,9 @@ pub use ::netcdf::AttributeValue;
 
 pub use atomic::{destination, in_words, write_atomically};
 pub use distinct::{SameFile, check_distinct};
-pub use outputs::{NotSaved, OutputError, check_outputs, check_results, probe, save};
+pub use outputs::{
+    NotSaved, OUTPUT, OutputError, check_other_results, check_outputs, check_results, probe, save,
+};
 pub use processor::{REMEDY, UNSUITABLE, check_processor, missing_instruction_set};
 pub use reader::{DatasetReader, check_regular};
 pub use sandbox::enable as enable_sandbox;

@@ -4,8 +4,11 @@ use std::fmt::Display;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-use super::atomic::{destination, folder_of};
+use super::atomic::{check_protection, destination, folder_of};
 use super::distinct::{SameFile, check_distinct};
+use super::reader::DatasetReader;
+use super::schema::SCHEMA;
+use crate::shipped::JOURNAL;
 
 /// Why an output is refused.
 #[derive(Debug, thiserror::Error)]
@@ -16,15 +19,48 @@ pub enum OutputError {
     Unwritable { path: String, reason: String },
     #[error("{path}: files named .toml are scenes, requests and surfaces; results need another extension")]
     InputName { path: String },
+    #[error(
+        "{path}: files named {JOURNAL} are journals of unfinished tables; results need another extension"
+    )]
+    JournalName { path: String },
+    #[error(
+        "{path}: is a table, which only `asperity tabulate` and `asperity merge` replace; choose another name, or delete it"
+    )]
+    Table { path: String },
 }
+
+/// Role of the file that results are written to.
+pub const OUTPUT: &str = "--output";
 
 /// [`check_outputs`] of results: a slip of the keyboard shall not replace a scene, a request or a surface.
 pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     let is_input =
         |place: &Path| place.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
     check_outputs(inputs, outputs)?;
-    match outputs.iter().find(|(_, output)| is_input(&destination(output))) {
-        Some((_, output)) => Err(OutputError::InputName { path: output.display().to_string() }),
+    // Journals themselves have another role.
+    let is_journal =
+        |role: &str, output: &Path| role == OUTPUT && output.to_string_lossy().ends_with(JOURNAL);
+    for (role, output) in outputs {
+        let path = output.display().to_string();
+        if is_input(&destination(output)) {
+            return Err(OutputError::InputName { path });
+        }
+        if is_journal(role, output) {
+            return Err(OutputError::JournalName { path });
+        }
+    }
+    Ok(())
+}
+
+/// [`check_results`] of results that are no table: one took hours to compute, and its name is easily given again.
+pub fn check_other_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
+    check_results(inputs, outputs)?;
+    let is_table = |path: &Path| {
+        let schema = DatasetReader::open(path).and_then(|file| file.optional_text("schema"));
+        schema.is_ok_and(|schema| schema.as_deref() == Some(SCHEMA))
+    };
+    match outputs.iter().find(|(_, output)| is_table(output)) {
+        Some((_, output)) => Err(OutputError::Table { path: output.display().to_string() }),
         None => Ok(()),
     }
 }
@@ -51,6 +87,7 @@ fn check_place(place: &Path) -> Result<(), String> {
         Err(error) if error.kind() == ErrorKind::InvalidFilename => return Err("its name is too long".into()),
         _ => {}
     }
+    check_protection(place).map_err(|_| "it is protected against writing")?;
     let folder = folder_of(place);
     probe(folder).map_err(|error| match error.kind() {
         // Folders of the system, as /proc, say so of every new file.
@@ -114,6 +151,10 @@ mod tests {
             check_outputs(&[], &[("--output", Path::new(name))]).unwrap();
         }
         check_results(&[], &[("--output", Path::new("toml.nc")), ("--plot", Path::new("toml"))]).unwrap();
+        let journal = Path::new("table.nc.part");
+        let refused = check_results(&[], &[(OUTPUT, journal)]).unwrap_err().to_string();
+        assert!(refused.starts_with("table.nc.part: files named .part are journals"), "{refused}");
+        check_results(&[], &[("the journal", journal)]).unwrap();
     }
 
     #[test]

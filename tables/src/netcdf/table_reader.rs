@@ -62,6 +62,9 @@ impl Table {
 /// That a file is the request of a table, or another input, if it is.
 fn toml_in_place_of_table(path: &Path) -> Option<DatasetError> {
     let sections: toml::Table = read_text(path).ok()?.parse().ok()?;
+    if sections.is_empty() {
+        return None;
+    }
     let reason = match sections.contains_key("table") {
         true => "is a request; the table of it is made by `asperity tabulate`",
         false => {
