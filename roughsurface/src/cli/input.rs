@@ -28,7 +28,8 @@ pub struct InputOptions {
     /// Keep mean pressure and friction of contacts too large for their asperities, instead of refusing
     #[arg(long)]
     pub extrapolate: bool,
-    /// Interpolate around cells of the table that failed or were not run, with a warning
+    /// Interpolate around cells of the table that failed or were not run, and leave out interferences and slip rates
+    /// without any result, with a warning
     #[arg(long)]
     allow_missing: bool,
     #[command(flatten)]

@@ -51,10 +51,10 @@ Of a topography, friction is also predicted at half and at twice the cut-off, as
 points and its extent allow.
 
 Not modelled: merging of contacts, interaction of asperities beyond their mean pressure, adhesion,
-wear, third bodies (debris, gouge, oxide, lubricant). The counter-face is smooth; a table states what
-else it is (`asperity table info`). That of shipped tables is rigid and conducts heat like the metal; of
-those called NAME-rigid it stays at the initial temperature. In those called
-NAME-rate the strength grows with the strain rate; they are exact for summits of a radius of 0.1 mm.
+wear, fluid lubrication, third bodies (debris, gouge); a solid film is in the table, by the law of
+its interface. The counter-face is smooth; a table states what else it is (`asperity table info`).
+That of shipped tables is rigid and conducts heat like the metal; of those called NAME-rigid it
+stays at the initial temperature. In those called NAME-rate the strength grows with the strain rate; they are exact for summits of a radius of 0.1 mm.
 
 Above its last interference a table is extrapolated towards the fully plastic limit, with an error
 that grows; the share of the load there is in the result. A pressure at which more than 0.1 % of

@@ -18,8 +18,8 @@ pub struct AtCutoff {
     /// Standard deviation of their heights, m.
     pub heights_std: f64,
     /// By row (pressure or separation) and slip rate, as in [`Prediction`]; none at slip rates that the law does not have at
-    /// these radii, as other ones than at the cut-off of the prediction.
-    pub friction: Result<Vec<Vec<Option<Friction>>>, PredictionError>,
+    /// these radii, as other ones than at the cut-off of the prediction. A row may be refused alone.
+    pub friction: Vec<Result<Vec<Option<Friction>>, PredictionError>>,
 }
 
 impl AtCutoff {
@@ -39,34 +39,32 @@ impl AtCutoff {
             heights_std: surface.heights.standard_deviation(),
             friction,
         };
-        let of_prediction = prediction.friction.iter().map(|row| row.iter().cloned().map(Some).collect());
-        let mut all = vec![at(cutoff, surface, Ok(of_prediction.collect()))];
+        let of_prediction = prediction.friction.iter().map(|row| Ok(row.iter().cloned().map(Some).collect()));
+        let mut all = vec![at(cutoff, surface, of_prediction.collect())];
         all.extend(others.into_iter().map(|(cutoff, surface)| {
-            let friction = where_covered(law, &surface, &prediction.query, settings);
-            at(cutoff, &surface, friction)
+            let row = |row| where_covered(law, &surface, (&prediction.query, row), settings);
+            at(cutoff, &surface, (0..prediction.friction.len()).map(row).collect())
         }));
         all.sort_by(|one, other| one.cutoff.total_cmp(&other.cutoff));
         all
     }
 }
 
-/// Friction at the slip rates that the law has at all radii of the surface; the error of the others where there are none.
+/// Friction of a row at the slip rates that the law has at all radii of the surface; the error of the others where there are
+/// none.
 fn where_covered(
     law: &dyn AsperityLaw,
     surface: &Surface,
-    query: &Query,
+    (query, row): (&Query, usize),
     settings: &Settings,
-) -> Result<Vec<Vec<Option<Friction>>>, PredictionError> {
+) -> Result<Vec<Option<Friction>>, PredictionError> {
     let range = surface.asperity_radius.slip_rate_range(law);
     let is_covered = |rate: &f64| covers(range, *rate);
-    let mut asked = Query { rate_step: None, ..query.clone() };
+    let mut asked = Query { rate_step: None, loading: query.loading.only(row), ..query.clone() };
     if query.slip_rates.iter().any(is_covered) {
         asked.slip_rates.retain(is_covered);
     }
     let predicted = predict(law, surface, &asked, settings, &|_, _| ())?;
-    let spread = |row: Vec<Friction>| {
-        let mut found = row.into_iter();
-        query.slip_rates.iter().map(|rate| is_covered(rate).then(|| found.next()).flatten()).collect()
-    };
-    Ok(predicted.friction.into_iter().map(spread).collect())
+    let mut found = predicted.friction.into_iter().flatten();
+    Ok(query.slip_rates.iter().map(|rate| is_covered(rate).then(|| found.next()).flatten()).collect())
 }

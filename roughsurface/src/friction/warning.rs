@@ -66,11 +66,13 @@ pub enum Warning {
     )]
     AboveMelting { at: Place, highest: f64, melting: f64 },
     #[error(
-        "{at}: friction heats a nominal contact longer than {} m along the slip by more than a fifth of {} K, the mean rise of its contacts; this heat is left out: give the raised temperature as temperature of [query], with a table over initial temperatures",
+        "{at}: friction heats a nominal contact longer than {} m along the slip by more than a fifth of {} K, the mean rise of its contacts, and one of {} m by up to {} K; this heat is left out: give the raised temperature as temperature of [query], with a table over initial temperatures",
         digits(*.length, 2),
-        digits(*.rise, 2)
+        digits(*.rise, 2),
+        plain(*.nominal),
+        digits(*.nominal_rise, 2)
     )]
-    NominalHeating { at: Place, length: f64, rise: f64 },
+    NominalHeating { at: Place, length: f64, rise: f64, nominal: f64, nominal_rise: f64 },
     #[error(
         "the table is of a strength that grows with the strain rate: it holds at its own radius; at {} m friction and load are uncertain by {:.1} % more",
         digits(*.radius, 6),
@@ -154,8 +156,11 @@ pub enum Warning {
         "uncertainty.{key}: varied in one direction only, to first order: in the other the slip rates are outside the table"
     )]
     OneSided { key: &'static str },
-    #[error("cells without results, interpolated around: {}", .cells.join("; "))]
-    CellsInterpolated { cells: Vec<String> },
+    #[error(
+        "cells without results, interpolated around, or left out with their interference or slip rate: {}",
+        .cells.join("; ")
+    )]
+    CellsMissing { cells: Vec<String> },
     #[error(
         "chang-etsion-bogy: its static friction was published for a Poisson ratio of 0.3, not {poisson_ratio}"
     )]

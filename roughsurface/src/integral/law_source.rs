@@ -50,8 +50,8 @@ pub struct LawSource {
     pub inception_time: Option<f64>,
     /// The larger effusivity √(kρc) of the bodies of the scene of a table, J/(m² K √s).
     pub effusivity: Option<f64>,
-    /// Cells of the table without results, interpolated around.
-    pub interpolated_cells: Vec<String>,
+    /// Cells of the table without results: interpolated around, or of an interference or a slip rate that is left out.
+    pub missing_cells: Vec<String>,
     /// Of a table.
     counterface: Option<Counterface>,
 }
@@ -96,10 +96,11 @@ impl LawSource {
             words: metadata.counterface_in_words(),
             constants: metadata.counterface_constants(),
         });
-        let mut interpolated_cells = Vec::new();
+        let mut missing_cells = Vec::new();
         if interpolate_missing {
-            let (whole, cells) = table.with_failed_cells_interpolated();
-            interpolated_cells = cells.iter().map(|(i, j)| table.label(*i, *j)).collect();
+            missing_cells =
+                table.blocks(table.grid().filter(|(i, j)| table.cell(*i, *j).is_none()).collect());
+            let (whole, _) = table.with_failed_cells_interpolated();
             table = whole.interpolated();
         }
         Ok(Self {
@@ -109,7 +110,7 @@ impl LawSource {
             melting_temperature,
             inception_time,
             effusivity,
-            interpolated_cells,
+            missing_cells,
             counterface,
         })
     }
@@ -168,7 +169,7 @@ impl LawSource {
                 melting_temperature: None,
                 inception_time: None,
                 effusivity: None,
-                interpolated_cells: Vec::new(),
+                missing_cells: Vec::new(),
                 counterface: None,
             }),
         }
@@ -247,7 +248,7 @@ mod tests {
         let refusal = strict.law.response(1e-3, 4.0, 1.0, 1e-5).unwrap_err();
         assert!(refusal.to_string().contains("no convergence"));
         assert!((whole.law.response(1e-3, 4.0, 1.0, 1e-5).unwrap().load.value - 2.0).abs() < 1e-12);
-        assert_eq!(whole.interpolated_cells, ["3 omega_c at 1 m/s"]);
+        assert_eq!(whole.missing_cells, ["3 omega_c at 1 m/s"]);
     }
 
     #[test]

@@ -23,8 +23,15 @@ const SUMMITS: [Summit; 3] = [
 /// In place of results at a slip rate that the table does not cover at the radius of another cut-off.
 const OUTSIDE: &str = "outside table";
 
-fn estimate(quantity: &Quantity, cell: &Option<Friction>) -> Estimate {
-    cell.as_ref().map_or(Estimate::UNKNOWN, |cell| quantity.estimate(cell))
+/// Of all cells, row by row; unknown where there are none.
+fn estimates(quantity: &Quantity, at: &AtCutoff, rates: usize) -> Vec<Estimate> {
+    let of =
+        |cell: &Option<Friction>| cell.as_ref().map_or(Estimate::UNKNOWN, |cell| quantity.estimate(cell));
+    let row = |row: &Result<Vec<Option<Friction>>, _>| match row {
+        Ok(cells) => cells.iter().map(of).collect(),
+        Err(_) => vec![Estimate::UNKNOWN; rates],
+    };
+    at.friction.iter().flat_map(row).collect()
 }
 
 /// Variables over the dimension `cutoff`.
@@ -32,7 +39,7 @@ pub(super) fn write(
     file: &mut DatasetWriter,
     cutoffs: &[AtCutoff],
     grid: &[&str; 2],
-    cells: usize,
+    rates: usize,
 ) -> Result<(), DatasetError> {
     if cutoffs.is_empty() {
         return Ok(());
@@ -45,11 +52,8 @@ pub(super) fn write(
         file.reals(&format!("{name}_cutoff"), &["cutoff"], &values, &described(unit, &long_name))?;
     }
     for quantity in SHOWN.map(Quantity::named) {
-        let of = |at: &AtCutoff| match &at.friction {
-            Ok(rows) => rows.iter().flatten().map(|cell| estimate(quantity, cell).value).collect(),
-            Err(_) => vec![f64::NAN; cells],
-        };
-        let values: Vec<f64> = cutoffs.iter().flat_map(of).collect();
+        let of = |at: &AtCutoff| estimates(quantity, at, rates);
+        let values: Vec<f64> = cutoffs.iter().flat_map(of).map(|estimate| estimate.value).collect();
         let name = format!("{}_cutoff", quantity.name);
         let long_name = format!("{}, by cut-off", quantity.long_name);
         file.reals(&name, &["cutoff", grid[0], grid[1]], &values, &described(quantity.unit, &long_name))?;
@@ -58,22 +62,20 @@ pub(super) fn write(
 }
 
 /// As JSON, each number with its unit: the summits, whose errors are unknown, and the results of every cell in the order
-/// of `friction`, or why there are none.
-pub(super) fn json(cutoffs: &[AtCutoff]) -> Value {
+/// of `friction`, and why there are none in some.
+pub(super) fn json(cutoffs: &[AtCutoff], rates: usize) -> Value {
     let of = |at: &AtCutoff| {
         let exact = Estimate::exact;
         let mut entry = json!({ "cutoff": exact(at.cutoff).in_unit("m") });
         for (name, unit, _, value) in SUMMITS {
             entry[name] = json!(Estimate { value: value(at), error: f64::NAN }.in_unit(unit));
         }
-        match &at.friction {
-            Ok(rows) => {
-                for quantity in SHOWN.map(Quantity::named) {
-                    let of = |cell| json!(estimate(quantity, cell).in_unit(quantity.unit));
-                    entry[quantity.name] = rows.iter().flatten().map(of).collect();
-                }
-            }
-            Err(reason) => entry["refused"] = reason.to_string().into(),
+        for quantity in SHOWN.map(Quantity::named) {
+            let all = estimates(quantity, at, rates).into_iter();
+            entry[quantity.name] = all.map(|estimate| json!(estimate.in_unit(quantity.unit))).collect();
+        }
+        if let Some(Err(reason)) = at.friction.iter().find(|row| row.is_err()) {
+            entry["refused"] = reason.to_string().into();
         }
         entry
     };
@@ -101,10 +103,10 @@ pub(super) fn rows(results: &Results) -> Rows {
         for at in &results.cutoffs {
             let mut row = vec![format!("{load:.3e}"), format!("{:.3e}", at.cutoff)];
             row.extend(SUMMITS.map(|(_, _, _, of)| format!("{:.3e}", of(at))));
-            match &at.friction {
-                Ok(friction) => {
+            match &at.friction[index] {
+                Ok(cells) => {
                     for &rate in &rates {
-                        let shown = |name| match &friction[index][rate] {
+                        let shown = |name| match &cells[rate] {
                             Some(cell) => format!("{:.4}", Quantity::named(name).estimate(cell).value),
                             None => OUTSIDE.into(),
                         };

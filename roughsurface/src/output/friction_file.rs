@@ -60,7 +60,7 @@ pub fn write(path: &Path, results: &Results, origin: &Origin) -> Result<(), Data
     rate_laws::write(&mut file, &prediction.rate_laws, row)?;
     rate_step::write(&mut file, prediction.rate_step.as_ref(), row)?;
     compared(&mut file, &results.comparisons, row)?;
-    cutoffs::write(&mut file, &results.cutoffs, &grid, cells.len())?;
+    cutoffs::write(&mut file, &results.cutoffs, &grid, prediction.query.slip_rates.len())?;
     if let Some(propagated) = &results.propagated {
         parameters(&mut file, propagated, &grid)?;
     }

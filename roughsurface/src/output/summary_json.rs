@@ -63,7 +63,7 @@ pub fn json(results: &Results) -> Value {
         "plasticity_index": prediction.plasticity_index,
         "regime": regime(prediction.plasticity_index),
         "friction": cells,
-        "cutoffs": cutoffs::json(&results.cutoffs),
+        "cutoffs": cutoffs::json(&results.cutoffs, prediction.query.slip_rates.len()),
         "comparisons": compared.collect::<Vec<Value>>(),
         "rate_law": by_load(rate_laws::json),
         "flash_heating": by_load(rate_laws::flash_heating_json),

@@ -110,11 +110,11 @@ fn every_surface_and_its_statistics_are_written() {
 #[test]
 fn the_report_is_one_well_formed_page_without_references_outside() {
     let mut results = Results::from(prediction("pressure = [1e6]\nslip_rate = [0.01, 0.1, 0.5, 2.0]"));
-    results.prediction.warnings.push(Warning::CellsInterpolated { cells: vec!["less < more".into()] });
+    results.prediction.warnings.push(Warning::CellsMissing { cells: vec!["less < more".into()] });
     assert!(figure::figure(&results).svg().contains("Share of the contacts"));
     let page = report::html(&results, &ORIGIN);
     for wanted in [
-        "around: less &lt; more",
+        "slip rate: less &lt; more",
         "# a &lt; b &amp; c",
         "Share of the contacts",
         "rate law (lines)",

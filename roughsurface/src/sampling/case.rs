@@ -88,9 +88,9 @@ impl Case {
         warnings.extend(self.unlike_random_surfaces());
         warnings.extend(self.unused_material());
         warnings.extend(self.strain_rate());
-        let cells = &self.source.interpolated_cells;
+        let cells = &self.source.missing_cells;
         if !cells.is_empty() {
-            warnings.push(Warning::CellsInterpolated { cells: cells.clone() });
+            warnings.push(Warning::CellsMissing { cells: cells.clone() });
         }
         warnings
     }

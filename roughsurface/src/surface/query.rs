@@ -45,6 +45,14 @@ impl NormalLoading {
         }
     }
 
+    /// One row alone.
+    pub fn only(&self, row: usize) -> Self {
+        match self {
+            Self::Pressure(values) => Self::Pressure(vec![values[row]]),
+            Self::Separation(values) => Self::Separation(vec![values[row]]),
+        }
+    }
+
     /// The value of one row in words.
     pub fn describe(&self, row: usize) -> String {
         match self {

@@ -4,7 +4,7 @@ use super::coordinates;
 use super::nodes::reason;
 use crate::law::Estimate;
 use crate::quantity::Quantity;
-use crate::table::{Cell, Slice};
+use crate::table::{Axes, Cell, Slice};
 
 impl Slice {
     /// The slice with points that failed or were not run interpolated where results lie on both sides
@@ -14,15 +14,16 @@ impl Slice {
     /// the nearest results, over the nearer of both pairs where there are two. The error is that of
     /// the results at both ends and half their difference. Each such cell has a warning. Cells
     /// at the edge of the grid stay without results: there is no extrapolation.
+    ///
+    /// Interferences and slip rates without any result are left out, so that the slice has the range and the errors of
+    /// interpolation of its results.
     pub fn with_failed_cells_interpolated(&self) -> (Slice, Vec<(usize, usize)>) {
-        let mut table = self.clone();
+        let mut table = self.of_results();
         let mut filled = Vec::new();
-        for (i, j) in self.grid() {
-            if self.cell(i, j).is_some() {
-                continue;
-            }
-            let Some(mut cell) = self.across(i, j) else { continue };
-            let reason = reason(self.status(i, j));
+        let gaps = table.clone();
+        for (i, j) in gaps.grid().filter(|(i, j)| gaps.cell(*i, *j).is_none()) {
+            let Some(mut cell) = gaps.across(i, j) else { continue };
+            let reason = reason(gaps.status(i, j));
             cell.warnings = vec![format!("interpolated from neighbouring points ({reason})")];
             table.set_cell(i, j, cell).expect("as long as its neighbours");
             filled.push((i, j));
@@ -33,6 +34,25 @@ impl Slice {
             table.set_metadata(metadata);
         }
         (table, filled)
+    }
+
+    /// The slice without the interferences and slip rates that have no result; unchanged if there is none at all.
+    fn of_results(&self) -> Slice {
+        let Axes { interference, slip_rate, slip } = self.axes().clone();
+        let (rows, columns) = self.shape();
+        let has_result = |(i, j): (usize, usize)| self.cell(i, j).is_some();
+        let keep = |axis: &[f64], is_kept: &dyn Fn(usize) -> bool| -> Vec<f64> {
+            axis.iter().enumerate().filter(|(k, _)| is_kept(*k)).map(|(_, value)| *value).collect()
+        };
+        let axes = Axes {
+            interference: keep(&interference, &|i| (0..columns).any(|j| has_result((i, j)))),
+            slip_rate: keep(&slip_rate, &|j| (0..rows).any(|i| has_result((i, j)))),
+            slip,
+        };
+        match axes.interference.is_empty() {
+            true => self.clone(),
+            false => self.regridded(axes).expect("a part of the axes"),
+        }
     }
 
     /// A cell between its nearest neighbours with results.
@@ -94,7 +114,8 @@ fn between(quantity: Quantity, base: f64, ends: [f64; 2], t: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Axes, Metadata};
+    use crate::law::LookupError;
+    use crate::table::Metadata;
 
     /// Power laws over 4 interferences and 4 slip rates.
     fn table() -> Slice {
@@ -150,6 +171,31 @@ mod tests {
         assert_eq!(filled, [(0, 1)]);
         assert_eq!(whole_again.status(3, 3), table.status(3, 3));
         assert_eq!(whole_again.missing(), []);
+    }
+
+    #[test]
+    fn interferences_and_slip_rates_without_results_are_left_out() {
+        let mut table = table();
+        for k in 0..4 {
+            table.mark_failed(3, k, "a");
+            table.mark_failed(k, 1, "b");
+        }
+        let load = |table: &Slice, interference, rate| {
+            table.clone().interpolated().estimate(Quantity::Load, 1e-3, interference, rate)
+        };
+        // Above 4 the whole slice has a row that failed, and is not extrapolated as one that ends there.
+        assert!(load(&table, 4.0, 10.0).is_ok());
+        for (interference, rate) in [(4.1, 10.0), (8.0, 10.0), (9.0, 10.0), (2.0, 2.0)] {
+            assert!(
+                matches!(load(&table, interference, rate), Err(LookupError::Missing { .. })),
+                "{interference}"
+            );
+        }
+        let (rest, filled) = table.with_failed_cells_interpolated();
+        assert_eq!((rest.shape(), filled), ((3, 3), vec![]));
+        assert_eq!(rest.axes().interference, [1.0, 2.0, 4.0]);
+        assert_eq!(rest.axes().slip_rate, [0.1, 10.0, 100.0]);
+        assert!(load(&rest, 9.0, 2.0).is_ok());
     }
 
     #[test]

@@ -122,7 +122,7 @@ impl Interpolant {
         slip: f64,
     ) -> Result<(Values, Errors), Absent> {
         let rows = self.rows.ok_or((0, 0))?;
-        let place = self.place(rows, interference.ln());
+        let place = self.place_with_results(rows, interference.ln())?;
         let ratio = slip / self.contact_radius(rows, &place);
         let (values, mut error) = self.state_at(rows, &place, rate, ratio)?;
         let farther = ratio / self.nodes.last_slip();
@@ -179,6 +179,20 @@ impl Interpolant {
         let above = AboveLastRow { last_row: rows[last].exp(), gap, log_ratio, contact_growth: 0.0 };
         let growth = self.contact_radius_above(last, above) - self.log_contact_radius[last].exp();
         Place::Above(AboveLastRow { contact_growth: growth / self.sphere.radius, ..above })
+    }
+
+    /// The same; absent beyond rows at the edge of the table that have no results: a table is extrapolated from its first and
+    /// last row.
+    pub(super) fn place_with_results(
+        &self,
+        rows @ (first, last): (usize, usize),
+        log_interference: f64,
+    ) -> Result<Place, Absent> {
+        match self.place(rows, log_interference) {
+            Place::Below(_) if first > 0 => Err((first - 1, 0)),
+            Place::Above(_) if last + 1 < self.log_interference.len() => Err((last + 1, 0)),
+            place => Ok(place),
+        }
     }
 
     /// a₀, m.

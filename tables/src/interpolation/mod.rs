@@ -40,7 +40,7 @@ pub(crate) use nodes::{blend_one, cubic, neighbours};
 
 use crate::law::{AsperityLaw, Estimate, LookupError, OptionalEstimate, Response, SlidingResponse};
 use crate::quantity::Quantity;
-use crate::table::{Metadata, Slice};
+use crate::table::{Metadata, Slice, Status};
 use nodes::{Absent, COEFFICIENT, Errors, Field, Values};
 use steffen::Location;
 
@@ -180,7 +180,14 @@ impl InterpolatedTable {
         LookupError::Missing {
             interference: self.axes().interference[i],
             slip_rate: self.axes().slip_rate[j] / ratio,
-            reason: nodes::reason(self.status(i, j)),
+            reason: match (self.status(i, j), &self.metadata().shard[..]) {
+                (Status::NotRun, shard) if !shard.is_empty() => {
+                    format!(
+                        "the table is shard {shard} of its request; `asperity merge` puts the shards together"
+                    )
+                }
+                (status, _) => nodes::reason(status),
+            },
         }
     }
 }

@@ -34,32 +34,33 @@ impl InterpolatedTable {
         let of_row = |quantity, origin, row: usize| {
             between(quantity, origin, on(row)).map_or(f64::NAN, |(value, _)| value)
         };
-        let (value, error) = match self.interpolant.place(rows, interference.ln()) {
-            Place::Inside(place) => between(quantity, origin, place).map_err(absent)?,
-            Place::Below(below) => {
-                let (value, error) = between(quantity, origin, on(first)).map_err(absent)?;
-                let [load, area] =
-                    [Quantity::Load, Quantity::Area].map(|quantity| of_row(quantity, 0.0, first));
-                let row = FirstRow { sphere: &self.interpolant.sphere, below, load, area };
-                let continued = row.extrapolate(quantity, value);
-                let factor = if value == 0.0 { 1.0 } else { (continued / value).abs() };
-                (continued, factor * error + row.uncertainty(quantity, value) * continued.abs())
-            }
-            Place::Above(above) => {
-                let (value, error) = between(quantity, origin, on(last)).map_err(absent)?;
-                let rows = |quantity, origin| {
-                    let before = last.checked_sub(1).map(|before| of_row(quantity, origin, before));
-                    (before, of_row(quantity, origin, last))
-                };
-                let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| rows(quantity, 0.0));
-                let descriptor = quantity.descriptor();
-                let (limit, of_press) = (descriptor.elastic_limit, descriptor.of_press);
-                let growth = above.of_scalar(limit, of_press, rows(quantity, origin), load, area);
-                let factor = growth.factor();
-                let relative = growth.relative() * value.abs();
-                (factor * value, factor * (above.error_factor() * error + relative))
-            }
-        };
+        let (value, error) =
+            match self.interpolant.place_with_results(rows, interference.ln()).map_err(absent)? {
+                Place::Inside(place) => between(quantity, origin, place).map_err(absent)?,
+                Place::Below(below) => {
+                    let (value, error) = between(quantity, origin, on(first)).map_err(absent)?;
+                    let [load, area] =
+                        [Quantity::Load, Quantity::Area].map(|quantity| of_row(quantity, 0.0, first));
+                    let row = FirstRow { sphere: &self.interpolant.sphere, below, load, area };
+                    let continued = row.extrapolate(quantity, value);
+                    let factor = if value == 0.0 { 1.0 } else { (continued / value).abs() };
+                    (continued, factor * error + row.uncertainty(quantity, value) * continued.abs())
+                }
+                Place::Above(above) => {
+                    let (value, error) = between(quantity, origin, on(last)).map_err(absent)?;
+                    let rows = |quantity, origin| {
+                        let before = last.checked_sub(1).map(|before| of_row(quantity, origin, before));
+                        (before, of_row(quantity, origin, last))
+                    };
+                    let [load, area] = [Quantity::Load, Quantity::Area].map(|quantity| rows(quantity, 0.0));
+                    let descriptor = quantity.descriptor();
+                    let (limit, of_press) = (descriptor.elastic_limit, descriptor.of_press);
+                    let growth = above.of_scalar(limit, of_press, rows(quantity, origin), load, area);
+                    let factor = growth.factor();
+                    let relative = growth.relative() * value.abs();
+                    (factor * value, factor * (above.error_factor() * error + relative))
+                }
+            };
         let descriptor = quantity.descriptor();
         let exponent = if descriptor.of_press { 0.0 } else { descriptor.elastic_limit.strength_exponent() };
         let of_rate = exponent * self.strength_uncertainty(interference, ratio) * value.abs();

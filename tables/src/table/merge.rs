@@ -96,7 +96,7 @@ impl Slice {
     }
 
     /// Points of the grid in words: consecutive interferences with the same slip rates together.
-    fn blocks(&self, mut places: Vec<(usize, usize)>) -> Vec<String> {
+    pub fn blocks(&self, mut places: Vec<(usize, usize)>) -> Vec<String> {
         places.sort_unstable();
         places.dedup();
         // First and last interference, slip rates.

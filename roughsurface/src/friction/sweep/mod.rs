@@ -360,9 +360,10 @@ impl<'a> Sweep<'a> {
             Interaction::MeanPressure { nominal_size } => nominal_size,
             Interaction::None => SMALL_NOMINAL_CONTACT,
         };
-        let counts = of_unit_length * nominal.sqrt() > LEAST_NOMINAL_RISE;
+        let nominal_rise = of_unit_length * nominal.sqrt();
+        let counts = rise > 0.0 && length < nominal && nominal_rise > LEAST_NOMINAL_RISE;
         let at = || Place::of(self.query, row, rate);
-        (rise > 0.0 && length < nominal && counts).then(|| Warning::NominalHeating { at: at(), length, rise })
+        counts.then(|| Warning::NominalHeating { at: at(), length, rise, nominal, nominal_rise })
     }
 
     /// A warning where contacts stick for much of the slip that they live for.
