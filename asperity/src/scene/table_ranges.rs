@@ -1,8 +1,8 @@
-//! Temperatures outside the tables of properties, beyond which these are constant.
+//! Temperatures and strains outside the tables of properties, beyond which these are constant.
 
 use tables::numbers::{digits, plain};
 
-use crate::scene::{FrictionLaw, Scene, Softening};
+use crate::scene::{FrictionLaw, Hardening, Scene, Softening};
 
 /// By which a temperature may be outside, K: as that of a room, at which tables begin, is 293 to 300 K.
 const MARGIN: f64 = 10.0;
@@ -11,6 +11,20 @@ const MARGIN: f64 = 10.0;
 type Points<'a> = (&'static str, &'a [f64], &'a [f64]);
 
 impl Scene {
+    /// A sentence where the plastic strain of a run exceeds the table of hardening, whose last two factors differ.
+    pub(crate) fn outside_hardening(&self, largest: f64) -> Option<String> {
+        let Hardening::Table { plastic_strain, factor } = &self.material.hardening else { return None };
+        let ([.., last], [.., before, end]) = (&plastic_strain[..], &factor[..]) else { return None };
+        (largest > *last && before != end).then(|| {
+            format!(
+                "the largest plastic strain is {}, above the table of material.hardening, which ends at {}: its last factor is \
+                 taken there",
+                digits(largest, 3),
+                plain(*last)
+            )
+        })
+    }
+
     /// A sentence for each table that does not contain the temperatures from the initial one to `highest`, K; of thermal
     /// properties with heat only. A table whose last two values are equal says itself that it is constant above, and so does
     /// a law that ends without strength.
@@ -64,6 +78,20 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use crate::scene::tests::of_preset;
+
+    #[test]
+    fn strains_above_a_table_of_hardening_are_named() {
+        let hardening = |factors: &str| {
+            format!(
+                "material.hardening={{law=\"table\", plastic_strain=[0, 0.01, 0.03], factor=[1, {factors}]}}"
+            )
+        };
+        let scene = |factors| of_preset("steel-4340", &[&hardening(factors)]);
+        assert_eq!(scene("1.1, 1.2").outside_hardening(0.03), None);
+        let said = scene("1.1, 1.2").outside_hardening(0.0861).unwrap();
+        assert!(said.contains("strain is 0.0861") && said.contains("ends at 0.03"), "{said}");
+        assert_eq!(scene("1.2, 1.2").outside_hardening(0.1), None);
+    }
 
     #[test]
     fn temperatures_outside_a_table_are_named() {

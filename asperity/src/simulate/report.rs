@@ -163,6 +163,7 @@ fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stoppe
         scene
             .outside_tables(highest, runner.conditions.heat.is_coupled())
             .into_iter()
+            .chain(scene.outside_hardening(strain))
             .map(Warning::OutsideTable),
     );
     if stopped {

@@ -60,6 +60,8 @@ const PLAUSIBLE: &[Plausible] = &[
     },
     // Over the strength at the initial temperature, or at any other.
     Plausible { keys: &["factor"], unit: "1", range: (1e-4, 1e3), mistaken: &[("%", 1e-2, 0.0)] },
+    // Of a compression test, logarithmic.
+    Plausible { keys: &["plastic_strain"], unit: "1", range: (1e-7, 2.0), mistaken: &[("%", 1e-2, 0.0)] },
     Plausible { keys: &["hardening.modulus"], unit: "Pa", range: (1e5, 1e11), mistaken: STRESS },
     // Polymers and ceramics 1e6 Pa m^0.5, tough steels 3e8 Pa m^0.5.
     Plausible {

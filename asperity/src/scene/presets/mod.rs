@@ -65,6 +65,21 @@ impl Preset {
         is("yield_strength", material.yield_strength) && is("density", material.density)
     }
 
+    /// The same, with a yield strength that is rounded.
+    pub fn has_strength_near(&self, material: &Material) -> bool {
+        const ROUNDING: f64 = 0.006;
+        let strength = self.constants.iter().find_map(|constant| match constant {
+            Constant { key, value: ConstantValue::Number(value), .. } if key == "yield_strength" => {
+                Some(*value)
+            }
+            _ => None,
+        });
+        let near = strength.filter(|strength| (material.yield_strength / strength - 1.0).abs() <= ROUNDING);
+        near.is_some_and(|yield_strength| {
+            self.has_strength_of(&Material { yield_strength, ..material.clone() })
+        })
+    }
+
     /// The section `[material]` of this preset; a scene takes `rate` from it only where it names that law.
     pub fn section(&self) -> Table {
         let mut section = Table::new();

@@ -171,6 +171,12 @@ impl Scene {
         if (factor - 1.0).abs() <= TOLERANCE {
             return None;
         }
+        // Where a user has followed the remark, to its digits.
+        let as_written =
+            Material { yield_strength: self.material.yield_strength / factor, ..self.material.clone() };
+        if presets::all().iter().any(|preset| preset.has_strength_near(&as_written)) {
+            return None;
+        }
         let said = format!(
             "yield_strength is taken to hold at loading.temperature = {temperature} K, where the softening factor is {factor:.3}"
         );
@@ -186,7 +192,10 @@ impl Scene {
             ),
             None => {
                 let strength = plain(self.material.yield_strength);
-                format!("{said}; if {strength} Pa is the strength where that is 1, {remedy}")
+                format!(
+                    "{said}, as one measured at this temperature does; if {strength} Pa is the strength where the factor is 1, \
+                     {remedy}"
+                )
             }
         })
     }

@@ -91,8 +91,13 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
     assert_eq!(said(&["loading.temperature=298"]), Vec::<String>::new());
     assert!(
         said(&["loading.temperature=700", "material.yield_strength=70e6"])[0]
-            .contains("if 7e7 Pa is the strength where that is 1, write")
+            .contains("if 7e7 Pa is the strength where the factor is 1, write")
     );
+    // What the remark says, done, is enough.
+    let copper = of_preset("copper", &["loading.temperature=700"]);
+    let here = rounded(copper.material.softening.factor(700.0) * copper.material.yield_strength, 3);
+    let followed = format!("material.yield_strength={here:e}");
+    assert_eq!(said(&["loading.temperature=700", &followed]), Vec::<String>::new());
 }
 
 /// An engineering tensile strength is that at the largest load.

@@ -121,8 +121,10 @@ impl SurfaceFile {
             .map_err(|error| content(line_of(&text, error.span()), syntax_error(&text, &error)))?;
         let mut keys: FileKeys = serde_path_to_error::deserialize(deserializer).map_err(|error| {
             let inner = error.inner();
-            let what = explain(&error.path().to_string(), inner.message());
-            content(line_of(&text, inner.span()), what)
+            match section_of_scene(&text) {
+                Some(section) => content(None, format!("has [{section}]: it is a scene or a request of `asperity`, not a surface file, which has [surface] and [query]")),
+                None => content(line_of(&text, inner.span()), explain(&error.path().to_string(), inner.message())),
+            }
         })?;
         if let Some((parameter, change)) = moved
             && let Some(value) = (parameter.value)(&mut keys)
@@ -131,6 +133,12 @@ impl SurfaceFile {
         }
         build(keys, file, &text).map_err(|what| content(None, what))
     }
+}
+
+/// A section that scenes and requests have and surface files do not.
+fn section_of_scene(text: &str) -> Option<&'static str> {
+    let sections: toml::Table = text.parse().ok()?;
+    ["asperity", "loading", "table"].into_iter().find(|section| sections.contains_key(*section))
 }
 
 fn content(file: &Path, line: Option<usize>, what: String) -> SurfaceFileError {

@@ -43,6 +43,14 @@ fn a_good_file_is_understood() {
 }
 
 #[test]
+fn scenes_are_named_as_such() {
+    let scene =
+        "[material]\nyoungs_modulus = { temperature = [293], value = [7e10] }\n[asperity]\nradius = 1e-4\n";
+    let error = parse(scene).unwrap_err().to_string();
+    assert!(error.starts_with("surface.toml: has [asperity]: it is a scene or a request"), "{error}");
+}
+
+#[test]
 fn errors_are_one_line_with_file_key_value_and_rule() {
     for (from, to, expected) in [
         (
