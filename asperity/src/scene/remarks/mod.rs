@@ -47,7 +47,7 @@ impl Scene {
     /// All, with the implausible values of a document made from the scene.
     pub(crate) fn remarks_with(&self, document: &Table) -> Vec<String> {
         let strength = self.equal_strength().into_iter().chain(self.reference_temperature());
-        let strength = strength.chain(self.tensile_strength());
+        let strength = strength.chain(self.below_reference()).chain(self.tensile_strength());
         strength
             .chain(self.isothermal_counterface())
             .chain(self.without_effect())
@@ -197,6 +197,24 @@ impl Scene {
                      {remedy}"
                 )
             }
+        })
+    }
+
+    /// An initial temperature below that of the law of Johnson & Cook, which is constant there, as one in degrees Celsius is.
+    fn below_reference(&self) -> Option<String> {
+        const FAR: f64 = 50.0;
+        // Lower ones are implausible under any law.
+        const LEAST: f64 = 77.0;
+        let temperature = self.loading.temperature;
+        let Softening::JohnsonCook { reference, .. } = self.material.softening else { return None };
+        (LEAST..reference - FAR).contains(&temperature).then(|| {
+            format!(
+                "loading.temperature = {} K is far below softening.reference = {} K and takes the strength there; if it is in \
+                 degrees Celsius, write {}",
+                plain(temperature),
+                plain(reference),
+                plain(temperature + 273.15)
+            )
         })
     }
 

@@ -93,6 +93,8 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
         said(&["loading.temperature=700", "material.yield_strength=70e6"])[0]
             .contains("if 7e7 Pa is the strength where the factor is 1, write")
     );
+    let cold = said(&["loading.temperature=200"]);
+    assert!(cold.len() == 1 && cold[0].ends_with("if it is in degrees Celsius, write 473.15"), "{cold:?}");
     // What the remark says, done, is enough.
     let copper = of_preset("copper", &["loading.temperature=700"]);
     let here = rounded(copper.material.softening.factor(700.0) * copper.material.yield_strength, 3);
