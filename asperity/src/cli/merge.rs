@@ -60,16 +60,15 @@ fn check_replaced(table: &Table, output: &Path, display: &Display) -> Result<(),
     let mut both = table.clone();
     let replaced = Table::read(output).map_err(|error| error.to_string());
     let output = output.display();
-    match replaced.and_then(|replaced| both.merge(&replaced).map_err(|error| error.to_string())) {
+    let of_other = |difference| format!("{output}: is a table of another request: {difference}");
+    match replaced.and_then(|replaced| both.merge(&replaced).map_err(of_other)) {
         Ok(()) if not_done(&both) < not_done(table) => Err(Failure::Input(format!(
             "{output}: has cells of this request that are in none of the shards; give it as a shard too, with another \
              name for --output, or delete it"
         ))),
         Ok(()) => Ok(()),
         Err(difference) => {
-            display
-                .printer()
-                .warn([format!("{output}: is another file, which this table replaces ({difference})")]);
+            display.printer().warn([format!("{difference}; this table replaces the file")]);
             Ok(())
         }
     }

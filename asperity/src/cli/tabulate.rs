@@ -11,6 +11,7 @@ use asperity::solver::timings::{Kernel, Timings};
 use asperity::tabulate::{self, Journal, Options, TabulateError, Tabulation};
 use serde_json::{Value, json};
 use tables::figures::{TABLE_PANELS, table_panels};
+use tables::netcdf::JOURNAL_ROLE;
 use tables::netcdf::streams::say;
 use tables::numbers;
 use tables::quantity::Quantity;
@@ -117,7 +118,7 @@ fn failure(failed: usize, of: usize, output: &Path) -> String {
 fn check_outputs(arguments: &TabulateArguments, temperatures: &[f64], journal: &Path) -> Result<(), Failure> {
     let plots = outputs::plots(&arguments.plot, temperatures);
     let mut written = outputs::with_plots(&arguments.output, &plots);
-    written.push(("the journal", journal));
+    written.push((JOURNAL_ROLE, journal));
     outputs::check_with_table(&[("the request", &arguments.request)], &written)
 }
 
@@ -258,7 +259,7 @@ fn as_json(table: &Table, output: &str) -> Value {
     };
     json!({
         "output": output,
-        "complete": true,
+        "complete": table.missing().is_empty(),
         "failed": table.failures().len(),
         "cells": table.slices().iter().flat_map(of_slice).collect::<Vec<_>>(),
         "warnings": table.metadata().comment.lines().collect::<Vec<_>>(),

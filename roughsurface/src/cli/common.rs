@@ -45,12 +45,18 @@ pub type Roles<'a> = [(&'a str, Option<&'a Path>)];
 
 /// Refuses outputs that cannot be written, and those that are an input or another output.
 pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
-    netcdf::check_outputs(inputs, &given(outputs)).map_err(Failure::input)
+    let outputs = given(outputs);
+    netcdf::check_outputs(inputs, &outputs)
+        .and_then(|()| netcdf::check_no_table(&outputs))
+        .map_err(Failure::input)
 }
 
 /// The same of results, which are no surface files.
 pub fn check_results(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
-    netcdf::check_other_results(inputs, &given(outputs)).map_err(Failure::input)
+    let outputs = given(outputs);
+    netcdf::check_results(inputs, &outputs)
+        .and_then(|()| netcdf::check_no_table(&outputs))
+        .map_err(Failure::input)
 }
 
 fn given<'a>(outputs: &Roles<'a>) -> Vec<(&'a str, &'a Path)> {

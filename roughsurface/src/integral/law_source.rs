@@ -98,9 +98,8 @@ impl LawSource {
         });
         let mut missing_cells = Vec::new();
         if interpolate_missing {
-            missing_cells =
-                table.blocks(table.grid().filter(|(i, j)| table.cell(*i, *j).is_none()).collect());
-            let (whole, _) = table.with_failed_cells_interpolated();
+            let (whole, passed) = table.with_failed_cells_interpolated();
+            missing_cells = table.blocks(passed);
             table = whole.interpolated();
         }
         Ok(Self {

@@ -4,7 +4,7 @@ use super::{Axis, Colors, Curve, Field, Figure, Panel};
 use crate::interpolation::InterpolatedTable;
 use crate::numbers::digits;
 use crate::quantity::Quantity;
-use crate::table::{Cell, Slice};
+use crate::table::{Axes, Cell, Slice};
 
 /// Curves that a panel can hold and stay legible.
 const MOST_CURVES: usize = 6;
@@ -98,12 +98,12 @@ impl Slice {
     pub fn figure(&self) -> Figure {
         let axes = self.axes();
         let (table, _) = self.with_failed_cells_interpolated();
-        let mapped = is_mapped(table.axes().interference.len(), &table.axes().slip_rate);
+        let mapped = is_mapped(axes.interference.len(), &axes.slip_rate);
         let table = table.interpolated();
         let mut panels = Vec::new();
         for shown in &SHOWN {
             if mapped {
-                panels.push(map(&table, shown));
+                panels.push(map(&table, axes, shown));
             }
             panels.push(self.over(positive(&axes.slip_rate) >= 2, shown));
         }
@@ -149,8 +149,7 @@ impl Slice {
 }
 
 /// A quantity over slip rate and interference.
-fn map(table: &InterpolatedTable, shown: &Shown) -> Panel {
-    let axes = table.axes();
+fn map(table: &InterpolatedTable, axes: &Axes, shown: &Shown) -> Panel {
     let rates: Vec<f64> = axes.slip_rate.iter().copied().filter(|rate| *rate > 0.0).collect();
     let (rates, interferences) = (between(&rates), between(&axes.interference));
     let at = |omega: f64, rate: f64| {

@@ -8,7 +8,7 @@ use crate::table::{Axes, Cell, Slice};
 
 impl Slice {
     /// The slice with points that failed or were not run interpolated where results lie on both sides
-    /// of them, along the interference or along the slip rate; and which they are.
+    /// of them, along the interference or along the slip rate.
     ///
     /// Values are interpolated linearly in the logarithms (of quantities that are positive) between
     /// the nearest results, over the nearer of both pairs where there are two. The error is that of
@@ -16,24 +16,40 @@ impl Slice {
     /// at the edge of the grid stay without results: there is no extrapolation.
     ///
     /// Interferences and slip rates without any result are left out, so that the slice has the range and the errors of
-    /// interpolation of its results.
+    /// interpolation of its results, also where points were added for a tolerance.
+    ///
+    /// With it the points of this slice that were interpolated or left out; others without a result are missing still.
     pub fn with_failed_cells_interpolated(&self) -> (Slice, Vec<(usize, usize)>) {
         let mut table = self.of_results();
-        let mut filled = Vec::new();
         let gaps = table.clone();
         for (i, j) in gaps.grid().filter(|(i, j)| gaps.cell(*i, *j).is_none()) {
             let Some(mut cell) = gaps.across(i, j) else { continue };
             let reason = reason(gaps.status(i, j));
             cell.warnings = vec![format!("interpolated from neighbouring points ({reason})")];
             table.set_cell(i, j, cell).expect("as long as its neighbours");
-            filled.push((i, j));
         }
-        if !filled.is_empty() {
-            let mut metadata = table.metadata().clone();
-            metadata.comment = table.warnings().join("\n");
-            table.set_metadata(metadata);
+        let is_missing = |interference: f64, slip_rate: f64| {
+            table.grid().any(|(i, j)| {
+                table.coordinates(i, j) == (interference, slip_rate) && table.cell(i, j).is_none()
+            })
+        };
+        let without = self.grid().filter(|(i, j)| self.cell(*i, *j).is_none());
+        let passed: Vec<_> = without
+            .filter(|(i, j)| {
+                let (interference, slip_rate) = self.coordinates(*i, *j);
+                !is_missing(interference, slip_rate)
+            })
+            .collect();
+        if passed.is_empty() {
+            return (table, passed);
         }
-        (table, filled)
+        let mut metadata = table.metadata().clone();
+        metadata.comment = table.warnings().join("\n");
+        if table.shape() != self.shape() {
+            metadata.interpolation_tolerance = None;
+        }
+        table.set_metadata(metadata);
+        (table, passed)
     }
 
     /// The slice without the interferences and slip rates that have no result; unchanged if there is none at all.
@@ -192,7 +208,7 @@ mod tests {
             );
         }
         let (rest, filled) = table.with_failed_cells_interpolated();
-        assert_eq!((rest.shape(), filled), ((3, 3), vec![]));
+        assert_eq!((rest.shape(), filled.len()), ((3, 3), 7));
         assert_eq!(rest.axes().interference, [1.0, 2.0, 4.0]);
         assert_eq!(rest.axes().slip_rate, [0.1, 10.0, 100.0]);
         assert!(load(&rest, 9.0, 2.0).is_ok());

@@ -122,7 +122,7 @@ impl Interpolant {
         slip: f64,
     ) -> Result<(Values, Errors), Absent> {
         let rows = self.rows.ok_or((0, 0))?;
-        let place = self.place_with_results(rows, interference.ln())?;
+        let place = self.place_with_results(rows, interference.ln(), rate)?;
         let ratio = slip / self.contact_radius(rows, &place);
         let (values, mut error) = self.state_at(rows, &place, rate, ratio)?;
         let farther = ratio / self.nodes.last_slip();
@@ -187,10 +187,12 @@ impl Interpolant {
         &self,
         rows @ (first, last): (usize, usize),
         log_interference: f64,
+        rate: Location,
     ) -> Result<Place, Absent> {
+        let column = rate.index + usize::from(rate.t > 0.5);
         match self.place(rows, log_interference) {
-            Place::Below(_) if first > 0 => Err((first - 1, 0)),
-            Place::Above(_) if last + 1 < self.log_interference.len() => Err((last + 1, 0)),
+            Place::Below(_) if first > 0 => Err((first - 1, column)),
+            Place::Above(_) if last + 1 < self.log_interference.len() => Err((last + 1, column)),
             place => Ok(place),
         }
     }

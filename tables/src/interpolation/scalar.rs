@@ -35,7 +35,7 @@ impl InterpolatedTable {
             between(quantity, origin, on(row)).map_or(f64::NAN, |(value, _)| value)
         };
         let (value, error) =
-            match self.interpolant.place_with_results(rows, interference.ln()).map_err(absent)? {
+            match self.interpolant.place_with_results(rows, interference.ln(), rate).map_err(absent)? {
                 Place::Inside(place) => between(quantity, origin, place).map_err(absent)?,
                 Place::Below(below) => {
                     let (value, error) = between(quantity, origin, on(first)).map_err(absent)?;

@@ -32,6 +32,9 @@ pub enum OutputError {
 /// Role of the file that results are written to.
 pub const OUTPUT: &str = "--output";
 
+/// Role of the journal of a table.
+pub const JOURNAL_ROLE: &str = "the journal";
+
 /// [`check_outputs`] of results: a slip of the keyboard shall not replace a scene, a request or a surface.
 pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     let is_input =
@@ -39,22 +42,22 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
     check_outputs(inputs, outputs)?;
     // Journals themselves have another role.
     let is_journal =
-        |role: &str, output: &Path| role == OUTPUT && output.to_string_lossy().ends_with(JOURNAL);
+        |role: &str, place: &Path| role != JOURNAL_ROLE && place.to_string_lossy().ends_with(JOURNAL);
     for (role, output) in outputs {
         let path = output.display().to_string();
         if is_input(&destination(output)) {
             return Err(OutputError::InputName { path });
         }
-        if is_journal(role, output) {
+        if is_journal(role, &destination(output)) {
             return Err(OutputError::JournalName { path });
         }
     }
     Ok(())
 }
 
-/// [`check_results`] of results that are no table: one took hours to compute, and its name is easily given again.
-pub fn check_other_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
-    check_results(inputs, outputs)?;
+/// Whether no output of a command that makes other files is a table: one took hours to compute, and its name is easily given
+/// again.
+pub fn check_no_table(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     let is_table = |path: &Path| {
         let schema = DatasetReader::open(path).and_then(|file| file.optional_text("schema"));
         schema.is_ok_and(|schema| schema.as_deref() == Some(SCHEMA))
@@ -154,7 +157,7 @@ mod tests {
         let journal = Path::new("table.nc.part");
         let refused = check_results(&[], &[(OUTPUT, journal)]).unwrap_err().to_string();
         assert!(refused.starts_with("table.nc.part: files named .part are journals"), "{refused}");
-        check_results(&[], &[("the journal", journal)]).unwrap();
+        check_results(&[], &[(JOURNAL_ROLE, journal)]).unwrap();
     }
 
     #[test]

@@ -65,17 +65,21 @@ impl Preset {
         is("yield_strength", material.yield_strength) && is("density", material.density)
     }
 
-    /// The same, with a yield strength that is rounded.
+    /// The same, with rounded values of yield strength and hardening modulus.
     pub fn has_strength_near(&self, material: &Material) -> bool {
         const ROUNDING: f64 = 0.006;
-        let strength = self.constants.iter().find_map(|constant| match constant {
-            Constant { key, value: ConstantValue::Number(value), .. } if key == "yield_strength" => {
-                Some(*value)
-            }
-            _ => None,
-        });
-        let near = strength.filter(|strength| (material.yield_strength / strength - 1.0).abs() <= ROUNDING);
-        near.is_some_and(|yield_strength| {
+        let near = |wanted: &str, value: f64| {
+            self.constants.iter().find_map(|constant| match constant {
+                Constant { key, value: ConstantValue::Number(exact), .. } if key == wanted => {
+                    Some(*exact).filter(|exact| (value / exact - 1.0).abs() <= ROUNDING)
+                }
+                _ => None,
+            })
+        };
+        let modulus = material.hardening.clone().modulus_mut().map(|modulus| *modulus);
+        let hardens_alike = modulus.is_none_or(|modulus| near("hardening.modulus", modulus).is_some());
+        let strength = near("yield_strength", material.yield_strength).filter(|_| hardens_alike);
+        strength.is_some_and(|yield_strength| {
             self.has_strength_of(&Material { yield_strength, ..material.clone() })
         })
     }

@@ -172,8 +172,9 @@ impl Scene {
             return None;
         }
         // Where a user has followed the remark, to its digits.
-        let as_written =
-            Material { yield_strength: self.material.yield_strength / factor, ..self.material.clone() };
+        let mut as_written = self.material.clone();
+        as_written.yield_strength /= factor;
+        as_written.hardening.modulus_mut().into_iter().for_each(|modulus| *modulus /= factor);
         if presets::all().iter().any(|preset| preset.has_strength_near(&as_written)) {
             return None;
         }

@@ -96,10 +96,13 @@ fn constants_of_a_preset_at_another_temperature_are_noticed() {
     let cold = said(&["loading.temperature=200"]);
     assert!(cold.len() == 1 && cold[0].ends_with("if it is in degrees Celsius, write 473.15"), "{cold:?}");
     // What the remark says, done, is enough.
-    let copper = of_preset("copper", &["loading.temperature=700"]);
-    let here = rounded(copper.material.softening.factor(700.0) * copper.material.yield_strength, 3);
-    let followed = format!("material.yield_strength={here:e}");
-    assert_eq!(said(&["loading.temperature=700", &followed]), Vec::<String>::new());
+    let mut copper = of_preset("copper", &["loading.temperature=700"]).material;
+    let factor = copper.softening.factor(700.0);
+    let here = |constant: f64| rounded(factor * constant, 3);
+    let strength = format!("material.yield_strength={:e}", here(copper.yield_strength));
+    let modulus = format!("material.hardening.modulus={:e}", here(*copper.hardening.modulus_mut().unwrap()));
+    assert_eq!(said(&["loading.temperature=700", &strength, &modulus]), Vec::<String>::new());
+    assert_eq!(said(&["loading.temperature=700", &strength]).len(), 1);
 }
 
 /// An engineering tensile strength is that at the largest load.

@@ -1,19 +1,25 @@
 //! Undefined points filled in from the defined ones around them.
 //!
 //! The filled heights minimise the sum of the squared differences between neighbours, each over the mean square of the
-//! differences of the map in its direction: on a surface with a lay heights are continued along the lay. Of equal mean squares
-//! they are harmonic. The sum is minimised by conjugate gradients.
+//! differences of the map in its direction, less that of their mean: on a surface with a lay along rows, columns or diagonals
+//! heights are continued along it. Of equal mean squares they are harmonic. The sum is minimised by conjugate gradients. Opposite
+//! edges of a periodic map are not neighbours here.
 
 use super::Topography;
+use rayon::prelude::*;
 
 /// Neighbours of a point on one side, in rows and columns.
 const DIRECTIONS: [(isize, isize); 4] = [(0, 1), (1, 0), (1, 1), (1, -1)];
-/// Change of the heights in an iteration, over those that are filled in, at which they are final.
+/// Residual, over the first one in the norm of the preconditioner, at which the heights are final.
 const TOLERANCE: f64 = 1e-6;
-/// Iterations at most; holes are rarely a hundred points wide.
-const ITERATIONS: usize = 10_000;
+/// Iterations at most: some ten times the width of a hole, or the root of 1/[`LEAST`], are needed.
+const ITERATIONS: usize = 20_000;
 /// Mean square of differences, over the largest, that counts as the smallest.
-const LEAST: f64 = 1e-9;
+const LEAST: f64 = 1e-4;
+/// Points that a thread takes at once.
+const CHUNK: usize = 1 << 12;
+/// In place of the number of a point that is defined.
+const DEFINED: u32 = u32::MAX;
 
 /// Gives undefined points heights; at least one must be defined.
 pub(super) fn fill(topography: &mut Topography) {
@@ -41,8 +47,8 @@ struct System<'a> {
     /// Of each of [`DIRECTIONS`].
     weights: [f64; DIRECTIONS.len()],
     places: Vec<usize>,
-    /// Number of the undefined point at each place of the map.
-    numbers: Vec<Option<u32>>,
+    /// Number of the undefined point at each place of the map, or [`DEFINED`].
+    numbers: Vec<u32>,
 }
 
 impl<'a> System<'a> {
@@ -51,18 +57,19 @@ impl<'a> System<'a> {
         let squares = DIRECTIONS.map(|direction| {
             let difference = |place| Some(heights[place] - heights[next(topography, place, direction)?]);
             let differences = (0..heights.len()).filter_map(difference).filter(|value| !value.is_nan());
-            let (sum, count) =
-                differences.fold((0.0, 0.0), |(sum, count), value| (sum + value * value, count + 1.0));
-            if count > 0.0 { sum / count } else { f64::INFINITY }
+            let (sum, squares, count) = differences.fold((0.0, 0.0, 0.0), |(sum, squares, count), value| {
+                (sum + value, squares + value * value, count + 1.0)
+            });
+            if count > 0.0 { squares / count - (sum / count).powi(2) } else { f64::INFINITY }
         });
         let largest = squares.into_iter().filter(|square| square.is_finite()).fold(0.0, f64::max);
         // Without differences all directions are alike.
         let weights =
             squares.map(|square| if largest > 0.0 { largest / square.max(LEAST * largest) } else { 1.0 });
         let places: Vec<usize> = (0..heights.len()).filter(|place| heights[*place].is_nan()).collect();
-        let mut numbers = vec![None; heights.len()];
+        let mut numbers = vec![DEFINED; heights.len()];
         for (number, place) in (0..).zip(&places) {
-            numbers[*place] = Some(number);
+            numbers[*place] = number;
         }
         Self { topography, weights, places, numbers }
     }
@@ -75,8 +82,8 @@ impl<'a> System<'a> {
             for direction in [(down, right), (-down, -right)] {
                 let Some(place) = next(self.topography, self.places[n], direction) else { continue };
                 let height = match self.numbers[place] {
-                    Some(number) => of_undefined[number as usize],
-                    None => known * self.topography.heights[place],
+                    DEFINED => known * self.topography.heights[place],
+                    number => of_undefined[number as usize],
                 };
                 sum += weight * (height - own);
             }
@@ -88,32 +95,31 @@ impl<'a> System<'a> {
     fn solve(&self, start: f64) -> Vec<f64> {
         let count = self.places.len();
         let zeros = vec![0.0; count];
-        let diagonal: Vec<f64> = (0..count).map(|n| self.differences(n, -1.0, 0.0, &zeros)).collect();
+        let each = |own: &[f64], known: f64, of_undefined: &[f64]| -> Vec<f64> {
+            let points = own.par_iter().enumerate().with_min_len(CHUNK);
+            points.map(|(n, own)| self.differences(n, *own, known, of_undefined)).collect()
+        };
+        let diagonal = each(&vec![-1.0; count], 0.0, &zeros);
         let mut x = vec![start; count];
-        let mut residual: Vec<f64> = (0..count).map(|n| self.differences(n, x[n], 1.0, &x)).collect();
-        let (mut direction, mut before) = (zeros, f64::INFINITY);
+        let mut residual = each(&x, 1.0, &x);
+        let norm = |residual: &[f64]| residual.iter().zip(&diagonal).map(|(r, d)| r * r / d).sum::<f64>();
+        let (first, mut before) = (norm(&residual), f64::INFINITY);
+        let mut direction = zeros;
         for _ in 0..ITERATIONS {
-            let size: f64 = residual.iter().zip(&diagonal).map(|(r, d)| r * r / d).sum();
-            if size == 0.0 {
+            let size = norm(&residual);
+            if size <= TOLERANCE * TOLERANCE * first {
                 break;
             }
             for n in 0..count {
                 direction[n] = residual[n] / diagonal[n] + size / before * direction[n];
             }
-            let product: Vec<f64> =
-                (0..count).map(|n| -self.differences(n, direction[n], 0.0, &direction)).collect();
-            let length = size / direction.iter().zip(&product).map(|(p, q)| p * q).sum::<f64>();
-            let (mut change, mut spread) = (0.0_f64, 0.0_f64);
+            let change = each(&direction, 0.0, &direction);
+            let length = -size / direction.iter().zip(&change).map(|(p, q)| p * q).sum::<f64>();
             for n in 0..count {
                 x[n] += length * direction[n];
-                residual[n] -= length * product[n];
-                change = change.max((length * direction[n]).abs());
-                spread = spread.max((x[n] - start).abs());
+                residual[n] += length * change[n];
             }
             before = size;
-            if change <= TOLERANCE * spread {
-                break;
-            }
         }
         x
     }
@@ -141,12 +147,13 @@ mod tests {
         map.heights.iter().zip(&whole).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max)
     }
 
+    /// To what [`LEAST`] leaves; the mean of the neighbours is off by the amplitude.
     #[test]
     fn a_lay_is_continued_across_holes() {
         let error = largest_error(|_, column| 1e-6 * (0.9 * column).sin());
-        assert!(error < 1e-8, "{error:e}");
+        assert!(error < 5e-8, "{error:e}");
         let error = largest_error(|row, column| 1e-6 * (0.9 * (row - column)).sin());
-        assert!(error < 1e-8, "{error:e}");
+        assert!(error < 5e-8, "{error:e}");
     }
 
     /// x² − y² is harmonic; its mean squares along rows and columns are similar and not equal.

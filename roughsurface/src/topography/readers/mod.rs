@@ -108,14 +108,14 @@ fn check(topography: &mut Topography) -> Result<(), String> {
             100.0 * MOST_UNDEFINED
         ));
     }
-    if undefined > 0.0 {
-        fill::fill(topography);
-        topography.remarks.push(Warning::Filled { share: undefined });
-    }
     let defined = || topography.heights.iter().copied();
     let (low, high) = (defined().fold(f64::INFINITY, f64::min), defined().fold(f64::NEG_INFINITY, f64::max));
     if low == high {
         return Err(format!("all heights are {} m", plain(low)));
+    }
+    if undefined > 0.0 {
+        fill::fill(topography);
+        topography.remarks.push(Warning::Filled { share: undefined });
     }
     Ok(())
 }

@@ -16,7 +16,7 @@ use tables::numbers::plain;
 
 pub(super) fn parse(text: &str, reading: &Reading) -> Result<Topography, String> {
     // Spreadsheets begin with a byte order mark.
-    let text = text.trim_start_matches('\u{feff}');
+    let text = &unquoted(text.trim_start_matches('\u{feff}'));
     let mut remarks = Vec::new();
     let commas = Commas::of(text.lines().map(|line| without_comment(line).0));
     if commas == Commas::Decimal {
@@ -96,6 +96,21 @@ fn without_comment(line: &str) -> (&str, &str) {
     line.split_at(line.find(['#', '%']).unwrap_or(line.len()))
 }
 
+/// Cells without their quotation marks: a comma within these is decimal.
+fn unquoted(text: &str) -> String {
+    let mut within = false;
+    let letter = |letter: char| {
+        within ^= letter == '"';
+        within &= letter != '\n';
+        match letter {
+            '"' => None,
+            ',' if within => Some('.'),
+            other => Some(other),
+        }
+    };
+    text.chars().filter_map(letter).collect()
+}
+
 /// Header and lines of as many numbers each.
 fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), String> {
     let mut header = Header::default();
@@ -146,14 +161,14 @@ fn numbers(text: &str, decimal_commas: bool) -> Result<(Header, Vec<Vec<f64>>), 
     Ok((header, lines))
 }
 
-/// The words of a line, separated by commas, semicolons or white space, without the quotation marks of a cell; an empty cell
-/// beside a separator is a word without characters.
+/// The words of a line, separated by commas, semicolons or white space; an empty cell beside a separator is a word without
+/// characters.
 fn words(content: &str) -> Vec<&str> {
     let content = content.trim();
     if content.is_empty() {
         return Vec::new();
     }
-    let cells = content.split([',', ';']).map(|cell| cell.trim().trim_matches('"').trim());
+    let cells = content.split([',', ';']).map(str::trim);
     cells
         .flat_map(|cell| if cell.is_empty() { vec![cell] } else { cell.split_whitespace().collect() })
         .collect()
@@ -161,11 +176,10 @@ fn words(content: &str) -> Vec<&str> {
 
 /// A number, or what stands for a missing value.
 fn number(word: &str) -> Option<f64> {
-    const MISSING: [&str; 6] = ["", "nan", "NaN", "NAN", "bad", "BAD"];
-    let is_marked = |mark: char| word.len() > 2 && word.chars().all(|letter| letter == mark);
+    const MISSING: [&str; 9] = ["", "---", "nan", "NaN", "NAN", "bad", "BAD", "***", "*****"];
     match word.parse::<f64>() {
         Ok(number) => Some(number),
-        Err(_) => (MISSING.contains(&word) || is_marked('-') || is_marked('*')).then_some(f64::NAN),
+        Err(_) => MISSING.contains(&word).then_some(f64::NAN),
     }
 }
 
@@ -355,8 +369,14 @@ mod tests {
         }
         assert_eq!(heights("1.5,2.5 3.5,4.5").0, [1.5, 2.5, 3.5, 4.5]);
         assert!(heights("1,,2,3").0[1].is_nan());
-        assert_eq!(heights("\"1.5\",\"2.5\",\"3.5\",\"4.5\"").0, [1.5, 2.5, 3.5, 4.5]);
-        assert!(heights("1,***,2,----").0[1].is_nan());
+        for text in [
+            "\"1.5\",\"2.5\",\"3.5\",\"4.5\"",
+            "\"1,5\",\"2,5\",\"3,5\",\"4,5\"",
+            "\"1,5\";\"2,5\";3.5;\"4,5\"",
+        ] {
+            assert_eq!(heights(text), (vec![1.5, 2.5, 3.5, 4.5], vec![]), "{text}");
+        }
+        assert!(heights("1,***,2,3").0[1].is_nan());
         // A last cell may be empty too; a separator at the end of every line is none.
         let map = |text: &str| parse(text, &Reading { unit: Some(1.0), pixel: Some(1.0) }).unwrap().heights;
         for text in ["1,2,3,4\n5,6,7,\n", "1,2,3,4\n,6,7,8\n"] {
