@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
-use tables::netcdf::{OutputError, check_no_table, check_outputs, check_results, write_atomically};
+use tables::netcdf::{OutputError, check_outputs, check_results, write_atomically};
 
 use crate::errors;
 
@@ -12,7 +12,7 @@ use crate::errors;
 pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>) -> PyResult<()> {
     let inputs: Vec<(&str, &Path)> = inputs.iter().map(|path| ("an input of the result", &**path)).collect();
     let outputs = [("the output", &*output)];
-    refused(check_outputs(&inputs, &outputs).and_then(|()| check_no_table(&outputs)), &outputs)
+    refused(check_outputs(&inputs, &outputs), &outputs)
 }
 
 /// The same of the files of a table with their roles.
