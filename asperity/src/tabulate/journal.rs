@@ -14,8 +14,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use tables::netcdf::{destination, in_words};
-use tables::shipped::JOURNAL;
+use tables::netcdf::{JOURNAL, destination, in_words};
 use tables::table::comparison::{OfKey, request_differences};
 use tables::table::{Status, Table};
 

@@ -129,9 +129,8 @@ impl InputOptions {
             false => self.topography.refuse(&self.surface).map(|()| None)?,
         };
         let file = self.surface_file(measured.as_ref(), &overrides).map_err(Failure::input)?;
-        let tables = file.uncertain_tables.iter().map(|(_, table)| ("a table of the surface file", &**table));
         let heights = file.heights_file.iter().map(|heights| ("the heights of the surface file", &**heights));
-        check_results(&tables.chain(heights).collect::<Vec<_>>(), outputs)?;
+        check_results(&heights.collect::<Vec<_>>(), outputs)?;
 
         Case::open(file, measured, self.table(), self.allow_missing).map_err(Failure::input)
     }

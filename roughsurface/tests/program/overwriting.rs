@@ -47,7 +47,7 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
         (format!("{predict} -o f.nc --report surface.toml"), "--report and the surface file are the same"),
         (format!("{predict} -o f.svg --plot f.svg"), "--plot and --output are the same file, f.svg"),
         (format!("{predict} -o f.nc --plot x.svg --report x.svg"), "--report and --plot are the same file"),
-        (format!("{predict} -o up.nc"), "--output and a table of the surface file are the same file"),
+        (format!("{predict} -o up.nc"), "up.nc: is a table, which only `asperity tabulate`"),
         (format!("{predict} -o heights.txt"), "--output and the heights of the surface file are the same"),
         (
             "sample surface.toml --table table.nc --asperities 9 -o table.nc".into(),

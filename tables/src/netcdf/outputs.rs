@@ -8,7 +8,6 @@ use super::atomic::{check_protection, destination, folder_of};
 use super::distinct::{SameFile, check_distinct};
 use super::reader::DatasetReader;
 use super::schema::SCHEMA;
-use crate::shipped::JOURNAL;
 
 /// Why an output is refused.
 #[derive(Debug, thiserror::Error)]
@@ -31,6 +30,9 @@ pub enum OutputError {
 
 /// Role of the file that results are written to.
 pub const OUTPUT: &str = "--output";
+
+/// End of the name of a journal of finished cells, beside the table that it will be.
+pub const JOURNAL: &str = ".part";
 
 /// Role of the journal of a table.
 pub const JOURNAL_ROLE: &str = "the journal";

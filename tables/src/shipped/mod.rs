@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::Path;
 
 use crate::interpolation::InterpolatedTable;
-use crate::netcdf::DatasetError;
+use crate::netcdf::{DatasetError, JOURNAL};
 use crate::quantity::hint;
 use crate::table::{Table, TemperatureError};
 
@@ -47,9 +47,6 @@ pub fn metals() -> impl Iterator<Item = &'static str> {
 pub fn on_rigid_flat(metal: &str) -> String {
     format!("{metal}{RIGID}")
 }
-
-/// End of the name of a journal of finished cells, beside the table that it will be.
-pub const JOURNAL: &str = ".part";
 
 /// Why a table is unavailable.
 #[derive(Debug, thiserror::Error)]
