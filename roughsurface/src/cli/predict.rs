@@ -54,7 +54,8 @@ Not modelled: merging of contacts, interaction of asperities beyond their mean p
 wear, fluid lubrication, third bodies (debris, gouge); a solid film is in the table, by the law of
 its interface. The counter-face is smooth; a table states what else it is (`asperity table info`).
 That of shipped tables is rigid and conducts heat like the metal; of those called NAME-rigid it
-stays at the initial temperature. In those called NAME-rate the strength grows with the strain rate; they are exact for summits of a radius of 0.1 mm.
+stays at the initial temperature. In those called NAME-rate the strength grows with the strain
+rate; they are exact for summits of a radius of 0.1 mm.
 
 Above its last interference a table is extrapolated towards the fully plastic limit, with an error
 that grows; the share of the load there is in the result. A pressure at which more than 0.1 % of

@@ -97,8 +97,8 @@ impl Slice {
     /// two positive slip rates, and no maps then); friction along the slide.
     pub fn figure(&self) -> Figure {
         let axes = self.axes();
-        let (table, _) = self.with_failed_cells_interpolated();
         let mapped = is_mapped(axes.interference.len(), &axes.slip_rate);
+        let (table, _) = self.with_failed_cells_interpolated();
         let table = table.interpolated();
         let mut panels = Vec::new();
         for shown in &SHOWN {
