@@ -11,7 +11,7 @@ use super::{Display, EffectivityArguments, Failure, outputs, print};
 
 /// Run the scenes that the journal lacks, evaluate all of it.
 pub fn effectivity(arguments: &EffectivityArguments, display: &Display) -> Result<(), Failure> {
-    outputs::check(&[("--journal", &arguments.journal)], &[(tables::netcdf::OUTPUT, &arguments.output)])?;
+    outputs::check(&[("--journal", &arguments.journal)], &[(outputs::OUTPUT, &arguments.output)])?;
     let all = scenes::COUNT;
     let which: Vec<usize> = match arguments.scenes.as_slice() {
         [] => (0..all).collect(),

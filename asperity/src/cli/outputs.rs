@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use tables::figures::Figure;
 use tables::netcdf::program::{Failure, save};
-use tables::netcdf::{OUTPUT, check_no_table, check_results, probe};
+use tables::netcdf::{check_no_table, check_results, probe};
 use tables::table::Table;
 
 /// Whether every output of a command can be written, and replaces neither an input, nor another output, nor a table. Each file is
@@ -21,6 +21,9 @@ pub fn check_with_table(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> 
     }
     check_results(inputs, outputs).map_err(Failure::input)
 }
+
+/// Role of the file that the results are written to.
+pub const OUTPUT: &str = "--output";
 
 /// Role of a figure.
 pub const PLOT: &str = "--plot";

@@ -28,9 +28,6 @@ pub enum OutputError {
     Table { path: String },
 }
 
-/// Role of the file that results are written to.
-pub const OUTPUT: &str = "--output";
-
 /// End of the name of a journal of finished cells, beside the table that it will be.
 pub const JOURNAL: &str = ".part";
 
@@ -157,7 +154,7 @@ mod tests {
         }
         check_results(&[], &[("--output", Path::new("toml.nc")), ("--plot", Path::new("toml"))]).unwrap();
         let journal = Path::new("table.nc.part");
-        let refused = check_results(&[], &[(OUTPUT, journal)]).unwrap_err().to_string();
+        let refused = check_results(&[], &[("--output", journal)]).unwrap_err().to_string();
         assert!(refused.starts_with("table.nc.part: files named .part are journals"), "{refused}");
         check_results(&[], &[(JOURNAL_ROLE, journal)]).unwrap();
     }

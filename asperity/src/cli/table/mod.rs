@@ -132,7 +132,7 @@ pub fn table(command: &TableCommand, display: &Display) -> Result<(), Failure> {
         }
         TableCommand::Export { table, output, histories, at } => {
             check_csv(output)?;
-            outputs::check(&[("the table", Path::new(table))], &[(tables::netcdf::OUTPUT, output)])?;
+            outputs::check(&[("the table", Path::new(table))], &[(outputs::OUTPUT, output)])?;
             export(&read_all(table, at)?, output, *histories)?;
             printed(output, display)
         }
