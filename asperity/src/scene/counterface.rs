@@ -62,6 +62,12 @@ impl Counterface {
     pub fn conduction(&self) -> Option<[f64; 2]> {
         Some([self.thermal_conductivity?, self.density? * self.specific_heat?])
     }
+
+    /// Péclet number Va/(2κ₂) at a slip rate (m/s) and the radius of a contact (m), where it conducts heat.
+    pub fn peclet(&self, slip_rate: f64, contact_radius: f64) -> Option<f64> {
+        let [conductivity, capacity] = self.conduction()?;
+        Some(slip_rate * contact_radius * capacity / (2.0 * conductivity))
+    }
 }
 
 impl Scene {
@@ -121,10 +127,9 @@ impl Scene {
     /// [constriction](Self::constriction) ρ of the asperity.
     pub fn steady_heat_partition(&self, slip_rate: f64, contact_radius: f64) -> Option<f64> {
         let own = self.material.thermal_conductivity;
-        self.counterface.conduction().map(|[other, capacity]| {
-            let peclet = slip_rate * contact_radius * capacity / (2.0 * other);
-            own / (own + other * self.constriction(contact_radius) * (1.0 + peclet / 0.6575).sqrt())
-        })
+        let [other, _] = self.counterface.conduction()?;
+        let peclet = self.counterface.peclet(slip_rate, contact_radius)?;
+        Some(own / (own + other * self.constriction(contact_radius) * (1.0 + peclet / 0.6575).sqrt()))
     }
 
     /// Steady mean rise of the hemisphere under a uniform flux over a contact of `contact_radius` (m), over that of a

@@ -102,7 +102,7 @@ impl<'a> Conditions<'a> {
         let small = scene.model.kinematics == Kinematics::Auto && !problem.finite_strain;
         ModellingError {
             heat: (self.heat == HeatChoice::Off(NoHeat::Negligible)).then_some(self.effect),
-            shared_heat: problem.counterface.as_ref().and_then(|_| self.shared_heat(run)),
+            shared_heat: self.shared_heat(run),
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
             press_coupling: problem.press_friction.neglected,
@@ -114,11 +114,19 @@ impl<'a> Conditions<'a> {
     }
 
     fn shared_heat(&self, run: &Run) -> Option<SharedHeat> {
+        let Pressed { scene, problem, contact_radius, .. } = self.pressed;
+        let [conductivity, _] = scene.counterface.conduction().filter(|_| self.heat.is_coupled())?;
+        let bound = |slip_rate: f64| {
+            let peclet = scene.counterface.peclet(slip_rate, contact_radius * problem.units.length)?;
+            Some(SharedHeat::bound_of_mean_rise(conductivity / scene.material.thermal_conductivity, peclet))
+        };
+        let slip_rates = self.programme.iter().map(|step| step.slip_rate().abs()).filter(|&rate| rate > 0.0);
+        let mean_rise = slip_rates.filter_map(bound).fold(0.0, f64::max);
         let value = |quantity| run.values.value(quantity);
         let rise = run.values.magnitude(Quantity::TemperatureMean);
-        let scene = &self.pressed.scene;
-        self.heat.is_coupled().then(|| SharedHeat {
-            softening: scene.softening_between(rise, (1.0 + smooth_flux::MEAN_RISE) * rise),
+        Some(SharedHeat {
+            mean_rise,
+            softening: scene.softening_between(rise, (1.0 + mean_rise) * rise),
             load: smooth_flux::PARTITION
                 * (1.0 - value(Quantity::LoadPress) / value(Quantity::Load)).abs().min(1.0),
         })
