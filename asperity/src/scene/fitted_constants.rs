@@ -154,8 +154,8 @@ pub(crate) mod localised_shear {
 /// - Chosen: bounds of the relative change of rises and heat partition to those of temperatures equal at each point; of the mean
 ///   rise at [`smooth_flux::CONDUCTIVITIES`] and [`smooth_flux::PECLET`], linear in their logarithms.
 /// - Data: half-spaces by boundary elements, a disc of uniform frictional heat, k₂/k 0.05 to 20, Va/(2κ₂) 0.5 to 3000, steady and
-///   at κt/a² from 0.003, after a slip of a or more: highest rise −5.8 to +3.5 %, mean rise 0 to +1.0 % (up to 0.96 of its bound on
-///   48 squares), partition −1.3 to +1.3 %. With the mean in common alone: up to 35, 7 and 6 %.
+///   at κt/a² from 0.003, after a slip of a or more, 64 squares along the diameter: highest rise −5.8 to +2.6 %, mean rise 0 to +1.0 %
+///   and at most 0.91 of its bound, partition −1.3 to +1.4 %. With the mean in common alone: up to 35, 7 and 6 %.
 /// - Repeated by: `examples/peers/sliding_heat.py`.
 pub(crate) mod smooth_flux {
     /// k₂/k.

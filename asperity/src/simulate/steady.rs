@@ -5,7 +5,7 @@
 //!
 //! μ(s) = μ_∞ + c/√s,   μ_∞ = 2μ(s) − μ(s/4)
 //!
-//! While heat has not yet diffused through the contact, Fo = κt/a² < 4, the rise grows as √t instead, and a change by
+//! While heat has not yet diffused through the contact, Fo = κt/a² < 4 at s, the rise grows as √t at most, and a change by
 //! Δμ from s/4 to s is one by up to 2Δμ/√Fo from s to the steady state. Friction that falls ends between its present
 //! value and zero.
 

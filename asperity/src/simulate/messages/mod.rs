@@ -32,7 +32,7 @@ pub enum Note {
     Heat(HeatChoice, HeatEffect),
     /// Share of the frictional heat that enters the asperity beside a conducting counterface.
     #[error(
-        "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, {:.1} % at its start",
+        "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, {:.1} % at its start; its thermal expansion is left out",
         100.0 * .last,
         100.0 * .first
     )]
