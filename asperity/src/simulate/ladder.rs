@@ -30,7 +30,7 @@ pub(super) struct Ladder {
     pub abandoned: Option<Run>,
     /// Why the runs that had to follow could not begin; the result is then the best of those before.
     pub obstacle: Option<SimulationError>,
-    /// Time of a main run that was begun and given up, s.
+    /// Time of runs that were begun and given up, or repeated on wider meshes, s.
     pub given_up: f64,
     /// Largest relative error of the quantities controlled by the accuracy, over its allowance, of each main run.
     errors: Vec<f64>,
@@ -60,6 +60,12 @@ impl Ladder {
     ) -> Self {
         let coarse = auxiliary.swap_remove(0);
         Self { obstacle, ..Self::new(start, coarse, auxiliary) }
+    }
+
+    /// Time of all slides, s.
+    pub fn time_of_slides(&self) -> f64 {
+        let slides = self.auxiliary.iter().chain(&self.main).chain(&self.coarse).chain(&self.abandoned);
+        slides.map(Run::slide_time).sum::<f64>() + self.given_up
     }
 
     /// Resolutions of the last two main runs.

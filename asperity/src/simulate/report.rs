@@ -102,8 +102,8 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     let earlier = &ladder.main[..ladder.main.len() - 1];
     let others = || ladder.auxiliary.iter().chain(earlier).chain(&ladder.coarse).chain(&ladder.abandoned);
     let mut timings = run.timings;
-    let slides: f64 = others().map(Run::slide_time).sum();
-    timings.add(Kernel::AuxiliaryRuns, slides + ladder.given_up + runner.other_presses(run));
+    let other_slides = ladder.time_of_slides() - run.slide_time();
+    timings.add(Kernel::AuxiliaryRuns, other_slides + runner.other_presses(run));
     Account {
         elements_per_radius: run.resolution.elements_per_radius,
         sectors: run.resolution.sectors,

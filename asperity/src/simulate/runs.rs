@@ -69,7 +69,10 @@ impl<'a> Runner<'a> {
             self.wider(&ladder.start, ladder.auxiliary.iter().chain(&ladder.main))
         {
             match self.runs_from(wider) {
-                Ok(wider) => ladder = wider,
+                Ok(mut wider) => {
+                    wider.given_up += ladder.time_of_slides();
+                    ladder = wider;
+                }
                 Err(error) => {
                     ladder.obstacle = Some(error);
                     break;

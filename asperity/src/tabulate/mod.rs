@@ -97,6 +97,12 @@ pub enum TabulateError {
          --resume"
     )]
     OtherTable(String),
+    /// The file that the table is written to is of another build of the program.
+    #[error(
+        "{0}: holds a table of this request by another build of the program, which --resume would replace; `asperity table check` \
+         computes single cells again; to make the whole table anew leave out --resume"
+    )]
+    OtherBuild(String),
     /// What the file that the table is written to is instead.
     #[error("{0}; --resume would replace the file: delete it, or choose another name with --output")]
     NoTable(DatasetError),
@@ -201,9 +207,8 @@ pub fn completed(
         return Ok(None);
     }
     let Some(table) = existing(request, shard, output)? else { return Ok(None) };
-    let metadata = table.metadata();
-    if metadata.fingerprint != FINGERPRINT {
-        return Ok(None);
+    if table.metadata().fingerprint != FINGERPRINT {
+        return Err(TabulateError::OtherBuild(output.display().to_string()));
     }
     // A shard is written only when its cells are done.
     if shard.is_some() || table.missing().is_empty() {

@@ -143,6 +143,7 @@ impl ElasticSphere {
             uncertainty[friction] = uncertainty[load];
         }
         values[rise] = row[rise] * below.thermal_weight();
+        uncertainty[rise] = below.rise_uncertainty();
         (values, uncertainty)
     }
 }
@@ -176,6 +177,12 @@ impl BelowFirstRow {
     /// √(ω/ω₁): weight of the first row in quantities that depend on heat.
     pub(super) fn thermal_weight(self) -> f64 {
         (0.5 * self.log_ratio).exp()
+    }
+
+    /// Relative uncertainty of a temperature rise in proportion to the contact radius: where a moving counterface carries heat away, or
+    /// heat takes strength, it is in proportion to the root of the radius at least.
+    pub(super) fn rise_uncertainty(self) -> f64 {
+        1.0 / self.thermal_weight().sqrt() - 1.0
     }
 
     /// Weight w of the first row in P and A.

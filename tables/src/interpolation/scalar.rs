@@ -167,7 +167,7 @@ impl FirstRow<'_> {
         };
         let limit = quantity.descriptor().elastic_limit;
         match limit {
-            ElasticLimit::TemperatureRise => 0.0,
+            ElasticLimit::TemperatureRise => below.rise_uncertainty(),
             _ if quantity.descriptor().of_press && below.press_weight() == 1.0 => 0.0,
             _ if quantity.descriptor().of_press => sliding,
             ElasticLimit::SlidingFriction if self.has_friction() => {

@@ -37,6 +37,11 @@ impl Estimate {
         Self { value: self.value * factor, error: self.error * factor.abs() }
     }
 
+    /// The product of two numbers whose errors have the same sign.
+    pub fn times(self, other: Self) -> Self {
+        Self::with_errors(self.value * other.value, [self.error * other.value, self.value * other.error])
+    }
+
     /// The quotient of two numbers whose errors have opposite signs.
     ///
     /// ```

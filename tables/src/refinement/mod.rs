@@ -11,7 +11,7 @@ pub mod cross_validation;
 pub mod statistics;
 
 use crate::law::Estimate;
-use crate::quantity::Quantity;
+use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use crate::table::{Axes, Metadata, Slice};
 use cross_validation::{Along, CrossValidation};
 
@@ -156,7 +156,7 @@ impl Slice {
             for quantity in Quantity::SCALARS {
                 let relative = validation.around(i, j, quantity);
                 let shift = quantity.origin(base);
-                let added = relative * (cell[quantity].value - shift).abs();
+                let added = COVERAGE_FACTOR * OF_BOUND * relative * (cell[quantity].value - shift).abs();
                 if added > 0.0 {
                     cell[quantity].error = cell[quantity].error.hypot(added);
                 }

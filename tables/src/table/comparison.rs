@@ -2,6 +2,7 @@
 
 use crate::quantity::{Quantity, values_by_path};
 use crate::table::{Slice, Status};
+use std::mem::discriminant;
 
 /// Coordinates closer than this, relatively, are the same.
 const SAME: f64 = 1e-9;
@@ -50,8 +51,9 @@ pub struct Comparison {
     pub only_here: usize,
     /// Grid points of the second table only.
     pub only_there: usize,
-    /// Common points that are done in one table and not in the other: (point, here, there).
-    pub states: Vec<(String, String, String)>,
+    /// Common points that are in different states, by their place; and quantities of which one table alone has values at points that are
+    /// done in both, by their name.
+    pub states: Vec<OfKey>,
     /// Quantities with differences, in their order.
     pub quantities: Vec<Difference>,
 }
@@ -73,6 +75,13 @@ pub struct Difference {
     pub values: (f64, f64),
 }
 
+impl Comparison {
+    /// The quantity that differs most.
+    pub fn largest(&self) -> Option<&Difference> {
+        self.quantities.iter().max_by(|one, other| one.largest.total_cmp(&other.largest))
+    }
+}
+
 impl Slice {
     /// Compares scalars where both tables have results at the same coordinates.
     pub fn compare(&self, other: &Slice) -> Comparison {
@@ -91,13 +100,31 @@ impl Slice {
         comparison.only_there = other.grid().count() - pairs.len();
         for &((i, j), (k, l)) in &pairs {
             let (here, there) = (self.status(i, j), other.status(k, l));
-            if in_words(here) != in_words(there) {
-                comparison.states.push((self.label(i, j), in_words(here), in_words(there)));
+            if discriminant(here) != discriminant(there) {
+                let [here, there] = [here, there].map(in_words);
+                comparison.states.push(OfKey { key: self.label(i, j), here, there });
             }
         }
+        comparison
+            .states
+            .extend(Quantity::SCALARS.into_iter().filter_map(|q| self.one_sided(other, &pairs, q)));
         let differences = Quantity::SCALARS.into_iter().filter_map(|q| self.difference(other, &pairs, q));
         comparison.quantities = differences.filter(|difference| difference.largest > 0.0).collect();
         comparison
+    }
+
+    /// Of a quantity that one table alone has at points that are done in both.
+    fn one_sided(&self, other: &Slice, pairs: &[Pair], quantity: Quantity) -> Option<OfKey> {
+        let mut alone = [0, 0];
+        for &((i, j), (k, l)) in pairs {
+            let (Some(here), Some(there)) = (self.cell(i, j), other.cell(k, l)) else { continue };
+            let unknown = [there, here].map(|cell| cell[quantity].value.is_nan());
+            if unknown[0] != unknown[1] {
+                alone[usize::from(unknown[1])] += 1;
+            }
+        }
+        let [here, there] = alone.map(|count| format!("{count} cells that the other lacks"));
+        (alone != [0, 0]).then(|| OfKey { key: quantity.descriptor().name.to_owned(), here, there })
     }
 
     fn difference(&self, other: &Slice, pairs: &[Pair], quantity: Quantity) -> Option<Difference> {
@@ -198,11 +225,22 @@ mod tests {
         let [key, here, there] = ["b", "2", "3"].map(String::from);
         assert_eq!(comparison.metadata, [OfKey { key, here, there }]);
         assert_eq!(comparison.states.len(), 1);
-        assert_eq!(comparison.states[0].2, "failed: no memory");
+        assert_eq!(comparison.states[0].there, "failed: no memory");
         let mu = &comparison.quantities[0];
         assert_eq!((mu.quantity, mu.compared, mu.beyond_errors), (Quantity::Mu, 3, 1));
         assert!((mu.largest - 0.5).abs() < 1e-12);
         assert_eq!(mu.at, "10 omega_c at 2 m/s");
         assert_eq!(mu.values, (0.03, 0.06));
+    }
+
+    #[test]
+    fn values_of_one_table_alone_are_a_difference() {
+        let here = table(vec![1.0], "");
+        let mut there = here.clone();
+        there.set_cell(1, 0, Cell::new().with(Quantity::Load, 1.0, 0.0)).unwrap();
+        let [key, only_here, only_there] =
+            ["mu", "1 cells that the other lacks", "0 cells that the other lacks"].map(String::from);
+        let states = here.compare(&there).states;
+        assert_eq!(states, [OfKey { key, here: only_here, there: only_there }]);
     }
 }

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use tables::interpolation::InterpolatedTable;
 use tables::numbers::with_error;
 use tables::quantity::{Descriptor, Estimate, Quantity};
-use tables::table::comparison::{Comparison, Difference};
+use tables::table::comparison::{Comparison, Difference, OfKey};
 use tables::table::{Axes, Cell, Slice};
 
 use super::{CheckArguments, read};
@@ -49,7 +49,8 @@ pub fn check(arguments: &CheckArguments, display: &Display) -> Result<(), Failur
             print(&format!("{}: {label}: {}\n{values}", arguments.table, in_words(&comparison)))?;
         }
         compared.push(as_json(&expected, &again, &comparison));
-        let states = comparison.states.iter().map(|(_, here, there)| format!("{here} and {there}"));
+        let states =
+            comparison.states.iter().map(|OfKey { key, here, there }| format!("{key}: {here} and {there}"));
         let what: Vec<String> = states.chain(beyond(&comparison).map(str::to_owned)).collect();
         if !what.is_empty() {
             wrong.push(format!("{label}: {}", what.join(", ")));
@@ -98,12 +99,8 @@ fn beyond(comparison: &Comparison) -> impl Iterator<Item = &'static str> {
     beyond.map(|difference| difference.quantity.descriptor().name)
 }
 
-fn largest(comparison: &Comparison) -> Option<&Difference> {
-    comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest))
-}
-
 fn in_words(comparison: &Comparison) -> String {
-    largest(comparison).map_or("the same to the last digit".into(), |difference| {
+    comparison.largest().map_or("the same to the last digit".into(), |difference| {
         let name = difference.quantity.descriptor().name;
         format!("largest difference {:.2e} of {name}", difference.largest)
     })
@@ -131,7 +128,7 @@ fn as_json(expected: &Slice, again: &Slice, comparison: &Comparison) -> Value {
         let (here, there) = (values(expected, quantity)?, values(again, quantity)?);
         Some((quantity.descriptor().name.to_owned(), json!({ "table": here, "again": there })))
     };
-    let largest = largest(comparison);
+    let largest = comparison.largest();
     json!({
         "interference": interference,
         "slip_rate": slip_rate,

@@ -15,8 +15,7 @@ pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure>
     let comparison = here?.compare(&*there?);
     display.printer().print(|| as_json(&comparison), || text(&comparison))?;
     let Some(tolerance) = arguments.tolerance else { return Ok(()) };
-    let largest = comparison.quantities.iter().max_by(|a, b| a.largest.total_cmp(&b.largest));
-    match largest {
+    match comparison.largest() {
         Some(worst) if worst.largest > tolerance => Err(Failure::Run(format!(
             "{} differs by {} at {}, more than {}",
             worst.quantity.descriptor().name,
@@ -25,9 +24,7 @@ pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure>
             plain(tolerance)
         ))),
         _ => match comparison.states.first() {
-            Some((at, here, there)) => {
-                Err(Failure::Run(format!("{at} is {here} in one, {there} in the other")))
-            }
+            Some(OfKey { key, here, there }) => Err(Failure::Run(format!("{key}: {here} and {there}"))),
             None if comparison.only_here + comparison.only_there > 0 => Err(Failure::Run(format!(
                 "{} cells are in the first only, {} in the second only",
                 comparison.only_here, comparison.only_there
@@ -42,18 +39,15 @@ fn text(comparison: &Comparison) -> String {
     let mut text =
         format!("{common} cells in common, {only_here} in the first only, {only_there} in the second only\n");
     // Writing to a String cannot fail.
-    for OfKey { key, here, there } in metadata {
+    for OfKey { key, here, there } in metadata.iter().chain(states) {
         let _ = writeln!(text, "{key}: {here} and {there}");
-    }
-    for (at, here, there) in states {
-        let _ = writeln!(text, "{at}: {here} and {there}");
     }
     if *common == 0 {
         text.push_str("no quantity is compared, as no cell is in common\n");
         return text;
     }
     if quantities.is_empty() {
-        text.push_str("no differences in any quantity\n");
+        text.push_str("no differences in the values that both have\n");
         return text;
     }
     let _ = writeln!(
@@ -79,11 +73,9 @@ fn text(comparison: &Comparison) -> String {
 }
 
 fn as_json(comparison: &Comparison) -> Value {
-    let pair =
-        |(name, here, there): &(_, String, String)| json!({ "what": name, "first": here, "second": there });
     let of_key = |OfKey { key, here, there }: &OfKey| json!({ "what": key, "first": here, "second": there });
-    let metadata: Vec<Value> = comparison.metadata.iter().map(of_key).collect();
-    let states: Vec<Value> = comparison.states.iter().map(pair).collect();
+    let [metadata, states] = [&comparison.metadata, &comparison.states]
+        .map(|keys| keys.iter().map(of_key).collect::<Vec<Value>>());
     let quantities: serde_json::Map<String, Value> = (comparison.quantities.iter())
         .map(|difference| {
             let entry = json!({
