@@ -35,7 +35,7 @@ impl Progress {
             }
             Self::Lines(what, shown) => {
                 let tenths = 10 * done / total;
-                if shown.fetch_max(tenths, Ordering::Relaxed) < tenths {
+                if shown.swap(tenths, Ordering::Relaxed) != tenths {
                     say(format!("{done} of {total} {what}"));
                 }
             }

@@ -36,4 +36,5 @@ pub mod weakening;
 
 pub use predict::predict;
 pub use result::{Friction, Prediction};
+pub(crate) use settings::in_order;
 pub use settings::{PredictionError, Settings};

@@ -4,12 +4,11 @@ use crate::friction::rate_dependence::rate_sensitivity;
 use crate::friction::rate_law::{RateLaws, choose};
 use crate::friction::regime::plasticity_index;
 use crate::friction::result::{Friction, Prediction};
-use crate::friction::settings::{PredictionError, Settings};
+use crate::friction::settings::{PredictionError, Settings, in_order};
 use crate::friction::slip_curve::{SlipState, resampled, slip_grid};
 use crate::friction::sweep::{Pressed, Slide, SlidingRow, Sweep, loaded_radii};
 use crate::friction::warning::Warning;
 use crate::surface::query::{ContactLife, Query, Surface};
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AsperityLaw, Estimate};
@@ -33,17 +32,17 @@ pub fn predict(
     let (rows, rates) = (query.loading.values().len(), query.slip_rates.len());
     let cells: Vec<Cell> = (0..rows).flat_map(|row| (0..rates).map(move |rate| (row, rate))).collect();
     let place = |(row, rate): Cell| row * rates + rate;
-    let pressed = in_order(&cells, |(row, rate)| sweep.press(row, rate))?;
+    let pressed = in_order(&cells, |&(row, rate)| sweep.press(row, rate))?;
     let grid = |row: &[Pressed]| slip_grid(loaded_radii(row), settings.slip_points);
     let (slip, slips) = (grid(&pressed), pressed.chunks(rates).map(grid).collect::<Vec<_>>());
     let curves = slide_all(&sweep, &pressed, &slips, progress)?;
-    let contacts = in_order(&cells, |(row, rate)| {
+    let contacts = in_order(&cells, |&(row, rate)| {
         let end = slips[row].len() - 1;
         let separation = curves[place((row, rate))][end].effective_separation();
         Ok(sweep.contacts(rate, slips[row][end], separation)?)
     })?;
     let of_all_ages =
-        |life: ContactLife| in_order(&cells, |cell| sweep.slide_steadily(cell, life, &pressed[place(cell)]));
+        |life: ContactLife| in_order(&cells, |&cell| sweep.slide_steadily(cell, life, &pressed[place(cell)]));
     let at_first_rate: Vec<&Pressed> = pressed.iter().step_by(rates).collect();
     let rate_step = sweep.rate_step(&at_first_rate)?;
     let (sliding, lasting) = (of_all_ages(query.contact_life)?, of_all_ages(ContactLife::Steady)?);
@@ -100,15 +99,6 @@ fn depend_on_rate(
     Ok(friction.iter_mut().zip(&around).map(of_row).collect())
 }
 
-/// Of every cell. In order: the failure that is reported does not depend on the threads.
-fn in_order<C: Copy + Sync, T: Send>(
-    cells: &[C],
-    of: impl Fn(C) -> Result<T, PredictionError> + Sync,
-) -> Result<Vec<T>, PredictionError> {
-    let all: Vec<_> = cells.par_iter().map(|cell| of(*cell)).collect();
-    all.into_iter().collect()
-}
-
 /// The states of every cell, row by row, after the `slips` (m) of its row. Each task starts from the surface that is
 /// `pressed`, at slips that are its own whatever other rows there are.
 fn slide_all(
@@ -130,7 +120,7 @@ fn slide_all(
     let tasks: Vec<(usize, Vec<SlidingRow>)> =
         tasks.into_iter().map(|((rate, _), rows)| (rate, rows)).collect();
     let (done, total) = (AtomicUsize::new(0), rates * slips.iter().map(Vec::len).sum::<usize>());
-    let states = in_order(&tasks.iter().collect::<Vec<_>>(), |(rate, rows)| {
+    let states = in_order(&tasks, |(rate, rows)| {
         let states = sweep.slide(*rate, rows);
         let count: usize = rows.iter().map(|row| row.slips.len()).sum();
         progress(done.fetch_add(count, Ordering::Relaxed) + count, total);

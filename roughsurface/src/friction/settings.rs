@@ -2,6 +2,7 @@
 
 use crate::friction::warning::Place;
 use crate::integral::separation::SeparationError;
+use rayon::prelude::*;
 use tables::law::{LARGEST_CONTACT, LookupError};
 use tables::numbers::{digits, plain};
 
@@ -18,7 +19,7 @@ pub struct Settings {
     pub melting_temperature: Option<f64>,
     /// Time of sliding inception as in [`inception_time`](tables::closed_forms::partial_slip::inception_time), where it is known.
     pub inception_time: Option<f64>,
-    /// The larger effusivity √(kρc) of asperities and counterface, J/(m² K √s), where it is known.
+    /// The smaller effusivity √(kρc) of asperities and counterface, J/(m² K √s), where it is known.
     pub effusivity: Option<f64>,
 }
 
@@ -62,4 +63,13 @@ pub enum PredictionError {
     LifeBeyondHistories { life: f64, end: f64 },
     #[error("{loading} leaves no asperity in contact")]
     NoContact { loading: String },
+}
+
+/// Of every cell. In order: the failure that is reported does not depend on the threads.
+pub(crate) fn in_order<C: Sync, T: Send>(
+    cells: &[C],
+    of: impl Fn(&C) -> Result<T, PredictionError> + Sync,
+) -> Result<Vec<T>, PredictionError> {
+    let all: Vec<_> = cells.par_iter().map(&of).collect();
+    all.into_iter().collect()
 }

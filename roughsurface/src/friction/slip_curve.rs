@@ -48,9 +48,7 @@ impl SlipState {
         let separation = Estimate { value: equilibrium.separation - displacement.value, error: shift };
         let mut found = Self { pressure, separation, displacement, ..Self::at_separation(0.0, state, plane) };
         found.move_by(shift, sensitivity);
-        let mu = found.mu;
-        let shear_error = mu.error * asked.value + mu.value * asked.error;
-        found.shear = Estimate { value: mu.value * asked.value, error: shear_error };
+        found.shear = found.mu.times(asked);
         found
     }
 
@@ -73,9 +71,7 @@ impl SlipState {
         found.separation.error = held.error;
         found.move_by(shift, sensitivity);
         // Of Q itself, or of μ and p.
-        let SlipState { mu, pressure, .. } = found;
-        let of_product = mu.error * pressure.value + mu.value * pressure.error;
-        found.shear.error = found.shear.error.min(of_product);
+        found.shear.error = found.shear.error.min(found.mu.times(found.pressure).error);
         found
     }
 

@@ -47,10 +47,7 @@ fn weakening(slip: &[f64], mu: &[Estimate]) -> Option<Weakening> {
 /// nominal area under the `pressure` p (Pa) before the slide. At held load p μ is the friction stress; at held separation
 /// that grows with the load, as heat expands the asperities, without strengthening. Unknown where friction does not weaken.
 pub fn weakening_energy(slip: &[f64], mu: &[Estimate], pressure: Estimate) -> Estimate {
-    weakening(slip, mu).map_or(Estimate::UNKNOWN, |Weakening { released, .. }| {
-        let (of_mu, of_pressure) = (pressure.value * released.error, pressure.error * released.value);
-        Estimate { value: pressure.value * released.value, error: of_mu + of_pressure }
-    })
+    weakening(slip, mu).map_or(Estimate::UNKNOWN, |Weakening { released, .. }| pressure.times(released))
 }
 
 /// Slip-weakening distance D_w = 2 ∫ (μ − μ_end) ds/(μ_peak − μ_end), m: over it a friction coefficient μ

@@ -229,9 +229,7 @@ impl<'a> AsperityAtSlip<'a> {
         let steady = self.law.steady_friction(self.radius, interference, self.slip_rate)?;
         // Without it: the last value, which is not used (`has_friction_of_all_ages`).
         Ok(steady.map_or(end, |mu| {
-            let value = mu.value * end.load.value;
-            let friction =
-                Estimate::with_errors(value, [mu.error * end.load.value, mu.value * end.load.error]);
+            let friction = mu.times(end.load);
             let coefficient_error = if mu.value == 0.0 { 0.0 } else { (mu.error / mu.value).abs() };
             Response { friction, coefficient_error, ..end }
         }))
@@ -298,8 +296,7 @@ impl<'a> AsperityAtSlip<'a> {
     }
 
     fn in_proportion(&self, last: Estimate, interference: f64) -> Estimate {
-        let growth = (interference / self.contact_limit).max(1.0);
-        Estimate { value: growth * last.value, error: growth * last.error }
+        last.scaled((interference / self.contact_limit).max(1.0))
     }
 }
 

@@ -48,8 +48,10 @@ pub struct LawSource {
     pub melting_temperature: Option<f64>,
     /// Time of sliding inception as in [`partial_slip::inception_time`], from the scene of a table.
     pub inception_time: Option<f64>,
-    /// The larger effusivity √(kρc) of the bodies of the scene of a table, J/(m² K √s).
+    /// The smaller effusivity √(kρc) of the bodies of the scene of a table, J/(m² K √s).
     pub effusivity: Option<f64>,
+    /// Initial temperature of a table, K.
+    pub initial_temperature: Option<f64>,
     /// Cells of the table without results: interpolated around, or of an interference or a slip rate that is left out.
     pub missing_cells: Vec<String>,
     /// Of a table.
@@ -78,7 +80,9 @@ impl LawSource {
         }
         let mut table = shipped::open(asked, temperature).map_err(LawSourceError::Table)?;
         let metadata = table.metadata();
-        if holds_load(&metadata.scene) {
+        let scene: toml::Table = metadata.scene.parse().unwrap_or_default();
+        let control = scene.get("loading").and_then(|loading| loading.get("control"));
+        if control.and_then(toml::Value::as_str) == Some("load") {
             return Err(LawSourceError::LoadHeld { table: asked.to_owned() });
         }
         let nu = metadata.poisson_ratio;
@@ -88,10 +92,11 @@ impl LawSource {
             yield_strength: metadata.yield_strength,
         };
         let youngs_modulus =
-            number(&metadata.scene, &["material", "youngs_modulus"]).unwrap_or(material.youngs_modulus);
-        let melting_temperature = number(&metadata.scene, &["material", "softening", "melting"]);
-        let inception_time = inception_time(&metadata.scene, &material);
-        let effusivity = effusivity(&metadata.scene);
+            number(&scene, &["material", "youngs_modulus"]).unwrap_or(material.youngs_modulus);
+        let melting_temperature = number(&scene, &["material", "softening", "melting"]);
+        let inception_time = inception_time(&scene, &material);
+        let effusivity = effusivity(&scene);
+        let initial_temperature = Some(metadata.temperature);
         let counterface = Some(Counterface {
             words: metadata.counterface_in_words(),
             constants: metadata.counterface_constants(),
@@ -109,6 +114,7 @@ impl LawSource {
             melting_temperature,
             inception_time,
             effusivity,
+            initial_temperature,
             missing_cells,
             counterface,
         })
@@ -168,6 +174,7 @@ impl LawSource {
                 melting_temperature: None,
                 inception_time: None,
                 effusivity: None,
+                initial_temperature: None,
                 missing_cells: Vec::new(),
                 counterface: None,
             }),
@@ -176,31 +183,23 @@ impl LawSource {
 }
 
 /// A number of a scene, by its section and key.
-fn number(scene: &str, path: &[&str]) -> Option<f64> {
-    let scene: toml::Table = scene.parse().ok()?;
+fn number(scene: &toml::Table, path: &[&str]) -> Option<f64> {
     let (section, keys) = path.split_first()?;
     keys.iter().try_fold(scene.get(*section)?, |value, key| value.get(key))?.as_float()
 }
 
-/// The larger one of asperity and counterface.
-fn effusivity(scene: &str) -> Option<f64> {
+/// The smaller one of asperity and counterface.
+fn effusivity(scene: &toml::Table) -> Option<f64> {
     let of = |body: &str| {
         let constants =
             ["thermal_conductivity", "density", "specific_heat"].map(|key| number(scene, &[body, key]));
         constants.into_iter().product::<Option<f64>>().map(f64::sqrt)
     };
-    of("material").into_iter().chain(of("counterface")).reduce(f64::max)
-}
-
-/// Whether the slides of a scene hold the load.
-fn holds_load(scene: &str) -> bool {
-    let scene: toml::Table = scene.parse().unwrap_or_default();
-    let control = scene.get("loading").and_then(|loading| loading.get("control"));
-    control.and_then(toml::Value::as_str) == Some("load")
+    of("material").into_iter().chain(of("counterface")).reduce(f64::min)
 }
 
 /// Of the asperity of a scene; `combined` has the modulus of the elastic counterface as well, which is displaced too.
-fn inception_time(scene: &str, combined: &ElasticPlastic) -> Option<f64> {
+fn inception_time(scene: &toml::Table, combined: &ElasticPlastic) -> Option<f64> {
     let [youngs, density] = ["youngs_modulus", "density"].map(|key| number(scene, &["material", key]));
     let compliance = youngs? / combined.youngs_modulus;
     Some(compliance * partial_slip::inception_time(youngs?, combined.poisson_ratio, density?))
@@ -253,7 +252,7 @@ mod tests {
     #[test]
     fn the_scene_of_a_table_states_the_melting_temperature() {
         let scene = "[material]\nsoftening = { law = \"johnson-cook\", melting = 1793.0 }\n";
-        let melting = |scene| number(scene, &["material", "softening", "melting"]);
+        let melting = |scene: &str| number(&scene.parse().unwrap(), &["material", "softening", "melting"]);
         assert_eq!(melting(scene), Some(1793.0));
         assert_eq!(melting("[material]\nsoftening = { law = \"none\" }\n"), None);
         assert_eq!(melting(""), None);

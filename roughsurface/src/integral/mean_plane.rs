@@ -36,7 +36,7 @@ impl MeanPlane {
 
     /// Displacement (m) under the nominal `pressure` (Pa).
     pub fn displacement(self, pressure: Estimate) -> Estimate {
-        Estimate { value: self.compliance * pressure.value, error: self.compliance * pressure.error }
+        pressure.scaled(self.compliance)
     }
 
     /// Error (m) of the displacement at a given separation, from that of a `pressure` (Pa) that changes by `slope`

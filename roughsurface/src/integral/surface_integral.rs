@@ -5,40 +5,8 @@ use crate::integral::contact_state::{ContactState, Integral};
 use crate::integral::height_integral::HeightIntegral;
 use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
-use crate::surface::radii::RadiusClass;
-use std::convert::Infallible;
+use crate::surface::radii::ByRadius;
 use tables::law::{AsperityLaw, LookupError};
-
-/// Something for each radius, by ascending radius, with the share of the summits that have it.
-pub struct ByRadius<T> {
-    classes: Vec<(f64, T)>,
-    /// For fewer radii of the same distribution, where it is a continuous one.
-    coarse: Option<Vec<(f64, T)>>,
-}
-
-impl<T> ByRadius<T> {
-    /// Something else for each radius.
-    pub fn map<U>(&self, of: impl Fn(&T) -> U) -> ByRadius<U> {
-        let Ok(mapped) = self.try_map(|one| Ok::<U, Infallible>(of(one)));
-        mapped
-    }
-
-    /// The same, if there is something else for each.
-    pub fn try_map<U, E>(&self, of: impl Fn(&T) -> Result<U, E>) -> Result<ByRadius<U>, E> {
-        let all = |classes: &Vec<(f64, T)>| -> Result<Vec<(f64, U)>, E> {
-            classes.iter().map(|(share, one)| Ok((*share, of(one)?))).collect()
-        };
-        Ok(ByRadius { classes: all(&self.classes)?, coarse: self.coarse.as_ref().map(all).transpose()? })
-    }
-
-    pub fn classes(&self) -> &[(f64, T)] {
-        &self.classes
-    }
-
-    pub fn coarse_classes(&self) -> Option<&[(f64, T)]> {
-        self.coarse.as_deref()
-    }
-}
 
 /// The asperities of each radius at one slip rate and slip.
 pub type Asperities<'a> = ByRadius<AsperityAtSlip<'a>>;
@@ -46,11 +14,7 @@ pub type Asperities<'a> = ByRadius<AsperityAtSlip<'a>>;
 impl<'a> Asperities<'a> {
     /// Asperities of `surface` that slide at `slip_rate` (m/s), before the slide.
     pub fn new(law: &'a dyn AsperityLaw, surface: &Surface, slip_rate: f64) -> Result<Self, LookupError> {
-        let with_radius =
-            |class: &RadiusClass| Ok((class.share, AsperityAtSlip::new(law, class.radius, slip_rate, 0.0)?));
-        let of = |classes: &[RadiusClass]| classes.iter().map(with_radius).collect::<Result<_, _>>();
-        let radii = &surface.asperity_radius;
-        Ok(Self { classes: of(radii.classes())?, coarse: radii.coarse().map(of).transpose()? })
+        surface.asperity_radius.try_map(|&radius| AsperityAtSlip::new(law, radius, slip_rate, 0.0))
     }
 }
 
@@ -73,7 +37,7 @@ impl<'a> SurfaceIntegral<'a> {
 
     /// Asperities of each radius with heights of their own, and the share of the summits.
     pub fn of_parts(classes: Vec<(f64, HeightIntegral<'a>)>) -> Self {
-        Self(ByRadius { classes, coarse: None })
+        Self(ByRadius::of_classes(classes))
     }
 
     /// The state at `separation` (m).
@@ -168,7 +132,7 @@ mod tests {
         let share: Vec<f64> = t.iter().map(|t| (-0.5 * t * t).exp()).collect();
         let radius: Vec<f64> = t.iter().map(|t| (spread * t).exp()).collect();
         let many = Radii::counted(&radius, &share).unwrap();
-        let exact = at(many.scaled(1e-4 / many.mean())).value;
+        let exact = at(many.map(|radius| radius * (1e-4 / many.mean()))).value;
         let off = (classes.value - exact).abs();
         assert!(off < 1e-5 * exact && off <= classes.quadrature_error + 1e-6 * exact, "{:e}", off / exact);
     }

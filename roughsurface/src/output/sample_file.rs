@@ -39,7 +39,7 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
     coordinate(&mut file, "realization", &numbers, ("1", "number of the surface"), "X")?;
 
     let mut variable = |name: &str, unit: &str, long_name: &str, of: &dyn Fn(&SampledState) -> f64| {
-        let states = samples.states.iter().flatten();
+        let states = samples.states.iter();
         let values: Vec<f64> = states.clone().flatten().map(of).collect();
         file.reals(name, &[row, "slip_rate", "realization"], &values, &described(unit, long_name))?;
         let scatter = |surfaces: &Vec<SampledState>| {
@@ -53,7 +53,7 @@ pub fn write(path: &Path, samples: &Samples, origin: &Origin) -> Result<(), Data
             let attributes = described(unit, &format!("{words} {long_name}"));
             file.reals(&format!("{name}_{statistic}"), &[row, "slip_rate"], &values, &attributes)?;
         }
-        let infinite = samples.infinite.iter().flatten();
+        let infinite = samples.infinite.iter();
         let infinite: Vec<f64> = infinite.map(|state| state.as_ref().map_or(f64::NAN, of)).collect();
         let bias: Vec<f64> =
             scatters.iter().zip(&infinite).map(|(one, infinite)| one.mean - infinite).collect();
@@ -90,7 +90,7 @@ struct Cell {
 }
 
 fn cells(samples: &Samples) -> impl Iterator<Item = Cell> {
-    let states = samples.states.iter().flatten().zip(samples.infinite.iter().flatten());
+    let states = samples.states.iter().zip(&samples.infinite);
     samples.query.cells().zip(states).map(|((load, slip_rate), (surfaces, infinite))| {
         let mu = Scatter::of(surfaces.iter().map(|one| one.state.mu.value)).not_negative();
         let bias = mu.mean - infinite.map_or(f64::NAN, |infinite| infinite.state.mu.value);

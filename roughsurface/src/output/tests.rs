@@ -6,6 +6,7 @@ use crate::friction::warning::Warning;
 use crate::friction::{Prediction, Settings, predict};
 use crate::integral::test_laws::PowerLaw;
 use crate::sampling::finite_surface::{Sampling, sample};
+use crate::sampling::scatter::Scatter;
 use crate::surface::file::SurfaceFile;
 use std::path::Path;
 use tables::netcdf::DatasetReader;
@@ -96,9 +97,9 @@ fn every_surface_and_its_statistics_are_written() {
     let path = folder.path().join("samples.nc");
     sample_file::write(&path, &samples, &ORIGIN).unwrap();
     let read = DatasetReader::open(&path).unwrap();
-    assert_eq!(read.reals("mu", &[2, 1, 20]).unwrap()[21], samples.states[1][0][1].state.mu.value);
+    assert_eq!(read.reals("mu", &[2, 1, 20]).unwrap()[21], samples.states[1][1].state.mu.value);
     let mean = read.reals("mu_mean", &[2, 1]).unwrap();
-    assert_eq!(mean[1], samples.scatter(1, 0, |one| one.state.mu.value).mean);
+    assert_eq!(mean[1], Scatter::of(samples.states[1].iter().map(|one| one.state.mu.value)).mean);
     for name in ["Q", "pressure_sliding", "separation_sliding", "real_area_fraction", "contacts"] {
         assert!(read.reals(&format!("{name}_std"), &[2, 1]).is_ok(), "{name}");
     }

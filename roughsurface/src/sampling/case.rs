@@ -168,8 +168,7 @@ impl Case {
     fn strain_rate(&self) -> Option<Warning> {
         const COUNTS: f64 = 0.01;
         let classes = self.file.surface.asperity_radius.classes().iter();
-        let of_classes =
-            classes.map(|class| (class.radius, self.source.law.radius_uncertainty(class.radius)));
+        let of_classes = classes.map(|&(_, radius)| (radius, self.source.law.radius_uncertainty(radius)));
         let (radius, share) = of_classes.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
         (share > COUNTS).then_some(Warning::StrainRate { radius, share })
     }
@@ -187,7 +186,7 @@ impl Case {
         let settings = Settings { melting_temperature, inception_time, effusivity, ..*settings };
         let (law, surface, query) = (source.law.as_ref(), &file.surface, &file.query);
         let mut results = Results::from(predict(law, surface, query, &settings, show)?);
-        results.temperature = file.temperature.or_else(|| initial_temperature(law.request()));
+        results.temperature = file.temperature.or(source.initial_temperature);
         if !(file.uncertain.is_empty() && file.uncertain_tables.is_empty()) {
             let tables = (self.table.as_str(), self.interpolate_missing);
             let mut propagated = propagate(file, tables, &results.prediction, &settings, show)?;
@@ -230,21 +229,6 @@ impl Case {
         samples.warnings.splice(..0, self.warnings());
         Ok(samples)
     }
-}
-
-/// Initial temperature (K) by the request of a table: that of its loading, or the only one of a list.
-fn initial_temperature(request: &str) -> Option<f64> {
-    let request: toml::Table = request.parse().ok()?;
-    let of = |section: &str| request.get(section)?.get("temperature");
-    let value = match of("table") {
-        Some(toml::Value::Array(several)) => match &several[..] {
-            [only] => Some(only),
-            _ => None,
-        },
-        Some(only) => Some(only),
-        None => of("loading"),
-    };
-    value.and_then(|kelvin| kelvin.as_float().or(kelvin.as_integer().map(|whole| whole as f64)))
 }
 
 /// The surface file of a characterised topography, with `overrides`; `place` is the topography, named in messages, and

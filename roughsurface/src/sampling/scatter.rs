@@ -1,5 +1,7 @@
 //! Mean and scatter over surfaces drawn at random.
 
+use crate::friction::rate_law::{OUTSIDE, student_t};
+
 /// Mean and scatter of a quantity over the surfaces drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Scatter {
@@ -11,9 +13,6 @@ pub struct Scatter {
     pub lower: f64,
     pub upper: f64,
 }
-
-/// Probability outside an interval.
-const OUTSIDE: f64 = 0.05;
 
 impl Scatter {
     /// Of the values that are numbers; NaN throughout if there are none.
@@ -52,17 +51,6 @@ fn order_statistic(ascending: &[f64], rank: f64) -> f64 {
     let below = rank.floor() as usize;
     let (value, next) = (ascending[below - 1], ascending[below.min(ascending.len() - 1)]);
     value + (rank - rank.floor()) * (next - value)
-}
-
-/// Student's t that is exceeded in magnitude with a probability of 5 %: I_x(ν/2, 1/2) = 0.05 at x = ν/(ν + t²), I the
-/// regularised incomplete beta function (Abramowitz & Stegun, Handbook of Mathematical Functions, 26.7.1). NaN below one
-/// degree of freedom ν.
-fn student_t(freedom: f64) -> f64 {
-    if freedom < 1.0 {
-        return f64::NAN;
-    }
-    let x = puruspe::invbetai(OUTSIDE, 0.5 * freedom, 0.5);
-    (freedom * (1.0 - x) / x).sqrt()
 }
 
 #[cfg(test)]

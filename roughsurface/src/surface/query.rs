@@ -176,10 +176,10 @@ impl Query {
     /// Refuses slip rates outside the range of the law that all `radii` have.
     pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radii: &Radii) -> Result<(), LookupError> {
         let range @ (from, to) = radii.slip_rate_range(law);
-        if let [first, .., last] = radii.classes()
+        if let [(_, smallest), .., (_, largest)] = *radii.classes()
             && from > to
         {
-            return Err(LookupError::NoSlipRateInCommon { smallest: first.radius, largest: last.radius });
+            return Err(LookupError::NoSlipRateInCommon { smallest, largest });
         }
         let mut rates = self.slip_rates.iter().chain(self.rate_step.iter().flatten());
         match rates.find(|rate| !covers(range, **rate)) {

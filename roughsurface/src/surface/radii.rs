@@ -6,26 +6,52 @@
 
 use gauss_quad::GaussLegendre;
 use rand::RngExt;
+use std::convert::Infallible;
 use tables::law::AsperityLaw;
 
 use crate::surface::heights::Random;
 
-/// A radius and the share of the summits that have it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RadiusClass {
-    /// R, m.
-    pub radius: f64,
-    /// Of all summits, 1.
-    pub share: f64,
+/// Something for each radius, by ascending radius, with the share of the summits that have it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByRadius<T> {
+    pub(crate) classes: Vec<(f64, T)>,
+    /// For fewer radii of the same distribution, where it is a continuous one.
+    pub(crate) coarse: Option<Vec<(f64, T)>>,
 }
 
-/// Radii of the summits: one for all, or classes that represent a distribution.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Radii {
-    classes: Vec<RadiusClass>,
-    /// Fewer classes for the same distribution, for the error.
-    coarse: Option<Vec<RadiusClass>>,
+impl<T> ByRadius<T> {
+    /// Classes without fewer ones for the same distribution.
+    pub fn of_classes(classes: Vec<(f64, T)>) -> Self {
+        Self { classes, coarse: None }
+    }
+
+    /// Something else for each radius.
+    pub fn map<U>(&self, of: impl Fn(&T) -> U) -> ByRadius<U> {
+        let Ok(mapped) = self.try_map(|one| Ok::<U, Infallible>(of(one)));
+        mapped
+    }
+
+    /// The same, if there is something else for each.
+    pub fn try_map<U, E>(&self, of: impl Fn(&T) -> Result<U, E>) -> Result<ByRadius<U>, E> {
+        let all = |classes: &Vec<(f64, T)>| -> Result<Vec<(f64, U)>, E> {
+            classes.iter().map(|(share, one)| Ok((*share, of(one)?))).collect()
+        };
+        Ok(ByRadius { classes: all(&self.classes)?, coarse: self.coarse.as_ref().map(all).transpose()? })
+    }
+
+    /// Shares and what has them, by ascending radius.
+    pub fn classes(&self) -> &[(f64, T)] {
+        &self.classes
+    }
+
+    /// Fewer of them for the same distribution, where it is a continuous one.
+    pub fn coarse_classes(&self) -> Option<&[(f64, T)]> {
+        self.coarse.as_deref()
+    }
 }
+
+/// Radii of the summits, m: one for all, or classes that represent a distribution.
+pub type Radii = ByRadius<f64>;
 
 /// Classes of a continuous distribution, and those that they are compared with: sums of powers
 /// of R up to R³ agree to 1e-9 at a spread of one half.
@@ -42,7 +68,7 @@ pub const LARGEST_VARIATION: f64 = 1.0;
 impl From<f64> for Radii {
     /// One radius (m) for all.
     fn from(radius: f64) -> Self {
-        Self { classes: vec![RadiusClass { radius, share: 1.0 }], coarse: None }
+        Self::of_classes(vec![(1.0, radius)])
     }
 }
 
@@ -53,14 +79,11 @@ impl Radii {
         let spread = (1.0 + (std / mean).powi(2)).ln().sqrt();
         let classes = |count: usize| {
             let rule = GaussLegendre::new(count).expect("there are rules of more than one point");
-            let mut classes: Vec<RadiusClass> = (rule.into_node_weight_pairs().into_iter())
-                .map(|(node, weight)| {
-                    let t = CUT * node;
-                    RadiusClass { radius: (spread * t).exp(), share: weight * (-0.5 * t * t).exp() }
-                })
-                .collect();
-            classes.sort_by(|one, other| one.radius.total_cmp(&other.radius));
-            normalised(classes, mean)
+            let class = |(node, weight): (f64, f64)| {
+                let t = CUT * node;
+                (weight * (-0.5 * t * t).exp(), (spread * t).exp())
+            };
+            normalised(rule.into_node_weight_pairs().into_iter().map(class).collect(), mean)
         };
         Self { classes: classes(CLASSES), coarse: Some(classes(COARSE_CLASSES)) }
     }
@@ -73,39 +96,19 @@ impl Radii {
             return None;
         }
         let total: f64 = share.iter().sum();
-        let class = |(&radius, share): (&f64, &f64)| RadiusClass { radius, share: share / total };
-        let mut classes: Vec<RadiusClass> = radius.iter().zip(share).map(class).collect();
-        classes.sort_by(|one, other| one.radius.total_cmp(&other.radius));
-        Some(Self { classes, coarse: None })
-    }
-
-    /// The classes, by ascending radius.
-    pub fn classes(&self) -> &[RadiusClass] {
-        &self.classes
-    }
-
-    /// Fewer classes for the same distribution, where it is a continuous one.
-    pub fn coarse(&self) -> Option<&[RadiusClass]> {
-        self.coarse.as_deref()
+        let classes = share.iter().zip(radius).map(|(share, &radius)| (share / total, radius));
+        Some(Self::of_classes(ascending(classes.collect())))
     }
 
     /// Mean radius, m.
     pub fn mean(&self) -> f64 {
-        self.classes.iter().map(|class| class.share * class.radius).sum()
+        self.classes.iter().map(|(share, radius)| share * radius).sum()
     }
 
     /// The range of slip rates (m/s) that a law has at all radii; its ends in the wrong order where there is none.
     pub fn slip_rate_range(&self, law: &dyn AsperityLaw) -> (f64, f64) {
-        let ranges = self.classes.iter().map(|class| law.slip_rate_range(class.radius));
+        let ranges = self.classes.iter().map(|(_, radius)| law.slip_rate_range(*radius));
         ranges.fold((0.0, f64::INFINITY), |(low, high), (from, to)| (from.max(low), to.min(high)))
-    }
-
-    /// All radii times `factor`.
-    pub fn scaled(&self, factor: f64) -> Self {
-        let scaled = |classes: &[RadiusClass]| {
-            classes.iter().map(|class| RadiusClass { radius: factor * class.radius, ..*class }).collect()
-        };
-        Self { classes: scaled(&self.classes), coarse: self.coarse.as_deref().map(scaled) }
     }
 
     /// The class of a summit drawn at random.
@@ -114,23 +117,26 @@ impl Radii {
             return 0;
         }
         let mut left = random.random::<f64>();
-        let drawn = self.classes.iter().position(|class| {
-            left -= class.share;
+        let drawn = self.classes.iter().position(|(share, _)| {
+            left -= share;
             left < 0.0
         });
         drawn.unwrap_or(self.classes.len() - 1)
     }
 }
 
-/// Shares that sum to one and radii of the given mean (m).
-fn normalised(classes: Vec<RadiusClass>, mean: f64) -> Vec<RadiusClass> {
-    let total: f64 = classes.iter().map(|class| class.share).sum();
-    let first: f64 = classes.iter().map(|class| class.share * class.radius).sum();
-    let scaled = |class: RadiusClass| RadiusClass {
-        radius: class.radius * mean * total / first,
-        share: class.share / total,
-    };
-    classes.into_iter().map(scaled).collect()
+/// By ascending radius.
+fn ascending(mut classes: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    classes.sort_by(|(_, one), (_, other)| one.total_cmp(other));
+    classes
+}
+
+/// By ascending radius, with shares that sum to one and radii of the given mean (m).
+fn normalised(classes: Vec<(f64, f64)>, mean: f64) -> Vec<(f64, f64)> {
+    let classes = ascending(classes);
+    let total: f64 = classes.iter().map(|(share, _)| share).sum();
+    let first: f64 = classes.iter().map(|(share, radius)| share * radius).sum();
+    classes.into_iter().map(|(share, radius)| (share / total, radius * mean * total / first)).collect()
 }
 
 #[cfg(test)]
@@ -150,12 +156,12 @@ mod tests {
         let radii = Radii::log_normal(2e-4, std * 2e-4);
         for n in [0.5, 1.0, 1.5, 2.0, 3.0] {
             let exact = moment(n) / moment(1.0).powf(n);
-            let sum = |classes: &[RadiusClass]| -> f64 {
-                classes.iter().map(|class| class.share * (class.radius / 2e-4).powf(n)).sum()
+            let sum = |classes: &[(f64, f64)]| -> f64 {
+                classes.iter().map(|(share, radius)| share * (radius / 2e-4).powf(n)).sum()
             };
             let fine = sum(radii.classes());
             assert!((fine / exact - 1.0).abs() < 1e-9, "{n}: {fine} {exact}");
-            assert!((sum(radii.coarse().unwrap()) / exact - 1.0).abs() < 1e-4, "{n}");
+            assert!((sum(radii.coarse_classes().unwrap()) / exact - 1.0).abs() < 1e-4, "{n}");
         }
         assert!((radii.mean() / 2e-4 - 1.0).abs() < 1e-14);
     }
@@ -163,7 +169,7 @@ mod tests {
     #[test]
     fn counted_classes_are_shares() {
         let radii = Radii::counted(&[3e-6, 1e-6], &[1.0, 3.0]).unwrap();
-        assert_eq!(radii.classes()[0], RadiusClass { radius: 1e-6, share: 0.75 });
+        assert_eq!(radii.classes()[0], (0.75, 1e-6));
         assert!((radii.mean() - 1.5e-6).abs() < 1e-20);
         assert!(Radii::counted(&[1e-6], &[1.0, 1.0]).is_none());
         assert!(Radii::counted(&[-1e-6], &[1.0]).is_none());

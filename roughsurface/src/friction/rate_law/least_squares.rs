@@ -198,6 +198,20 @@ fn spread(form: &Form, curve: &Curve, whole: Parameters) -> Parameters {
     spread
 }
 
+/// Probability outside an interval.
+pub(crate) const OUTSIDE: f64 = 0.05;
+
+/// Student's t that is exceeded in magnitude with a probability of 5 %: I_x(ν/2, 1/2) = 0.05 at x = ν/(ν + t²), I the
+/// regularised incomplete beta function (Abramowitz & Stegun, Handbook of Mathematical Functions, 26.7.1). NaN below one
+/// degree of freedom ν.
+pub(crate) fn student_t(freedom: f64) -> f64 {
+    if freedom < 1.0 {
+        return f64::NAN;
+    }
+    let x = puruspe::invbetai(OUTSIDE, 0.5 * freedom, 0.5);
+    (freedom * (1.0 - x) / x).sqrt()
+}
+
 /// The law with its errors; none where the Jacobian has no full rank.
 fn law(
     form: &'static Form,
@@ -221,14 +235,15 @@ fn law(
     let squares = residuals.norm_squared();
     let variance = squares / count.saturating_sub(parameters) as f64;
     let errors = DVector::from_iterator(count, curve.points.iter().map(|(_, mu)| mu.error));
-    let spread = spread(form, curve, place);
+    let (spread, student_t) = (spread(form, curve, place), student_t(count as f64 - parameters as f64));
     let estimate = |parameter: usize| {
         let column = form.fitted().iter().position(|fitted| *fitted == parameter);
         // A curve through as many points as it has parameters has no scatter, and unknown errors.
         let error = column.map_or(0.0, |column| match count > parameters {
             true => {
                 let row = gain.row(column) / lengths[column];
-                f64::max(row.norm() * variance.sqrt(), spread[parameter]) + (row * &errors)[0].abs()
+                f64::max(student_t * row.norm() * variance.sqrt(), spread[parameter])
+                    + (row * &errors)[0].abs()
             }
             false => f64::NAN,
         });

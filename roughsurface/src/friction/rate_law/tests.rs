@@ -49,7 +49,7 @@ fn errors_of_a_curve_through_all_points_are_unknown() {
 }
 
 #[test]
-fn standard_errors_cover_the_parameters_of_noisy_curves() {
+fn errors_cover_the_parameters_of_noisy_curves() {
     let rates = Log.range(0.1, 10.0, 13);
     let law = |rate: f64| 0.45 / (1.0 + (rate / 80.0f64).powf(0.6));
     let noise = Normal::new(0.0, 3e-4).unwrap();
@@ -63,13 +63,13 @@ fn standard_errors_cover_the_parameters_of_noisy_curves() {
         power += usize::from(laws.chosen.unwrap().form.name == "power");
         let found = laws.candidates[1].unwrap();
         let within =
-            |estimate: Estimate, true_value: f64| (estimate.value - true_value).abs() <= 2.0 * estimate.error;
+            |estimate: Estimate, true_value: f64| (estimate.value - true_value).abs() <= estimate.error;
         covered += usize::from(within(found.exponent, 0.6)) + usize::from(within(found.velocity, 80.0));
         assert!(laws.candidates[2..].iter().all(Result::is_err), "no plateau is in these curves");
     }
-    // Student's t of 10 degrees of freedom: 92.7 % within two standard errors, ± 2 % of 400 numbers; more of them as changes
-    // without a third of the slip rates are larger where there is only scatter.
-    assert!(covered as f64 > 0.89 * (2 * CURVES) as f64, "{covered}");
+    // 95 %, ± 2 % of 400 numbers; more of them as changes without a third of the slip rates are larger where there is only
+    // scatter.
+    assert!(covered as f64 > 0.93 * (2 * CURVES) as f64, "{covered}");
     assert!(power > CURVES * 9 / 10, "{power}");
 }
 

@@ -1,9 +1,9 @@
 //! Steady sliding at the slip rates of the law, and through a step of the slip rate.
 
 use super::{Asperities, PredictionError, Pressed, SlipState, Sweep, loaded_radii};
+use crate::friction::in_order;
 use crate::friction::rate_step::{self, RateStepResponse, Stepped};
 use crate::surface::query::ContactLife;
-use rayon::prelude::*;
 use tables::law::Estimate;
 
 /// The positive ones of ascending `rates` within a range, and its ends where they are not among them; none if fewer than two.
@@ -43,8 +43,7 @@ impl<'a> Sweep<'a> {
             };
             pressed.iter().enumerate().map(mu).collect()
         };
-        let by_rate: Vec<_> = slip_rates.par_iter().map(of_rate).collect();
-        let by_rate: Vec<Vec<Estimate>> = by_rate.into_iter().collect::<Result<_, _>>()?;
+        let by_rate = in_order(slip_rates, of_rate)?;
         Ok((0..pressed.len()).map(|row| by_rate.iter().map(|mu| mu[row]).collect()).collect())
     }
 
@@ -74,16 +73,12 @@ impl<'a> Sweep<'a> {
         let (start, target) = (steady(&slow, before)?, steady(&fast, after)?);
         let slip = rate_step::slip_grid(loaded_radii(pressed.iter().copied()), diameters);
         let stepping = fast.try_map(|asperity| asperity.stepping_from(before, diameters))?;
-        let states: Vec<Vec<SlipState>> = slip
-            .par_iter()
-            .map(|&since| {
-                let mut integral = self.integral(&stepping.map(|asperity| asperity.since_step(since)));
-                let rows = pressed.iter().enumerate().map(|(row, before)| {
-                    self.slid((row, after), &mut integral, before, &mut before.history())
-                });
-                rows.collect()
-            })
-            .collect::<Result<_, PredictionError>>()?;
+        let states: Vec<Vec<SlipState>> = in_order(&slip, |&since| {
+            let mut integral = self.integral(&stepping.map(|asperity| asperity.since_step(since)));
+            let rows = pressed.iter().enumerate();
+            rows.map(|(row, before)| self.slid((row, after), &mut integral, before, &mut before.history()))
+                .collect()
+        })?;
         let stepped = |row: usize| Stepped {
             before: start[row].mu,
             after: target[row].mu,

@@ -11,7 +11,7 @@ fn head(table: &FrictionTable, mark: &str, lines: &[&str]) -> String {
         "{mark} Friction coefficient of a rough surface, roughsurface {}\n",
         env!("CARGO_PKG_VERSION")
     );
-    let _ = writeln!(text, "{mark} from {}", table.sources.join(", "));
+    let _ = writeln!(text, "{mark} from {}", table.sources().join(", "));
     lines.iter().for_each(|line| text.push_str(&format!("{mark} {line}\n")));
     text
 }
@@ -120,7 +120,7 @@ pub(super) fn json(table: &FrictionTable) -> String {
     let document = json!({
         "title": "Rate law of the friction coefficient of a rough surface",
         "source": format!("roughsurface {}", env!("CARGO_PKG_VERSION")),
-        "files": table.sources,
+        "files": table.sources(),
         "variables": {"V": "slip rate, m/s", "pressure": "nominal, Pa", "temperature": "initial, K"},
         "fitted_between": [positive, table.slip_rates.last()],
         "laws": laws,

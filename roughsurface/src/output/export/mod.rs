@@ -7,6 +7,7 @@ use crate::output::friction_file::INITIAL_TEMPERATURE;
 use std::path::Path;
 use tables::law::Estimate;
 use tables::netcdf::{DatasetError, DatasetReader};
+use tables::numbers::Spacing;
 use tables::quantity::COVERAGE_FACTOR;
 
 /// A format, with the extension that decides on it.
@@ -77,8 +78,6 @@ pub enum ExportError {
 
 /// Friction over initial temperature, pressure and slip rate.
 pub struct FrictionTable {
-    /// Files that it is read from.
-    pub sources: Vec<String>,
     /// Pa.
     pub pressures: Vec<f64>,
     /// m/s.
@@ -89,6 +88,8 @@ pub struct FrictionTable {
 
 /// Friction at one initial temperature.
 pub struct Layer {
+    /// File that it is read from.
+    pub source: String,
     /// K, where the query or the table states it.
     pub temperature: Option<f64>,
     /// Sliding friction, slip rates of a pressure beside each other, 1.
@@ -103,6 +104,11 @@ pub struct Layer {
 type FittedLaw = Result<(RateLaw, String), String>;
 
 impl FrictionTable {
+    /// Files that it is read from.
+    fn sources(&self) -> Vec<&str> {
+        self.layers.iter().map(|layer| layer.source.as_str()).collect()
+    }
+
     /// Pressures (Pa) whose fitted law is not reliable, with the reason.
     pub fn doubts(&self) -> impl Iterator<Item = (f64, &str)> {
         let laws = self.layers.iter().flat_map(|layer| self.pressures.iter().zip(&layer.laws));
@@ -119,7 +125,7 @@ impl FrictionTable {
                 whole = Some(one);
                 continue;
             };
-            let (path, first) = (path.display().to_string(), table.sources[0].clone());
+            let (path, first) = (path.display().to_string(), table.layers[0].source.clone());
             let same = [
                 ("the pressures", one.pressures == table.pressures),
                 ("the slip rates", one.slip_rates == table.slip_rates),
@@ -127,7 +133,6 @@ impl FrictionTable {
             if let Some((what, _)) = same.into_iter().find(|(_, same)| !same) {
                 return Err(ExportError::Different { path, first, what });
             }
-            table.sources.append(&mut one.sources);
             table.layers.append(&mut one.layers);
         }
         let mut table = whole.expect("there is a file");
@@ -138,8 +143,8 @@ impl FrictionTable {
             paths.len() > 1 && (before || table.layers[i].temperature.is_none())
         });
         if let Some(i) = refused {
-            let (path, temperature) = (table.sources[i].clone(), table.layers[i].temperature);
-            return Err(ExportError::Temperature { path, temperature });
+            let Layer { source, temperature, .. } = table.layers.swap_remove(i);
+            return Err(ExportError::Temperature { path: source, temperature });
         }
         table.layers.sort_by(|one, other| kelvin(one).total_cmp(&kelvin(other)));
         Ok(table)
@@ -170,12 +175,8 @@ impl FrictionTable {
         let eight = vec![Estimate::exact(8.0); pressures.len()];
         let flash_heating = fitted(&file, ["mu_0", "mu_w", "V_w"], &eight, "flash_heating")?;
         let temperature = file.optional_real(INITIAL_TEMPERATURE)?;
-        Ok(Self {
-            sources: vec![shown],
-            pressures,
-            slip_rates,
-            layers: vec![Layer { temperature, mu, laws: chosen, flash_heating }],
-        })
+        let layer = Layer { source: shown, temperature, mu, laws: chosen, flash_heating };
+        Ok(Self { pressures, slip_rates, layers: vec![layer] })
     }
 
     /// The table with the values of the fitted laws at slip rates in equal ratios, ten a decade. Their errors are those of the
@@ -185,15 +186,14 @@ impl FrictionTable {
         let first = self.slip_rates.iter().copied().find(|rate| *rate > 0.0).unwrap_or(1.0);
         let last = *self.slip_rates.last().expect("there is a slip rate");
         let count = ((last / first).log10() * A_DECADE).ceil().max(1.0) as usize;
-        let rates: Vec<f64> =
-            (0..=count).map(|i| first * (last / first).powf(i as f64 / count as f64)).collect();
+        let rates = Spacing::Log.range(first, last, count + 1);
         let logarithms: Vec<f64> = self.slip_rates.iter().map(|rate| rate.ln()).collect();
-        for (layer, source) in self.layers.iter_mut().zip(&self.sources) {
+        for layer in &mut self.layers {
             let computed = std::mem::take(&mut layer.mu);
             let rows = computed.chunks(self.slip_rates.len());
             for ((law, &pressure), row) in layer.laws.iter().zip(&self.pressures).zip(rows) {
                 let no_law = |reason: &String| ExportError::NoLaw {
-                    path: source.clone(),
+                    path: layer.source.clone(),
                     pressure,
                     reason: if reason.is_empty() { String::new() } else { format!(": {reason}") },
                 };

@@ -12,20 +12,18 @@ mod states;
 mod tests;
 
 use crate::friction::warning::{Place, Warning};
-use crate::friction::{PredictionError, Settings};
+use crate::friction::{PredictionError, Settings, in_order};
 use crate::integral::asperity_at_slip::Additional;
 use crate::integral::height_integral::NEGLIGIBLE_SHARE;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
-use crate::sampling::scatter::Scatter;
 use crate::surface::heights::Random;
 use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
-use drawn::DrawnSurface;
+use drawn::draw;
 use rand::{RngExt, SeedableRng};
-use rayon::prelude::*;
 pub use states::SampledState;
-use states::{InfiniteSurface, LawAtRate, Summits};
+use states::{LawAtRate, Summits};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tables::law::{AboveRange, AsperityLaw, LookupError};
 
@@ -48,18 +46,11 @@ pub struct Samples {
     pub query: Query,
     pub sampling: Sampling,
     pub law: String,
-    /// One row per pressure or separation, one column per slip rate, then the surfaces.
-    pub states: Vec<Vec<Vec<SampledState>>>,
-    /// Of the surface of infinite extent, in the same rows and columns, where it has an equilibrium.
-    pub infinite: Vec<Vec<Option<SampledState>>>,
+    /// Of all surfaces, at every pressure or separation and slip rate, row by row.
+    pub states: Vec<Vec<SampledState>>,
+    /// Of the surface of infinite extent likewise, where it has an equilibrium.
+    pub infinite: Vec<Option<SampledState>>,
     pub warnings: Vec<Warning>,
-}
-
-impl Samples {
-    /// Scatter of a quantity at one pressure or separation and slip rate.
-    pub fn scatter(&self, row: usize, rate: usize, quantity: impl Fn(&SampledState) -> f64) -> Scatter {
-        Scatter::of(self.states[row][rate].iter().map(quantity))
-    }
 }
 
 /// Draws finite surfaces and slides them, by [`Sampling::slip`] or steadily.
@@ -89,28 +80,23 @@ pub fn sample(
     let mut seeds = Random::seed_from_u64(sampling.seed);
     let seeds: Vec<u64> = (0..sampling.realizations).map(|_| seeds.random()).collect();
     let done = AtomicUsize::new(0);
-    let surfaces: Vec<_> = seeds
-        .into_par_iter()
-        .map(|seed| {
-            let states = DrawnSurface::new(surface, sampling.asperities, seed)
-                .and_then(|drawn| drawn.states(law, &laws, &predictors, query, settings))
-                .and_then(|states| states.into_iter().collect::<Result<Vec<_>, _>>());
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
-            states
-        })
-        .collect();
-    let surfaces = surfaces.into_iter().collect::<Result<Vec<_>, _>>()?;
-
-    let infinite = InfiniteSurface { surface, asperities: sampling.asperities };
-    let mut infinite = infinite.states(law, &laws, &predictors, query, settings)?.into_iter().map(Result::ok);
-
-    let rates = query.slip_rates.len();
-    let cell = |cell: usize| surfaces.iter().map(|surface| surface[cell]).collect();
-    let rows = query.loading.values().len();
-    let infinite: Vec<Vec<Option<SampledState>>> =
-        (0..rows).map(|_| infinite.by_ref().take(rates).collect()).collect();
-    let states: Vec<Vec<Vec<SampledState>>> =
-        (0..rows).map(|row| (0..rates).map(|rate| cell(row * rates + rate)).collect()).collect();
+    let infinite = Summits {
+        heights: surface.heights.as_ref(),
+        of_radius: &[],
+        density: surface.asperity_density,
+        count: sampling.asperities,
+    };
+    let surfaces: Vec<Vec<SampledState>> = in_order(&seeds, |&seed| {
+        let drawn = draw(surface, sampling.asperities, seed);
+        let summits = Summits { heights: &drawn.all, of_radius: &drawn.of_radius, ..infinite };
+        let states = summits.states(law, &laws, &predictors, query, settings)?.into_iter().collect();
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, sampling.realizations);
+        states
+    })?;
+    let infinite: Vec<_> = infinite.states(law, &laws, &predictors, query, settings)?;
+    let infinite: Vec<Option<SampledState>> = infinite.into_iter().map(Result::ok).collect();
+    let states: Vec<Vec<SampledState>> =
+        (0..predictors.len()).map(|cell| surfaces.iter().map(|surface| surface[cell]).collect()).collect();
     let warnings = warnings(law, query, sampling.slip, &states, &infinite);
     Ok(Samples { query: query.clone(), sampling: *sampling, law: law.name(), states, infinite, warnings })
 }
@@ -144,33 +130,32 @@ fn warnings(
     law: &dyn AsperityLaw,
     query: &Query,
     slip: Option<f64>,
-    states: &[Vec<Vec<SampledState>>],
-    infinite: &[Vec<Option<SampledState>>],
+    states: &[Vec<SampledState>],
+    infinite: &[Option<SampledState>],
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    for (row, columns) in states.iter().enumerate() {
-        for (rate, surfaces) in columns.iter().enumerate() {
-            let at = || Place::of(query, row, rate);
-            let outside = surfaces.iter().map(|one| one.state.outside).fold(0.0, f64::max);
-            if outside > NEGLIGIBLE_SHARE && law.above_range() == AboveRange::Extrapolated {
-                warnings.push(Warning::SamplesExtrapolated { at: at(), share: outside });
-            }
-            if let Some(SampledState { state, .. }) = infinite[row][rate]
-                && state.unknown_load > NEGLIGIBLE_SHARE
-            {
-                let (share, known) = (state.unknown_load, !state.mu.value.is_nan());
-                warnings.push(match slip {
-                    Some(_) => Warning::SamplesNotSliding { at: at(), share },
-                    None => Warning::Unsteady { at: at(), share, known },
-                });
-            }
-            let idle = surfaces.iter().filter(|one| one.contacts == 0.0).count();
-            if idle > 0 {
-                warnings.push(Warning::SamplesWithoutContact { at: at(), idle, count: surfaces.len() });
-            }
+    let rates = query.slip_rates.len();
+    for (cell, (surfaces, infinite)) in states.iter().zip(infinite).enumerate() {
+        let at = || Place::of(query, cell / rates, cell % rates);
+        let outside = surfaces.iter().map(|one| one.state.outside).fold(0.0, f64::max);
+        if outside > NEGLIGIBLE_SHARE && law.above_range() == AboveRange::Extrapolated {
+            warnings.push(Warning::SamplesExtrapolated { at: at(), share: outside });
+        }
+        if let Some(SampledState { state, .. }) = infinite
+            && state.unknown_load > NEGLIGIBLE_SHARE
+        {
+            let (share, known) = (state.unknown_load, !state.mu.value.is_nan());
+            warnings.push(match slip {
+                Some(_) => Warning::SamplesNotSliding { at: at(), share },
+                None => Warning::Unsteady { at: at(), share, known },
+            });
+        }
+        let idle = surfaces.iter().filter(|one| one.contacts == 0.0).count();
+        if idle > 0 {
+            warnings.push(Warning::SamplesWithoutContact { at: at(), idle, count: surfaces.len() });
         }
     }
-    let outside = states.iter().flatten().flatten().map(|one| one.state.outside);
+    let outside = states.iter().flatten().map(|one| one.state.outside);
     warnings.extend(Warning::beyond_formulae(law, outside));
     warnings
 }

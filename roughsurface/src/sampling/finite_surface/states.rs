@@ -4,12 +4,13 @@ use crate::friction::slip_curve::SlipState;
 use crate::friction::warning::Place;
 use crate::friction::{PredictionError, Settings};
 use crate::integral::contact_state::ContactState;
+use crate::integral::height_integral::HeightIntegral;
 use crate::integral::mean_plane::MeanPlane;
 use crate::integral::predictor::Predictor;
 use crate::integral::separation::separation_for;
 use crate::integral::surface_integral::{Asperities, SurfaceIntegral};
-use crate::surface::heights::Heights;
-use crate::surface::query::{LoadingControl, NormalLoading, Query, Surface};
+use crate::surface::heights::{Heights, Sample};
+use crate::surface::query::{LoadingControl, NormalLoading, Query};
 use tables::law::{AsperityLaw, Estimate};
 
 /// A surface under one pressure at one slip rate.
@@ -28,16 +29,30 @@ pub(super) struct LawAtRate<'a> {
 }
 
 /// Summits whose responses are added up.
-pub(super) trait Summits {
-    fn heights(&self) -> &dyn Heights;
+pub(super) struct Summits<'a> {
+    pub heights: &'a dyn Heights,
+    /// Those of each radius, of a surface that is drawn from several.
+    pub of_radius: &'a [Sample],
+    /// 1/m².
+    pub density: f64,
+    /// Those that are counted.
+    pub count: usize,
+}
 
-    /// Nominal area, m².
-    fn area(&self) -> f64;
-
-    fn integral<'a>(&'a self, asperities: &Asperities<'a>, tolerance: f64) -> SurfaceIntegral<'a>;
+impl Summits<'_> {
+    fn integral<'a>(&'a self, asperities: &Asperities<'a>, tolerance: f64) -> SurfaceIntegral<'a> {
+        if self.of_radius.is_empty() {
+            return SurfaceIntegral::new(asperities, self.heights, self.density, tolerance);
+        }
+        let parts = self.of_radius.iter().zip(asperities.classes()).map(|(heights, (_, asperity))| {
+            let share = heights.count() as f64 / self.count as f64;
+            (share, HeightIntegral::new(asperity.clone(), heights, self.density, tolerance))
+        });
+        SurfaceIntegral::of_parts(parts.filter(|(share, _)| *share > 0.0).collect())
+    }
 
     /// At every pressure or separation and slip rate, row by row.
-    fn states(
+    pub fn states(
         &self,
         law: &dyn AsperityLaw,
         laws: &[LawAtRate],
@@ -51,7 +66,7 @@ pub(super) trait Summits {
             let load = (query.loading.values()[row], plane);
             let (separation, state) =
                 self.slid(&laws[rate], predictors[cell], query, load, settings.tolerance)?;
-            let contacts = state.contact_density * self.area();
+            let contacts = state.contact_density * self.count as f64 / self.density;
             let state = SlipState::at_separation(separation, &state, plane);
             Ok(SampledState {
                 state: state.within(law, settings, &|| Place::of(query, row, rate))?,
@@ -70,7 +85,7 @@ pub(super) trait Summits {
         (value, plane): (f64, MeanPlane),
         tolerance: f64,
     ) -> Result<(f64, ContactState), PredictionError> {
-        let heights = self.heights();
+        let heights = self.heights;
         let mut before = self.integral(&law.before, tolerance);
         let mut after = self.integral(&law.after, tolerance);
         let find = |integral: &mut SurfaceIntegral, pressure: f64| {
@@ -99,25 +114,5 @@ pub(super) trait Summits {
         }
         let equilibrium = find(&mut after, pressure)?;
         Ok((equilibrium.separation, equilibrium.state))
-    }
-}
-
-/// The surface of infinite extent, of which a number of asperities are counted.
-pub(super) struct InfiniteSurface<'a> {
-    pub surface: &'a Surface,
-    pub asperities: usize,
-}
-
-impl Summits for InfiniteSurface<'_> {
-    fn heights(&self) -> &dyn Heights {
-        self.surface.heights.as_ref()
-    }
-
-    fn area(&self) -> f64 {
-        self.asperities as f64 / self.surface.asperity_density
-    }
-
-    fn integral<'a>(&'a self, asperities: &Asperities<'a>, tolerance: f64) -> SurfaceIntegral<'a> {
-        SurfaceIntegral::new(asperities, self.heights(), self.surface.asperity_density, tolerance)
     }
 }

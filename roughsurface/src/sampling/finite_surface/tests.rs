@@ -2,11 +2,17 @@
 
 use super::*;
 use crate::integral::test_laws::{PowerLaw, STEEL, query, surface};
-use crate::surface::heights::{Exponential, Gaussian};
+use crate::sampling::scatter::Scatter;
+use crate::surface::heights::{Exponential, Gaussian, Sample};
 use crate::surface::query::ContactLife;
 use crate::surface::radii::Radii;
 use tables::closed_forms::closed_form;
 use tables::law::Estimate;
+
+/// Of a quantity under one pressure or separation; there is one slip rate.
+fn scatter(samples: &Samples, row: usize, of: impl Fn(&SampledState) -> f64) -> Scatter {
+    Scatter::of(samples.states[row].iter().map(of))
+}
 
 fn samples(asperities: usize) -> Samples {
     let law = PowerLaw::hertz();
@@ -21,14 +27,14 @@ fn large_surfaces_approach_the_integral_and_small_ones_scatter() {
     // A quarter of the summits touch. Exponential heights: μ = Q₀ (σ/ω_c) / (P₀ Γ(5/2) (σ/ω_c)^{3/2}) at any load.
     let exact = 1e-4 / (1e-3 * libm::tgamma(2.5) * 10f64.sqrt());
     let (small, large) = (samples(50), samples(2000));
-    let mu = large.scatter(1, 0, |one| one.state.mu.value);
+    let mu = scatter(&large, 1, |one| one.state.mu.value);
     for samples in [&small, &large] {
-        let infinite = samples.infinite[1][0].expect("there is an equilibrium").state.mu.value;
+        let infinite = samples.infinite[1].expect("there is an equilibrium").state.mu.value;
         assert!((infinite / exact - 1.0).abs() < 1e-4, "{infinite} {exact}");
     }
     // A ratio of sums is biased by the order of 1/n, 0.1 % here, on top of the scatter.
     assert!((mu.mean - exact).abs() < 2.0 * mu.mean_error + 2e-3 * exact, "{mu:?} {exact}");
-    let scattered = small.scatter(1, 0, |one| one.state.mu.value);
+    let scattered = scatter(&small, 1, |one| one.state.mu.value);
     // Scatter falls as 1/√n: by 6.3 from 50 to 2000, give or take its own uncertainty.
     let ratio = scattered.standard_deviation / mu.standard_deviation;
     assert!(ratio > 4.0 && ratio < 10.0, "{ratio}");
@@ -64,7 +70,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
                 ("contacts", state.contact_density / 1e10 * 500.0, |one| one.contacts),
             ];
             for (name, exact, of) in expected {
-                let scatter = samples.scatter(row, 0, of);
+                let scatter = scatter(&samples, row, of);
                 // The intervals hold 95 %: of sixteen, none is expected beyond 1.5 times one.
                 let off = (scatter.mean - exact).abs() / scatter.mean_error;
                 assert!(off < 1.5, "{name} at {separation:e}: {off} intervals");
@@ -73,6 +79,19 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
             }
         }
     }
+}
+
+/// As draws of two heights from two often are.
+#[test]
+fn surfaces_whose_summits_are_of_one_height_slide() {
+    let surface = surface(Box::new(Sample::new(vec![0.0, 1e-7]).unwrap()));
+    let query = query(NormalLoading::Pressure(vec![1e6]));
+    let sampling = Sampling { asperities: 2, realizations: 20, seed: 3, slip: Some(1.0) };
+    let law = PowerLaw::hertz();
+    let found = sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap();
+    let contacts: Vec<f64> = found.states[0].iter().map(|one| one.contacts).collect();
+    assert!(contacts.contains(&2.0), "{contacts:?}");
+    assert!(found.states[0].iter().all(|one| one.state.mu.value > 0.0));
 }
 
 #[test]

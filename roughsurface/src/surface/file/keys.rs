@@ -132,12 +132,12 @@ impl FileKeys {
 
 /// One radius, or the distribution that the keys describe.
 pub(super) fn radii_of(mean: Option<f64>, keys: Option<RadiiKeys>) -> Result<Radii, String> {
-    let mean = || {
+    let mean_radius = || {
         let mean = mean.ok_or("surface.asperity_radius: is missing")?;
         positive("surface.asperity_radius", mean, "m").map(|()| mean)
     };
     let Some(RadiiKeys { distribution, std, radius, share }) = keys else {
-        return Ok(Radii::from(mean()?));
+        return Ok(Radii::from(mean_radius()?));
     };
     let useless = |key: &str, given: bool, name: &str| match given {
         true => Err(format!("surface.radii.{key}: has no meaning for the distribution {name}")),
@@ -147,7 +147,7 @@ pub(super) fn radii_of(mean: Option<f64>, keys: Option<RadiiKeys>) -> Result<Rad
         RadiiDistribution::LogNormal => {
             useless("radius", radius.is_some(), "lognormal")?;
             useless("share", share.is_some(), "lognormal")?;
-            let mean = mean()?;
+            let mean = mean_radius()?;
             let std = std.ok_or("surface.radii.std: is missing")?;
             positive("surface.radii.std", std, "m")?;
             if std > LARGEST_VARIATION * mean {
@@ -161,7 +161,7 @@ pub(super) fn radii_of(mean: Option<f64>, keys: Option<RadiiKeys>) -> Result<Rad
         }
         RadiiDistribution::Classes => {
             useless("std", std.is_some(), "classes")?;
-            if mean().is_ok() {
+            if mean.is_some() {
                 return Err("surface.asperity_radius: follows from surface.radii.radius; leave it out".into());
             }
             let (radius, share) = (radius.unwrap_or_default(), share.unwrap_or_default());

@@ -24,10 +24,14 @@ impl Sample {
             .then_some(Self { heights, std: variance.sqrt() })
     }
 
-    /// Any finite heights (m), be they one or none: a part of a set, never searched by itself.
-    pub(crate) fn part(mut heights: Vec<f64>) -> Self {
+    /// Some of the heights (m) of a set of this standard deviation, be they equal, one or none.
+    pub(crate) fn part(mut heights: Vec<f64>, std: f64) -> Self {
         heights.sort_unstable_by(|one, other| other.total_cmp(one));
-        Self { heights, std: f64::NAN }
+        Self { heights, std }
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.heights.len()
     }
 
     /// Reads heights in metres, separated by white space or commas; `#` starts a comment.

@@ -219,11 +219,22 @@ impl Header {
     }
 }
 
+/// Points of the grid per point given, above which it is no map; maps of which a tenth is missing are refused later.
+const MOST_POINTS_OVER_GIVEN: usize = 2;
+
 /// A map of points (x, y, z), m, in any order, which must be those of a regular grid; points that
 /// are left out are undefined.
 fn grid(x: &[f64], y: &[f64], z: &[f64], remarks: Vec<Warning>) -> Result<Topography, String> {
     let (x_from, x_step, columns) = axis("x", x)?;
     let (y_from, y_step, rows) = axis("y", y)?;
+    if rows.saturating_mul(columns) > MOST_POINTS_OVER_GIVEN * z.len() {
+        let given = z.len() as f64 / rows as f64 / columns as f64;
+        return Err(format!(
+            "three columns must be x y z on a regular grid; of {rows} x {columns} points {:.2} % are given: a profile has the two \
+             columns of position and height",
+            100.0 * given
+        ));
+    }
     let mut heights = vec![f64::NAN; rows * columns];
     for ((x, y), z) in x.iter().zip(y).zip(z) {
         let place = |value: f64, from: f64, step: f64| ((value - from) / step).round() as usize;
@@ -258,9 +269,7 @@ fn axis(name: &str, values: &[f64]) -> Result<(f64, f64, usize), String> {
         return Err(format!("all points have the same {name}"));
     }
     let step = (to - from) / (count - 1) as f64;
-    if count * count > 4 * values.len() * values.len()
-        || (0..count).any(|i| (sorted[i] - from - step * i as f64).abs() > EVEN * step)
-    {
+    if (0..count).any(|i| (sorted[i] - from - step * i as f64).abs() > EVEN * step) {
         return Err(format!("three columns must be x y z on a regular grid; {name} is not evenly spaced"));
     }
     Ok((from, step, count))
