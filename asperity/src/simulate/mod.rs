@@ -41,7 +41,7 @@ use crate::scene::{Scene, Switch};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::expected_time::expected_time_but_for_hot_properties;
 use crate::simulate::outcome::Outcome;
-use messages::{RunKind, RunProgress};
+use messages::RunProgress;
 pub use pressed::{Pressed, PressedContact, press};
 pub(crate) use pressed::{bisect, largest_interference};
 use run::Run;
@@ -256,7 +256,7 @@ fn run_alone(
 ) -> Result<Run, SimulationError> {
     in_pool(|| {
         let pressed = pressed::press_coarsely(scene, watch)?;
-        let progress = RunProgress { kind: RunKind::Main, span: (0.0, 1.0) };
+        let progress = RunProgress { kind: "", span: (0.0, 1.0) };
         let mut run = Runner::new(&pressed, slip_rate, watch)?.run(resolution, progress, watch)?;
         match run.failure.take() {
             None => Ok(run),

@@ -92,7 +92,7 @@ fn next_not_begun(error: SimulationError, run: &Run) -> SimulationError {
 fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_time: f64) -> Account {
     let run = ladder.result();
     let (pressed, conditions) = (runner.pressed, &runner.conditions);
-    let mut notes = vec![Note::resolution(&run.resolution), Note::Heat(conditions.heat, conditions.effect)];
+    let mut notes = vec![Note::Resolution(run.resolution), Note::Heat(conditions.heat, conditions.effect)];
     notes.extend(ladder.notes.iter().cloned());
     notes.extend(Note::press(&pressed.problem));
     notes.extend(Note::heat_partition(&pressed.problem, &run.history));

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::conditions::Conditions;
 use super::early::EarlyMain;
 use super::ladder::Ladder;
-use super::messages::{Note, RunKind, RunProgress};
+use super::messages::{Note, RunProgress};
 use super::pressed::{Pressed, PressedMesh, add_presses, press_error};
 use super::run::Run;
 use super::{SimulationError, Watch};
@@ -87,7 +87,7 @@ impl<'a> Runner<'a> {
     /// The auxiliary runs of a resolution, and the main run with the sectors and increments that they require. If they are
     /// stopped, the result is the run that has come furthest.
     fn runs_from(&self, start: Resolution) -> Result<Ladder, SimulationError> {
-        let progress = |from| RunProgress { kind: RunKind::Main, span: (from, MAIN) };
+        let progress = |from| RunProgress { kind: "", span: (from, MAIN) };
         let early = EarlyMain::new(self.watch);
         let (auxiliary, begun) = rayon::join(
             || {
@@ -115,10 +115,9 @@ impl<'a> Runner<'a> {
             (Next::Failed(error), begun) => (Some(Err(error)), time(begun)),
             (Next::Wider, begun) => (None, time(begun)),
         };
-        let mut ladder = match main {
-            Some(Ok(main)) => Ladder::new(start, main, auxiliary),
-            Some(Err(error)) => Ladder::of_auxiliary(start, auxiliary, Some(error)),
-            None => Ladder::of_auxiliary(start, auxiliary, None),
+        let mut ladder = match main.transpose() {
+            Ok(Some(main)) => Ladder::new(start, main, auxiliary),
+            other => Ladder::of_auxiliary(start, auxiliary, other.err()),
         };
         ladder.given_up = given_up;
         Ok(ladder)
@@ -132,7 +131,7 @@ impl<'a> Runner<'a> {
     ) -> Result<(Vec<Run>, Next), SimulationError> {
         let [coarse, others @ ..] = start.auxiliary();
         let middle = 0.5 * AUXILIARY;
-        let progress = |span| RunProgress { kind: RunKind::Auxiliary, span };
+        let progress = |span| RunProgress { kind: "coarse mesh: ", span };
         let mut runs = self.run_all(&[coarse], progress((0.0, middle)), watch)?;
         // Without the first of them errors are unknown, and the others are not needed.
         if runs[0].failure.is_none() {
@@ -211,7 +210,7 @@ impl<'a> Runner<'a> {
     /// A finer main run, and one on its coarse mesh.
     pub fn finer(&self, resolution: &Resolution) -> Result<[Run; 2], SimulationError> {
         self.watch.progress("slide", MAIN, "finer");
-        let progress = RunProgress { kind: RunKind::Finer, span: (MAIN, 1.0) };
+        let progress = RunProgress { kind: "finer: ", span: (MAIN, 1.0) };
         let runs = self.run_all(&[*resolution, resolution.coarse()], progress, self.watch)?;
         Ok(runs.try_into().unwrap_or_else(|_| unreachable!("as many runs as planned")))
     }
@@ -296,7 +295,7 @@ impl<'a> Runner<'a> {
             unknowns: mesh.field_length(3),
             cutbacks: slide.cutbacks,
             contact: slide.mechanics.into_parts().1,
-            counterface: slide.heat.and_then(Conduction::into_counterface),
+            counterface: slide.heat.and_then(|heat| heat.counterface),
             failure,
             press,
         })

@@ -63,61 +63,54 @@ pub fn run<S: Simulator>(
     let columns = layout.axes.slip_rate.len();
     let largest = layout.axes.interference[layout.axes.interference.len() - 1];
     let mut model = CostModel::new(largest, columns);
-    let mut grid = Grid {
-        simulator,
-        work,
-        watch,
-        clock: Instant::now(),
-        ledger: Mutex::new(Ledger {
-            known,
-            journal,
-            forecast: Forecast::new(model.clone(), Vec::new(), 1),
-            done: 0,
-            taken: Vec::new(),
-            error: None,
-        }),
-        stopped: AtomicBool::new(false),
-    };
-    let mut finished = Vec::new();
-    let ledger = grid.ledger.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let (mut finished, mut done) = (Vec::new(), 0);
     for (k, case) in cases.iter().enumerate() {
-        match ledger.known.get(&layout.point((k / columns, k % columns)).key()) {
+        match known.get(&layout.point((k / columns, k % columns)).key()) {
             Some(result) => {
                 if let Ok(result) = result {
                     model.learn(*case, result.cell.wall_time);
                 }
                 finished.push(k);
-                ledger.done += usize::from(work.wanted[k]);
+                done += usize::from(work.wanted[k]);
             }
             None if !work.wanted[k] => finished.push(k),
             None => {}
         }
     }
-    ledger.journal.reserve(cases.len() - finished.len())?;
-    ledger.forecast = Forecast::new(model, cases, work.jobs);
-    finished.into_iter().for_each(|k| ledger.forecast.finished(k, 0.0));
-    let grid = &grid;
+    journal.reserve(cases.len() - finished.len())?;
+    let mut forecast = Forecast::new(model, cases, work.jobs);
+    finished.into_iter().for_each(|k| forecast.finished(k, 0.0));
+    let grid = &Grid {
+        simulator,
+        work,
+        watch,
+        clock: Instant::now(),
+        ledger: Mutex::new(Ledger { known, journal, forecast, done, taken: Vec::new(), error: None }),
+        stopped: AtomicBool::new(false),
+    };
     pool.in_place_scope_fifo(|scope| {
+        // One cell of an interference, at a slip rate in the middle.
+        let middle = |pending: Vec<usize>| pending.get(pending.len() / 2).copied().into_iter().collect();
         for i in layout.probes() {
-            scope.spawn_fifo(move |_| grid.probe(i));
+            scope.spawn_fifo(move |_| grid.run_row(i, middle));
         }
         // The largest take longest: started last, they would run alone at the end. Idle
         // threads help with the slides of a press before they start another press, which
         // keeps few pressed states in memory.
         for i in layout.order() {
-            scope.spawn_fifo(move |_| grid.run_row(i));
+            scope.spawn_fifo(move |_| grid.run_row(i, |pending| pending));
         }
     });
     grid.lock().error.take().map_or(Ok(()), Err)
 }
 
 impl<'a, S: Simulator> Grid<'a, S> {
-    /// Press once, then slide at every slip rate that is wanted and not done.
-    fn run_row(&self, i: usize) {
+    /// Press once, then slide at those slip rates that are `chosen` of the ones wanted and not done.
+    fn run_row(&self, i: usize, chosen: impl FnOnce(Vec<usize>) -> Vec<usize>) {
         if self.cancelled() {
             return;
         }
-        let pending = self.take(i, |pending| pending);
+        let pending = self.take(i, chosen);
         if pending.is_empty() {
             return;
         }
@@ -128,21 +121,6 @@ impl<'a, S: Simulator> Grid<'a, S> {
                     self.finish((i, j), Err(reason.clone()));
                 }
             }
-            Err(None) => {}
-        }
-    }
-
-    /// One cell of an interference at a slip rate in the middle.
-    fn probe(&self, i: usize) {
-        if self.cancelled() {
-            return;
-        }
-        let middle = |pending: Vec<usize>| pending.get(pending.len() / 2).copied().into_iter().collect();
-        let Some(&j) = self.take(i, middle).first() else { return };
-        let at = (i, j);
-        match self.press(i) {
-            Ok(pressed) => self.run_cell(&pressed, at),
-            Err(Some(reason)) => self.finish(at, Err(reason)),
             Err(None) => {}
         }
     }

@@ -66,6 +66,17 @@ pub fn figure(results: &Results) -> Figure {
         if is_steady_known { &[("", "mu"), ("steady, ", "mu_steady")] } else { &[("", "mu")] };
     let (area, gap) =
         (Axis::logarithmic("Real area fraction"), Axis::linear("Separation while sliding (µm)"));
+    let (of_load, of_contacts) = (Axis::linear("Share of the load"), Axis::linear("Share of contacts"));
+    let regimes_of_load = [
+        ("elastic, ", "elastic_load_fraction"),
+        ("elastic-plastic, ", "elastic_plastic_load_fraction"),
+        ("fully plastic, ", "fully_plastic_load_fraction"),
+    ];
+    let regimes = [
+        ("elastic, ", "elastic_fraction"),
+        ("plastic, ", "plastic_fraction"),
+        ("melting, ", "melting_fraction"),
+    ];
     let mut panels = vec![
         over_slip_rate(prediction),
         over("friction", "Sliding friction", Axis::linear(FRICTION_LABEL), sliding),
@@ -73,8 +84,9 @@ pub fn figure(results: &Results) -> Figure {
         along_the_slide(prediction),
         over("area", "Real contact area", area, &[("", "real_area_fraction")]),
         over_loading(prediction, ("separation", "Separation"), gap, &[("", "separation_sliding")], 1e6),
+        over("load", "Share of the load", of_load, &regimes_of_load),
+        over("regimes", "Share of the contacts", of_contacts, &regimes),
     ];
-    panels.extend(shares(prediction));
     if prediction.friction[0][0].contacts.temperature_mean.is_some() {
         let temperature = Axis::linear("Temperature (K)");
         let shown = [("mean, ", "temperature_mean"), ("highest, ", "temperature_max")];
@@ -85,34 +97,6 @@ pub fn figure(results: &Results) -> Figure {
         panels.push(compared(results));
     }
     Figure::new(title(&prediction.law), panels)
-}
-
-/// Load and number of contacts by regime.
-fn shares(prediction: &Prediction) -> [Panel; 2] {
-    [
-        over_loading(
-            prediction,
-            ("load", "Share of the load"),
-            Axis::linear("Share of the load"),
-            &[
-                ("elastic, ", "elastic_load_fraction"),
-                ("elastic-plastic, ", "elastic_plastic_load_fraction"),
-                ("fully plastic, ", "fully_plastic_load_fraction"),
-            ],
-            1.0,
-        ),
-        over_loading(
-            prediction,
-            ("regimes", "Share of the contacts"),
-            Axis::linear("Share of contacts"),
-            &[
-                ("elastic, ", "elastic_fraction"),
-                ("plastic, ", "plastic_fraction"),
-                ("melting, ", "melting_fraction"),
-            ],
-            1.0,
-        ),
-    ]
 }
 
 /// Friction against the slip since a step of the slip rate.

@@ -201,18 +201,14 @@ impl ClosedForm {
         let (load_ratio, area_ratio) = self.load_and_area(interference);
         let load = load_ratio * hertz::hertz_load(e_star, radius, omega);
         let area = area_ratio * hertz::contact_area(radius, omega);
+        let of_friction = |mu: f64| load * mu / area;
+        let scaled = interference / self.units.0;
         let strength = match self.inception {
             SlidingInception::ConstantShear => self.material.shear_strength(),
-            SlidingInception::KogutEtsion => {
-                load * kogut_etsion::static_friction(interference / self.units.0) / area
-            }
-            SlidingInception::ChangEtsionBogy => {
-                load * chang_etsion_bogy::static_friction(interference / self.units.0) / area
-            }
-            SlidingInception::Cohen => {
-                load * brizmer::static_friction_of_interference(interference / self.units.0) / area
-            }
-            SlidingInception::Brizmer => load * brizmer::static_friction(load_ratio / self.units.1) / area,
+            SlidingInception::KogutEtsion => of_friction(kogut_etsion::static_friction(scaled)),
+            SlidingInception::ChangEtsionBogy => of_friction(chang_etsion_bogy::static_friction(scaled)),
+            SlidingInception::Cohen => of_friction(brizmer::static_friction_of_interference(scaled)),
+            SlidingInception::Brizmer => of_friction(brizmer::static_friction(load_ratio / self.units.1)),
         };
         let gross_slip = constant_shear::gross_slip_displacement(
             strength,

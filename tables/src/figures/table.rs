@@ -3,7 +3,7 @@
 use super::{Axis, Colors, Curve, Field, Figure, Panel};
 use crate::interpolation::InterpolatedTable;
 use crate::numbers::digits;
-use crate::quantity::Quantity;
+use crate::quantity::{Estimate, Quantity};
 use crate::table::{Axes, Cell, Slice};
 
 /// Curves that a panel can hold and stay legible.
@@ -49,7 +49,7 @@ struct Shown {
     title: &'static str,
     label: &'static str,
     /// Value and error of a cell.
-    value: fn(&Cell) -> (f64, f64),
+    value: fn(&Cell) -> Estimate,
     log: bool,
 }
 
@@ -59,7 +59,7 @@ const SHOWN: [Shown; 4] = [
         map: "friction-map",
         title: "Sliding friction",
         label: FRICTION_LABEL,
-        value: |cell| of(cell, Quantity::Mu),
+        value: |cell| cell[Quantity::Mu],
         log: false,
     },
     Shown {
@@ -67,7 +67,7 @@ const SHOWN: [Shown; 4] = [
         map: "stress-map",
         title: "Friction stress",
         label: "Friction stress Q/A (MPa)",
-        value: friction_stress,
+        value: |cell| cell[Quantity::Friction].over(cell[Quantity::Area]).scaled(1e-6),
         log: false,
     },
     Shown {
@@ -75,7 +75,7 @@ const SHOWN: [Shown; 4] = [
         map: "energy-map",
         title: "Energy of stick to slip",
         label: "Energy release G (J/m^{2})",
-        value: |cell| of(cell, Quantity::EnergyRelease),
+        value: |cell| cell[Quantity::EnergyRelease],
         log: true,
     },
     Shown {
@@ -83,7 +83,7 @@ const SHOWN: [Shown; 4] = [
         map: "temperature-map",
         title: "Heating",
         label: "Highest temperature T (K)",
-        value: |cell| of(cell, Quantity::TemperatureMax),
+        value: |cell| cell[Quantity::TemperatureMax],
         log: false,
     },
 ];
@@ -120,8 +120,8 @@ impl Slice {
         };
         let curve = |n: usize| {
             let cell = |m: usize| if slip_rate { self.cell(n, m) } else { self.cell(m, n) };
-            let at = |m: usize| cell(m).map_or((f64::NAN, f64::NAN), shown.value);
-            let (y, error) = (0..x.len()).map(at).unzip();
+            let at = |m: usize| cell(m).map_or(Estimate::UNKNOWN, shown.value);
+            let (y, error) = (0..x.len()).map(at).map(|at| (at.value, at.error)).unzip();
             let name = match slip_rate {
                 true => interference_label(axes.interference[n]),
                 false => rate_label(axes.slip_rate[n]),
@@ -159,7 +159,7 @@ fn map(table: &InterpolatedTable, axes: &Axes, shown: &Shown) -> Panel {
                 cell[quantity] = known;
             }
         }
-        let value = (shown.value)(&cell).0;
+        let value = (shown.value)(&cell).value;
         [rate, omega, if shown.log { value.log10() } else { value }]
     };
     let rows: Vec<Vec<[f64; 3]>> =
@@ -213,18 +213,6 @@ fn rate_label(rate: f64) -> String {
 
 fn interference_label(interference: f64) -> String {
     format!("{} ω_{{c}}", digits(interference, 3))
-}
-
-fn of(cell: &Cell, quantity: Quantity) -> (f64, f64) {
-    let estimate = cell[quantity];
-    (estimate.value, estimate.error)
-}
-
-fn friction_stress(cell: &Cell) -> (f64, f64) {
-    let (force, area) = (cell[Quantity::Friction], cell[Quantity::Area]);
-    let stress = 1e-6 * force.value / area.value;
-    let relative = (force.error / force.value).abs() + (area.error / area.value).abs();
-    (stress, stress * relative)
 }
 
 #[cfg(test)]

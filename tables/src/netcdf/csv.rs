@@ -11,44 +11,6 @@ impl Table {
     /// carry units, as in `Q [N]`; unknown values are empty. Of several initial temperatures the first column is
     /// `temperature [K]`.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
-        self.lines().write(to)
-    }
-
-    /// A line for each grid point with results and each slip, in a₀: the histories.
-    pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
-        self.lines().write_histories(to)
-    }
-
-    fn lines(&self) -> Lines<'_> {
-        Lines { slices: self.slices(), several: self.slices().len() > 1 }
-    }
-}
-
-struct Lines<'a> {
-    slices: &'a [Slice],
-    several: bool,
-}
-
-impl Lines<'_> {
-    /// The first columns.
-    fn coordinates(&self, others: &[&str]) -> Vec<String> {
-        let all = [&["temperature [K]", "interference [1]", "slip_rate [m s-1]"], others].concat();
-        all.into_iter().skip(usize::from(!self.several)).map(String::from).collect()
-    }
-
-    /// Each grid point of each table, with its first columns.
-    fn points(&self) -> impl Iterator<Item = (&Slice, (usize, usize), Vec<String>)> {
-        self.slices.iter().flat_map(move |table| {
-            table.grid().map(move |(i, j)| {
-                let (interference, slip_rate) = table.coordinates(i, j);
-                let all = [table.metadata().temperature, interference, slip_rate];
-                let line = all.into_iter().skip(usize::from(!self.several)).map(number).collect();
-                (table, (i, j), line)
-            })
-        })
-    }
-
-    fn write(&self, to: impl Write) -> std::io::Result<()> {
         let mut file = csv::Writer::from_writer(to);
         let mut header = self.coordinates(&["status"]);
         for quantity in Quantity::SCALARS {
@@ -57,7 +19,7 @@ impl Lines<'_> {
             header.push(format!("{}_error [{}]", descriptor.name, descriptor.units));
         }
         header.extend(["levelled", "wall_time [s]", "failure_reason", "warnings"].map(String::from));
-        let fracture = self.slices.iter().any(|table| table.metadata().fracture_energy.is_some());
+        let fracture = self.slices().iter().any(|table| table.metadata().fracture_energy.is_some());
         if fracture {
             header.extend(["G_ratio [1]", "G_ratio_error [1]"].map(String::from));
         }
@@ -87,7 +49,8 @@ impl Lines<'_> {
         file.flush()
     }
 
-    fn write_histories(&self, to: impl Write) -> std::io::Result<()> {
+    /// A line for each grid point with results and each slip, in a₀: the histories.
+    pub fn write_histories_csv(&self, to: impl Write) -> std::io::Result<()> {
         let mut file = csv::Writer::from_writer(to);
         let mut header = self.coordinates(&["slip [1]"]);
         for quantity in Quantity::TABLE_HISTORIES {
@@ -104,6 +67,24 @@ impl Lines<'_> {
             }
         }
         file.flush()
+    }
+
+    /// The first columns.
+    fn coordinates(&self, others: &[&str]) -> Vec<String> {
+        let all = [&["temperature [K]", "interference [1]", "slip_rate [m s-1]"], others].concat();
+        all.into_iter().skip(usize::from(self.slices().len() < 2)).map(String::from).collect()
+    }
+
+    /// Each grid point of each table, with its first columns.
+    fn points(&self) -> impl Iterator<Item = (&Slice, (usize, usize), Vec<String>)> {
+        self.slices().iter().flat_map(move |table| {
+            table.grid().map(move |(i, j)| {
+                let (interference, slip_rate) = table.coordinates(i, j);
+                let all = [table.metadata().temperature, interference, slip_rate];
+                let line = all.into_iter().skip(usize::from(self.slices().len() < 2)).map(number).collect();
+                (table, (i, j), line)
+            })
+        })
     }
 }
 

@@ -44,7 +44,7 @@ impl Facing {
     ) -> Self {
         let response = half_space.step(dt, slip, disc.radius());
         // Of the asperity as of a half-space at rest, κ = 1.
-        let body = HalfSpace::new(1.0, effusivity).step(dt, 0.0, disc.radius()).own();
+        let body = HalfSpace::new(1.0, effusivity).step(dt, 0.0, disc.radius()).own;
         let resistance = half_space.resistance;
         Self {
             response,
@@ -52,7 +52,7 @@ impl Facing {
             resistance,
             released: 1.0 - half_space.share,
             expected: half_space.expected_fluxes(),
-            jacobian: Cell::new(-(body + response.own() + Matrix3::identity() * resistance)),
+            jacobian: Cell::new(-(body + response.own + Matrix3::identity() * resistance)),
         }
     }
 

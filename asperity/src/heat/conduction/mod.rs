@@ -116,7 +116,7 @@ pub struct Conduction {
     /// None where specific heat and conductivity are constant.
     varying: Option<Kirchhoff>,
     /// The body that faces the contact, if it conducts.
-    counterface: Option<HalfSpace>,
+    pub(crate) counterface: Option<HalfSpace>,
     /// Temperature rise at the nodes, those of the body first.
     pub committed: Vec<f64>,
 }
@@ -258,11 +258,6 @@ impl Conduction {
             }
         }
         flow
-    }
-
-    /// The counterface with the heat that it has taken up, if it conducts.
-    pub fn into_counterface(self) -> Option<HalfSpace> {
-        self.counterface
     }
 
     /// Heat in the body at a temperature rise, half body: ∫ρc₀H dV.

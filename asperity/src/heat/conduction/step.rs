@@ -129,7 +129,7 @@ impl Step<'_> {
             let generated = frictional(&solved.rise);
             let taken = heat.flux(generated);
             fluxes[stage] = taken;
-            let opposite = facing.response.free(stage, fluxes[0]) + facing.response.own() * taken;
+            let opposite = facing.response.free(stage, fluxes[0]) + facing.response.own * taken;
             let released = facing.released * generated;
             let difference = rise - opposite - resistance * (taken - released);
             let terms = [rise, opposite, resistance * taken, resistance * released];

@@ -102,7 +102,7 @@ pub struct StepResponse {
     /// At the end of the second stage per flux of the first.
     first: Matrix3<f64>,
     /// At the end of each stage per flux of that stage.
-    own: Matrix3<f64>,
+    pub own: Matrix3<f64>,
     /// a, of the contact.
     radius: f64,
     from: Moment,
@@ -113,11 +113,6 @@ impl StepResponse {
     /// Rise at the end of stage `stage` (0, 1) without the flux of that stage, given that of the first.
     pub fn free(&self, stage: usize, first: Profile) -> Profile {
         self.free[stage] + if stage == 0 { Profile::zeros() } else { self.first * first }
-    }
-
-    /// Rise at the end of a stage per flux of that stage.
-    pub fn own(&self) -> Matrix3<f64> {
-        self.own
     }
 }
 
@@ -253,7 +248,7 @@ mod tests {
         let fourier: f64 = 1e6;
         let length = fourier / (1.0 - FIRST_PART);
         for slip in [0.0, 1e-4 * length] {
-            let rise = half_space.step(length, slip, 1.0).own()[(0, 0)];
+            let rise = half_space.step(length, slip, 1.0).own[(0, 0)];
             let expected = 8.0 / (3.0 * std::f64::consts::PI) - 0.5 / (std::f64::consts::PI * fourier).sqrt();
             assert!((rise / expected - 1.0).abs() < 2e-4, "{rise} {expected}");
         }

@@ -19,15 +19,10 @@ pub use warning::Warning;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Note {
     #[error(
-        "{elements_per_radius} elements per contact radius, {sectors} angles over the half circle, slip increments of {:.0} % of the slip",
-        100.0 * .growth
+        "{} elements per contact radius, {} angles over the half circle, slip increments of {:.0} % of the slip",
+        .0.elements_per_radius, .0.sectors, 100.0 * .0.growth
     )]
-    Resolution {
-        elements_per_radius: usize,
-        sectors: usize,
-        /// Largest slip increment over the slip.
-        growth: f64,
-    },
+    Resolution(Resolution),
     #[error("heat is {}", heat_in_words(.0, .1))]
     Heat(HeatChoice, HeatEffect),
     /// Share of the frictional heat that enters the asperity beside a conducting counterface.
@@ -99,11 +94,6 @@ impl Note {
     /// The one that a scene has before any run.
     pub fn of_scene(scene: &Scene) -> Self {
         Self::Defaults(scene.defaults_in_effect())
-    }
-
-    pub fn resolution(resolution: &Resolution) -> Self {
-        let Resolution { elements_per_radius, sectors, growth, .. } = *resolution;
-        Self::Resolution { elements_per_radius, sectors, growth }
     }
 
     /// How the asperity is pressed, if that depends on the counterface.
@@ -195,17 +185,10 @@ impl serde::Serialize for Note {
 /// A run of a slide, and its part of the progress of the whole.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RunProgress {
-    pub kind: RunKind,
+    /// Kind of the run, with a colon; empty for a main run.
+    pub kind: &'static str,
     /// Shares of the whole at the start and at the end of the run.
     pub span: (f64, f64),
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) enum RunKind {
-    Auxiliary,
-    Main,
-    /// A main run repeated more finely.
-    Finer,
 }
 
 impl RunProgress {
@@ -217,12 +200,7 @@ impl RunProgress {
 
     /// Kind of the run and state of the slide in one line.
     pub fn describe(&self, units: &Units, history: &[SlideState]) -> String {
-        let state = slide_progress(units, history);
-        match self.kind {
-            RunKind::Auxiliary => format!("coarse mesh: {state}"),
-            RunKind::Main => state,
-            RunKind::Finer => format!("finer: {state}"),
-        }
+        format!("{}{}", self.kind, slide_progress(units, history))
     }
 }
 

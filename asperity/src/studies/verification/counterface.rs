@@ -41,7 +41,7 @@ fn rises(peclet: f64, fourier: f64) -> (f64, f64) {
     while time < fourier * (1.0 - 1e-12) {
         let step = dt.min(fourier - time);
         let response = half_space.step(step, 2.0 * peclet * step, 1.0);
-        rise = (response.free(1, uniform) + response.own() * uniform).x;
+        rise = (response.free(1, uniform) + response.own * uniform).x;
         half_space.try_fluxes(response, [uniform; 2]);
         half_space.commit();
         time += step;

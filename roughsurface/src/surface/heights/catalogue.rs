@@ -57,26 +57,17 @@ pub const DISTRIBUTIONS: &[Entry] = &[
     Entry {
         name: "weibull",
         keys: &["std", "shape"],
-        build: |keys, _| {
-            let shape = shape(keys, 1.0, 50.0)?;
-            Ok(Box::new(Weibull::new(std(keys)?, shape)))
-        },
+        build: |keys, _| Ok(Box::new(Weibull::new(std(keys)?, shape(keys, 1.0, 50.0)?))),
     },
     Entry {
         name: "lognormal",
         keys: &["std", "shape"],
-        build: |keys, _| {
-            let shape = shape(keys, 1e-3, 2.0)?;
-            Ok(Box::new(LogNormal::new(std(keys)?, shape)))
-        },
+        build: |keys, _| Ok(Box::new(LogNormal::new(std(keys)?, shape(keys, 1e-3, 2.0)?))),
     },
     Entry {
         name: "inverted-chi-squared",
         keys: &["std", "shape"],
-        build: |keys, _| {
-            let degrees = shape(keys, 4.0, 1000.0)?;
-            Ok(Box::new(InvertedChiSquared::new(std(keys)?, degrees)))
-        },
+        build: |keys, _| Ok(Box::new(InvertedChiSquared::new(std(keys)?, shape(keys, 4.0, 1000.0)?))),
     },
     Entry {
         name: "sample",
