@@ -76,7 +76,7 @@ impl HeatEffect {
         let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
         let initial = scene.loading.temperature;
         let film = |rise: f64| {
-            let factor = |temperature: f64| interface.law.softening_factor(temperature);
+            let factor = |temperature: f64| interface.law.film_softening().factor(temperature);
             (1.0 - factor(initial + rise) / factor(initial)).abs()
         };
         let metal = |rise: f64| (1.0 - solid.softening_factor(rise)).abs();

@@ -26,7 +26,10 @@ pub(crate) fn shear_limit(law: &FrictionLaw, at: &ContactPoint) -> f64 {
         FrictionLaw::Coulomb { friction, cap } => capped(friction * at.pressure, *cap),
         FrictionLaw::BriscoeTabor { film_strength, pressure_coefficient, cap, .. } => {
             let film = at.contact_fraction * film_strength / at.unit;
-            capped(law.softening_factor(at.temperature) * (film + pressure_coefficient * at.pressure), *cap)
+            capped(
+                law.film_softening().factor(at.temperature) * (film + pressure_coefficient * at.pressure),
+                *cap,
+            )
         }
         FrictionLaw::FullStick => f64::INFINITY,
         FrictionLaw::Frictionless => 0.0,

@@ -76,18 +76,18 @@ impl FrictionLaw {
             _ if !self.has_friction() => None,
             Self::Coulomb { friction, .. } => Some((0.0, friction)),
             Self::BriscoeTabor { film_strength, pressure_coefficient, .. } => {
-                let factor = self.softening_factor(temperature);
+                let factor = self.film_softening().factor(temperature);
                 Some((factor * film_strength, factor * pressure_coefficient))
             }
             Self::ShearStrength | Self::FullStick | Self::Frictionless => None,
         }
     }
 
-    /// Factor on the strength of a film, 1 for other laws; T in K.
-    pub(crate) fn softening_factor(&self, temperature: f64) -> f64 {
+    /// Softening of a film; none of other laws.
+    pub(crate) fn film_softening(&self) -> &Softening {
         match self {
-            Self::BriscoeTabor { film_softening, .. } => film_softening.factor(temperature),
-            _ => 1.0,
+            Self::BriscoeTabor { film_softening, .. } => film_softening,
+            _ => &Softening::None,
         }
     }
 

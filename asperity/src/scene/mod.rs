@@ -161,10 +161,18 @@ impl Scene {
         })
     }
 
+    /// Sections of the laws of softening, of metal and film.
+    pub(crate) fn softenings(&self) -> [(&'static str, &Softening); 2] {
+        [
+            ("material.softening", &self.material.softening),
+            ("interface.film_softening", self.interface.law.film_softening()),
+        ]
+    }
+
     /// Larger relative change of the strengths of metal and film from one temperature rise to another, K.
     pub fn softening_between(&self, from: f64, to: f64) -> f64 {
         let metal = |rise: f64| self.material.softening.factor(self.loading.temperature + rise);
-        let film = |rise: f64| self.interface.law.softening_factor(self.loading.temperature + rise);
+        let film = |rise: f64| self.interface.law.film_softening().factor(self.loading.temperature + rise);
         let change = |before: f64, after: f64| if before > 0.0 { (1.0 - after / before).abs() } else { 0.0 };
         change(metal(from), metal(to)).max(change(film(from), film(to)))
     }

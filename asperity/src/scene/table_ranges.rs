@@ -2,7 +2,7 @@
 
 use tables::numbers::{digits, plain};
 
-use crate::scene::{FrictionLaw, Hardening, Scene, Softening};
+use crate::scene::{Hardening, Scene, Softening};
 
 /// By which a temperature may be outside, K: as that of a room, at which tables begin, is 293 to 300 K.
 const MARGIN: f64 = 10.0;
@@ -60,13 +60,7 @@ impl Scene {
             let table = table.as_ref().filter(|_| heat || key == "material.youngs_modulus");
             tables.extend(table.map(|table| (key, &table.temperature[..], &table.value[..])));
         }
-        let film = match &self.interface.law {
-            FrictionLaw::BriscoeTabor { film_softening, .. } => film_softening,
-            _ => &Softening::None,
-        };
-        for (key, law) in
-            [("material.softening", &self.material.softening), ("interface.film_softening", film)]
-        {
+        for (key, law) in self.softenings() {
             if let Softening::Table { temperature, factor } = law {
                 tables.push((key, temperature, factor));
             }

@@ -4,7 +4,7 @@ use toml::{Table, Value};
 
 use super::error::SceneFileError;
 use super::source::Source;
-use crate::scene::{FrictionLaw, Hardening, Rate, Scene, Softening, Switch};
+use crate::scene::{Hardening, Rate, Scene, Softening, Switch};
 
 /// Fracture data are given in one way: the shear fracture energy, the mode-II toughness, or both numbers
 /// of a tensile test.
@@ -29,13 +29,6 @@ pub fn check_fracture(material: &Table, source: &Source) -> Result<(), SceneFile
 /// The material of a scene, at its initial temperature, and the softening of a film.
 pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileError> {
     let material = &scene.material;
-    let film = match &scene.interface.law {
-        FrictionLaw::BriscoeTabor { film_softening, .. } => {
-            Some(("interface.film_softening", film_softening))
-        }
-        _ => None,
-    };
-    let softenings = || [("material.softening", &material.softening)].into_iter().chain(film);
     if let Hardening::Table { plastic_strain, factor } = &material.hardening
         && (plastic_strain[0], factor[0]) != (0.0, 1.0)
     {
@@ -43,7 +36,7 @@ pub fn check_material(scene: &Scene, source: &Source) -> Result<(), SceneFileErr
         let allowed = "a table that starts at plastic strain 0 with factor 1";
         return Err(source.invalid("material.hardening.plastic_strain", found, allowed));
     }
-    for (section, softening) in softenings() {
+    for (section, softening) in scene.softenings() {
         if let Softening::JohnsonCook { reference, melting, .. } = softening
             && melting <= reference
         {
@@ -67,7 +60,7 @@ pub fn check_temperature(
     temperature: f64,
     source: &Source,
 ) -> Result<(), SceneFileError> {
-    if scene.interface.law.softening_factor(temperature) <= 0.0 {
+    if scene.interface.law.film_softening().factor(temperature) <= 0.0 {
         let allowed = "one at which the film has strength (interface.film_softening)";
         return Err(source.invalid(key, format!("{temperature:?}"), allowed));
     }

@@ -7,6 +7,7 @@
 
 use std::ops::Range;
 
+use super::FactorError;
 use crate::material::{elementary::fma, lanes::Lanes};
 use crate::solver::StopRequest;
 
@@ -14,16 +15,6 @@ use crate::solver::StopRequest;
 const WIDEST: usize = 3;
 /// Number of panels factorised between two evaluations of the stop request.
 const PANELS_BETWEEN_STOPS: usize = 256;
-
-/// Why a matrix was not factorised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CholeskyFailure {
-    /// The first lane that is not positive definite.
-    NotPositiveDefinite {
-        lane: usize,
-    },
-    Stopped,
-}
 
 /// Sparsity pattern of a factor L, stored by columns.
 #[derive(Debug)]
@@ -102,12 +93,14 @@ impl FactorPattern {
         self.column_start[last - 1] + 1..self.column_start[last]
     }
 
-    /// Entries of L of the matrix whose upper triangle is `value(k)` at the k-th entry of its pattern.
+    /// Entries of L of the matrices, of M harmonics from the harmonic `first` on, whose upper triangles are `value(k)` at the k-th
+    /// entry of its pattern.
     pub fn cholesky<const M: usize>(
         &self,
         value: impl Fn(usize) -> Lanes<M>,
+        first: usize,
         stop: &StopRequest,
-    ) -> Result<Vec<Lanes<M>>, CholeskyFailure> {
+    ) -> Result<Vec<Lanes<M>>, FactorError> {
         let mut lower = vec![[0.0; M]; self.row.len()];
         for (k, &place) in self.place.iter().enumerate() {
             lower[place as usize] = value(k);
@@ -117,7 +110,7 @@ impl FactorPattern {
         let mut panel = Vec::new();
         for p in 0..self.panel_start.len() - 1 {
             if p.is_multiple_of(PANELS_BETWEEN_STOPS) && stop() {
-                return Err(CholeskyFailure::Stopped);
+                return Err(FactorError::Stopped);
             }
             let columns = self.columns(p);
             let below = &self.row[self.below(p)];
@@ -142,7 +135,8 @@ impl FactorPattern {
                     _ => update.subtract::<WIDEST>(columns.clone(), &mut panel),
                 }
             }
-            factorise_panel(columns.len(), &mut panel)?;
+            factorise_panel(columns.len(), &mut panel)
+                .map_err(|lane| FactorError::NotPositiveDefinite { harmonic: first + lane })?;
             self.copy_panel(columns, |at, q, entry| own[entry] = panel[at][q]);
         }
         Ok(lower)
@@ -196,11 +190,9 @@ impl<const M: usize> Update<'_, M> {
     }
 }
 
-/// Cholesky factor of the square at the top of a panel, and the rows below divided by its transpose.
-fn factorise_panel<const M: usize>(
-    width: usize,
-    panel: &mut [[Lanes<M>; WIDEST]],
-) -> Result<(), CholeskyFailure> {
+/// Cholesky factor of the square at the top of a panel, and the rows below divided by its transpose. The error is the first lane
+/// that is not positive definite.
+fn factorise_panel<const M: usize>(width: usize, panel: &mut [[Lanes<M>; WIDEST]]) -> Result<(), usize> {
     let mut inverse = [[0.0; M]; WIDEST];
     for at in 0..panel.len() {
         for q in 0..width.min(at + 1) {
@@ -214,7 +206,7 @@ fn factorise_panel<const M: usize>(
             if at == q {
                 // NaN counts as not positive.
                 if let Some(lane) = sum.iter().position(|d| d.is_nan() || *d <= 0.0) {
-                    return Err(CholeskyFailure::NotPositiveDefinite { lane });
+                    return Err(lane);
                 }
                 sum = sum.map(f64::sqrt);
                 inverse[q] = sum.map(|d| 1.0 / d);
@@ -238,7 +230,7 @@ mod tests {
         let (lower_start, lower_row) = ([0, 2, 4, 5], [0, 2, 1, 2, 2]);
         let values = [[4.0, 9.0], [16.0, 1.0], [2.0, -3.0], [-4.0, 0.5], [5.0, 7.0]];
         let pattern = FactorPattern::new(&lower_start, &lower_row, &upper_start, &upper_row);
-        let l = pattern.cholesky::<2>(|at| values[at], &|| false).unwrap();
+        let l = pattern.cholesky::<2>(|at| values[at], 4, &|| false).unwrap();
         for lane in 0..2 {
             let at = |k: usize| l[k][lane];
             let back = [
@@ -253,9 +245,9 @@ mod tests {
             }
         }
         let indefinite = |at: usize| if at == 4 { [5.0, 0.1] } else { values[at] };
-        let failure = pattern.cholesky::<2>(indefinite, &|| false).unwrap_err();
-        assert_eq!(failure, CholeskyFailure::NotPositiveDefinite { lane: 1 });
-        let stopped = pattern.cholesky::<2>(|at| values[at], &|| true).unwrap_err();
-        assert_eq!(stopped, CholeskyFailure::Stopped);
+        let failure = pattern.cholesky::<2>(indefinite, 4, &|| false).unwrap_err();
+        assert_eq!(failure, FactorError::NotPositiveDefinite { harmonic: 5 });
+        let stopped = pattern.cholesky::<2>(|at| values[at], 4, &|| true).unwrap_err();
+        assert_eq!(stopped, FactorError::Stopped);
     }
 }

@@ -51,7 +51,7 @@ impl FieldKind {
 
 const ABSENT: u32 = u32::MAX;
 
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, PartialEq, thiserror::Error)]
 pub enum FactorError {
     #[error("harmonic {harmonic} of the stiffness is not positive definite")]
     NotPositiveDefinite { harmonic: usize },

@@ -6,7 +6,7 @@ use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::{amd, cholesky::simplicial};
 
-use super::cholesky::{CholeskyFailure, FactorPattern};
+use super::cholesky::FactorPattern;
 use super::sweeps::BlockTriangle;
 use super::{ABSENT, FactorError, FieldKind, HarmonicFactors, ThetaTransform};
 use crate::discretisation::element::{CORNERS, RevolvedMesh};
@@ -189,12 +189,7 @@ impl HarmonicPattern {
     ) -> Result<(), FactorError> {
         let lanes = factors.harmonics();
         let value = |entry: usize| std::array::from_fn(|l| values[entry * lanes + first + l]);
-        let lower = self.factor_pattern.cholesky::<M>(value, stop).map_err(|failure| match failure {
-            CholeskyFailure::NotPositiveDefinite { lane } => {
-                FactorError::NotPositiveDefinite { harmonic: first + lane }
-            }
-            CholeskyFailure::Stopped => FactorError::Stopped,
-        })?;
+        let lower = self.factor_pattern.cholesky::<M>(value, first, stop)?;
         let columns = self.symbolic.col_ptr();
         for j in 0..self.interior {
             let own = &lower[columns[j]];
