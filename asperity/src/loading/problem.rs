@@ -41,6 +41,8 @@ pub struct Problem {
     pub interference: f64,
     pub law: FrictionLaw,
     pub press_friction: PressFriction,
+    /// β² on a rigid flat, on which the asperity slides, less that of the two bodies.
+    pub coupling_of_flat: f64,
     /// Loading control of the slide.
     pub control: Control,
     pub strength: InterfaceStrength,
@@ -124,6 +126,7 @@ impl Problem {
     pub fn new(scene: &Scene) -> Self {
         let wave_speed = wave_speed(&scene.material);
         let press_friction = PressFriction::of(scene);
+        let [both, rigid] = scene.dundurs_beta().map(|beta| beta * beta);
         let own_modulus = scene.material.youngs_modulus;
         let scene = &scene.with_combined_modulus();
         let material = &scene.material;
@@ -143,6 +146,7 @@ impl Problem {
             interference: scene.loading.interference * critical,
             law: scene.interface.law.clone(),
             press_friction,
+            coupling_of_flat: rigid - both,
             control: scene.loading.control,
             strength: scene.interface.strength,
             strength_factor: scene.interface.strength_factor,

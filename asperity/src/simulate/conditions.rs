@@ -3,6 +3,7 @@
 use tables::quantity::Quantity;
 
 use crate::heat::expected::{HeatChoice, HeatEffect, NoHeat, choose_heat, runaway};
+use crate::material::SHEAR_RATIO;
 use crate::scene::fitted_constants::smooth_flux;
 use crate::scene::loading::extent;
 use crate::scene::{ELEMENTS_PER_RADIUS, Kinematics, LoadingStep};
@@ -106,11 +107,22 @@ impl<'a> Conditions<'a> {
             heat_partition: if self.heat.is_coupled() { 0.0 } else { self.effect.partition_error },
             strain: if small { run.plastic_strain() } else { 0.0 },
             press_coupling: problem.press_friction.neglected,
+            slide_coupling: self.slide_coupling(run),
             finite_counterface: problem.counterface_share
                 * self.pressed.contact_radius
                 * problem.elastic_share(),
             localised_shear: scene.localised_shear(run.plastic_strain_in_stick()),
         }
+    }
+
+    /// See [`ModellingError::slide_coupling`].
+    fn slide_coupling(&self, run: &Run) -> f64 {
+        let Pressed { scene, problem, .. } = self.pressed;
+        let [friction, area] =
+            [Quantity::Friction, Quantity::Area].map(|quantity| run.values.value(quantity));
+        let mobilised = friction / area / (SHEAR_RATIO * scene.material.yield_strength);
+        let coupling = problem.coupling_of_flat.max(0.0) * mobilised.powi(2) / scene.loading.interference;
+        if coupling.is_finite() { coupling } else { 0.0 }
     }
 
     fn shared_heat(&self, run: &Run) -> Option<SharedHeat> {

@@ -48,6 +48,12 @@ impl Contact {
         if strength > 0.0 { mobilised / strength } else { 0.0 }
     }
 
+    /// Mean over the contact of a limit of the shear traction, per area of each point.
+    pub fn mean_limit(&self, limit: &[f64]) -> f64 {
+        let covered: f64 = (0..self.len()).map(|i| self.areas[i] * self.contact_fraction[i]).sum();
+        (0..self.len()).map(|i| self.areas[i] * limit[i]).sum::<f64>() / covered
+    }
+
     /// Part of the shear traction that is not along the motion: 1 − |Q|/∫|τ| dA; 0 without shear traction.
     pub fn transverse_share(&self, state: &ContactState) -> f64 {
         let all: f64 =

@@ -3,6 +3,7 @@
 use super::Slide;
 use super::increments::StepControl;
 use super::motion::Motion;
+use super::shear_limits::shear_limits;
 use crate::loading::problem::SHEAR_RATIO;
 
 impl Slide<'_> {
@@ -46,6 +47,16 @@ impl Slide<'_> {
     /// δ_s = τ₀a(2 − ν)/(2G), the elastic displacement at gross slip, with 2 − ν taken as 2.
     fn elastic_displacement(&self) -> f64 {
         let radius = (self.history[0].area / std::f64::consts::PI).sqrt();
-        self.problem.strength_factor.min(10.0) * SHEAR_RATIO * radius / self.problem.solid.moduli.shear
+        let strength = self.problem.strength_factor.min(10.0) * SHEAR_RATIO;
+        let limit = self.mean_film_limit().map_or(strength, |limit| strength.min(limit));
+        limit * radius / self.problem.solid.moduli.shear
+    }
+
+    /// Mean τ₀ of Coulomb's law and of films under the present pressure, which may be far below the strength of the metal.
+    fn mean_film_limit(&self) -> Option<f64> {
+        let contact = &self.mechanics.contact;
+        self.problem.law.film(self.problem.units.temperature)?;
+        let limits = shear_limits(self.problem, contact, &vec![1.0; contact.len()], None);
+        Some(contact.mean_limit(&limits)).filter(|limit| *limit > 0.0)
     }
 }
