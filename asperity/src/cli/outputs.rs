@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 use tables::figures::Figure;
 use tables::netcdf::program::{Failure, save};
-use tables::netcdf::{check_no_table, check_results, probe};
+use tables::netcdf::{check_irreplaceable, check_results, probe};
 use tables::table::Table;
 
 /// Whether every output of a command can be written, and replaces neither an input, nor another output, nor a table. Each file is
 /// given with its role; that of a figure is its option, `--plot`.
 pub fn check(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), Failure> {
     check_with_table(inputs, outputs)?;
-    check_no_table(outputs).map_err(Failure::input)
+    check_irreplaceable(outputs).map_err(Failure::input)
 }
 
 /// The same of a command that makes a table.

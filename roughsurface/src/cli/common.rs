@@ -47,7 +47,7 @@ pub type Roles<'a> = [(&'a str, Option<&'a Path>)];
 pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
     let outputs = given(outputs);
     netcdf::check_outputs(inputs, &outputs)
-        .and_then(|()| netcdf::check_no_table(&outputs))
+        .and_then(|()| netcdf::check_irreplaceable(&outputs))
         .map_err(Failure::input)
 }
 
@@ -55,7 +55,7 @@ pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Fa
 pub fn check_results(inputs: &[(&str, &Path)], outputs: &Roles) -> Result<(), Failure> {
     let outputs = given(outputs);
     netcdf::check_results(inputs, &outputs)
-        .and_then(|()| netcdf::check_no_table(&outputs))
+        .and_then(|()| netcdf::check_irreplaceable(&outputs))
         .map_err(Failure::input)
 }
 

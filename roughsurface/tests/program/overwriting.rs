@@ -34,7 +34,9 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
     let folder = folder();
     #[cfg(unix)]
     std::os::unix::fs::symlink("table.nc", folder.path("soft.nc")).unwrap();
-    let files = ["surface.toml", "heights.txt", "table.nc", "up.nc", "map.nc"].map(|name| folder.path(name));
+    folder.write("map.gsf", "Gwyddion Simple Field 1.0\n");
+    let files = ["surface.toml", "heights.txt", "table.nc", "up.nc", "map.nc", "map.gsf"];
+    let files = files.map(|name| folder.path(name));
     let before = files.each_ref().map(|file| std::fs::read(file).unwrap());
     let predict = "predict surface.toml --table table.nc";
     for (command, expected) in [
@@ -48,6 +50,8 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
         (format!("{predict} -o f.svg --plot f.svg"), "--plot and --output are the same file, f.svg"),
         (format!("{predict} -o f.nc --plot x.svg --report x.svg"), "--report and --plot are the same file"),
         (format!("{predict} -o up.nc"), "up.nc: is a table, which only `asperity tabulate`"),
+        (format!("{predict} -o map.nc"), "map.nc: holds data of another program"),
+        (format!("{predict} -o map.gsf"), "map.gsf: holds data of another program"),
         (format!("{predict} -o heights.txt"), "--output and the heights of the surface file are the same"),
         (
             "sample surface.toml --table table.nc --asperities 9 -o table.nc".into(),

@@ -1,7 +1,8 @@
 //! Checks of the files to be written, before the work begins.
 
 use std::fmt::Display;
-use std::io::{self, ErrorKind};
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use super::atomic::{check_protection, destination, folder_of};
@@ -26,6 +27,10 @@ pub enum OutputError {
         "{path}: is a table, which only `asperity tabulate` and `asperity merge` replace; choose another name, or delete it"
     )]
     Table { path: String },
+    #[error(
+        "{path}: holds data of another program, as of a measured surface; choose another name, or delete it"
+    )]
+    Foreign { path: String },
 }
 
 /// End of the name of a journal of finished cells, beside the table that it will be.
@@ -54,17 +59,37 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
     Ok(())
 }
 
-/// Whether no output of a command that makes other files is a table: one took hours to compute, and its name is easily given
-/// again.
-pub fn check_no_table(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
-    let is_table = |path: &Path| {
-        let schema = DatasetReader::open(path).and_then(|file| file.optional_text("schema"));
-        schema.is_ok_and(|schema| schema.as_deref() == Some(SCHEMA))
-    };
-    match outputs.iter().find(|(_, output)| is_table(output)) {
-        Some((_, output)) => Err(OutputError::Table { path: output.display().to_string() }),
-        None => Ok(()),
+/// Whether no output of a command that makes other files is a table, which took hours to compute and whose name is easily given
+/// again, nor data of another program, which cannot be computed at all: a netCDF file, or one that begins as those of
+/// [`BINARY_DATA`].
+pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
+    for (_, output) in outputs {
+        let path = output.display().to_string();
+        if let Ok(file) = DatasetReader::open(output) {
+            let text = |name| file.optional_text(name).ok().flatten().unwrap_or_default();
+            if text("schema") == SCHEMA {
+                return Err(OutputError::Table { path });
+            }
+            if !PROGRAMS.iter().any(|program| text("source").starts_with(program)) {
+                return Err(OutputError::Foreign { path });
+            }
+        } else if output.is_file() && begins_as_data(output) {
+            return Err(OutputError::Foreign { path });
+        }
     }
+    Ok(())
+}
+
+/// First words of the attribute `source` of the files of this project.
+const PROGRAMS: [&str; 2] = ["asperity ", "roughsurface "];
+
+/// Beginnings of archives (X3P), numpy arrays and fields of Gwyddion.
+const BINARY_DATA: [&[u8]; 3] = [b"PK\x03\x04", b"\x93NUMPY", b"Gwyddion"];
+
+fn begins_as_data(path: &Path) -> bool {
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(8).read_to_end(&mut start));
+    read.is_ok() && BINARY_DATA.iter().any(|magic| start.starts_with(magic))
 }
 
 /// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is

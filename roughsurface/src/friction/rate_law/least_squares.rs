@@ -22,7 +22,8 @@ impl Curve {
         if curve.mu().iter().any(|value| value.is_nan()) {
             return Err(NoFit::NoFriction);
         }
-        match curve.mu().max() - curve.mu().min() <= TOLERANCE * curve.mu().max().abs() {
+        // Each is a ratio of two integrals.
+        match curve.mu().max() - curve.mu().min() <= 10.0 * TOLERANCE * curve.mu().max().abs() {
             true => Err(NoFit::NoRateDependence),
             false => Ok(curve),
         }
