@@ -33,7 +33,7 @@ pub enum Warning {
     NoMainRun { elements_per_radius: usize, sectors: usize },
     /// Sliding inception lies beyond the end of the slide.
     #[error(
-        "sliding has not begun by the end of the slide: mu_static, Q_static, G and inception_slip are those of its end; a longer slip_distance lets it begin"
+        "sliding has not begun by the end of the slide: mu, mu_static, Q, Q_static, G and inception_slip are those of its end, in partial slip, and mu_steady has no meaning; a longer slip_distance lets it begin"
     )]
     NotSliding,
     /// Relative difference of static friction by the threshold of the stiffness, where it decides on sliding inception.
