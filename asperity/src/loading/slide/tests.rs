@@ -9,6 +9,7 @@ use crate::loading::press;
 use crate::loading::problem::Discretisation;
 use crate::loading::problem::SHEAR_RATIO;
 use crate::scene::file::parse_scene;
+use tables::closed_forms::partial_slip::mindlin;
 
 /// A hot slide in plastic contact, coarse, ready to start.
 fn ready(problem: &Problem) -> Slide<'_> {
@@ -213,4 +214,20 @@ fn a_slide_after_a_press_without_friction_begins_in_stick() {
         assert_eq!(slide.history[0].stick_fraction, sticks, "{changes:?}");
         assert!(contact.committed.traction.iter().all(|traction| traction[0].hypot(traction[1]) == 0.0));
     }
+}
+
+/// It is a share of the slip at which all points slip by Coulomb's law (Mindlin 1949), which is far below that of the strength.
+#[test]
+fn the_first_increment_follows_the_friction_law() {
+    const FRICTION: f64 = 0.02;
+    let friction = format!("interface.friction={FRICTION}");
+    let problem =
+        problem_of(&["loading.interference=0.5", "interface.law=coulomb", &friction, "model.heat=off"]);
+    let mut slide = ready(&problem);
+    (slide.heat, slide.motion) = (None, slip(0.0, 1.0));
+    let radius = (slide.history[0].area / std::f64::consts::PI).sqrt();
+    let tangential = problem.solid.moduli.shear / (2.0 - problem.poisson_ratio);
+    let gross = mindlin::gross_slip_displacement(FRICTION, slide.last().load, tangential, radius);
+    let first = slide.step_control().next(0.0, None) / gross;
+    assert!((0.05..0.15).contains(&first), "{first}");
 }
