@@ -177,5 +177,5 @@ fn a_table_is_described_plotted_and_exported() {
         assert_eq!(csv.lines().count(), lines);
     }
     let diff = ended(&asperity(&folder, "table diff whole.nc 1.nc --tolerance 0"), 1);
-    assert!(diff.contains("is done in one, not run in the other"));
+    assert!(diff.contains(": done in one, not run in the other"));
 }

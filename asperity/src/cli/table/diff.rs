@@ -24,7 +24,9 @@ pub fn diff(arguments: &DiffArguments, display: &Display) -> Result<(), Failure>
             plain(tolerance)
         ))),
         _ => match comparison.states.first() {
-            Some(OfKey { key, here, there }) => Err(Failure::Run(format!("{key}: {here} and {there}"))),
+            Some(OfKey { key, here, there }) => {
+                Err(Failure::Run(format!("{key}: {here} in one, {there} in the other")))
+            }
             None if comparison.only_here + comparison.only_there > 0 => Err(Failure::Run(format!(
                 "{} cells are in the first only, {} in the second only",
                 comparison.only_here, comparison.only_there
