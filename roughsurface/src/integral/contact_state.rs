@@ -74,7 +74,7 @@ impl ContactState {
     /// Friction over load.
     ///
     /// With μ = Q/P of the asperity and ⟨·⟩ a mean over asperities weighted by friction or by load, the error of the law
-    /// is δ(q̄/p̄)/(q̄/p̄) = ⟨δμ/μ⟩_Q + ⟨δP/P⟩_Q − ⟨δP/P⟩_P. It is at most that of independent errors of Q and P.
+    /// is δ(q̄/p̄)/(q̄/p̄) = ⟨δμ/μ⟩_Q + |⟨δP/P⟩_Q − ⟨δP/P⟩_P|. It is at most that of independent errors of Q and P.
     pub fn friction_coefficient(&self) -> Estimate {
         let Self { shear, pressure, .. } = *self;
         let value = shear.value / pressure.value;

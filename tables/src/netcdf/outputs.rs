@@ -61,7 +61,7 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
 
 /// Whether no output of a command that makes other files is a table, which took hours to compute and whose name is easily given
 /// again, nor data of another program, which cannot be computed at all: a netCDF file, or one that begins as those of
-/// [`BINARY_DATA`].
+/// `BINARY_DATA`.
 pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     for (_, output) in outputs {
         let path = output.display().to_string();
