@@ -17,5 +17,10 @@ cargo build --locked --release --workspace --bin asperity
 programs=$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')/release
 (($#)) || set -- {titanium-6al4v,steel-304,steel-4340,aluminium-6061,steel-1045,copper}{,-rigid,-rate}
 export PATH="$programs:$PATH"
-printf '%s\n' "$@" | xargs -P 2 -I NAME \
-    asperity tabulate tables/data/NAME.toml -o tables/data/NAME.nc --jobs 1 --resume --quiet
+make_table() {
+    local table=(asperity tabulate "tables/data/$1.toml" -o "tables/data/$1.nc" --jobs 1 --quiet)
+    # A table of another build of the program is not continued (exit status 2).
+    "${table[@]}" --resume || { [ $? -eq 2 ] && "${table[@]}"; }
+}
+export -f make_table
+printf '%s\n' "$@" | xargs -P 2 -I NAME bash -euc 'make_table NAME'
