@@ -3,7 +3,7 @@
 #
 #   tables/data/make.sh [NAME]...          default: all
 #
-# An interrupted one continues when started again. Two tables are made at a time, each on one processor.
+# An interrupted table continues when started again. Two tables are made at a time, each on one processor.
 set -euo pipefail
 
 case ${1-} in
@@ -18,9 +18,9 @@ programs=$(cargo metadata --locked --no-deps --format-version 1 | sed 's/.*"targ
 (($#)) || set -- {titanium-6al4v,steel-304,steel-4340,aluminium-6061,steel-1045,copper}{,-rigid,-rate}
 export PATH="$programs:$PATH"
 make_table() {
-    local table=(asperity tabulate "tables/data/$1.toml" -o "tables/data/$1.nc" --jobs 1 --quiet)
-    # A table of another build of the program is not continued (exit status 2).
-    "${table[@]}" --resume || { [ $? -eq 2 ] && "${table[@]}"; }
+    local resume=()
+    if [ -e "tables/data/$1.nc.part" ]; then resume=(--resume); fi
+    asperity tabulate "tables/data/$1.toml" -o "tables/data/$1.nc" --jobs 1 --quiet "${resume[@]}"
 }
 export -f make_table
 printf '%s\n' "$@" | xargs -P 2 -I NAME bash -euc 'make_table NAME'

@@ -175,7 +175,7 @@ pub(super) struct TabulateArguments {
     /// Threads [default: number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) jobs: Option<u16>,
-    /// Continue an interrupted tabulation; a complete table is left as it is, one of another build refused
+    /// Continue an interrupted tabulation; a complete table is left as it is
     #[arg(long)]
     pub(super) resume: bool,
     /// Run only the part K of N, for `asperity merge`

@@ -126,6 +126,9 @@ fn check_outputs(arguments: &TabulateArguments, temperatures: &[f64], journal: &
 fn report_complete(table: &Table, arguments: &TabulateArguments, display: &Display) -> Result<(), Failure> {
     let output = arguments.output.display().to_string();
     let failed = table.failures().len();
+    display.printer().warn((!tabulate::is_of_this_build(table)).then(|| {
+        format!("{output}: made by another build of the program; to make the table anew leave out --resume")
+    }));
     let json = || as_json(table, &output);
     let text = || format!("{output}: the table of this request is complete, nothing was computed\n");
     let printed = display.printer().print(json, text);

@@ -97,10 +97,10 @@ pub enum TabulateError {
          --resume"
     )]
     OtherTable(String),
-    /// The file that the table is written to is of another build of the program.
+    /// The table that lacks cells is of another build of the program.
     #[error(
-        "{0}: holds a table of this request by another build of the program, which --resume would replace; `asperity table check` \
-         computes single cells again; to make the whole table anew leave out --resume"
+        "{0}: lacks cells, and those that it has are of another build of the program, which may give other numbers; to make the whole \
+         table anew leave out --resume"
     )]
     OtherBuild(String),
     /// What the file that the table is written to is instead.
@@ -194,9 +194,9 @@ pub fn tabulate(
     tabulate_with(&FiniteElements, request, options, watch)
 }
 
-/// The table at `output`, if it is the complete one of this `request` (or of its `shard`) from this program. The cells of one
-/// that lacks some, a partly merged one or a shard of the request, are written to the journal, which resuming continues. An
-/// error if there is another file, which resuming would replace. Nothing where there is a journal already.
+/// The table at `output`, if it is the complete one of this `request` (or of its `shard`), of whatever build of the program. The
+/// cells of one that lacks some, a partly merged one or a shard of the request, are written to the journal, which resuming
+/// continues. An error if there is another file, which resuming would replace. Nothing where there is a journal already.
 pub fn completed(
     request: &Request,
     shard: Option<Shard>,
@@ -207,15 +207,20 @@ pub fn completed(
         return Ok(None);
     }
     let Some(table) = existing(request, shard, output)? else { return Ok(None) };
-    if table.metadata().fingerprint != FINGERPRINT {
-        return Err(TabulateError::OtherBuild(output.display().to_string()));
-    }
     // A shard is written only when its cells are done.
     if shard.is_some() || table.missing().is_empty() {
         return Ok(Some(table));
     }
+    if !is_of_this_build(&table) {
+        return Err(TabulateError::OtherBuild(output.display().to_string()));
+    }
     Journal::of_table(&journal, &write_request(request), &table)?;
     Ok(None)
+}
+
+/// Whether this build of the program made a table: another may give other numbers.
+pub fn is_of_this_build(table: &Table) -> bool {
+    table.metadata().fingerprint == FINGERPRINT
 }
 
 /// The table at `output`, if there is a file that is not empty; an error if it is no table, or one of another request or shard.
