@@ -179,8 +179,8 @@ impl BelowFirstRow {
         (0.5 * self.log_ratio).exp()
     }
 
-    /// Relative uncertainty of a temperature rise in proportion to the contact radius: where a moving counterface carries heat away, or
-    /// heat takes strength, it is in proportion to the root of the radius at least.
+    /// Relative uncertainty of a temperature rise in proportion to the contact radius a: where a moving counterface carries heat away,
+    /// or heat takes strength, it is in proportion to a power of a between 1/2 and 1.
     pub(super) fn rise_uncertainty(self) -> f64 {
         1.0 / self.thermal_weight().sqrt() - 1.0
     }
