@@ -26,14 +26,7 @@ fn refused(error: ExportError) -> PyErr {
     let key = matches!(error, ExportError::Format { .. }).then_some("path");
     let file = match &error {
         ExportError::Dataset(_) => None,
-        ExportError::Format { path, .. }
-        | ExportError::NoPressure { path }
-        | ExportError::Samples { path }
-        | ExportError::NotFriction { path }
-        | ExportError::NoFriction { path, .. }
-        | ExportError::NoLaw { path, .. }
-        | ExportError::Different { path, .. }
-        | ExportError::Temperature { path, .. } => Some(path.as_str()),
+        ExportError::Format { path, .. } | ExportError::Content { path, .. } => Some(path.as_str()),
     };
     errors::input(&error, file, key, &error)
 }

@@ -55,25 +55,8 @@ pub enum ExportError {
     Dataset(#[from] DatasetError),
     #[error("{path}: the extension decides on the format; choose a name that ends in {known}")]
     Format { path: String, known: String },
-    #[error(
-        "{path}: friction is given over the separation, other programs need it over the pressure; predict with query.pressure"
-    )]
-    NoPressure { path: String },
-    #[error("{path}: a result of `sample`, of single surfaces; a result of `predict` is exported")]
-    Samples { path: String },
-    #[error("{path}: mu is not known at {pressure:e} Pa and {slip_rate} m/s")]
-    NoFriction { path: String, pressure: f64, slip_rate: f64 },
-    #[error(
-        "{path}: no rate law is fitted at {pressure:e} Pa{reason}; without --law the values computed are exported"
-    )]
-    NoLaw { path: String, pressure: f64, reason: String },
-    #[error("{path}: not a result of `roughsurface predict`, which is exported")]
-    NotFriction { path: String },
-    #[error("{path}: {what} differ from those of {first}; predict both with the same query")]
-    Different { path: String, first: String, what: &'static str },
-    #[error("{path}: several files must have an initial temperature each, query.temperature, and this one has {}",
-        .temperature.map_or("none".into(), |kelvin| format!("{kelvin} K, as another one")))]
-    Temperature { path: String, temperature: Option<f64> },
+    #[error("{path}: {what}")]
+    Content { path: String, what: String },
 }
 
 /// Friction over initial temperature, pressure and slip rate.
@@ -131,7 +114,8 @@ impl FrictionTable {
                 ("the slip rates", one.slip_rates == table.slip_rates),
             ];
             if let Some((what, _)) = same.into_iter().find(|(_, same)| !same) {
-                return Err(ExportError::Different { path, first, what });
+                let what = format!("{what} differ from those of {first}; predict both with the same query");
+                return Err(ExportError::Content { path, what });
             }
             table.layers.append(&mut one.layers);
         }
@@ -144,7 +128,11 @@ impl FrictionTable {
         });
         if let Some(i) = refused {
             let Layer { source, temperature, .. } = table.layers.swap_remove(i);
-            return Err(ExportError::Temperature { path: source, temperature });
+            let own = temperature.map_or("none".into(), |kelvin| format!("{kelvin} K, as another one"));
+            let what = format!(
+                "several files must have an initial temperature each, query.temperature, and this one has {own}"
+            );
+            return Err(ExportError::Content { path: source, what });
         }
         table.layers.sort_by(|one, other| kelvin(one).total_cmp(&kelvin(other)));
         Ok(table)
@@ -152,22 +140,25 @@ impl FrictionTable {
 
     fn read_one(path: &Path) -> Result<Self, ExportError> {
         let shown = path.display().to_string();
+        let refused = |what: &str| Err(ExportError::Content { path: shown.clone(), what: what.into() });
         let file = DatasetReader::open(path)?;
         if file.has("realization") {
-            return Err(ExportError::Samples { path: shown });
+            return refused("a result of `sample`, of single surfaces; a result of `predict` is exported");
         }
         if file.has("separation") && file.shape("separation")?.len() == 1 {
-            return Err(ExportError::NoPressure { path: shown });
+            return refused(
+                "friction is given over the separation, other programs need it over the pressure; predict with query.pressure",
+            );
         }
         if !file.has("rate_law") || !file.has("pressure") || file.shape("pressure")?.len() != 1 {
-            return Err(ExportError::NotFriction { path: shown });
+            return refused("not a result of `roughsurface predict`, which is exported");
         }
         let (pressures, slip_rates) = (file.coordinate("pressure")?, file.coordinate("slip_rate")?);
         let mu = estimates(&file, "mu", &[pressures.len(), slip_rates.len()])?;
         if let Some(cell) = mu.iter().position(|mu| mu.value.is_nan()) {
             let (pressure, slip_rate) =
                 (pressures[cell / slip_rates.len()], slip_rates[cell % slip_rates.len()]);
-            return Err(ExportError::NoFriction { path: shown, pressure, slip_rate });
+            return refused(&format!("mu is not known at {pressure:e} Pa and {slip_rate} m/s"));
         }
         let rows = [pressures.len()];
         let exponents = estimates(&file, "rate_exponent", &rows)?;
@@ -192,10 +183,12 @@ impl FrictionTable {
             let computed = std::mem::take(&mut layer.mu);
             let rows = computed.chunks(self.slip_rates.len());
             for ((law, &pressure), row) in layer.laws.iter().zip(&self.pressures).zip(rows) {
-                let no_law = |reason: &String| ExportError::NoLaw {
-                    path: layer.source.clone(),
-                    pressure,
-                    reason: if reason.is_empty() { String::new() } else { format!(": {reason}") },
+                let no_law = |reason: &String| {
+                    let reason = if reason.is_empty() { String::new() } else { format!(": {reason}") };
+                    let what = format!(
+                        "no rate law is fitted at {pressure:e} Pa{reason}; without --law the values computed are exported"
+                    );
+                    ExportError::Content { path: layer.source.clone(), what }
                 };
                 let (law, _) = law.as_ref().map_err(no_law)?;
                 let value = |rate: &f64| Estimate {
