@@ -17,6 +17,7 @@ mod png;
 mod svg;
 mod table;
 
+use std::io;
 use std::path::Path;
 
 use crate::netcdf::write_atomically;
@@ -99,14 +100,8 @@ pub enum Drawn {
 
 /// Why a figure was not made.
 #[derive(Debug, thiserror::Error)]
-pub enum FigureError {
-    #[error("cannot draw {path}: the extension must be one of svg, png, pdf")]
-    Extension { path: String },
-    #[error("cannot write {path}: {reason}")]
-    Write { path: String, reason: String },
-    #[error("the figure has no panel {name}: it has {panels}")]
-    Panel { name: String, panels: String },
-}
+#[error("{0}")]
+pub struct FigureError(String);
 
 impl Axis {
     /// A linear axis.
@@ -185,7 +180,9 @@ impl Figure {
     /// Whether a figure of these panels has all that are asked for by `names`: to be checked before a long computation.
     pub fn check_panels(names: &[String], panels: &[&str]) -> Result<(), FigureError> {
         match names.iter().find(|name| !panels.contains(&name.as_str())) {
-            Some(name) => Err(FigureError::Panel { name: name.clone(), panels: panels.join(", ") }),
+            Some(name) => {
+                Err(FigureError(format!("the figure has no panel {name}: it has {}", panels.join(", "))))
+            }
             None => Ok(()),
         }
     }
@@ -193,18 +190,13 @@ impl Figure {
     /// Whether `path` has an extension that [`Figure::save`] supports: to be checked before a long
     /// computation.
     pub fn check_extension(path: &Path) -> Result<(), FigureError> {
-        extension(path).map(|_| ())
+        format(path).map(drop)
     }
 
     /// Draws the figure into a file, which appears whole or not at all.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
-        let failed = |reason: String| FigureError::Write { path: path.display().to_string(), reason };
-        let bytes = match extension(path)? {
-            Extension::Svg => self.svg().into_bytes(),
-            Extension::Png => png::png(&self.page()).map_err(|error| failed(error.to_string()))?,
-            Extension::Pdf => pdf::pdf(&self.page()).map_err(|error| failed(error.to_string()))?,
-        };
-        write_atomically(path, &bytes).map_err(|error| failed(error.to_string()))
+        let written = format(path)?(&self.page()).and_then(|bytes| write_atomically(path, &bytes));
+        written.map_err(|error| FigureError(format!("cannot write {}: {error}", path.display())))
     }
 
     /// The figure as SVG. Every panel is a group with the classes `panel` and the name of the panel.
@@ -239,19 +231,20 @@ impl Figure {
     }
 }
 
-enum Extension {
-    Svg,
-    Png,
-    Pdf,
-}
+/// The bytes of a page in one of the formats.
+type Format = fn(&Page) -> io::Result<Vec<u8>>;
 
-fn extension(path: &Path) -> Result<Extension, FigureError> {
+/// The format of the extension of `path`.
+fn format(path: &Path) -> Result<Format, FigureError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     match extension.to_str() {
-        Some("svg") => Ok(Extension::Svg),
-        Some("png") => Ok(Extension::Png),
-        Some("pdf") => Ok(Extension::Pdf),
-        _ => Err(FigureError::Extension { path: path.display().to_string() }),
+        Some("svg") => Ok(|page| Ok(svg::svg(page).into_bytes())),
+        Some("png") => Ok(png::png),
+        Some("pdf") => Ok(pdf::pdf),
+        _ => {
+            let rule = "the extension must be one of svg, png, pdf";
+            Err(FigureError(format!("cannot draw {}: {rule}", path.display())))
+        }
     }
 }
 

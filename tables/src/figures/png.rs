@@ -15,7 +15,7 @@ struct Image {
     bytes: Vec<u8>,
 }
 
-pub(super) fn png(page: &Page) -> Result<Vec<u8>, png::EncodingError> {
+pub(super) fn png(page: &Page) -> std::io::Result<Vec<u8>> {
     let [width, height] = [page.width, page.height].map(|length| (length * PIXELS).ceil() as usize);
     let mut image = Image { width, height, bytes: vec![255; 3 * width * height] };
     for group in &page.groups {
