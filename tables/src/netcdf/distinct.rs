@@ -2,32 +2,24 @@
 
 use std::path::{Path, PathBuf};
 
+use super::OutputError;
 use super::atomic::{destination, folder_of};
-
-/// Two files of a command that are one.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{output} and {other} are the same file, {}: the output would replace it; give another name", .path.display())]
-pub struct SameFile {
-    /// Role of the output, such as `--output`.
-    pub output: String,
-    /// Role of the other file.
-    pub other: String,
-    /// The output as it was given.
-    pub path: PathBuf,
-}
 
 /// Err naming both roles if one of the `outputs` is the same file as one of the `inputs` or another output.
 /// Each file is given with its role.
 ///
 /// Files are compared by identity, through symbolic and hard links; a file that does not exist yet by its
 /// folder and its name.
-pub fn check_distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), SameFile> {
+pub fn check_distinct(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     let known = |(role, path): &(&str, &Path)| (identity(path), role.to_string());
     let mut files: Vec<(Identity, String)> = inputs.iter().map(known).collect();
     for file in outputs {
         let (identity, output) = known(file);
         if let Some((_, other)) = files.iter().find(|(known, _)| *known == identity) {
-            return Err(SameFile { output, other: other.clone(), path: file.1.to_path_buf() });
+            return Err(OutputError(format!(
+                "{output} and {other} are the same file, {}: the output would replace it; give another name",
+                file.1.display()
+            )));
         }
         files.push((identity, output));
     }
@@ -80,12 +72,11 @@ mod tests {
             ("new.nc", "dangling.nc"),
         ] {
             let (one, other) = (at(one), at(other));
-            let as_input = check_distinct(&[("input", &one)], &[("output", &other)]).unwrap_err();
-            let expected =
-                SameFile { output: "output".into(), other: "input".into(), path: other.to_path_buf() };
-            assert_eq!(as_input, expected);
-            let outputs = [("result", &*one), ("plot", &*other)];
-            assert_eq!(check_distinct(&[], &outputs).unwrap_err().other, "result");
+            let said = |inputs: &[_], outputs: &[_]| check_distinct(inputs, outputs).unwrap_err().to_string();
+            let as_input = said(&[("input", &one)], &[("output", &other)]);
+            let expected = format!("output and input are the same file, {}: ", other.display());
+            assert!(as_input.starts_with(&expected), "{as_input}");
+            assert!(said(&[], &[("result", &*one), ("plot", &*other)]).starts_with("plot and result are"));
         }
         for (one, other) in [("table.nc", "new.nc"), ("new.nc", "sub/new.nc"), ("none/a.nc", "none/b.nc")] {
             assert!(check_distinct(&[("input", &at(one))], &[("output", &at(other))]).is_ok());

@@ -38,10 +38,9 @@ mod writer;
 pub use ::netcdf::AttributeValue;
 
 pub use atomic::{destination, in_words, write_atomically};
-pub use distinct::{SameFile, check_distinct};
+pub use distinct::check_distinct;
 pub use outputs::{
-    JOURNAL, JOURNAL_ROLE, NotSaved, OutputError, check_irreplaceable, check_outputs, check_results, probe,
-    save,
+    JOURNAL, JOURNAL_ROLE, NotSaved, check_irreplaceable, check_outputs, check_results, probe, save,
 };
 pub use processor::{REMEDY, UNSUITABLE, check_processor, missing_instruction_set};
 pub use reader::{DatasetReader, check_regular};
@@ -71,6 +70,11 @@ pub enum DatasetError {
     #[error("{path}: {what}")]
     Content { path: String, what: String },
 }
+
+/// Why an output is refused.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct OutputError(String);
 
 /// Stops the HDF5 library from printing its error stack in this thread: it does so for
 /// optional attributes that a good file lacks. The netCDF library silences the thread that

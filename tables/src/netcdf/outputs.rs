@@ -5,32 +5,14 @@ use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
+use super::OutputError;
 use super::atomic::{check_protection, destination, folder_of};
-use super::distinct::{SameFile, check_distinct};
+use super::distinct::check_distinct;
 use super::reader::DatasetReader;
 use super::schema::SCHEMA;
 
-/// Why an output is refused.
-#[derive(Debug, thiserror::Error)]
-pub enum OutputError {
-    #[error(transparent)]
-    Same(#[from] SameFile),
-    #[error("{path}: cannot be written: {reason}")]
-    Unwritable { path: String, reason: String },
-    #[error("{path}: files named .toml are scenes, requests and surfaces; results need another extension")]
-    InputName { path: String },
-    #[error(
-        "{path}: files named {JOURNAL} are journals of unfinished tables; results need another extension"
-    )]
-    JournalName { path: String },
-    #[error(
-        "{path}: is a table, which only `asperity tabulate` and `asperity merge` replace; choose another name, or delete it"
-    )]
-    Table { path: String },
-    #[error(
-        "{path}: holds data of another program, as of a measured surface; choose another name, or delete it"
-    )]
-    Foreign { path: String },
+fn refused(output: &Path, why: &str) -> Result<(), OutputError> {
+    Err(OutputError(format!("{}: {why}", output.display())))
 }
 
 /// End of the name of a journal of finished cells, beside the table that it will be.
@@ -48,13 +30,14 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
     let is_journal =
         |role: &str, place: &Path| role != JOURNAL_ROLE && place.to_string_lossy().ends_with(JOURNAL);
     for (role, output) in outputs {
-        let path = output.display().to_string();
-        if is_input(&destination(output)) {
-            return Err(OutputError::InputName { path });
-        }
-        if is_journal(role, &destination(output)) {
-            return Err(OutputError::JournalName { path });
-        }
+        let files = if is_input(&destination(output)) {
+            "files named .toml are scenes, requests and surfaces".to_owned()
+        } else if is_journal(role, &destination(output)) {
+            format!("files named {JOURNAL} are journals of unfinished tables")
+        } else {
+            continue;
+        };
+        return refused(output, &format!("{files}; results need another extension"));
     }
     Ok(())
 }
@@ -64,17 +47,19 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
 /// `BINARY_DATA`.
 pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     for (_, output) in outputs {
-        let path = output.display().to_string();
+        let mut of_others = output.is_file() && begins_as_data(output);
         if let Ok(file) = DatasetReader::open(output) {
             let text = |name| file.optional_text(name).ok().flatten().unwrap_or_default();
             if text("schema") == SCHEMA {
-                return Err(OutputError::Table { path });
+                let why = "is a table, which only `asperity tabulate` and `asperity merge` replace; choose another name, or delete it";
+                return refused(output, why);
             }
-            if !PROGRAMS.iter().any(|program| text("source").starts_with(program)) {
-                return Err(OutputError::Foreign { path });
-            }
-        } else if output.is_file() && begins_as_data(output) {
-            return Err(OutputError::Foreign { path });
+            of_others = !PROGRAMS.iter().any(|program| text("source").starts_with(program));
+        }
+        if of_others {
+            let why =
+                "holds data of another program, as of a measured surface; choose another name, or delete it";
+            return refused(output, why);
         }
     }
     Ok(())
@@ -97,11 +82,11 @@ fn begins_as_data(path: &Path) -> bool {
 pub fn check_outputs(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     check_distinct(inputs, outputs)?;
     outputs.iter().try_for_each(|(_, output)| {
-        let refused = |reason: String| OutputError::Unwritable { path: output.display().to_string(), reason };
-        if output.as_os_str() == "-" {
-            return Err(refused("results are not written to standard output; a file name is needed".into()));
-        }
-        check_place(&destination(output)).map_err(refused)
+        let checked = match output.as_os_str() == "-" {
+            true => Err("results are not written to standard output; a file name is needed".into()),
+            false => check_place(&destination(output)),
+        };
+        checked.or_else(|reason| refused(output, &format!("cannot be written: {reason}")))
     })
 }
 
