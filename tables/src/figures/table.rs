@@ -26,10 +26,13 @@ pub const PANELS: [&str; 9] = [
     "temperature-map",
 ];
 
+/// End of the names of maps.
+const MAP: &str = "-map";
+
 /// The panels of a table by its number of interferences and its slip rates (m/s).
 pub fn panels(interferences: usize, slip_rates: &[f64]) -> Vec<&'static str> {
     let has_maps = is_mapped(interferences, slip_rates);
-    PANELS.into_iter().filter(|name| has_maps || !SHOWN.iter().any(|shown| shown.map == *name)).collect()
+    PANELS.into_iter().filter(|name| has_maps || !name.ends_with(MAP)).collect()
 }
 
 /// Whether both axes have an extent, of the slip rates on a logarithmic scale.
@@ -43,9 +46,8 @@ fn positive(slip_rates: &[f64]) -> usize {
 
 /// What a panel shows.
 struct Shown {
+    /// Of the curves; the map adds [`MAP`].
     name: &'static str,
-    /// Name of the map.
-    map: &'static str,
     title: &'static str,
     label: &'static str,
     /// Value and error of a cell.
@@ -56,7 +58,6 @@ struct Shown {
 const SHOWN: [Shown; 4] = [
     Shown {
         name: "friction",
-        map: "friction-map",
         title: "Sliding friction",
         label: FRICTION_LABEL,
         value: |cell| cell[Quantity::Mu],
@@ -64,7 +65,6 @@ const SHOWN: [Shown; 4] = [
     },
     Shown {
         name: "stress",
-        map: "stress-map",
         title: "Friction stress",
         label: "Friction stress Q/A (MPa)",
         value: |cell| cell[Quantity::Friction].over(cell[Quantity::Area]).scaled(1e-6),
@@ -72,7 +72,6 @@ const SHOWN: [Shown; 4] = [
     },
     Shown {
         name: "energy",
-        map: "energy-map",
         title: "Energy of stick to slip",
         label: "Energy release G (J/m^{2})",
         value: |cell| cell[Quantity::EnergyRelease],
@@ -80,7 +79,6 @@ const SHOWN: [Shown; 4] = [
     },
     Shown {
         name: "temperature",
-        map: "temperature-map",
         title: "Heating",
         label: "Highest temperature T (K)",
         value: |cell| cell[Quantity::TemperatureMax],
@@ -176,7 +174,7 @@ fn map(table: &InterpolatedTable, axes: &Axes, shown: &Shown) -> Panel {
     Panel {
         field: Some(Field { cells: Field::quadrilaterals(&rows), colors, arrow: None }),
         ..Panel::new(
-            shown.map,
+            &format!("{}{MAP}", shown.name),
             shown.title,
             axis(RATE_LABEL, ends(&rates)),
             axis(INTERFERENCE_LABEL, ends(&interferences)),

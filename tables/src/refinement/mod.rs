@@ -11,6 +11,7 @@ pub mod cross_validation;
 pub mod statistics;
 
 use crate::law::Estimate;
+use crate::numbers::rounded;
 use crate::quantity::{COVERAGE_FACTOR, OF_BOUND, Quantity};
 use crate::table::{Axes, Metadata, Slice};
 use cross_validation::{Along, CrossValidation};
@@ -140,7 +141,7 @@ fn own_error(table: &Slice, along: Along, index: usize, across: usize, quantity:
 /// suffice.
 fn middle(lower: f64, upper: f64) -> f64 {
     let exact = if lower > 0.0 { (lower * upper).sqrt() } else { 0.5 * upper };
-    let rounded: f64 = format!("{exact:.2e}").parse().unwrap_or(exact);
+    let rounded = rounded(exact, 3);
     let inside = |at: f64| lower * 1.005 < at && at < upper / 1.005;
     if inside(rounded) { rounded } else { exact }
 }
