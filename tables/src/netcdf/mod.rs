@@ -63,10 +63,6 @@ pub enum DatasetError {
     Open { path: String, reason: String },
     #[error("cannot write {path}: {reason}")]
     Write { path: String, reason: String },
-    #[error("{path}: variable \"{variable}\" is missing; not a file of this kind")]
-    VariableMissing { path: String, variable: String },
-    #[error("{path}: global attribute \"{attribute}\" is missing; not a file of this kind")]
-    AttributeMissing { path: String, attribute: String },
     #[error("{path}: {what}")]
     Content { path: String, what: String },
 }

@@ -69,7 +69,7 @@ impl DatasetReader {
 
     /// Global attribute that is a text.
     pub fn attribute_text(&self, name: &str) -> Result<String, DatasetError> {
-        self.optional_text(name)?.ok_or_else(|| self.attribute_missing(name))
+        self.optional_text(name)?.ok_or_else(|| self.missing("global attribute", name))
     }
 
     /// Global attribute that is a text, if it is there.
@@ -83,7 +83,7 @@ impl DatasetReader {
 
     /// Global attribute that is a number.
     pub fn attribute_real(&self, name: &str) -> Result<f64, DatasetError> {
-        self.optional_real(name)?.ok_or_else(|| self.attribute_missing(name))
+        self.optional_real(name)?.ok_or_else(|| self.missing("global attribute", name))
     }
 
     /// Global attribute that is a number, if it is there.
@@ -167,14 +167,12 @@ impl DatasetReader {
         attribute.value().map(Some).map_err(unreadable)
     }
 
-    fn attribute_missing(&self, name: &str) -> DatasetError {
-        DatasetError::AttributeMissing { path: self.path.clone(), attribute: name.to_string() }
+    fn missing(&self, kind: &str, name: &str) -> DatasetError {
+        self.content(format!("{kind} \"{name}\" is missing; not a file of this kind"))
     }
 
     fn variable(&self, name: &str) -> Result<::netcdf::Variable<'_>, DatasetError> {
-        let missing =
-            || DatasetError::VariableMissing { path: self.path.clone(), variable: name.to_string() };
-        self.file.variable(name).ok_or_else(missing)
+        self.file.variable(name).ok_or_else(|| self.missing("variable", name))
     }
 
     fn shaped(&self, name: &str, shape: &[usize]) -> Result<::netcdf::Variable<'_>, DatasetError> {
