@@ -45,10 +45,6 @@ pub struct HeightIntegral<'a> {
     passing: PanelTree,
     /// Panels that together cover ω from zero upwards.
     roots: Vec<Root>,
-    /// Panels of the present separation; the others are stored to avoid allocations.
-    leaves: Vec<Leaf>,
-    finer: Vec<Leaf>,
-    pending: Vec<(bool, usize)>,
 }
 
 /// A panel between kinks of the law, sampled only where there are summits: a table may have missing cells
@@ -106,9 +102,6 @@ impl<'a> HeightIntegral<'a> {
             kept: PanelTree::default(),
             passing: PanelTree::default(),
             roots: breaks.into_iter().map(root).collect(),
-            leaves: Vec::new(),
-            finer: Vec::new(),
-            pending: Vec::new(),
         }
     }
 
@@ -117,34 +110,29 @@ impl<'a> HeightIntegral<'a> {
         if let Some(heights) = self.heights.measured() {
             return self.summed(heights, separation);
         }
-        let mut leaves = std::mem::take(&mut self.leaves);
-        let refined = self.refine(separation, &mut leaves);
-        self.leaves = leaves;
-        refined?;
-        Ok(self.state(separation, &self.leaves))
+        let leaves = self.refine(separation)?;
+        let (total, error) = sums(&leaves);
+        Ok(self.scaled(self.heights.tail(separation), &total, &error))
     }
 
     /// Panels fine enough for the tolerance, by ascending interference.
-    fn refine(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
+    fn refine(&mut self, separation: f64) -> Result<Vec<Leaf>, LookupError> {
         self.passing.clear();
-        leaves.clear();
-        self.cover(separation, leaves)?;
+        let mut leaves = self.cover(separation)?;
         for _ in 0..MOST_ROUNDS {
-            let total = sum(leaves.iter().map(|leaf| &leaf.value));
-            let error = sum(leaves.iter().map(|leaf| &leaf.error));
+            let (total, error) = sums(&leaves);
             if !excessive(&error, 1.0, self.tolerance, &total) {
                 break;
             }
             let share = 0.5 / leaves.len() as f64;
             let tolerance = self.tolerance;
             let poor = |error: &Errors| excessive(error, share, tolerance, &total);
-            let mut finer = std::mem::take(&mut self.finer);
-            finer.clear();
-            for leaf in leaves.iter() {
+            let mut finer = Vec::with_capacity(2 * leaves.len());
+            for leaf in leaves {
                 let panel = self.tree(leaf.kept).panel(leaf.panel);
                 // The spacing of numbers ends the halving.
                 if !poor(&leaf.error) || panel.to - panel.from < 1e-14 * panel.to {
-                    finer.push(*leaf);
+                    finer.push(leaf);
                     continue;
                 }
                 for panel in self.finer(leaf.kept, leaf.panel)? {
@@ -155,18 +143,17 @@ impl<'a> HeightIntegral<'a> {
                     self.kept.mark_too_coarse(leaf.panel);
                 }
             }
-            self.finer = std::mem::replace(leaves, finer);
+            leaves = finer;
         }
-        Ok(())
+        Ok(leaves)
     }
 
     /// Covers all interferences of weight with panels in which the density is smooth and resolved by the
     /// points.
-    fn cover(&mut self, separation: f64, leaves: &mut Vec<Leaf>) -> Result<(), LookupError> {
+    fn cover(&mut self, separation: f64) -> Result<Vec<Leaf>, LookupError> {
         let (negligible, reach) = self.weight(separation);
-        let mut pending = std::mem::take(&mut self.pending);
-        pending.clear();
-        self.roots_of_weight(separation, (negligible, reach), &mut pending)?;
+        let mut pending = self.roots_of_weight(separation, (negligible, reach))?;
+        let mut leaves = Vec::new();
         // Panels leave the stack by ascending interference.
         pending.reverse();
         while let Some((kept, index)) = pending.pop() {
@@ -185,8 +172,7 @@ impl<'a> HeightIntegral<'a> {
                 }
             }
         }
-        self.pending = pending;
-        Ok(())
+        Ok(leaves)
     }
 
     /// ln(φ ω^{5/2}), ω in metres, below which interferences are negligible at `separation` (m), and the interference (m) from
@@ -217,13 +203,13 @@ impl<'a> HeightIntegral<'a> {
         (negligible, reach)
     }
 
-    /// Adds the panels between kinks of the law in which the density is not negligible.
+    /// The kept panels between kinks of the law in which the density is not negligible, by ascending interference.
     fn roots_of_weight(
         &mut self,
         separation: f64,
         (negligible, reach): (f64, f64),
-        pending: &mut Vec<(bool, usize)>,
-    ) -> Result<(), LookupError> {
+    ) -> Result<Vec<(bool, usize)>, LookupError> {
+        let mut panels = Vec::new();
         let critical = self.asperity.critical_interference();
         let (lowest, highest) = self.heights.support();
         for position in 0.. {
@@ -245,9 +231,9 @@ impl<'a> HeightIntegral<'a> {
                 None => self.kept.add(&self.asperity, root.from, root.to)?,
             };
             root.panel = Some(panel);
-            pending.push((true, panel));
+            panels.push((true, panel));
         }
-        Ok(())
+        Ok(panels)
     }
 
     /// How a panel fits the density at `separation` (m), with the bound of [`weight`](Self::weight).
@@ -308,12 +294,6 @@ impl<'a> HeightIntegral<'a> {
         Leaf { kept, panel, value, error }
     }
 
-    fn state(&self, separation: f64, leaves: &[Leaf]) -> ContactState {
-        let total = sum(leaves.iter().map(|leaf| &leaf.value));
-        let error = sum(leaves.iter().map(|leaf| &leaf.error));
-        self.scaled(self.heights.tail(separation), &total, &error)
-    }
-
     /// From sums per asperity to values per nominal area.
     fn scaled(&self, tail: f64, total: &Sums, error: &Errors) -> ContactState {
         let density = self.asperity_density;
@@ -364,14 +344,14 @@ fn excessive(error: &Errors, share: f64, tolerance: f64, total: &Sums) -> bool {
     [LOAD, FRICTION, AREA].iter().any(|&k| error[k] > tolerance * total[k].abs() * share)
 }
 
-fn sum<'s, const N: usize>(parts: impl Iterator<Item = &'s [f64; N]>) -> [f64; N] {
-    let mut total = [0.0; N];
-    for part in parts {
-        for (sum, value) in total.iter_mut().zip(part) {
-            *sum += value;
-        }
+/// The integrals of all panels together, and their errors.
+fn sums(leaves: &[Leaf]) -> (Sums, Errors) {
+    let (mut total, mut error) = (Sums::default(), Errors::default());
+    for leaf in leaves {
+        total.iter_mut().zip(leaf.value).for_each(|(sum, value)| *sum += value);
+        error.iter_mut().zip(leaf.error).for_each(|(sum, value)| *sum += value);
     }
-    total
+    (total, error)
 }
 
 #[cfg(test)]
