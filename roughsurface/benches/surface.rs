@@ -22,7 +22,7 @@ fn main() {
 }
 
 fn law() -> InterpolatedTable {
-    table(&Weakening::new(), 200.0).interpolated()
+    table(&Weakening::new()).interpolated()
 }
 
 fn surface() -> Surface {

@@ -1,7 +1,7 @@
 //! Topographies in every format, against SurfaceTopography (tests/data/make_topographies.py), and
 //! from there to a prediction.
 
-use crate::folder::{Folder, data, stderr};
+use crate::folder::{Folder, data, json, stderr};
 use roughsurface::surface::file::SurfaceFile;
 use roughsurface::topography::Topography;
 use roughsurface::topography::characterize::{Detrend, Options, characterize};
@@ -113,7 +113,7 @@ fn a_topography_becomes_a_surface_file_that_predicts() {
     for summits in ["moments", "found"] {
         let options = format!("--cutoff 1.6um --summits {summits} -o s.toml --json --plot s.svg");
         let output = folder.run_well(&format!("characterize {map} {options}"));
-        let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let result = json(&output);
         numbers_have_units(&result, &result["units"], "");
         let key = if summits == "moments" { "summits" } else { "found" };
         let expected = |name: &str| result[key][name].as_f64().unwrap();
@@ -159,7 +159,7 @@ fn titles_state_units_in_any_encoding_and_what_none_states_is_said() {
     ] {
         folder.write(name, [title, points.as_bytes()].concat());
         let output = folder.run_well(&format!("characterize {name} --cutoff 4um --json"));
-        let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let result = json(&output);
         assert!((result["pixel"].as_f64().unwrap() / 0.5e-6 - 1.0).abs() < 1e-9, "{name}: {result}");
         let height = result["rms_height"].as_f64().unwrap();
         assert!((5e-7..1e-6).contains(&height), "{name}: {height}");

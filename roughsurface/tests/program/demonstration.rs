@@ -57,15 +57,11 @@ impl AsperityLaw for Weakening {
 }
 
 /// The law as a table for spheres ten times as large as those of the surface.
-pub fn table(law: &dyn AsperityLaw, interference_to: f64) -> Slice {
+pub fn table(law: &dyn AsperityLaw) -> Slice {
     let radius = 1e-3;
     let mut slip = vec![0.0];
     slip.extend(Log.range(1e-4, 2.0, 40));
-    let axes = Axes {
-        interference: Log.range(0.02, interference_to, 26),
-        slip_rate: Log.range(1e-3, 2.0, 12),
-        slip,
-    };
+    let axes = Axes { interference: Log.range(0.02, 200.0, 26), slip_rate: Log.range(1e-3, 2.0, 12), slip };
     let metadata = Metadata {
         title: "test".into(),
         asperity_radius: radius,

@@ -2,7 +2,6 @@
 
 use crate::demonstration::{Weakening, table};
 use crate::folder::{Folder, stderr};
-use tables::netcdf::DatasetReader;
 use tables::table::Metadata;
 
 const SURFACE: &str = r#"
@@ -16,14 +15,13 @@ slip_rate = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0]
 "#;
 
 fn folder() -> Folder {
-    let folder = Folder::with(SURFACE);
-    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    let folder = Folder::with_table(SURFACE);
     folder.run_well("predict surface.toml --table table.nc -o friction.nc --quiet");
     folder
 }
 
 fn reals(folder: &Folder, name: &str, shape: &[usize]) -> Vec<f64> {
-    DatasetReader::open(&folder.path("friction.nc")).unwrap().reals(name, shape).unwrap()
+    folder.dataset("friction.nc").reals(name, shape).unwrap()
 }
 
 /// Numbers of the lines that do not begin with one of `marks`.
@@ -122,7 +120,7 @@ fn several_files_are_a_dependence_on_temperature() {
     let folder = folder();
     let hot = Weakening { strength: 1.1, ..Weakening::new() };
     for (kelvin, law) in [(298.0, Weakening::new()), (500.0, hot)] {
-        let mut slice = table(&law, 200.0);
+        let mut slice = table(&law);
         slice.set_metadata(Metadata { temperature: kelvin, ..slice.metadata().clone() });
         slice.write(&folder.path("at.nc")).unwrap();
         folder.write("at.toml", SURFACE.replace("[query]", &format!("[query]\ntemperature = {kelvin:?}")));
@@ -152,7 +150,7 @@ fn several_files_are_a_dependence_on_temperature() {
 #[test]
 fn the_temperature_is_that_of_the_table() {
     let folder = folder();
-    let mut slice = table(&Weakening::new(), 200.0);
+    let mut slice = table(&Weakening::new());
     slice.set_metadata(Metadata { temperature: 350.0, ..slice.metadata().clone() });
     slice.write(&folder.path("at.nc")).unwrap();
     folder.run_well("predict surface.toml --table at.nc -o friction.nc --quiet");

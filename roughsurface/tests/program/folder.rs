@@ -1,7 +1,9 @@
 //! A folder in which the program is run.
 
+use crate::demonstration::{Weakening, table};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use tables::netcdf::DatasetReader;
 
 /// A topography that comes with the tests.
 pub fn data(name: &str) -> PathBuf {
@@ -23,6 +25,13 @@ impl Folder {
         folder
     }
 
+    /// The same with table.nc, a table of asperities that weaken with the slip rate.
+    pub fn with_table(surface: &str) -> Self {
+        let folder = Self::with(surface);
+        table(&Weakening::new()).write(&folder.path("table.nc")).unwrap();
+        folder
+    }
+
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
@@ -34,6 +43,10 @@ impl Folder {
 
     pub fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    pub fn dataset(&self, name: &str) -> DatasetReader {
+        DatasetReader::open(&self.path(name)).unwrap()
     }
 
     /// Runs the program with arguments separated by white space.
@@ -50,10 +63,17 @@ impl Folder {
 
     /// Runs the program, which must refuse its input in one line with `expected` in it.
     pub fn refused(&self, arguments: &str, expected: &str) {
+        let message = self.misused(arguments, expected);
+        assert_eq!(message.lines().count(), 1, "{arguments}: {message}");
+    }
+
+    /// Runs the program, which must refuse its arguments with `expected` in the message; returns that.
+    pub fn misused(&self, arguments: &str, expected: &str) -> String {
         let output = self.run(arguments);
         let message = stderr(&output);
-        assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{arguments}: {message}");
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {message}");
         assert!(message.contains(expected), "{arguments}: {message}");
+        message
     }
 }
 
@@ -68,4 +88,12 @@ pub fn program(folder: &Path) -> Command {
 
 pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+pub fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+pub fn json(output: &Output) -> serde_json::Value {
+    serde_json::from_slice(&output.stdout).unwrap()
 }

@@ -1,9 +1,8 @@
 //! From a topography to friction in one command, and the query on the command line.
 
 use crate::characterize::numbers_have_units;
-use crate::folder::{Folder, data, stderr};
+use crate::folder::{Folder, data, json, stderr, stdout};
 use roughsurface::surface::file::SurfaceFile;
-use tables::netcdf::DatasetReader;
 
 fn map(name: &str) -> String {
     data(name).display().to_string()
@@ -20,7 +19,7 @@ fn one_command_does_what_two_do() {
     let output = folder.run_well(&format!("predict {map} --cutoff 1.2um {law} {query} -o one.nc --json"));
     folder.run_well(&format!("characterize {map} --cutoff 1.2um -o s.toml"));
     folder.run_well(&format!("predict s.toml {law} {query} -o two.nc"));
-    let [one, two] = ["one.nc", "two.nc"].map(|name| DatasetReader::open(&folder.path(name)).unwrap());
+    let [one, two] = ["one.nc", "two.nc"].map(|name| folder.dataset(name));
     assert_eq!(one.reals("slip_rate", &[3]).unwrap(), [0.1, 1.0, 10.0]);
     assert_eq!(one.reals("pressure", &[2]).unwrap(), [1e6, 2e6]);
     assert_eq!(one.attribute_text("hold").unwrap(), "separation");
@@ -30,10 +29,10 @@ fn one_command_does_what_two_do() {
     assert_eq!(one.reals("cutoff", &[3]).unwrap(), [0.6e-6, 1.2e-6, 2.4e-6]);
     let mu = one.reals("mu_cutoff", &[3, 2, 3]).unwrap();
     assert_eq!(mu[6..12], one.reals("mu", &[2, 3]).unwrap());
-    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let summary = json(&output);
     for (index, cutoff) in [(0, "0.6um"), (2, "2.4um")] {
         folder.run_well(&format!("predict {map} --cutoff {cutoff} {law} {query} -o other.nc"));
-        let other = DatasetReader::open(&folder.path("other.nc")).unwrap();
+        let other = folder.dataset("other.nc");
         let (expected, found) = (other.reals("mu", &[2, 3]).unwrap(), &mu[6 * index..6 * index + 6]);
         // The surface file has seven digits.
         assert!(
@@ -59,7 +58,7 @@ fn keys_in_place_of_those_of_the_summits_hold_at_every_cutoff() {
     let set = "--set surface.asperity_radius=1e-4 --set surface.heights.std=2e-8";
     let rest = format!("--table model:jackson-green {STEEL} {set} --pressure 1e6 --slip-rate 1");
     folder.run_well(&format!("predict {map} --cutoff 1.2um {rest} -o all.nc"));
-    let all = DatasetReader::open(&folder.path("all.nc")).unwrap();
+    let all = folder.dataset("all.nc");
     assert_eq!(all.reals("asperity_radius_cutoff", &[3]).unwrap(), [1e-4; 3]);
     assert_eq!(all.reals("heights_std_cutoff", &[3]).unwrap(), [2e-8; 3]);
     let density = all.reals("asperity_density_cutoff", &[3]).unwrap();
@@ -67,7 +66,7 @@ fn keys_in_place_of_those_of_the_summits_hold_at_every_cutoff() {
     let mu = all.reals("mu_cutoff", &[3, 1, 1]).unwrap();
     for (index, cutoff) in ["0.6um", "1.2um", "2.4um"].into_iter().enumerate() {
         folder.run_well(&format!("predict {map} --cutoff {cutoff} {rest} -o one.nc"));
-        let one = DatasetReader::open(&folder.path("one.nc")).unwrap();
+        let one = folder.dataset("one.nc");
         assert_eq!(one.reals("mu", &[1, 1]).unwrap(), mu[index..=index]);
     }
 }
@@ -80,7 +79,7 @@ fn a_slip_rate_beyond_the_table_at_one_cutoff_leaves_the_others() {
     let predict = |slip_rates: &str| {
         let rest = format!("--material steel-4340 --pressure 1e6 --slip-rate {slip_rates} --extrapolate");
         let output = folder.run_well(&format!("predict {map} --cutoff 1.6um {rest} -o f.nc"));
-        (DatasetReader::open(&folder.path("f.nc")).unwrap(), String::from_utf8(output.stdout).unwrap())
+        (folder.dataset("f.nc"), stdout(&output))
     };
     let (slow, _) = predict("1");
     let radii = slow.reals("asperity_radius_cutoff", &[3]).unwrap();
@@ -114,7 +113,7 @@ fn two_rough_faces_slide_as_their_sum_on_a_smooth_flat() {
         assert!((ratio / expected - 1.0).abs() < 1e-6, "{ratio} {expected}");
     }
     assert!(folder.read("two.toml").starts_with("# Summits of map.x3p on map.x3p"));
-    let result: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let result = json(&output);
     let of_both = |place: &str| result.pointer(&format!("/two_faces/{place}")).unwrap().as_f64().unwrap();
     assert!((of_both("summits/radius") / two.asperity_radius.mean() - 1.0).abs() < 1e-6);
     assert_eq!(of_both("other_face/summits/radius"), result["summits"]["radius"].as_f64().unwrap());
@@ -123,8 +122,7 @@ fn two_rough_faces_slide_as_their_sum_on_a_smooth_flat() {
     let law = format!("--table model:jackson-green {STEEL} --extrapolate --pressure 1e6 --slip-rate 1");
     folder.run_well(&format!("predict {both} {law} -o direct.nc"));
     folder.run_well(&format!("predict two.toml {law} -o file.nc"));
-    let [direct, file] =
-        ["direct.nc", "file.nc"].map(|name| DatasetReader::open(&folder.path(name)).unwrap());
+    let [direct, file] = ["direct.nc", "file.nc"].map(|name| folder.dataset(name));
     assert_eq!(direct.reals("mu", &[1, 1]).unwrap(), file.reals("mu", &[1, 1]).unwrap());
     assert_eq!(direct.reals("cutoff", &[3]).unwrap(), [0.6e-6, 1.2e-6, 2.4e-6]);
 
@@ -145,7 +143,7 @@ fn each_face_has_its_own_unit_and_pixel() {
     let [stated, matrix] = ["map.x3p", "map-um.npy"].map(map);
     let radius = |arguments: &str| {
         let output = folder.run_well(&format!("characterize {arguments} --cutoff 1.6um --json"));
-        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let found = json(&output);
         found["two_faces"]["summits"]["radius"].as_f64().unwrap()
     };
     let one = radius(&format!("{stated} --other-face {matrix} --other-unit um --other-pixel 0.2um"));
@@ -163,9 +161,9 @@ fn a_material_names_a_shipped_table() {
         "predict {map} --cutoff 1.6um --pressure 1e6 --slip-rate 1 --extrapolate -o f.nc --plot f.svg"
     );
     let output = folder.run_well(&format!("{command} --material titanium-6al4v"));
-    let summary = String::from_utf8_lossy(&output.stdout).into_owned();
+    let summary = stdout(&output);
     assert!(summary.contains("Influence of the cut-off of the topography:"), "{summary}");
-    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    let file = folder.dataset("f.nc");
     assert_eq!(file.attribute_text("table").unwrap(), "titanium-6al4v");
     assert!(folder.path("f.svg").is_file());
     for (arguments, expected) in [
@@ -174,9 +172,7 @@ fn a_material_names_a_shipped_table() {
         ("--material copper --table copper", "cannot be used with"),
         ("", "--table"),
     ] {
-        let output = folder.run(&format!("{command} {arguments}"));
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
-        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
+        folder.misused(&format!("{command} {arguments}"), expected);
     }
 }
 
@@ -201,7 +197,7 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
     folder.run_well(&format!(
         "predict s.toml {law} --separation -1e-7,1e-7 --set surface.heights.std=1e-7 -o f.nc"
     ));
-    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    let file = folder.dataset("f.nc");
     assert_eq!(file.reals("separation", &[2]).unwrap(), [-1e-7, 1e-7]);
     assert_eq!(file.reals("slip_rate", &[3]).unwrap(), [0.1, 1.0, 10.0]);
     let text = file.attribute_text("surface").unwrap();
@@ -222,8 +218,6 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
         ("--hold still", "must be load or separation"),
         ("--cutoff 1um", "--cutoff is for a topography; s.toml is a surface file"),
     ] {
-        let output = folder.run(&format!("predict s.toml {law} {arguments} -o f.nc"));
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
-        assert!(stderr(&output).contains(expected), "{arguments}: {}", stderr(&output));
+        folder.misused(&format!("predict s.toml {law} {arguments} -o f.nc"), expected);
     }
 }

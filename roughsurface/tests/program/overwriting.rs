@@ -98,7 +98,7 @@ fn results_for_which_there_is_no_room_are_saved_elsewhere() {
         for kilobytes in [4, 16, 24, 32, 48, 64, 96, 128, 180] {
             let Some(output) = on_small_disk(&folder, kilobytes, command) else { return };
             let said = crate::folder::stderr(&output);
-            let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+            let printed = crate::folder::stdout(&output);
             assert!(printed.contains("pressure"), "{kilobytes} kB: the summary is lost");
             let places = said.split("the results are in ").skip(1);
             let places: Vec<&Path> =

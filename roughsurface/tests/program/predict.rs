@@ -1,13 +1,13 @@
 //! The program from surface file and table to friction.nc: results, exit status, messages.
 
 use crate::demonstration::{STEEL, Weakening, table};
-use crate::folder::{Folder, program, stderr};
+use crate::folder::{Folder, json, program, stderr, stdout};
 use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
 use tables::closed_forms::hertz;
-use tables::netcdf::{DatasetReader, DatasetWriter};
+use tables::netcdf::DatasetWriter;
 use tables::table::{Metadata, Table};
 
 const SURFACE: &str = r#"
@@ -26,11 +26,10 @@ yield_strength = 400e6
 
 #[test]
 fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
-    let folder = Folder::with(SURFACE);
+    let folder = Folder::with_table(SURFACE);
     let law = Weakening::new();
-    table(&law, 200.0).write(&folder.path("table.nc")).unwrap();
     let output = folder.run_well("predict surface.toml --table table.nc -o friction.nc --plot f.svg");
-    let summary = String::from_utf8_lossy(&output.stdout).into_owned();
+    let summary = stdout(&output);
     let footnotes = summary.lines().filter(|line| line.starts_with('[')).count();
     assert_eq!(summary.lines().count(), 2 + 1 + 15 + 1 + 2 + 6 + footnotes, "{summary}");
     assert!(std::fs::metadata(folder.path("f.svg")).unwrap().len() > 10_000);
@@ -38,7 +37,7 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
     let surface = SurfaceFile::read(&folder.path("surface.toml")).unwrap();
     let settings = Settings::default();
     let exact = predict(&law, &surface.surface, &surface.query, &settings, &|_, _| ()).unwrap();
-    let file = DatasetReader::open(&folder.path("friction.nc")).unwrap();
+    let file = folder.dataset("friction.nc");
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
     let (mu, mu_error) = (read("mu"), read("mu_error"));
     let (mu_static, energy, area) = (read("mu_static"), read("G_weakening"), read("real_area_fraction"));
@@ -60,8 +59,8 @@ fn a_table_gives_the_friction_of_the_law_it_was_made_from() {
 #[test]
 fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
     let folder = Folder::with(SURFACE);
-    let cold = table(&Weakening::new(), 200.0);
-    let mut hot = table(&Weakening { strength: 1.1, ..Weakening::new() }, 200.0);
+    let cold = table(&Weakening::new());
+    let mut hot = table(&Weakening { strength: 1.1, ..Weakening::new() });
     hot.set_metadata(Metadata { temperature: 500.0, ..hot.metadata().clone() });
     hot.write(&folder.path("hot.nc")).unwrap();
     Table::new(vec![cold, hot]).unwrap().write(&folder.path("both.nc")).unwrap();
@@ -73,7 +72,7 @@ fn a_table_of_several_initial_temperatures_is_read_at_that_of_the_query() {
     };
     let friction = |arguments: &str| {
         folder.run_well(&format!("{arguments} -o friction.nc"));
-        DatasetReader::open(&folder.path("friction.nc")).unwrap().reals("mu", &[3, 5]).unwrap()
+        folder.dataset("friction.nc").reals("mu", &[3, 5]).unwrap()
     };
     let expected = friction("predict surface.toml --table hot.nc");
     at(500.0);
@@ -101,7 +100,7 @@ fn threads_change_nothing_and_random_surfaces_repeat() {
         let values = |threads: usize| {
             let output = folder.run_well(&format!("{command} -o {name} -q --threads {threads}"));
             assert!(output.stdout.is_empty() && output.stderr.is_empty());
-            let file = DatasetReader::open(&folder.path(name)).unwrap();
+            let file = folder.dataset(name);
             let shape: &[usize] = if name == "mc.nc" { &[3, 5, 20] } else { &[3, 5] };
             file.reals("mu", shape).unwrap()
         };
@@ -155,21 +154,20 @@ fn bad_input_ends_with_status_two_and_one_line() {
     ] {
         folder.refused(arguments, message);
     }
-    let usage = folder.run("predict surface.toml");
-    assert_eq!(usage.status.code(), Some(2));
+    folder.misused("predict surface.toml", "--output");
     assert!(!Path::new(&folder.path("f.nc")).exists());
 }
 
 #[test]
 fn everything_asked_for_is_in_the_files() {
-    let folder =
-        Folder::with(&format!("{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n"));
-    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    let folder = Folder::with_table(&format!(
+        "{SURFACE}[uncertainty]\nheights_std = 0.005e-6\nasperity_radius = 10e-6\n"
+    ));
     let output = folder.run_well(
         "predict surface.toml --table table.nc -o f.nc --compare kogut-etsion,jackson-green --report f.html --json",
     );
-    let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    let summary = json(&output);
+    let file = folder.dataset("f.nc");
     let read = |name: &str, shape: &[usize]| file.reals(name, shape).unwrap();
     // The table is of Jackson–Green spheres with their static friction.
     let models = read("mu_static_model", &[2, 3]);
@@ -204,13 +202,12 @@ fn everything_asked_for_is_in_the_files() {
 #[test]
 fn another_table_stands_for_a_constant_of_the_material() {
     let folder =
-        Folder::with(&format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n"));
-    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+        Folder::with_table(&format!("{SURFACE}[uncertainty]\ntables = {{ strength = \"stronger.nc\" }}\n"));
     // A tenth more of every shear stress: friction and its energies grow by as much.
-    let stronger = table(&Weakening { strength: 1.1, ..Weakening::new() }, 200.0);
+    let stronger = table(&Weakening { strength: 1.1, ..Weakening::new() });
     stronger.write(&folder.path("stronger.nc")).unwrap();
     folder.run_well("predict surface.toml --table table.nc -o f.nc --report f.html");
-    let file = DatasetReader::open(&folder.path("f.nc")).unwrap();
+    let file = folder.dataset("f.nc");
     let read = |name: &str| file.reals(name, &[3, 5]).unwrap();
     for name in ["mu", "Q", "G_weakening"] {
         for (std, value) in read(&format!("{name}_parameter_std")).iter().zip(read(name)) {
@@ -242,8 +239,7 @@ fn another_table_differs_in_one_constant() {
     for key in ["query.rate_step", "[uncertainty]"] {
         assert!(said.contains(&format!("{key} is not used: `roughsurface predict` computes it")), "{said}");
     }
-    let output = folder.run(&format!("{line} --rate-step 0.1..1"));
-    assert_eq!(output.status.code(), Some(2));
+    folder.misused(&format!("{line} --rate-step 0.1..1"), "--rate-step");
 }
 
 /// Names that are not UTF-8, and outputs that are links: the files appear at the targets of the links.
@@ -272,21 +268,20 @@ fn names_may_be_anything_and_links_are_followed() {
         command.output().unwrap()
     };
     let result = run(&output);
-    assert_eq!(result.status.code(), Some(0), "{}", String::from_utf8_lossy(&result.stderr));
+    assert_eq!(result.status.code(), Some(0), "{}", stderr(&result));
     for (link, target) in [(output, "elsewhere.nc"), (odd.join("report.html"), "elsewhere.html")] {
         assert!(link.is_symlink() && odd.join(target).is_file(), "{}", target);
     }
     let _socket = std::os::unix::net::UnixListener::bind(odd.join("socket.nc")).unwrap();
     let refused = run(&odd.join("socket.nc"));
     assert_eq!(refused.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("it is not a regular file"));
+    assert!(stderr(&refused).contains("it is not a regular file"));
 }
 
 /// Of the panels that the option names, those that this figure will not have are refused at once.
 #[test]
 fn a_panel_is_refused_before_the_computation_or_drawn() {
-    let folder = Folder::with(SURFACE);
-    table(&Weakening::new(), 200.0).write(&folder.path("table.nc")).unwrap();
+    let folder = Folder::with_table(SURFACE);
     let predict = "predict surface.toml -o friction.nc --plot f.svg";
     let panels = "rate, friction, static, slide, area, separation, load, regimes";
     for (arguments, found) in [
