@@ -53,7 +53,7 @@ struct QueryOptions {
     #[arg(long, value_name = "VALUES", allow_negative_numbers = true)]
     slip_rate: Option<Values>,
     /// Quantity held during the slide, load by default
-    #[arg(long, value_name = "load|separation", value_parser = control)]
+    #[arg(long, value_name = "QUANTITY", value_enum)]
     hold: Option<LoadingControl>,
     /// Slip over which a contact lasts, in contact diameters, or steady; 1 by default, as between two rough faces
     #[arg(long, value_name = "DIAMETERS|steady")]
@@ -77,14 +77,6 @@ fn shipped_material(text: &str) -> Result<String, String> {
             "no table of it is shipped: {}; for another material --table FILE",
             hint(text, &known)
         )),
-    }
-}
-
-fn control(text: &str) -> Result<LoadingControl, String> {
-    match text {
-        "load" => Ok(LoadingControl::Load),
-        "separation" => Ok(LoadingControl::Separation),
-        _ => Err("must be load or separation".into()),
     }
 }
 

@@ -79,7 +79,7 @@ pub struct Predict {
     #[arg(long, value_name = "NAME", requires = "plot", value_parser = PossibleValuesParser::new(PANELS))]
     panel: Vec<String>,
     /// Models to compare with, separated by commas, or all
-    #[arg(long, value_name = "MODELS", value_delimiter = ',')]
+    #[arg(long, value_name = "MODELS", value_delimiter = ',', value_parser = models())]
     compare: Vec<String>,
     /// Report with figures, parameters, errors and warnings, one file for any browser
     #[arg(long, value_name = "FILE.html")]
@@ -91,17 +91,10 @@ pub struct Predict {
     run: RunOptions,
 }
 
-/// Names of closed forms.
-fn models(asked: &[String]) -> Result<Vec<String>, Failure> {
-    if asked.iter().any(|name| name == "all") {
-        return Ok(NAMES.map(String::from).to_vec());
-    }
-    match asked.iter().find(|name| !NAMES.contains(&name.as_str())) {
-        Some(name) => {
-            Err(Failure::input(format!("--compare {name}: must be among {}, or all", NAMES.join(", "))))
-        }
-        None => Ok(asked.to_vec()),
-    }
+const ALL: &str = "all";
+
+fn models() -> PossibleValuesParser {
+    PossibleValuesParser::new(NAMES.into_iter().chain([ALL]))
 }
 
 fn step(text: &str) -> Result<[f64; 2], String> {
@@ -117,7 +110,10 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 /// Reads, predicts, writes.
 pub fn run(options: &Predict, display: &Display) -> Result<(), Failure> {
-    let models = models(&options.compare)?;
+    let models = match options.compare.iter().any(|name| name == ALL) {
+        true => NAMES.map(String::from).to_vec(),
+        false => options.compare.clone(),
+    };
     if let Some(plot) = &options.plot {
         Figure::check_extension(plot).map_err(Failure::input)?;
     }

@@ -63,7 +63,7 @@ impl NormalLoading {
 }
 
 /// Loading control of the slide: constant nominal load or constant separation.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum LoadingControl {
     #[default]

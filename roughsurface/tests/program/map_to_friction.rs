@@ -215,7 +215,7 @@ fn keys_on_the_command_line_replace_those_of_the_file() {
         ),
         ("--set query.hold=load --hold load", "leave out one of the two"),
         ("--set query.rate_step.before=0.1 --rate-step 0.1..1", "leave out one of the two"),
-        ("--hold still", "must be load or separation"),
+        ("--hold still", "[possible values: load, separation]"),
         ("--cutoff 1um", "--cutoff is for a topography; s.toml is a surface file"),
     ] {
         folder.misused(&format!("predict s.toml {law} {arguments} -o f.nc"), expected);

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use roughsurface::friction::{Settings, predict};
 use roughsurface::surface::file::SurfaceFile;
-use tables::closed_forms::hertz;
+use tables::closed_forms::{NAMES, hertz};
 use tables::netcdf::DatasetWriter;
 use tables::table::{Metadata, Table};
 
@@ -149,12 +149,14 @@ fn bad_input_ends_with_status_two_and_one_line() {
         ("predict surface.toml --table foreign.nc -o f.nc", "foreign.nc"),
         ("predict surface.toml --table model:hertz -o no/f.nc", "its folder does not exist"),
         ("predict surface.toml --table model:hertz -o f.nc --plot f.gif", "must be one of svg, png, pdf"),
-        ("predict surface.toml --table model:hertz -o f.nc --compare herz", "--compare herz: must be among"),
         ("predict surface.toml --table model:hertz -o f.nc --report no/f.html", "its folder does not exist"),
     ] {
         folder.refused(arguments, message);
     }
     folder.misused("predict surface.toml", "--output");
+    let compared =
+        folder.misused("predict surface.toml --table model:hertz -o f.nc --compare herz", "'herz'");
+    assert!(NAMES.iter().chain(&["all"]).all(|model| compared.contains(model)), "{compared}");
     assert!(!Path::new(&folder.path("f.nc")).exists());
 }
 
