@@ -19,91 +19,55 @@ struct Plausible {
 const LENGTH: &[(&str, f64, f64)] = &[("um", 1e-6, 0.0), ("mm", 1e-3, 0.0), ("nm", 1e-9, 0.0)];
 const STRESS: &[(&str, f64, f64)] = &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)];
 
+const fn of(
+    keys: &'static [&'static str],
+    unit: &'static str,
+    range: (f64, f64),
+    mistaken: &'static [(&'static str, f64, f64)],
+) -> Plausible {
+    Plausible { keys, unit, range, mistaken }
+}
+
 /// Where a key has no range, any legal value is plausible. Zero, where it is legal, switches an effect off.
 const PLAUSIBLE: &[Plausible] = &[
     // Lithium 534 kg/m3, osmium 22 590 kg/m3.
-    Plausible {
-        keys: &["density"],
-        unit: "kg/m3",
-        range: (500.0, 25e3),
-        mistaken: &[("g/cm3", 1e3, 0.0), ("t/mm3", 1e12, 0.0)],
-    },
+    of(&["density"], "kg/m3", (500.0, 25e3), &[("g/cm3", 1e3, 0.0), ("t/mm3", 1e12, 0.0)]),
     // Heavy metals above room temperature 130 J/(kg K), lithium 3600 J/(kg K).
-    Plausible {
-        keys: &["specific_heat"],
-        unit: "J/(kg K)",
-        range: (50.0, 5e3),
-        mistaken: &[("kJ/(kg K)", 1e3, 0.0), ("mJ/(t K)", 1e-6, 0.0)],
-    },
+    of(&["specific_heat"], "J/(kg K)", (50.0, 5e3), &[("kJ/(kg K)", 1e3, 0.0), ("mJ/(t K)", 1e-6, 0.0)]),
     // Polymers 0.1 W/(m K), diamond 2500 W/(m K).
-    Plausible {
-        keys: &["thermal_conductivity"],
-        unit: "W/(m K)",
-        range: (0.1, 3e3),
-        mistaken: &[("W/(mm K)", 1e3, 0.0), ("mW/(m K)", 1e-3, 0.0)],
-    },
+    of(&["thermal_conductivity"], "W/(m K)", (0.1, 3e3), &[("W/(mm K)", 1e3, 0.0), ("mW/(m K)", 1e-3, 0.0)]),
     // Fused silica 5e-7/K, polymers 2e-4/K.
-    Plausible {
-        keys: &["thermal_expansion"],
-        unit: "1/K",
-        range: (1e-7, 1e-3),
-        mistaken: &[("1e-6/K", 1e-6, 0.0), ("mm/(m K)", 1e-3, 0.0)],
-    },
+    of(&["thermal_expansion"], "1/K", (1e-7, 1e-3), &[("1e-6/K", 1e-6, 0.0), ("mm/(m K)", 1e-3, 0.0)]),
     // Polyethylene 2e8 Pa, diamond 1.2e12 Pa.
-    Plausible { keys: &["youngs_modulus"], unit: "Pa", range: (1e8, 1.5e12), mistaken: STRESS },
+    of(&["youngs_modulus"], "Pa", (1e8, 1.5e12), STRESS),
     // Indium 2 MPa, hardest ceramics some 30 GPa.
-    Plausible {
-        keys: &["yield_strength", "tensile_strength", "film_strength"],
-        unit: "Pa",
-        range: (1e5, 5e10),
-        mistaken: STRESS,
-    },
+    of(&["yield_strength", "tensile_strength", "film_strength"], "Pa", (1e5, 5e10), STRESS),
     // Over the strength at the initial temperature, or at any other.
-    Plausible { keys: &["factor"], unit: "1", range: (1e-4, 1e3), mistaken: &[("%", 1e-2, 0.0)] },
+    of(&["factor"], "1", (1e-4, 1e3), &[("%", 1e-2, 0.0)]),
     // Of a compression test, logarithmic.
-    Plausible { keys: &["plastic_strain"], unit: "1", range: (1e-7, 2.0), mistaken: &[("%", 1e-2, 0.0)] },
-    Plausible { keys: &["hardening.modulus"], unit: "Pa", range: (1e5, 1e11), mistaken: STRESS },
+    of(&["plastic_strain"], "1", (1e-7, 2.0), &[("%", 1e-2, 0.0)]),
+    of(&["hardening.modulus"], "Pa", (1e5, 1e11), STRESS),
     // Polymers and ceramics 1e6 Pa m^0.5, tough steels 3e8 Pa m^0.5.
-    Plausible {
-        keys: &["fracture_toughness_mode_ii"],
-        unit: "Pa m^0.5",
-        range: (1e5, 2e9),
-        mistaken: &[("MPa m^0.5", 1e6, 0.0)],
-    },
-    Plausible {
-        keys: &["shear_fracture_energy"],
-        unit: "J/m2",
-        range: (0.1, 1e7),
-        mistaken: &[("kJ/m2", 1e3, 0.0)],
-    },
-    Plausible { keys: &["uniform_elongation"], unit: "1", range: (1e-4, 1.0), mistaken: &[("%", 1e-2, 0.0)] },
+    of(&["fracture_toughness_mode_ii"], "Pa m^0.5", (1e5, 2e9), &[("MPa m^0.5", 1e6, 0.0)]),
+    of(&["shear_fracture_energy"], "J/m2", (0.1, 1e7), &[("kJ/m2", 1e3, 0.0)]),
+    of(&["uniform_elongation"], "1", (1e-4, 1.0), &[("%", 1e-2, 0.0)]),
     // Liquid nitrogen 77 K.
-    Plausible {
-        keys: &["temperature", "softening.reference", "softening.melting"],
-        unit: "K",
-        range: (77.0, 5e3),
-        mistaken: &[("degrees Celsius", 1.0, 273.15)],
-    },
+    of(
+        &["temperature", "softening.reference", "softening.melting"],
+        "K",
+        (77.0, 5e3),
+        &[("degrees Celsius", 1.0, 273.15)],
+    ),
     // A multiple of the interference of first yield, which itself is 1e-12 to 1e-5 m; a large one is refused by the model.
-    Plausible { keys: &["interference"], unit: "omega_c", range: (1e-4, f64::INFINITY), mistaken: &[] },
-    Plausible { keys: &["slip_rate"], unit: "m/s", range: (1e-13, 1e3), mistaken: &[("mm/s", 1e-3, 0.0)] },
+    of(&["interference"], "omega_c", (1e-4, f64::INFINITY), &[]),
+    of(&["slip_rate"], "m/s", (1e-13, 1e3), &[("mm/s", 1e-3, 0.0)]),
     // Of one asperity, or of a ball in a test.
-    Plausible { keys: &["radius"], unit: "m", range: (1e-9, 0.05), mistaken: LENGTH },
+    of(&["radius"], "m", (1e-9, 0.05), LENGTH),
     // Summits and heights of a rough surface.
-    Plausible { keys: &["asperity_radius"], unit: "m", range: (1e-9, 5e-3), mistaken: LENGTH },
-    Plausible { keys: &["std", "separation"], unit: "m", range: (1e-12, 1e-3), mistaken: LENGTH },
-    Plausible {
-        keys: &["asperity_density"],
-        unit: "1/m2",
-        range: (1e5, 1e17),
-        mistaken: &[("1/mm2", 1e6, 0.0), ("1/um2", 1e12, 0.0)],
-    },
-    Plausible {
-        keys: &["pressure"],
-        unit: "Pa",
-        range: (1e3, 1e11),
-        mistaken: &[("MPa", 1e6, 0.0), ("GPa", 1e9, 0.0)],
-    },
+    of(&["asperity_radius"], "m", (1e-9, 5e-3), LENGTH),
+    of(&["std", "separation"], "m", (1e-12, 1e-3), LENGTH),
+    of(&["asperity_density"], "1/m2", (1e5, 1e17), &[("1/mm2", 1e6, 0.0), ("1/um2", 1e12, 0.0)]),
+    of(&["pressure"], "Pa", (1e3, 1e11), &[("MPa", 1e6, 0.0), ("GPa", 1e9, 0.0)]),
 ];
 
 /// Keys, unit, and smallest and largest plausible value of every input quantity with a range.
