@@ -1,5 +1,6 @@
 //! Messages in terms of the keys of a file.
 
+use std::fmt::Display;
 use tables::quantity::nearest;
 
 /// The message of serde in terms of the file, with the known key nearest to an unknown one.
@@ -30,6 +31,11 @@ pub(crate) fn explain(path: &str, message: &str) -> String {
         "" | "." => message,
         path => format!("{path}: {message}"),
     }
+}
+
+/// A value of a key that breaks a rule.
+pub(crate) fn allowed(key: &str, value: impl Display, rule: &str) -> String {
+    format!("{key} = {value}: {rule}")
 }
 
 /// The beginning of a message that would quote all of a long value.

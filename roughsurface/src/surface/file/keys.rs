@@ -2,11 +2,11 @@
 
 use super::values::Values;
 use crate::surface::heights::HeightsKeys;
+use crate::surface::messages::allowed;
 use crate::surface::query::{ContactLife, Interaction, LoadingControl};
 use crate::surface::radii::{LARGEST_VARIATION, Radii};
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use tables::closed_forms::ElasticPlastic;
 
@@ -170,10 +170,6 @@ pub(super) fn radii_of(mean: Option<f64>, keys: Option<RadiiKeys>) -> Result<Rad
             })
         }
     }
-}
-
-pub(super) fn allowed(key: &str, value: impl Display, rule: &str) -> String {
-    format!("{key} = {value}: {rule}")
 }
 
 pub(super) fn positive(key: &str, value: f64, unit: &str) -> Result<(), String> {

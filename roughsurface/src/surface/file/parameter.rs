@@ -1,6 +1,7 @@
 //! Parameters of a surface file that may be given with a standard deviation.
 
-use super::keys::{FileKeys, UncertaintyKeys, allowed};
+use super::keys::{FileKeys, UncertaintyKeys};
+use crate::surface::messages::allowed;
 
 /// A parameter that may be uncertain.
 #[derive(Debug)]

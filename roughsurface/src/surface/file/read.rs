@@ -1,10 +1,10 @@
 //! Reads and checks a surface file.
 
-use super::keys::{FileKeys, SurfaceKeys, allowed, interaction_of, positive, radii_of, rate_step_of};
+use super::keys::{FileKeys, SurfaceKeys, interaction_of, positive, radii_of, rate_step_of};
 use super::parameter::{Parameter, Uncertain};
 use super::values::Values;
 use crate::surface::heights;
-use crate::surface::messages::{explain, short};
+use crate::surface::messages::{allowed, explain, short};
 use crate::surface::query::{NormalLoading, Query, Surface};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

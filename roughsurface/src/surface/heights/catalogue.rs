@@ -1,6 +1,6 @@
 //! The section `heights` of a surface file: every distribution by name, with the keys that it takes.
 
-use super::distribution::{Heights, HeightsError};
+use super::distribution::Heights;
 use super::exponential::Exponential;
 use super::gaussian::Gaussian;
 use super::histogram::Histogram;
@@ -10,6 +10,7 @@ use super::sample::Sample;
 use super::truncated_gaussian::TruncatedGaussian;
 use super::uniform::Uniform;
 use super::weibull::Weibull;
+use crate::surface::messages::allowed;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use tables::quantity::nearest;
@@ -33,7 +34,7 @@ pub struct HeightsKeys {
 }
 
 /// A distribution, or the error in its keys.
-pub type Built = Result<Box<dyn Heights>, HeightsError>;
+pub type Built = Result<Box<dyn Heights>, String>;
 
 /// Name, keys and constructor of a distribution.
 pub struct Entry {
@@ -90,13 +91,12 @@ fn truncated_gaussian(keys: &HeightsKeys, _folder: &Path) -> Built {
     let (lower, upper) = (keys.lower.unwrap_or(f64::NAN), keys.upper.unwrap_or(f64::NAN));
     match TruncatedGaussian::new(parent, lower, upper) {
         Some(heights) => Ok(Box::new(heights)),
-        None => Err(HeightsError {
-            key: "upper",
-            value: Some(format!("{upper:e}")),
-            allowed: format!(
+        None => {
+            let rule = format!(
                 "must be finite and above lower = {lower:e} m, with more than 1e-12 of the parent's summits in between"
-            ),
-        }),
+            );
+            Err(allowed("upper", format!("{upper:e}"), &rule))
+        }
     }
 }
 
@@ -108,11 +108,8 @@ pub fn build(keys: &HeightsKeys, folder: &Path) -> Built {
         let nearest = nearest(&keys.distribution, &names)
             .map(|name| format!(" (did you mean \"{name}\"?)"))
             .unwrap_or_default();
-        return Err(HeightsError {
-            key: "distribution",
-            value: Some(format!("\"{}\"", keys.distribution)),
-            allowed: format!("must be one of {}{nearest}", names.join(", ")),
-        });
+        let rule = format!("must be one of {}{nearest}", names.join(", "));
+        return Err(allowed("distribution", format!("\"{}\"", keys.distribution), &rule));
     };
     let given = [
         ("std", keys.std.is_some()),
@@ -125,34 +122,25 @@ pub fn build(keys: &HeightsKeys, folder: &Path) -> Built {
         let wanted = entry.keys.contains(&key);
         if is_given != wanted {
             let what = if wanted { "is missing" } else { "has no meaning here" };
-            return Err(HeightsError {
-                key,
-                value: None,
-                allowed: format!("{what}; the {} distribution takes {}", entry.name, entry.keys.join(", ")),
-            });
+            let all = entry.keys.join(", ");
+            return Err(format!("{key}: {what}; the {} distribution takes {all}", entry.name));
         }
     }
     (entry.build)(keys, folder)
 }
 
-fn std(keys: &HeightsKeys) -> Result<f64, HeightsError> {
-    match keys.std {
-        Some(std) if std > 0.0 && std.is_finite() => Ok(std),
-        other => Err(HeightsError {
-            key: "std",
-            value: other.map(|std| format!("{std:e}")),
-            allowed: "must be a positive length in metres".into(),
-        }),
+fn std(keys: &HeightsKeys) -> Result<f64, String> {
+    let std = keys.std.unwrap_or(f64::NAN);
+    match std > 0.0 && std.is_finite() {
+        true => Ok(std),
+        false => Err(allowed("std", format!("{std:e}"), "must be a positive length in metres")),
     }
 }
 
-fn shape(keys: &HeightsKeys, from: f64, to: f64) -> Result<f64, HeightsError> {
-    match keys.shape {
-        Some(shape) if (from..=to).contains(&shape) => Ok(shape),
-        other => Err(HeightsError {
-            key: "shape",
-            value: other.map(|shape| shape.to_string()),
-            allowed: format!("must lie between {from} and {to}"),
-        }),
+fn shape(keys: &HeightsKeys, from: f64, to: f64) -> Result<f64, String> {
+    let shape = keys.shape.unwrap_or(f64::NAN);
+    match (from..=to).contains(&shape) {
+        true => Ok(shape),
+        false => Err(allowed("shape", shape, &format!("must lie between {from} and {to}"))),
     }
 }

@@ -49,15 +49,3 @@ pub trait Heights: Debug + Send + Sync {
         None
     }
 }
-
-/// A value of the section `heights` that cannot be used.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{key}{}: {allowed}", .value.as_ref().map(|value| format!(" = {value}")).unwrap_or_default())]
-pub struct HeightsError {
-    /// Key within the section.
-    pub key: &'static str,
-    /// Value given, if any.
-    pub value: Option<String>,
-    /// The rule for it.
-    pub allowed: String,
-}

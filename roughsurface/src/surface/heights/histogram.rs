@@ -1,4 +1,4 @@
-use super::distribution::{Heights, HeightsError, Random};
+use super::distribution::{Heights, Random};
 use super::text_file::TextFile;
 use rand::RngExt;
 use std::path::Path;
@@ -54,7 +54,7 @@ impl Histogram {
     /// Reads a file of two columns, the lower edge of a bin in metres and its count,
     /// and a last line with the upper edge alone; white space or a comma between columns, `#`
     /// starts a comment.
-    pub fn read(file: &Path) -> Result<Self, HeightsError> {
+    pub fn read(file: &Path) -> Result<Self, String> {
         let file = TextFile::read(file)?;
         let (mut edges, mut counts) = (Vec::new(), Vec::new());
         for (index, line, words) in file.lines() {

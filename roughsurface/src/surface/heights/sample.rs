@@ -1,4 +1,4 @@
-use super::distribution::{Heights, HeightsError, Random};
+use super::distribution::{Heights, Random};
 use super::text_file::TextFile;
 use rand::RngExt;
 use std::path::Path;
@@ -35,7 +35,7 @@ impl Sample {
     }
 
     /// Reads heights in metres, separated by white space or commas; `#` starts a comment.
-    pub fn read(file: &Path) -> Result<Self, HeightsError> {
+    pub fn read(file: &Path) -> Result<Self, String> {
         let file = TextFile::read(file)?;
         let mut heights = Vec::new();
         let mut words_of_lines = Vec::new();

@@ -134,7 +134,7 @@ fn pairs_of_positions_and_heights_are_no_sample() {
         std::fs::write(&file, text).unwrap();
         Sample::read(file.path())
     };
-    let message = read("# x z\n0 1e-7\n1e-6 2e-7\n\n2e-6 3e-7\n").unwrap_err().to_string();
+    let message = read("# x z\n0 1e-7\n1e-6 2e-7\n\n2e-6 3e-7\n").unwrap_err();
     assert!(message.contains("has two numbers in every line"), "{message}");
     for heights in [
         "1e-7 2e-7\n3e-7 4e-7\n",
@@ -164,7 +164,7 @@ fn histograms_are_read_with_the_upper_edge_last() {
         ("0 1\n1 -2\n2\n", "must hold ascending edges"),
         ("0 0\n1\n", "must hold ascending edges"),
     ] {
-        let message = read(text).unwrap_err().to_string();
+        let message = read(text).unwrap_err();
         assert!(message.contains(what), "{message}");
     }
 }
@@ -177,7 +177,7 @@ fn errors_name_key_value_and_what_is_allowed() {
         shape,
         ..Default::default()
     };
-    let message = |keys: HeightsKeys| build(&keys, Path::new(".")).unwrap_err().to_string();
+    let message = |keys: HeightsKeys| build(&keys, Path::new(".")).unwrap_err();
     assert_eq!(message(keys("gaussian", None, None)), "std: is missing; the gaussian distribution takes std");
     assert_eq!(
         message(keys("gaussian", Some(-1e-6), None)),

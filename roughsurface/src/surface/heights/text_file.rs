@@ -1,6 +1,6 @@
 //! Text files of numbers, and errors in them.
 
-use super::distribution::HeightsError;
+use crate::surface::messages::allowed;
 use crate::surface::read_regular;
 use crate::surface::text::{Commas, decode};
 use std::path::Path;
@@ -12,8 +12,8 @@ pub(super) struct TextFile<'a> {
 }
 
 impl<'a> TextFile<'a> {
-    pub fn read(path: &'a Path) -> Result<Self, HeightsError> {
-        let bytes = read_regular(path).map_err(|reason| error(path, format!("cannot be read: {reason}")))?;
+    pub fn read(path: &'a Path) -> Result<Self, String> {
+        let bytes = read_regular(path).map_err(|reason| error(path, &format!("cannot be read: {reason}")))?;
         let file = Self { path, text: decode(&bytes).into_owned() };
         match Commas::of(file.text.lines().map(without_comment)) {
             Commas::Separators => Ok(file),
@@ -35,13 +35,13 @@ impl<'a> TextFile<'a> {
         })
     }
 
-    pub fn error(&self, allowed: impl Into<String>) -> HeightsError {
-        error(self.path, allowed.into())
+    pub fn error(&self, rule: &str) -> String {
+        error(self.path, rule)
     }
 
     /// An error about a `word` of the line with this index.
-    pub fn error_in(&self, index: usize, word: &str, what: &str) -> HeightsError {
-        self.error(format!("line {}: \"{word}\" is {what}", index + 1))
+    pub fn error_in(&self, index: usize, word: &str, what: &str) -> String {
+        self.error(&format!("line {}: \"{word}\" is {what}", index + 1))
     }
 }
 
@@ -49,6 +49,6 @@ fn without_comment(line: &str) -> &str {
     line.split('#').next().unwrap_or_default()
 }
 
-fn error(path: &Path, allowed: String) -> HeightsError {
-    HeightsError { key: "file", value: Some(format!("\"{}\"", path.display())), allowed }
+fn error(path: &Path, rule: &str) -> String {
+    allowed("file", format!("\"{}\"", path.display()), rule)
 }
