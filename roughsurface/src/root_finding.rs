@@ -55,6 +55,16 @@ pub(crate) fn root_between<E>(
     }
 }
 
+/// The same of a function that cannot fail.
+pub(crate) fn root_of(
+    from: f64,
+    to: f64,
+    mut accuracy: Accuracy,
+    function: impl Fn(f64) -> f64,
+) -> Option<f64> {
+    find_root_brent(from, to, function, &mut accuracy).ok()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,9 +2,8 @@
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::surface_integral::Asperities;
-use crate::root_finding::{Accuracy, root_between};
+use crate::root_finding::{Accuracy, root_between, root_of};
 use crate::surface::heights::Heights;
-use std::convert::Infallible;
 use tables::law::{Estimate, LookupError, OptionalEstimate};
 
 /// Share of the contacts that may be hotter than the highest temperature: heights without an upper end have no hottest
@@ -111,9 +110,7 @@ fn height_of(excess: impl Fn(f64) -> f64, from: f64, standard_deviation: f64) ->
     }
     // Measured heights have steps in place of a zero.
     let accuracy = Accuracy { value: 1e-9, width: 1e-12 * stride };
-    let Ok(height) =
-        root_between(from, from + stride, accuracy, |height| Ok::<f64, Infallible>(excess(height)));
-    height
+    root_of(from, from + stride, accuracy, excess)
 }
 
 #[cfg(test)]

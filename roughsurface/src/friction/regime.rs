@@ -2,10 +2,9 @@
 
 use crate::integral::asperity_at_slip::AsperityAtSlip;
 use crate::integral::surface_integral::Asperities;
-use crate::root_finding::{Accuracy, root_between};
+use crate::root_finding::{Accuracy, root_of};
 use crate::surface::heights::Heights;
 use crate::surface::query::Surface;
-use std::convert::Infallible;
 use tables::law::AsperityLaw;
 
 /// ψ = √(σ_s/ω_c), σ_s the standard deviation of the summit heights and ω_c the interference of
@@ -80,9 +79,7 @@ fn melting_interference(asperity: &AsperityAtSlip, melting: f64) -> Option<f64> 
         return Some(SMALLEST);
     }
     let accuracy = Accuracy { value: 0.0, width: 1e-12 };
-    let excess = |ln_omega: f64| Ok::<f64, Infallible>(excess(ln_omega.exp()));
-    let Ok(onset) = root_between(SMALLEST.ln(), limit.ln(), accuracy, excess);
-    onset.map(f64::exp)
+    root_of(SMALLEST.ln(), limit.ln(), accuracy, |ln_omega| excess(ln_omega.exp())).map(f64::exp)
 }
 
 #[cfg(test)]

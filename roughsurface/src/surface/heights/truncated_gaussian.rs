@@ -1,7 +1,6 @@
 use super::distribution::{Heights, Random};
 use super::gaussian::Gaussian;
-use crate::root_finding::{Accuracy, root_between};
-use std::convert::Infallible;
+use crate::root_finding::{Accuracy, root_of};
 
 /// A Gaussian surface whose summits below `lower` and above `upper` are missing,
 /// as after polishing or running-in.
@@ -69,8 +68,7 @@ impl Heights for TruncatedGaussian {
         }
         let wanted = rand::RngExt::random::<f64>(random);
         let accuracy = Accuracy { value: 0.0, width: 1e-15 * (self.upper - self.lower) };
-        let excess = |height: f64| Ok::<f64, Infallible>(self.tail(height) - wanted);
-        let Ok(height) = root_between(self.lower, self.upper, accuracy, excess);
-        height.unwrap_or(self.lower)
+        let excess = |height: f64| self.tail(height) - wanted;
+        root_of(self.lower, self.upper, accuracy, excess).unwrap_or(self.lower)
     }
 }
