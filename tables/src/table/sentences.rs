@@ -103,29 +103,27 @@ mod tests {
         assert!(!sentence.absorbs(&Sentence::new("mu_3 is 1.9 %, above 2.0 % at 4340.", (0, 0))));
         assert_eq!(sentence.text(), "mu_2 is 1.9 to 10.3 %, above 2.0 % at 4340.");
         assert_eq!(sentence.places, [(0, 0), (0, 1), (2, 0)]);
-    }
-
-    #[test]
-    fn of_upper_limits_the_largest_is_stated() {
-        let mut sentence = Sentence::new("up to 14.34 % of 2 loads", (0, 0));
-        assert!(sentence.absorbs(&Sentence::new("up to 14.28 % of 3 loads", (0, 1))));
-        assert_eq!(sentence.text(), "up to 14.34 % of 2 to 3 loads");
-    }
-
-    #[test]
-    fn signs_belong_to_their_numbers() {
-        let mut sentence = Sentence::new("at -1e-7 m", (0, 0));
-        assert!(sentence.absorbs(&Sentence::new("at -2e-7 m", (0, 1))));
-        assert!(sentence.absorbs(&Sentence::new("at 3e-7 m", (0, 2))));
-        assert_eq!(sentence.text(), "at -2e-7 to 3e-7 m");
         assert!(!Sentence::new("1-2", (0, 0)).absorbs(&Sentence::new("1 -2", (0, 0))));
     }
 
+    /// Of upper limits the largest is stated; signs and exponents belong to their numbers.
     #[test]
-    fn exponents_belong_to_their_numbers() {
-        let mut sentence = Sentence::new("of the work 2e-5, of the heat 3 is missing", (0, 0));
-        assert!(sentence.absorbs(&Sentence::new("of the work 4e-6, of the heat 1e2 is missing", (0, 1))));
-        assert_eq!(sentence.text(), "of the work 4e-6 to 2e-5, of the heat 3 to 1e2 is missing");
+    fn numbers_become_ranges() {
+        for (texts, expected) in [
+            (&["up to 14.34 % of 2 loads", "up to 14.28 % of 3 loads"][..], "up to 14.34 % of 2 to 3 loads"),
+            (&["at -1e-7 m", "at -2e-7 m", "at 3e-7 m"], "at -2e-7 to 3e-7 m"),
+            (
+                &["2e-5 of work, 3 of heat is missing", "4e-6 of work, 1e2 of heat is missing"],
+                "4e-6 to 2e-5 of work, 3 to 1e2 of heat is missing",
+            ),
+        ] {
+            let mut sentence = Sentence::new(texts[0], (0, 0));
+            assert!(
+                texts[1..].iter().all(|text| sentence.absorbs(&Sentence::new(text, (0, 0)))),
+                "{texts:?}"
+            );
+            assert_eq!(sentence.text(), expected);
+        }
     }
 
     #[test]

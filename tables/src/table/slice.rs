@@ -139,28 +139,3 @@ impl Slice {
         i * rates + j
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn axes() -> Axes {
-        Axes { interference: vec![1.0, 2.0], slip_rate: vec![0.0, 0.5, 1.0], slip: vec![0.0, 2.0] }
-    }
-
-    fn cell(mu: f64) -> Cell {
-        Cell::new().with(Quantity::Mu, mu, 0.01).with_history(Quantity::Mu, vec![0.0, mu])
-    }
-
-    #[test]
-    fn bad_axes_and_histories_are_named() {
-        let mut bad = axes();
-        bad.slip_rate[1] = 2.0;
-        let error = Slice::new(bad, Metadata::default()).unwrap_err();
-        assert_eq!(error.to_string(), "axis \"slip_rate\" must increase, but has 1 at position 2");
-        let mut table = Slice::new(axes(), Metadata::default()).unwrap();
-        let short = cell(0.3).with_history(Quantity::Load, vec![1.0]);
-        let error = table.set_cell(0, 0, short).unwrap_err();
-        assert_eq!(error.to_string(), "history of P has 1 values, the slip axis 2");
-    }
-}

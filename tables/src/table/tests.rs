@@ -43,3 +43,14 @@ fn warnings_of_some_temperatures_name_them() {
     let comment = "far [10 omega_c at 0 m/s]\nat 800 K: coarse [10 omega_c at 0 m/s]";
     assert_eq!(table.metadata().comment, comment);
 }
+
+#[test]
+fn bad_axes_and_histories_are_named() {
+    let mut good = slice(300.0);
+    let bad = Axes { slip_rate: vec![0.0, 2.0, 1.0], ..good.axes().clone() };
+    let error = Slice::new(bad, Metadata::default()).unwrap_err();
+    assert_eq!(error.to_string(), "axis \"slip_rate\" must increase, but has 1 at position 2");
+    let short = Cell::new().with_history(Quantity::Load, vec![1.0]);
+    let error = good.set_cell(0, 0, short).unwrap_err();
+    assert_eq!(error.to_string(), "history of P has 1 values, the slip axis 2");
+}
