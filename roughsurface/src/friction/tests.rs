@@ -29,6 +29,23 @@ fn predicted(
     predict(law, surface, &query, &Settings::default(), &|_, _| ())
 }
 
+fn of_query(law: &dyn AsperityLaw, surface: &Surface, query: &Query) -> Prediction {
+    predict(law, surface, query, &Settings::default(), &|_, _| ()).unwrap()
+}
+
+/// Friction that weakens to half within some contact radii, as heat softens asperities.
+fn weakening(load_growth: f64, relative_error: f64) -> PowerLaw {
+    PowerLaw {
+        history: |_, slip, radius| {
+            let rise = (slip / (2e-3 * radius)).min(1.0);
+            rise * (0.5 + 0.5 * (-slip / (0.02 * radius)).exp())
+        },
+        load_growth,
+        relative_error,
+        ..PowerLaw::hertz()
+    }
+}
+
 #[test]
 fn elastic_asperities_of_constant_strength_obey_amontons() {
     // μ = [2/(√(3π) C)]/ψ with ψ = √(σ/ω_c): 0.4039/ψ at ν = 0.3.
@@ -63,17 +80,9 @@ fn elastic_asperities_of_constant_strength_obey_amontons() {
 fn static_friction_of_the_surface_is_not_that_of_its_asperities() {
     // Each asperity slips at its own displacement and weakens to half within a few
     // contact radii: their peaks do not add up.
-    let law = PowerLaw {
-        history: |_, slip, radius| {
-            let rise = (slip / (2e-3 * radius)).min(1.0);
-            rise * (0.5 + 0.5 * (-slip / (0.02 * radius)).exp())
-        },
-        ..PowerLaw::hertz()
-    };
-    let peak = PowerLaw::hertz();
     let surface = surface(Box::new(Gaussian::new(1e-6)));
-    let found = predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
-    let bound = predicted(&peak, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+    let of = |law: PowerLaw| predicted(&law, &surface, &[1e6], &[1.0], LoadingControl::Load).unwrap();
+    let (found, bound) = (of(weakening(0.0, 0.0)), of(PowerLaw::hertz()));
     let (found, bound) = (&found.friction[0][0], &bound.friction[0][0]);
     let ratio = found.mu_static.value / bound.sliding.mu.value;
     assert!(ratio < 0.97 && ratio > 0.7, "{ratio}");
@@ -87,7 +96,7 @@ fn of_life(contact_life: ContactLife, steady: Option<Estimate>) -> (Friction, Ve
     let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
     let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
-    let mut found = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
+    let mut found = of_query(&law, &surface, &query);
     (found.friction.remove(0).remove(0), found.warnings)
 }
 
@@ -224,7 +233,7 @@ fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
     let predicted = |loading: &NormalLoading, control, interaction| {
         let (slip_rates, contact_life) = (vec![1.0], ContactLife::default());
         let query = Query { slip_rates, control, contact_life, interaction, ..query(loading.clone()) };
-        predict(law.as_ref(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap()
+        of_query(law.as_ref(), &surface, &query)
     };
     let of_size = |nominal_size| Interaction::MeanPressure { nominal_size };
     let cell = |prediction: &Prediction| prediction.friction[0][0].clone();

@@ -168,6 +168,12 @@ mod tests {
     use super::*;
     use std::path::Path;
 
+    /// With cells without results interpolated around.
+    fn base(table: &str, file: &SurfaceFile, settings: &Settings) -> Prediction {
+        let law = LawSource::open(table, file.material.as_ref(), None, true).unwrap().law;
+        predict(law.as_ref(), &file.surface, &file.query, settings, &|_, _| ()).unwrap()
+    }
+
     #[test]
     fn constants_in_which_tables_differ_are_found() {
         let [one, other] = [("400e6", "0.3", "5"), ("420e6", "0.4", "7")].map(|(strength, exponent, last)| {
@@ -209,8 +215,7 @@ yield_strength = 4e6
 ";
         let file = SurfaceFile::parse(Path::new("surface.toml"), text.into()).unwrap();
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
-        let law = LawSource::open("model:hertz", file.material.as_ref(), None, false).unwrap().law;
-        let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
+        let base = base("model:hertz", &file, &settings);
         let mu = base.friction[0][0].sliding.mu.value;
         let found = propagate(&file, ("model:hertz", false), &base, &settings, &|_, _| ()).unwrap();
         let relative = [0.0, 0.005, -0.01, -0.005, 0.01];
@@ -250,8 +255,7 @@ asperity_density = 1e7
         );
         let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
         let settings = Settings { slip_points: 8, ..Settings::default() };
-        let law = LawSource::open(path, None, None, true).unwrap().law;
-        let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
+        let base = base(path, &file, &settings);
         let found = |missing| propagate(&file, (path, missing), &base, &settings, &|_, _| ());
         assert!(found(true).unwrap().std(0, 0) > 0.0);
         assert!(found(false).unwrap_err().to_string().contains("no convergence"));
@@ -266,9 +270,8 @@ asperity_density = 1e7
                  query = {{ pressure = [1e6], slip_rate = [{slip_rate:?}] }}\nuncertainty = {{ asperity_radius = 2e-5 }}\n"
             );
             let file = SurfaceFile::parse(Path::new("surface.toml"), text).unwrap();
-            let law = LawSource::open("steel-4340", None, None, false).unwrap().law;
             let settings = Settings::default();
-            let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
+            let base = base("steel-4340", &file, &settings);
             let found = propagate(&file, ("steel-4340", false), &base, &settings, &|_, _| ()).unwrap();
             (found.contributions[0][0][0], found.warnings)
         };
@@ -303,9 +306,8 @@ uncertainty = { KEY }
         let material = text.replace("KEY", "youngs_modulus = 1e9")
             + "material = { youngs_modulus = 200e9, poisson_ratio = 0.3, yield_strength = 1e9 }\n";
         let file = SurfaceFile::parse(Path::new("s.toml"), material).unwrap();
-        let law = LawSource::open("model:hertz", file.material.as_ref(), None, false).unwrap().law;
         let settings = Settings::default();
-        let base = predict(law.as_ref(), &file.surface, &file.query, &settings, &|_, _| ()).unwrap();
+        let base = base("model:hertz", &file, &settings);
         let error = propagate(&file, ("table.nc", false), &base, &settings, &|_, _| ()).unwrap_err();
         assert!(error.to_string().starts_with("uncertainty.youngs_modulus: constants"));
         let file = parse("tables = { yield_strength = \"up.nc\" }").unwrap();

@@ -3,23 +3,10 @@
 use super::*;
 use crate::friction::quantities::QUANTITIES;
 
-/// Friction that weakens to half within some contact radii, as heat softens asperities.
-fn weakening(load_growth: f64, relative_error: f64) -> PowerLaw {
-    PowerLaw {
-        history: |_, slip, radius| {
-            let rise = (slip / (2e-3 * radius)).min(1.0);
-            rise * (0.5 + 0.5 * (-slip / (0.02 * radius)).exp())
-        },
-        load_growth,
-        relative_error,
-        ..PowerLaw::hertz()
-    }
-}
-
 fn held(law: &PowerLaw, loading: NormalLoading, control: LoadingControl) -> Vec<Friction> {
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let query = Query { control, ..query(loading) };
-    let found = predict(law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
+    let found = of_query(law, &surface, &query);
     found.friction.concat()
 }
 
@@ -82,7 +69,7 @@ fn the_surface_at_rest_has_the_same_errors_whatever_is_held() {
     // Of a given separation the pressure is uncertain instead, and with it the friction stress under that load.
     let loading = NormalLoading::Separation(vec![2e-6]);
     let query = Query { control: LoadingControl::Load, ..query(loading) };
-    let cell = &predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap().friction[0][0];
+    let cell = &of_query(&law, &surface, &query).friction[0][0];
     assert!((relative(cell.pressed.pressure) - 0.02).abs() < 1e-4 && cell.pressed.separation.error == 0.0);
     assert!((relative(cell.sliding.pressure) - 0.02).abs() < 1e-4);
     assert!((relative(cell.sliding.shear) - relative(cell.sliding.mu) - 0.02).abs() < 1e-4);

@@ -14,12 +14,16 @@ fn scatter(samples: &Samples, row: usize, of: impl Fn(&SampledState) -> f64) -> 
     Scatter::of(samples.states[row].iter().map(of))
 }
 
+fn sampled(law: &dyn AsperityLaw, surface: &Surface, query: &Query, sampling: &Sampling) -> Samples {
+    sample(law, surface, query, sampling, &Settings::default(), &|_, _| ()).unwrap()
+}
+
 fn samples(asperities: usize) -> Samples {
     let law = PowerLaw::hertz();
     let surface = surface(Box::new(Exponential::new(1e-6)));
     let query = query(NormalLoading::Pressure(vec![1e6, 1e8]));
     let sampling = Sampling { asperities, realizations: 300, seed: 7, slip: Some(1.0) };
-    sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap()
+    sampled(&law, &surface, &query, &sampling)
 }
 
 #[test]
@@ -57,8 +61,7 @@ fn finite_surfaces_agree_with_the_integral_within_their_confidence_intervals() {
         };
         let query = query(NormalLoading::Separation(vec![0.0, 0.5e-6]));
         let sampling = Sampling { asperities: 500, realizations: 400, seed: 11, slip: Some(1e-8) };
-        let settings = Settings::default();
-        let samples = sample(law.as_ref(), &surface, &query, &sampling, &settings, &|_, _| ()).unwrap();
+        let samples = sampled(law.as_ref(), &surface, &query, &sampling);
         let asperities = Asperities::new(law.as_ref(), &surface, 1.0).unwrap().map(|one| one.after(1e-8));
         let mut integral = SurfaceIntegral::new(&asperities, surface.heights.as_ref(), 1e10, 1e-9);
         for (row, &separation) in query.loading.values().iter().enumerate() {
@@ -88,7 +91,7 @@ fn surfaces_whose_summits_are_of_one_height_slide() {
     let query = query(NormalLoading::Pressure(vec![1e6]));
     let sampling = Sampling { asperities: 2, realizations: 20, seed: 3, slip: Some(1.0) };
     let law = PowerLaw::hertz();
-    let found = sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap();
+    let found = sampled(&law, &surface, &query, &sampling);
     let contacts: Vec<f64> = found.states[0].iter().map(|one| one.contacts).collect();
     assert!(contacts.contains(&2.0), "{contacts:?}");
     assert!(found.states[0].iter().all(|one| one.state.mu.value > 0.0));
@@ -102,7 +105,7 @@ fn samples_that_rest_on_unsteady_friction_say_so() {
     for (error, said) in [(0.01, false), (0.1, true)] {
         let law =
             PowerLaw { last_slip: 20.0, steady: Some(Estimate { value: 0.4, error }), ..PowerLaw::hertz() };
-        let found = sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap();
+        let found = sampled(&law, &surface, &query, &sampling);
         assert_eq!(found.warnings.iter().any(|one| matches!(one, Warning::Unsteady { .. })), said);
     }
 }
@@ -114,7 +117,7 @@ fn samples_of_slides_that_end_in_stick_say_so() {
     let sampling = Sampling { asperities: 100, realizations: 5, seed: 1, slip: Some(1e-3) };
     for stuck_above in [2.0, f64::INFINITY] {
         let law = PowerLaw { last_slip: 0.01, stuck_above, ..PowerLaw::hertz() };
-        let found = sample(&law, &surface, &query, &sampling, &Settings::default(), &|_, _| ()).unwrap();
+        let found = sampled(&law, &surface, &query, &sampling);
         let said = found.warnings.iter().any(|one| matches!(one, Warning::SamplesNotSliding { .. }));
         assert_eq!(said, stuck_above == 2.0, "{:?}", found.warnings);
     }

@@ -99,20 +99,6 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
             "nominal_size = 0.01",
             "surface.toml: query.nominal_size: has no meaning without interaction = \"mean-pressure\"",
         ),
-        ("= 0.3", "= 0.5", "surface.toml: material.poisson_ratio = 0.5: must be at least 0 and below 0.5"),
-        (
-            "\"gaussian\"",
-            "\"gausian\"",
-            "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, inverted-chi-squared, sample, histogram (did you mean \"gaussian\"?)",
-        ),
-    ] {
-        assert_eq!(message(from, to), expected);
-    }
-}
-
-#[test]
-fn a_rate_step_needs_two_rates_and_contacts_that_are_replaced() {
-    for (from, to, expected) in [
         (
             "hold = \"separation\"",
             "rate_step = { before = 0.1, after = 0.0 }",
@@ -122,6 +108,12 @@ fn a_rate_step_needs_two_rates_and_contacts_that_are_replaced() {
             "hold = \"separation\"",
             "rate_step = { before = 0.1, after = 1.0 }\ncontact_life = \"steady\"",
             "surface.toml: query.rate_step: needs contacts that are replaced by others; give contact_life as a number, not \"steady\"",
+        ),
+        ("= 0.3", "= 0.5", "surface.toml: material.poisson_ratio = 0.5: must be at least 0 and below 0.5"),
+        (
+            "\"gaussian\"",
+            "\"gausian\"",
+            "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, inverted-chi-squared, sample, histogram (did you mean \"gaussian\"?)",
         ),
     ] {
         assert_eq!(message(from, to), expected);
