@@ -56,16 +56,6 @@ impl Friction {
             ..self
         }
     }
-
-    /// [`weakening_energy`](Self::weakening_energy) per real contact area while sliding, J/m².
-    pub fn weakening_of_real_area(&self) -> Estimate {
-        self.weakening_energy.over(self.sliding.area_fraction)
-    }
-
-    /// [`energy_release`](Self::energy_release) per real contact area before the slide, J/m².
-    pub fn release_of_real_area(&self) -> Option<Estimate> {
-        self.energy_release.map(|energy| energy.over(self.pressed.area_fraction))
-    }
 }
 
 /// Result of a query.
