@@ -10,6 +10,7 @@
 //! The published pieces do not join: at ω* = 6 the load jumps by 1.7 % and the area by 2.9 %,
 //! at ω* = 110 the load by 8 %.
 
+pub use super::chang_etsion_bogy::HARDNESS;
 use super::chang_etsion_bogy::hardness_coefficient;
 
 /// ω* at which the pieces of the fits meet.
@@ -17,9 +18,6 @@ pub const BREAKS: [f64; 3] = [1.0, 6.0, 110.0];
 
 /// ω* above which there is no formula of friction.
 pub const FRICTION_LIMIT: f64 = BREAKS[1];
-
-/// H/σ_Y of the fully plastic piece.
-pub const HARDNESS: f64 = 2.8;
 
 /// P/P_c = ω*^{3/2}, 1.03 ω*^1.425, 1.40 ω*^1.263, and 2πRωH/P_c = (3/K) ω* above 110.
 pub fn load(interference: f64, poisson_ratio: f64) -> f64 {
