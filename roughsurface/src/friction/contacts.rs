@@ -99,7 +99,7 @@ fn temperature_mean(
     let area = state.area_fraction;
     let of_area = value * area.quadrature_error;
     let errors = [rise.law_error, rise.quadrature_error, of_area].map(|error| error / area.value);
-    let initial = asperities.classes()[0].1.initial_temperature()?;
+    let initial = asperities.classes[0].1.initial_temperature()?;
     Ok(Some(Estimate::with_errors(initial + value, errors.into_iter().chain([moved - value]))))
 }
 

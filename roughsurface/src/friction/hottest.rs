@@ -25,10 +25,10 @@ pub(crate) fn highest_temperature(
     let of = |classes, with_law_error: bool, closer: f64| {
         Contacts { classes, heights, separation: separation.value, with_law_error, closer }.temperature()
     };
-    let classes = asperities.classes();
+    let classes = &asperities.classes[..];
     let Some(value) = of(classes, false, 0.0)? else { return Ok(None) };
     let changed = [(classes, true, 0.0), (classes, false, separation.error)];
-    let coarse = asperities.coarse_classes().map(|coarse| (coarse, false, 0.0));
+    let coarse = asperities.coarse.iter().map(|coarse| (&coarse[..], false, 0.0));
     let mut errors = Vec::new();
     for (classes, with_law_error, closer) in changed.into_iter().chain(coarse) {
         errors.extend(of(classes, with_law_error, closer)?.map(|other| other - value));

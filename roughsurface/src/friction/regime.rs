@@ -40,7 +40,7 @@ impl RegimeShares {
     /// Of `asperities` under a flat at `separation` (m); `melting` is a temperature in kelvin.
     pub fn of(asperities: &Asperities, heights: &dyn Heights, separation: f64, melting: Option<f64>) -> Self {
         let (mut touching, mut yielded, mut molten) = (0.0, 0.0, 0.0);
-        for (share, asperity) in asperities.classes() {
+        for (share, asperity) in &asperities.classes {
             let above = |interference: f64| {
                 share * heights.tail(separation + interference * asperity.critical_interference())
             };

@@ -167,7 +167,7 @@ impl Case {
     /// Of the radius at which the law is most uncertain, where that counts.
     fn strain_rate(&self) -> Option<Warning> {
         const COUNTS: f64 = 0.01;
-        let classes = self.file.surface.asperity_radius.classes().iter();
+        let classes = self.file.surface.asperity_radius.classes.iter();
         let of_classes = classes.map(|&(_, radius)| (radius, self.source.law.radius_uncertainty(radius)));
         let (radius, share) = of_classes.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
         (share > COUNTS).then_some(Warning::StrainRate { radius, share })

@@ -176,7 +176,7 @@ impl Query {
     /// Refuses slip rates outside the range of the law that all `radii` have.
     pub fn check_slip_rates(&self, law: &dyn AsperityLaw, radii: &Radii) -> Result<(), LookupError> {
         let range @ (from, to) = radii.slip_rate_range(law);
-        if let [(_, smallest), .., (_, largest)] = *radii.classes()
+        if let [(_, smallest), .., (_, largest)] = radii.classes[..]
             && from > to
         {
             return Err(LookupError::NoSlipRateInCommon { smallest, largest });

@@ -14,9 +14,9 @@ use crate::surface::heights::Random;
 /// Something for each radius, by ascending radius, with the share of the summits that have it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByRadius<T> {
-    pub(crate) classes: Vec<(f64, T)>,
+    pub classes: Vec<(f64, T)>,
     /// For fewer radii of the same distribution, where it is a continuous one.
-    pub(crate) coarse: Option<Vec<(f64, T)>>,
+    pub coarse: Option<Vec<(f64, T)>>,
 }
 
 impl<T> ByRadius<T> {
@@ -37,16 +37,6 @@ impl<T> ByRadius<T> {
             classes.iter().map(|(share, one)| Ok((*share, of(one)?))).collect()
         };
         Ok(ByRadius { classes: all(&self.classes)?, coarse: self.coarse.as_ref().map(all).transpose()? })
-    }
-
-    /// Shares and what has them, by ascending radius.
-    pub fn classes(&self) -> &[(f64, T)] {
-        &self.classes
-    }
-
-    /// Fewer of them for the same distribution, where it is a continuous one.
-    pub fn coarse_classes(&self) -> Option<&[(f64, T)]> {
-        self.coarse.as_deref()
     }
 }
 
@@ -159,9 +149,9 @@ mod tests {
             let sum = |classes: &[(f64, f64)]| -> f64 {
                 classes.iter().map(|(share, radius)| share * (radius / 2e-4).powf(n)).sum()
             };
-            let fine = sum(radii.classes());
+            let fine = sum(&radii.classes);
             assert!((fine / exact - 1.0).abs() < 1e-9, "{n}: {fine} {exact}");
-            assert!((sum(radii.coarse_classes().unwrap()) / exact - 1.0).abs() < 1e-4, "{n}");
+            assert!((sum(radii.coarse.as_ref().unwrap()) / exact - 1.0).abs() < 1e-4, "{n}");
         }
         assert!((radii.mean() / 2e-4 - 1.0).abs() < 1e-14);
     }
@@ -169,7 +159,7 @@ mod tests {
     #[test]
     fn counted_classes_are_shares() {
         let radii = Radii::counted(&[3e-6, 1e-6], &[1.0, 3.0]).unwrap();
-        assert_eq!(radii.classes()[0], (0.75, 1e-6));
+        assert_eq!(radii.classes[0], (0.75, 1e-6));
         assert!((radii.mean() - 1.5e-6).abs() < 1e-20);
         assert!(Radii::counted(&[1e-6], &[1.0, 1.0]).is_none());
         assert!(Radii::counted(&[-1e-6], &[1.0]).is_none());

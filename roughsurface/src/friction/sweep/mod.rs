@@ -195,7 +195,7 @@ impl<'a> Sweep<'a> {
         pressed: &Pressed,
     ) -> Result<SlipState, PredictionError> {
         let asperities = asperities.map(|one| one.of_all_ages(life).with(Additional::UnsteadyLoad));
-        let known = asperities.classes().iter().all(|(_, asperity)| asperity.has_friction_of_all_ages());
+        let known = asperities.classes.iter().all(|(_, asperity)| asperity.has_friction_of_all_ages());
         let state = self.slid(cell, &mut self.integral(&asperities), pressed, &mut pressed.history())?;
         Ok(if known { state } else { state.without_friction() })
     }
@@ -351,7 +351,7 @@ impl<'a> Sweep<'a> {
         sliding: &SlipState,
     ) -> Option<Warning> {
         let slip_rate = self.query.slip_rates[rate];
-        let initial = self.asperities[rate].classes()[0].1.initial_temperature().ok()?;
+        let initial = self.asperities[rate].classes[0].1.initial_temperature().ok()?;
         let rise = contacts.temperature_mean?.value - initial;
         let flux = sliding.shear.value * slip_rate;
         let of_unit_length = 4.0 / 3.0 * flux / ((PI * slip_rate).sqrt() * self.settings.effusivity?);

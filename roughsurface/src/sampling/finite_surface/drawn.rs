@@ -18,8 +18,8 @@ pub(super) fn draw(surface: &Surface, asperities: usize, seed: u64) -> Drawn {
     let part = |heights| Sample::part(heights, surface.heights.standard_deviation());
     let radii = &surface.asperity_radius;
     let mut of_radius = Vec::new();
-    if radii.classes().len() > 1 {
-        let mut classes = vec![Vec::new(); radii.classes().len()];
+    if radii.classes.len() > 1 {
+        let mut classes = vec![Vec::new(); radii.classes.len()];
         for &height in &heights {
             classes[radii.draw(&mut random)].push(height);
         }

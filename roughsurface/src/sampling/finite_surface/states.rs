@@ -44,7 +44,7 @@ impl Summits<'_> {
         if self.of_radius.is_empty() {
             return SurfaceIntegral::new(asperities, self.heights, self.density, tolerance);
         }
-        let parts = self.of_radius.iter().zip(asperities.classes()).map(|(heights, (_, asperity))| {
+        let parts = self.of_radius.iter().zip(&asperities.classes).map(|(heights, (_, asperity))| {
             let share = heights.count() as f64 / self.count as f64;
             (share, HeightIntegral::new(asperity.clone(), heights, self.density, tolerance))
         });
