@@ -19,6 +19,9 @@ poisson_ratio = 0.3
 yield_strength = 400e6
 "#;
 
+/// A line of it in place of which others are tested.
+const HOLD: &str = "hold = \"separation\"";
+
 fn parse(text: &str) -> Result<SurfaceFile, SurfaceFileError> {
     SurfaceFile::parse(Path::new("surface.toml"), text.to_string())
 }
@@ -36,9 +39,9 @@ fn a_good_file_is_understood() {
     assert_eq!(file.surface.asperity_radius, Radii::from(1e-4));
     assert_eq!(file.material.unwrap().poisson_ratio, 0.3);
     assert_eq!(file.text, GOOD);
-    let short = parse(&GOOD.replace("hold = \"separation\"", "")).unwrap();
+    let short = parse(&GOOD.replace(HOLD, "")).unwrap();
     assert_eq!(short.query.control, LoadingControl::Load);
-    let hot = parse(&GOOD.replace("hold = \"separation\"", "temperature = 450")).unwrap();
+    let hot = parse(&GOOD.replace(HOLD, "temperature = 450")).unwrap();
     assert_eq!((hot.temperature, file.temperature), (Some(450.0), None));
 }
 
@@ -56,67 +59,59 @@ fn errors_are_one_line_with_file_key_value_and_rule() {
         (
             "pressure =",
             "presure =",
-            "surface.toml:7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, contact_life, interaction, nominal_size, rate_step, temperature",
+            ":7: query.presure: is not a key; did you mean pressure? known here: pressure, separation, slip_rate, hold, contact_life, interaction, nominal_size, rate_step, temperature",
         ),
         (
             "std = 0.5e-6",
             "sdt = 0.5e-6",
-            "surface.toml:5: surface.heights.sdt: is not a key; did you mean std? known here: distribution, std, shape, lower, upper, file",
+            ":5: surface.heights.sdt: is not a key; did you mean std? known here: distribution, std, shape, lower, upper, file",
         ),
         (
             "poisson_ratio",
             "poison_ratio",
-            "surface.toml:12: material.poison_ratio: is not a key; did you mean poisson_ratio? known here: youngs_modulus, poisson_ratio, yield_strength",
+            ":12: material.poison_ratio: is not a key; did you mean poisson_ratio? known here: youngs_modulus, poisson_ratio, yield_strength",
         ),
-        (
-            "[1e7, 1e5]",
-            "[1e7, -1e5]",
-            "surface.toml: query.pressure[1] = -1e5: must be finite and positive (Pa)",
-        ),
-        (
-            "hold = \"separation\"",
-            "temperature = -3.0",
-            "surface.toml: query.temperature = -3: must be a positive number (K)",
-        ),
-        ("[0.1, 1.0]", "[]", "surface.toml: query.slip_rate: must hold at least one value (m/s)"),
+        ("[1e7, 1e5]", "[1e7, -1e5]", ": query.pressure[1] = -1e5: must be finite and positive (Pa)"),
+        (HOLD, "temperature = -3.0", ": query.temperature = -3: must be a positive number (K)"),
+        ("[0.1, 1.0]", "[]", ": query.slip_rate: must hold at least one value (m/s)"),
         (
             "pressure = [1e7, 1e5]",
             "pressure = [1e7]\nseparation = [0.0]",
-            "surface.toml: query.separation: cannot be given together with pressure",
+            ": query.separation: cannot be given together with pressure",
         ),
         (
             "asperity_radius = 100e-6",
             "asperity_radius = 0.0",
-            "surface.toml: surface.asperity_radius = 0: must be a positive number (m)",
+            ": surface.asperity_radius = 0: must be a positive number (m)",
         ),
         (
-            "hold = \"separation\"",
+            HOLD,
             "interaction = \"mean-pressure\"",
-            "surface.toml: query.nominal_size: is missing; interaction = \"mean-pressure\" needs the side of the square nominal area in m",
+            ": query.nominal_size: is missing; interaction = \"mean-pressure\" needs the side of the square nominal area in m",
         ),
         (
-            "hold = \"separation\"",
+            HOLD,
             "nominal_size = 0.01",
-            "surface.toml: query.nominal_size: has no meaning without interaction = \"mean-pressure\"",
+            ": query.nominal_size: has no meaning without interaction = \"mean-pressure\"",
         ),
         (
-            "hold = \"separation\"",
+            HOLD,
             "rate_step = { before = 0.1, after = 0.0 }",
-            "surface.toml: query.rate_step.after = 0: must be a positive number (m/s)",
+            ": query.rate_step.after = 0: must be a positive number (m/s)",
         ),
         (
-            "hold = \"separation\"",
+            HOLD,
             "rate_step = { before = 0.1, after = 1.0 }\ncontact_life = \"steady\"",
-            "surface.toml: query.rate_step: needs contacts that are replaced by others; give contact_life as a number, not \"steady\"",
+            ": query.rate_step: needs contacts that are replaced by others; give contact_life as a number, not \"steady\"",
         ),
-        ("= 0.3", "= 0.5", "surface.toml: material.poisson_ratio = 0.5: must be at least 0 and below 0.5"),
+        ("= 0.3", "= 0.5", ": material.poisson_ratio = 0.5: must be at least 0 and below 0.5"),
         (
             "\"gaussian\"",
             "\"gausian\"",
-            "surface.toml: surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, inverted-chi-squared, sample, histogram (did you mean \"gaussian\"?)",
+            ": surface.heights.distribution = \"gausian\": must be one of gaussian, exponential, uniform, truncated-gaussian, weibull, lognormal, inverted-chi-squared, sample, histogram (did you mean \"gaussian\"?)",
         ),
     ] {
-        assert_eq!(message(from, to), expected);
+        assert_eq!(message(from, to), format!("surface.toml{expected}"));
     }
 }
 
@@ -160,7 +155,7 @@ fn radii_may_be_distributed() {
 fn types_syntax_and_missing_keys_are_explained() {
     let wrong_type = message("[1e7, 1e5]", "[\"many\"]");
     assert!(wrong_type.starts_with("surface.toml:7: query.pressure[0]: invalid type"), "{wrong_type}");
-    let hold = message("hold = \"separation\"", "hold = \"distance\"");
+    let hold = message(HOLD, "hold = \"distance\"");
     assert!(hold.starts_with("surface.toml:9: query.hold: unknown variant"), "{hold}");
     let missing = message("asperity_radius = 100e-6", "");
     assert!(missing.ends_with("surface.asperity_radius: is missing"), "{missing}");
