@@ -61,9 +61,11 @@ impl Slice {
             }
         }
         let axes = |table: &Slice| format!("{:?}", table.axes());
-        let radius = |table: &Slice| table.metadata().asperity_radius.to_string();
-        for (what, of) in [("asperity_radius", &radius as &dyn Fn(&Slice) -> String), ("their axes", &axes)] {
-            let (here, there) = (of(self), of(other));
+        let values = [
+            ("asperity_radius", here.asperity_radius.to_string(), there.asperity_radius.to_string()),
+            ("their axes", axes(self), axes(other)),
+        ];
+        for (what, here, there) in values {
             if here != there {
                 return Err(TableError::Different { what, here, there });
             }
