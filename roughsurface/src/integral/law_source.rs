@@ -93,9 +93,6 @@ impl LawSource {
         };
         let youngs_modulus =
             number(&scene, &["material", "youngs_modulus"]).unwrap_or(material.youngs_modulus);
-        let melting_temperature = number(&scene, &["material", "softening", "melting"]);
-        let inception_time = inception_time(&scene, &material);
-        let effusivity = effusivity(&scene);
         let initial_temperature = Some(metadata.temperature);
         let counterface = Some(Counterface {
             words: metadata.counterface_in_words(),
@@ -111,9 +108,9 @@ impl LawSource {
             law: Box::new(table),
             material,
             youngs_modulus,
-            melting_temperature,
-            inception_time,
-            effusivity,
+            melting_temperature: number(&scene, &["material", "softening", "melting"]),
+            inception_time: inception_time(&scene, &material),
+            effusivity: effusivity(&scene),
             initial_temperature,
             missing_cells,
             counterface,
