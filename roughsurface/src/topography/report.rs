@@ -96,11 +96,9 @@ fn text_of_face(found: &Characterization) -> String {
         ("skewness of heights", None, search.skewness),
         ("kurtosis of heights", None, search.kurtosis),
     ] {
-        let moments = moments.map_or("-".to_string(), |value| format!("{value:.4e}"));
-        let search = if name.starts_with("skew") || name.starts_with("kurt") {
-            format!("{search:.3}")
-        } else {
-            format!("{search:.4e}")
+        let (moments, search) = match moments {
+            Some(moments) => (format!("{moments:.4e}"), format!("{search:.4e}")),
+            None => ("-".to_owned(), format!("{search:.3}")),
         };
         let _ = writeln!(text, "{name:<44} {moments:>14}   {search:>14}");
     }
