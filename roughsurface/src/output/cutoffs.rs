@@ -3,7 +3,8 @@
 use crate::friction::Friction;
 use crate::friction::cutoff::AtCutoff;
 use crate::friction::quantities::Quantity;
-use crate::output::result_tables::Rows;
+use crate::output::figure::chosen;
+use crate::output::result_tables::{Rows, head};
 use crate::sampling::case::Results;
 use serde_json::{Value, json};
 use tables::law::Estimate;
@@ -85,20 +86,15 @@ pub(super) fn json(cutoffs: &[AtCutoff], rates: usize) -> Value {
 /// Rows for each pressure or separation and cut-off, at the lowest and the highest slip rate; empty for a
 /// surface file.
 pub(super) fn rows(results: &Results) -> Rows {
-    let query = &results.prediction.query;
-    let last = query.slip_rates.len() - 1;
-    let rates = if last == 0 { vec![0] } else { vec![0, last] };
     if results.cutoffs.is_empty() {
         return Rows::new();
     }
-    let mut head: Vec<String> =
-        [query.loading.heading(), "cut-off [m]", "eta [1/m2]", "R [m]", "sigma_s [m]"]
-            .map(String::from)
-            .to_vec();
+    let query = &results.prediction.query;
+    let rates = chosen(query.slip_rates.len(), 2);
+    let mut rows = head(results, ["cut-off [m]", "eta [1/m2]", "R [m]", "sigma_s [m]"]);
     for &rate in &rates {
-        head.extend(SHOWN.map(|name| format!("{name} at {} m/s", query.slip_rates[rate])));
+        rows[0].extend(SHOWN.map(|name| format!("{name} at {} m/s", query.slip_rates[rate])));
     }
-    let mut rows = vec![head];
     for (index, load) in query.loading.values().iter().enumerate() {
         for at in &results.cutoffs {
             let mut row = vec![format!("{load:.3e}"), format!("{:.3e}", at.cutoff)];
