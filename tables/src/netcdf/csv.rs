@@ -101,11 +101,8 @@ mod tests {
     #[test]
     fn lines_have_names_units_and_exact_numbers() {
         let axes = Axes { interference: vec![0.5], slip_rate: vec![0.0, 1.0], slip: vec![0.0, 2.0] };
-        let mut slice = Slice::new(axes, Metadata::default()).unwrap();
-        slice.set_metadata(Metadata {
-            fracture_energy: Some(FractureEnergy { coefficient: 2e9, radius_exponent: 1 }),
-            ..Metadata::default()
-        });
+        let fracture_energy = Some(FractureEnergy { coefficient: 2e9, radius_exponent: 1 });
+        let mut slice = Slice::new(axes, Metadata { fracture_energy, ..Metadata::default() }).unwrap();
         let mut cell = Cell::new()
             .with(Quantity::EnergyRelease, 500.0, 0.0)
             .with(Quantity::Friction, 0.1 + 0.2, f64::NAN)
