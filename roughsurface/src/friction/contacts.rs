@@ -59,8 +59,6 @@ impl Contacts {
         let yielded = of_yielded.at(separation.value)?;
         let flowed = integral(Additional::StuckLoad, REGIMES[1]).at(separation.value)?;
         let beginning = integral(Additional::InceptionError, law_start).at(separation.value)?;
-        let of_load =
-            |state: &ContactState| state.additional.map_or(0.0, |part| part.value / state.pressure.value);
         let (plastic, flowing) = (yielded.outside, flowed.outside);
         let temperature_mean = temperature_mean(asperities, &mut of_yielded, separation, yielded)?;
         let temperature_max = match temperature_mean {
@@ -74,8 +72,8 @@ impl Contacts {
             elastic_plastic_load: (plastic - flowing).max(0.0),
             fully_plastic_load: flowing,
             below_law_load: (1.0 - beginning.outside).max(0.0),
-            stuck_load: of_load(&flowed),
-            inception_error: of_load(&beginning),
+            stuck_load: flowed.additional_share(),
+            inception_error: beginning.additional_share(),
             temperature_mean,
             temperature_max,
         })

@@ -115,7 +115,8 @@ impl SlipState {
             contact_density: exact(state.contact_density),
             outside: state.outside,
             beyond: state.beyond,
-            unknown_load: unknown_load(state),
+            // Sliding surfaces ask for no other quantity than the unsteady or the stuck load.
+            unknown_load: state.additional_share(),
         }
     }
 }
@@ -137,12 +138,6 @@ impl HeldSeparation {
         let law_error = if slope > 0.0 { load.law_error / slope } else { 0.0 };
         Self { error: before.separation_error(pressure), law_error }
     }
-}
-
-/// Share of [`Additional::UnsteadyLoad`](crate::integral::asperity_at_slip::Additional) or `StuckLoad`: sliding surfaces ask for
-/// no other additional quantity.
-fn unknown_load(state: &ContactState) -> f64 {
-    state.additional.map_or(0.0, |load| load.value / state.pressure.value)
 }
 
 /// Start of sliding of a whole surface.

@@ -71,6 +71,11 @@ impl ContactState {
         }
     }
 
+    /// The additional quantity, a part of the load, over the load; 0 where there is none.
+    pub fn additional_share(&self) -> f64 {
+        self.additional.map_or(0.0, |part| part.value / self.pressure.value)
+    }
+
     /// Friction over load.
     ///
     /// With μ = Q/P of the asperity and ⟨·⟩ a mean over asperities weighted by friction or by load, the error of the law
