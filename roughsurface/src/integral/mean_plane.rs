@@ -125,7 +125,7 @@ mod tests {
         let heights = Exponential::new(sigma);
         let asperity = AsperityAtSlip::new(law.as_ref(), radius, 1.0, 0.0).unwrap();
         let mut integral =
-            SurfaceIntegral::of_parts(vec![(1.0, HeightIntegral::new(asperity, &heights, density, 1e-12))]);
+            SurfaceIntegral::of_classes(vec![(1.0, HeightIntegral::new(asperity, &heights, density, 1e-12))]);
         let zero =
             density * std::f64::consts::PI.sqrt() * STEEL.contact_modulus() * (radius * sigma).sqrt() * sigma;
         for nominal_size in [1e-7, 1e-5, 1e-3, 1e-2] {

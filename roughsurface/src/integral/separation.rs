@@ -208,7 +208,7 @@ mod tests {
         let std = 1e-6;
         let heights: [&dyn Heights; 3] = [&Gaussian::new(std), &Exponential::new(std), &Uniform::new(std)];
         for heights in heights {
-            let mut integral = SurfaceIntegral::of_parts(vec![(
+            let mut integral = SurfaceIntegral::of_classes(vec![(
                 1.0,
                 HeightIntegral::new(asperity.clone(), heights, 1e10, 1e-12),
             )]);
@@ -235,7 +235,7 @@ mod tests {
         let asperity = AsperityAtSlip::new(&law, 1e-4, 1.0, 0.0).unwrap();
         let heights = Sample::new(vec![0.0, 1e-6, 2.5e-6]).unwrap();
         let mut integral =
-            SurfaceIntegral::of_parts(vec![(1.0, HeightIntegral::new(asperity, &heights, 1e10, 1e-10))]);
+            SurfaceIntegral::of_classes(vec![(1.0, HeightIntegral::new(asperity, &heights, 1e10, 1e-10))]);
         let origin = Predictor::at(0.0, &heights);
         let found = separation_for(&mut integral, &heights, 1e-3, origin, 1e-10).unwrap();
         assert!(found.separation < 2.5e-6 && found.separation > 2.4e-6);

@@ -19,7 +19,7 @@ impl<'a> Asperities<'a> {
 }
 
 /// A rough surface at one slip rate and slip, for any separation.
-pub struct SurfaceIntegral<'a>(ByRadius<HeightIntegral<'a>>);
+pub type SurfaceIntegral<'a> = ByRadius<HeightIntegral<'a>>;
 
 impl<'a> SurfaceIntegral<'a> {
     /// `heights` of `asperity_density` (1/m²) summits; `tolerance` as in [`HeightIntegral::new`].
@@ -29,25 +29,17 @@ impl<'a> SurfaceIntegral<'a> {
         asperity_density: f64,
         tolerance: f64,
     ) -> Self {
-        let integral = |asperity: &AsperityAtSlip<'a>| {
-            HeightIntegral::new(asperity.clone(), heights, asperity_density, tolerance)
-        };
-        Self(asperities.map(integral))
-    }
-
-    /// Asperities of each radius with heights of their own, and the share of the summits.
-    pub fn of_parts(classes: Vec<(f64, HeightIntegral<'a>)>) -> Self {
-        Self(ByRadius::of_classes(classes))
+        asperities.map(|asperity| HeightIntegral::new(asperity.clone(), heights, asperity_density, tolerance))
     }
 
     /// The state at `separation` (m).
     pub fn at(&mut self, separation: f64) -> Result<ContactState, LookupError> {
-        sum(&mut self.0.classes, separation)
+        sum(&mut self.classes, separation)
     }
 
     /// Adds to a state at `separation` (m) the errors that a search for the separation does not need.
     pub fn complete_errors(&mut self, separation: f64, state: &mut ContactState) -> Result<(), LookupError> {
-        if let Some(coarse) = &mut self.0.coarse {
+        if let Some(coarse) = &mut self.coarse {
             let other = sum(coarse, separation)?;
             let widen = |integral: &mut Integral, other: Integral| {
                 integral.quadrature_error += (integral.value - other.value).abs();

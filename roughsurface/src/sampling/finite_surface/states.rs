@@ -48,7 +48,7 @@ impl Summits<'_> {
             let share = heights.count() as f64 / self.count as f64;
             (share, HeightIntegral::new(asperity.clone(), heights, self.density, tolerance))
         });
-        SurfaceIntegral::of_parts(parts.filter(|(share, _)| *share > 0.0).collect())
+        SurfaceIntegral::of_classes(parts.filter(|(share, _)| *share > 0.0).collect())
     }
 
     /// At every pressure or separation and slip rate, row by row.
