@@ -26,11 +26,11 @@ fn predicted(
         contact_life: ContactLife::Steady,
         ..query(NormalLoading::Pressure(pressures.to_vec()))
     };
-    predict(law, surface, &query, &Settings::default(), &|_, _| ())
+    of_query(law, surface, &query)
 }
 
-fn of_query(law: &dyn AsperityLaw, surface: &Surface, query: &Query) -> Prediction {
-    predict(law, surface, query, &Settings::default(), &|_, _| ()).unwrap()
+fn of_query(law: &dyn AsperityLaw, surface: &Surface, query: &Query) -> Result<Prediction, PredictionError> {
+    predict(law, surface, query, &Settings::default(), &|_, _| ())
 }
 
 /// Friction that weakens to half within some contact radii, as heat softens asperities.
@@ -96,7 +96,7 @@ fn of_life(contact_life: ContactLife, steady: Option<Estimate>) -> (Friction, Ve
     let law = PowerLaw { history, last_slip: 2.0, steady, ..PowerLaw::hertz() };
     let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
     let surface = surface(Box::new(Gaussian::new(1e-6)));
-    let mut found = of_query(&law, &surface, &query);
+    let mut found = of_query(&law, &surface, &query).unwrap();
     (found.friction.remove(0).remove(0), found.warnings)
 }
 
@@ -191,7 +191,7 @@ fn few_heights_of_a_sample_in_contact_are_named() {
     let surface = surface(Box::new(Sample::new(heights).unwrap()));
     let few = |separation: f64| {
         let query = query(NormalLoading::Separation(vec![separation]));
-        let found = predict(&PowerLaw::hertz(), &surface, &query, &Settings::default(), &|_, _| ()).unwrap();
+        let found = of_query(&PowerLaw::hertz(), &surface, &query).unwrap();
         found.warnings.into_iter().find_map(|warning| match warning {
             Warning::FewContacts { count, .. } => Some(count),
             _ => None,
@@ -222,7 +222,7 @@ fn rates_outside_the_table_and_empty_gaps_are_refused() {
     let error = predicted(&law, &surface, &[1e6], &[1e3], LoadingControl::Load).unwrap_err();
     assert!(error.to_string().contains("outside the table"));
     let query = query(NormalLoading::Separation(vec![2e-6]));
-    let error = predict(&law, &surface, &query, &Settings::default(), &|_, _| ()).unwrap_err();
+    let error = of_query(&law, &surface, &query).unwrap_err();
     assert_eq!(error.to_string(), "a separation of 2e-6 m leaves no asperity in contact");
 }
 
@@ -233,7 +233,7 @@ fn the_mean_pressure_moves_the_plane_and_leaves_friction_at_a_pressure() {
     let predicted = |loading: &NormalLoading, control, interaction| {
         let (slip_rates, contact_life) = (vec![1.0], ContactLife::default());
         let query = Query { slip_rates, control, contact_life, interaction, ..query(loading.clone()) };
-        of_query(law.as_ref(), &surface, &query)
+        of_query(law.as_ref(), &surface, &query).unwrap()
     };
     let of_size = |nominal_size| Interaction::MeanPressure { nominal_size };
     let cell = |prediction: &Prediction| prediction.friction[0][0].clone();
@@ -313,8 +313,7 @@ fn results_are_unknown_only_where_their_contacts_have_none() {
     let surface = surface(Box::new(Uniform::new(0.5e-7)));
     let at = |separation: f64| {
         let query = query(NormalLoading::Separation(vec![separation]));
-        predict(&law, &surface, &query, &Settings::default(), &|_, _| ())
-            .map(|found| found.friction[0][0].clone())
+        of_query(&law, &surface, &query).map(|found| found.friction[0][0].clone())
     };
     let deep = at(-10e-7).unwrap();
     assert!((deep.mu_steady.value - 0.4).abs() < 1e-6, "{:?}", deep.mu_steady);

@@ -6,8 +6,7 @@ use crate::friction::quantities::QUANTITIES;
 fn held(law: &PowerLaw, loading: NormalLoading, control: LoadingControl) -> Vec<Friction> {
     let surface = surface(Box::new(Gaussian::new(1e-6)));
     let query = Query { control, ..query(loading) };
-    let found = of_query(law, &surface, &query);
-    found.friction.concat()
+    of_query(law, &surface, &query).unwrap().friction.concat()
 }
 
 #[test]
@@ -69,7 +68,7 @@ fn the_surface_at_rest_has_the_same_errors_whatever_is_held() {
     // Of a given separation the pressure is uncertain instead, and with it the friction stress under that load.
     let loading = NormalLoading::Separation(vec![2e-6]);
     let query = Query { control: LoadingControl::Load, ..query(loading) };
-    let cell = &of_query(&law, &surface, &query).friction[0][0];
+    let cell = &of_query(&law, &surface, &query).unwrap().friction[0][0];
     assert!((relative(cell.pressed.pressure) - 0.02).abs() < 1e-4 && cell.pressed.separation.error == 0.0);
     assert!((relative(cell.sliding.pressure) - 0.02).abs() < 1e-4);
     assert!((relative(cell.sliding.shear) - relative(cell.sliding.mu) - 0.02).abs() < 1e-4);

@@ -10,7 +10,7 @@ fn large_real_areas_are_warned_of_with_the_key_that_helps() {
     let surface = surface(Box::new(Gaussian::new(3e-8)));
     let warned = |pressure, interaction| {
         let query = Query { interaction, ..query(NormalLoading::Pressure(vec![pressure])) };
-        let found = of_query(law.as_ref(), &surface, &query);
+        let found = of_query(law.as_ref(), &surface, &query).unwrap();
         let area = found.friction[0][0].sliding.area_fraction.value;
         let named = |warning: &Warning| match warning {
             Warning::AsperitiesInteract { .. } => "interact",
@@ -54,7 +54,7 @@ fn contacts_that_hardly_slide_are_warned_of() {
     let found = |life: f64| {
         let contact_life = ContactLife::Diameters(life);
         let query = Query { contact_life, ..query(NormalLoading::Pressure(vec![1e6])) };
-        of_query(&law, &surface, &query)
+        of_query(&law, &surface, &query).unwrap()
     };
     let lives = |found: &Prediction| {
         let life = found.warnings.iter().find_map(|warning| match warning {
