@@ -10,25 +10,24 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Topography, String> {
     let end = bytes.iter().position(|byte| *byte == 0).ok_or("the header of the GSF file has no end")?;
     let header = std::str::from_utf8(&bytes[..end]).map_err(|_| "the header of the GSF file is no UTF-8")?;
     let field = |key: &str| {
-        header.lines().skip(1).find_map(|line| {
-            let (name, value) = line.split_once('=')?;
-            (name.trim() == key).then(|| value.trim())
-        })
+        let mut fields = header.lines().skip(1).filter_map(|line| line.split_once('='));
+        let field = fields.find(|(name, _)| name.trim() == key).map(|(_, value)| value.trim());
+        field.ok_or_else(|| format!("{key}: is missing from the GSF header"))
     };
     let points = |key: &str| -> Result<usize, String> {
-        let text = field(key).ok_or_else(|| format!("{key}: is missing from the GSF header"))?;
+        let text = field(key)?;
         let rule = || format!("{key} = {text}: must be a positive number of points");
         text.parse().ok().filter(|points| *points > 0).ok_or_else(rule)
     };
     let (columns, rows) = (points("XRes")?, points("YRes")?);
     let unit = |key: &str| -> Result<f64, String> {
-        let symbol = field(key).unwrap_or("");
+        let symbol = field(key).unwrap_or_default();
         let rule = || format!("{key} = \"{symbol}\": must be a unit of length such as m or um");
         length::unit(symbol).ok_or_else(rule)
     };
     let (lateral, vertical) = (unit("XYUnits")?, unit("ZUnits")?);
     let extent = |key: &str| -> Result<f64, String> {
-        let text = field(key).ok_or_else(|| format!("{key}: is missing from the GSF header"))?;
+        let text = field(key)?;
         text.parse::<f64>().map_err(|_| format!("{key} = {text}: must be a length"))
     };
     let (width, height) = (extent("XReal")? * lateral, extent("YReal")? * lateral);

@@ -3,8 +3,8 @@
 
 use super::length;
 use super::profile::profile;
+use super::reading::Reading;
 use crate::topography::Topography;
-use crate::topography::warning::Warning;
 use std::path::Path;
 use tables::netcdf::DatasetReader;
 
@@ -14,15 +14,12 @@ pub(super) fn read(file: &Path) -> Result<Topography, String> {
         "has no variable \"heights\"; NetCDF files must be as SurfaceTopography writes them".to_string()
     })?;
     let mut remarks = Vec::new();
-    let unit = match reader.variable_text("heights", "unit").or_else(|| reader.variable_text("x", "unit")) {
-        Some(symbol) => length::unit(&symbol).ok_or_else(|| {
-            format!("heights:unit = \"{symbol}\": must be a unit of length such as m or um")
-        })?,
-        None => {
-            remarks.push(Warning::NoUnit);
-            1.0
-        }
+    let symbol = reader.variable_text("heights", "unit").or_else(|| reader.variable_text("x", "unit"));
+    let metres = |symbol: String| {
+        let rule = || format!("heights:unit = \"{symbol}\": must be a unit of length such as m or um");
+        length::unit(&symbol).ok_or_else(rule)
     };
+    let unit = Reading::default().unit(symbol.map(metres).transpose()?, &mut remarks);
     let heights = heights(&reader, &shape, unit)?;
     let step = |name: &str, points: usize| -> Result<f64, String> {
         let extent = reader.variable_real(name, "length");
