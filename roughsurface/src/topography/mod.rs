@@ -26,7 +26,7 @@ pub mod warning;
 #[cfg(test)]
 mod synthetic;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::surface::messages::short;
 use warning::Warning;
@@ -93,10 +93,4 @@ impl Topography {
 pub struct TopographyError {
     pub file: PathBuf,
     pub what: String,
-}
-
-impl TopographyError {
-    pub(crate) fn new(file: &Path, what: impl Into<String>) -> Self {
-        Self { file: file.to_path_buf(), what: what.into() }
-    }
 }

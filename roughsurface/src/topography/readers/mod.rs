@@ -50,7 +50,7 @@ pub fn is_topography(file: &Path) -> bool {
 /// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, NPY, or text:
 /// a matrix of heights, columns x y z, x z, or z.
 pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyError> {
-    let error = |what: String| TopographyError::new(file, what);
+    let error = |what: String| TopographyError { file: file.to_path_buf(), what };
     let bytes = read_regular(file).map_err(|reason| error(format!("cannot be read: {reason}")))?;
     let parsed = if bytes.starts_with(npy::MAGIC) {
         npy::parse(&bytes, reading)
