@@ -8,6 +8,10 @@ of the moving body the wave is seen times J0(k V t), in the mean over directions
 
 Prints, over the Peclet number Va/(2 kappa) and the slip over a: the share of the heat that enters the body at rest, and the mean
 displacement of the moving surface over the disc, over that of the surface at rest.
+
+With --shape: mean, slope and curvature of the height of the moving surface under a constant uniform flux, by least squares over the
+disc, and what their remainder would add to the load of an elastic contact, over what the height adds (pressure of a flat punch as
+the weight). Fast Fourier transforms in a box of 24 a.
 """
 
 import argparse
@@ -50,11 +54,43 @@ def expansion(peclet, slip, steps=150):
     return share[-1], np.dot(other, 1 - share) / np.dot(own, share)
 
 
+def shape(peclet, slip, cells=256, box=24.0, steps=400):
+    """Mean, slope and curvature of the height over 2 (1 + nu) alpha q a^2/k, and the share of the load in their remainder."""
+    places = (np.arange(cells) - cells / 2) * box / cells
+    x, y = np.meshgrid(places, places, indexing="ij")
+    # Share of each cell that is in the disc.
+    parts = ((np.arange(6) + 0.5) / 6 - 0.5) * box / cells
+    disc = sum((x + i) ** 2 + (y + j) ** 2 < 1 for i in parts for j in parts) / 36
+    waves = 2 * np.pi * np.fft.fftfreq(cells, box / cells)
+    along, across = np.meshgrid(waves, waves, indexing="ij")
+    flux, size = np.fft.fft2(disc), np.hypot(along, across)
+    height = np.zeros_like(flux)
+    last = np.sqrt(slip / (2 * peclet))
+    for root in (np.arange(steps) + 0.5) / steps * last:
+        age = root * root
+        wave = erfc(size * root) * np.exp(-1j * along * 2 * peclet * age)
+        height += flux * wave * 2 * root * last / steps
+    inside = disc > 0.5
+    height, squared = np.real(np.fft.ifft2(height))[inside], (x**2 + y**2)[inside]
+    terms = np.stack([np.ones_like(squared), x[inside], 2 * squared - 1], 1)
+    profile = np.linalg.lstsq(terms, height, rcond=None)[0]
+    weight = 1 / np.sqrt(np.clip(1 - squared, 0.02, None))
+    return profile, np.dot(height - terms @ profile, weight) / np.dot(height, weight)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--peclet", type=float, nargs="+", default=[0.5, 2, 10, 50])
     parser.add_argument("--slip", type=float, nargs="+", default=[2, 4, 20])
+    parser.add_argument("--shape", action="store_true", help="mean, slope and curvature of the height")
     arguments = parser.parse_args()
+    if arguments.shape:
+        print(f"{'Pe':>6} {'slip/a':>7} {'mean':>9} {'slope':>9} {'curvature':>10} {'remainder':>10}")
+        for peclet in arguments.peclet:
+            for slip in arguments.slip:
+                profile, remainder = shape(peclet, slip)
+                print(f"{peclet:6g} {slip:7g}", *(f"{term:9.5f}" for term in profile), f"{remainder:10.4f}")
+        return
     print(f"{'Pe':>6} {'slip/a':>7} {'share':>8} {'expansion':>10}")
     for peclet in arguments.peclet:
         for slip in arguments.slip:

@@ -76,14 +76,11 @@ fn below_their_first_row_tables_agree_with_runs() {
     ];
     for (metal, flat, share, slip_rate) in cold.into_iter().chain(hot) {
         let table = shipped::table(&format!("{metal}{flat}")).unwrap();
-        let Metadata { asperity_radius: radius, .. } = *table.metadata();
+        let Metadata { asperity_radius: radius, counterface, .. } = table.metadata();
+        let (radius, counterface) = (*radius, counterface.replace(", ", "\n"));
         let (first, slip_distance) = (table.axes().interference[0], table.axes().slip.last().unwrap());
-        let counterface = match flat {
-            "" => format!("[counterface]\npreset = \"{metal}\"\nelastic = false\n"),
-            _ => String::new(),
-        };
         let text = format!(
-            "[material]\npreset = \"{metal}\"\n{counterface}[asperity]\nradius = {radius}\n[loading]\nslip_rate = {slip_rate}\n\
+            "[material]\npreset = \"{metal}\"\n[counterface]\n{counterface}\n[asperity]\nradius = {radius}\n[loading]\nslip_rate = {slip_rate}\n\
              interference = {}\nslip_distance = {slip_distance:?}\n[model]\nkinematics = \"small\"\n[numerics]\nelements_per_radius = 12\nsectors = 8\n",
             share * first
         );

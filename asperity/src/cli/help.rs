@@ -58,7 +58,7 @@ The flat is rigid and isothermal unless the scene has a body on the other side:
   [counterface]
   preset = \"steel-1045\"          # or youngs_modulus and poisson_ratio; density,
                                  # thermal_conductivity and specific_heat, with which
-                                 # heat_partition is a result
+                                 # heat_partition is a result; thermal_expansion
   elastic = true                 # false: rigid in spite of the preset
   contact_conductance = inf      # W/(m2 K)
 

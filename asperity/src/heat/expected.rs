@@ -59,6 +59,7 @@ pub struct HeatEffect {
 impl HeatEffect {
     /// At a slip rate (m/s) and the radius of the contact (m).
     pub fn expected(scene: &Scene, slip_rate: f64, contact_radius: f64) -> Self {
+        let counterface = scene.expansion_of_counterface();
         let scene = &scene.with_combined_modulus();
         let (material, interface) = (&scene.material, &scene.interface);
         let solid = Solid::new(material, scene.loading.temperature);
@@ -73,7 +74,8 @@ impl HeatEffect {
         let rise = share * strength * slip_rate * contact_radius / material.thermal_conductivity;
         let critical = material.elastic_plastic().critical_interference(1.0);
         let interference = scene.loading.interference * critical * scene.radius;
-        let bulge = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise) * rise * contact_radius;
+        let asperity = (1.0 + material.poisson_ratio) * solid.mean_expansion(0.0, rise);
+        let bulge = (asperity + counterface) * rise * contact_radius;
         let initial = scene.loading.temperature;
         let film = |rise: f64| {
             let factor = |temperature: f64| interface.law.film_softening().factor(temperature);

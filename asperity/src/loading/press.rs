@@ -110,7 +110,7 @@ fn press_to(
         if problem.finite_strain {
             contact.update_areas(iteration == 0);
         }
-        Some(CouplingData { limit: vec![limit; contact.len()], rise: None, converged: true })
+        Some(CouplingData { limit: vec![limit; contact.len()], rise: None, elevation: None, converged: true })
     })?;
     mechanics.contact.update_contact_fraction();
     mechanics.body.commit();

@@ -128,6 +128,7 @@ impl Problem {
         let press_friction = PressFriction::of(scene);
         let [both, rigid] = scene.dundurs_beta().map(|beta| beta * beta);
         let own_modulus = scene.material.youngs_modulus;
+        let expansion = scene.expansion_of_counterface();
         let scene = &scene.with_combined_modulus();
         let material = &scene.material;
         let body = material.elastic_plastic();
@@ -135,7 +136,7 @@ impl Problem {
         let capacity = material.density * material.specific_heat;
         let diffusivity = material.thermal_conductivity / capacity;
         let heat_capacity = capacity / material.yield_strength;
-        let counterface = half_space(scene, heat_capacity);
+        let counterface = half_space(scene, heat_capacity, expansion);
         Self {
             solid: Solid::new(material, scene.loading.temperature),
             finite_strain: scene.model.kinematics == Kinematics::Finite,
@@ -192,13 +193,15 @@ pub(crate) fn wave_speed(material: &Material) -> f64 {
     (0.5 * material.youngs_modulus / ((1.0 + material.poisson_ratio) * material.density)).sqrt()
 }
 
-/// The counterface of a scene, if it conducts, beside an asperity of heat capacity `capacity`, which is k also.
-fn half_space(scene: &Scene, capacity: f64) -> Option<HalfSpace> {
+/// The counterface of a scene, if it conducts and expands by `expansion` = (1 + ν₂)α₂, beside an asperity of heat capacity
+/// `capacity`, which is k also.
+fn half_space(scene: &Scene, capacity: f64, expansion: f64) -> Option<HalfSpace> {
     let [conductivity, heat] = scene.counterface.conduction()?;
     let Material { thermal_conductivity, density, specific_heat, .. } = scene.material;
     let (conductivity, heat) = (conductivity / thermal_conductivity, heat / (density * specific_heat));
     let conductance = scene.counterface.contact_conductance * scene.radius / thermal_conductivity;
-    let half_space = HalfSpace::new(conductivity / heat, capacity * (conductivity * heat).sqrt());
+    let half_space = HalfSpace::new(conductivity / heat, capacity * (conductivity * heat).sqrt())
+        .with_expansion(expansion);
     Some(half_space.with_contact(1.0 / (conductance * capacity), scene.interface.heat_partition))
 }
 

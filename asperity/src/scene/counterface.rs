@@ -22,6 +22,8 @@ pub struct Counterface {
     pub specific_heat: Option<f64>,
     /// k₂, W/(m K).
     pub thermal_conductivity: Option<f64>,
+    /// α₂, 1/K, of a counterface that conducts; none leaves its expansion out.
+    pub thermal_expansion: Option<f64>,
     /// h_c, W/(m² K): between both surfaces; infinite where their temperatures agree in mean, slope and curvature.
     pub contact_conductance: f64,
 }
@@ -34,6 +36,7 @@ impl Default for Counterface {
             density: None,
             specific_heat: None,
             thermal_conductivity: None,
+            thermal_expansion: None,
             contact_conductance: f64::INFINITY,
         }
     }
@@ -105,6 +108,15 @@ impl Scene {
         let asperity = (self.material.youngs_modulus, self.material.poisson_ratio);
         let Counterface { youngs_modulus, poisson_ratio, .. } = self.counterface;
         [youngs_modulus.zip(poisson_ratio).unwrap_or(RIGID), RIGID].map(|flat| dundurs_beta(asperity, flat))
+    }
+
+    /// (1 + ν₂)α₂ of a counterface that conducts, 1/K, with ν of the asperity where it has no elastic constants; 0 where its
+    /// expansion is left out.
+    pub(crate) fn expansion_of_counterface(&self) -> f64 {
+        let Counterface { poisson_ratio, thermal_expansion, .. } = self.counterface;
+        let conducts = self.counterface.conduction().is_some();
+        let ratio = poisson_ratio.unwrap_or(self.material.poisson_ratio);
+        thermal_expansion.filter(|_| conducts).map_or(0.0, |expansion| (1.0 + ratio) * expansion)
     }
 
     /// Share of the frictional heat that enters the asperity: that of the scene, or the one with which sliding against

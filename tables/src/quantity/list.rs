@@ -91,7 +91,7 @@ quantities! {
     DissipationPlastic: history("dissipation_plastic", "J", "plastic dissipation", ENERGY);
     DissipationFriction: history("dissipation_friction", "J", "frictional dissipation", ENERGY);
     /// ∫σ:dε_th.
-    WorkThermalExpansion: history("work_thermal_expansion", "J", "work done through thermal expansion", ENERGY);
+    WorkThermalExpansion: history("work_thermal_expansion", "J", "work done through thermal expansion of asperity and counterface", ENERGY);
     EnergyModuliSoftening: history("energy_moduli_softening", "J", "elastic energy released as the moduli fall with temperature", ENERGY);
     HeatIn: history("heat_in", "J", "frictional and plastic heat that entered the body", ENERGY);
     /// ∫ρc(T − T₀) dV.

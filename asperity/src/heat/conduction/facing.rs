@@ -42,9 +42,9 @@ impl Facing {
         effusivity: f64,
         (dt, slip): (f64, f64),
     ) -> Self {
-        let response = half_space.step(dt, slip, disc.radius());
+        let response = half_space.step(dt, slip, disc.radius);
         // Of the asperity as of a half-space at rest, κ = 1.
-        let body = HalfSpace::new(1.0, effusivity).step(dt, 0.0, disc.radius()).own;
+        let body = HalfSpace::new(1.0, effusivity).step(dt, 0.0, disc.radius).own;
         let resistance = half_space.resistance;
         Self {
             response,
@@ -72,8 +72,14 @@ pub(super) struct ContactDisc {
     areas: Vec<f64>,
     /// Their sum.
     pub(super) total: f64,
+    /// a.
+    radius: f64,
+    /// ξ and y/a of each point.
+    places: Vec<[f64; 2]>,
     /// 1, and ξ and η less their means.
     shapes: Vec<Profile>,
+    /// Mean of η + 1.
+    curvature: f64,
     /// Their mean squares.
     squares: Profile,
 }
@@ -85,19 +91,31 @@ impl ContactDisc {
         let mean = |value: &dyn Fn(usize) -> f64| {
             (0..areas.len()).map(|point| areas[point] * value(point)).sum::<f64>() / total
         };
-        let (centre, radius) = (mean(&|point| place(point)[0]), radius(total));
-        let shape = |point: usize| {
-            let (xi, upsilon) = ((place(point)[0] - centre) / radius, place(point)[1] / radius);
-            Profile::new(1.0, xi, 2.0 * (xi * xi + upsilon * upsilon))
-        };
-        let of_mean = Profile::z() * mean(&|point| shape(point).z);
-        let shapes: Vec<Profile> = (0..areas.len()).map(|point| shape(point) - of_mean).collect();
+        // That of the disc of twice the area.
+        let radius = (2.0 * total / std::f64::consts::PI).sqrt();
+        let centre = mean(&|point| place(point)[0]);
+        let relative = |point| [(place(point)[0] - centre) / radius, place(point)[1] / radius];
+        let places: Vec<[f64; 2]> = (0..areas.len()).map(relative).collect();
+        let squared = |point: usize| places[point].iter().map(|x| x * x).sum::<f64>();
+        let curvature = mean(&|point| 2.0 * squared(point));
+        let shapes: Vec<Profile> = (0..areas.len())
+            .map(|point| Profile::new(1.0, places[point][0], 2.0 * squared(point) - curvature))
+            .collect();
         let squares = Profile::from_fn(|k, _| mean(&|point| shapes[point][k].powi(2)));
-        Self { areas, total, shapes, squares }
+        Self { areas, total, radius, places, shapes, curvature, squares }
     }
 
-    fn radius(&self) -> f64 {
-        radius(self.total)
+    /// Value of a profile and its derivative along x at a point. Beyond the disc the profile continues in proportion to the
+    /// logarithm of the distance, as the displacement around steady heat does, with the same inclination at the edge.
+    pub(super) fn elevation(&self, point: usize, profile: Profile) -> [f64; 2] {
+        let [xi, upsilon] = self.places[point];
+        let distance = xi.hypot(upsilon);
+        let (along, curved) = match distance <= 1.0 {
+            true => (xi, 2.0 * distance * distance),
+            false => (xi / distance * (1.0 + distance.ln()), 2.0 + 4.0 * distance.ln()),
+        };
+        let height = profile.x + profile.y * along + profile.z * (curved - self.curvature);
+        [height, (profile.y + 4.0 * profile.z * xi) / self.radius]
     }
 
     /// Profile of a field, given its integral over the area of each point.
@@ -115,11 +133,6 @@ impl ContactDisc {
     pub(super) fn profile_of_values(&self, value: impl Fn(usize) -> f64) -> Profile {
         self.profile(|point| self.areas[point] * value(point))
     }
-}
-
-/// Radius of the disc of twice the area.
-fn radius(half: f64) -> f64 {
-    (2.0 * half / std::f64::consts::PI).sqrt()
 }
 
 /// Heat flow at the contact less that into the counterface.

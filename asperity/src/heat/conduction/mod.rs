@@ -170,6 +170,23 @@ impl Conduction {
         }
     }
 
+    /// Height of the surface of a counterface that expands after the step that was advanced last, and its derivative along +x,
+    /// at each contact point, with the area of each that is in contact; nothing without one, or without contact.
+    pub fn elevation(&self, area: impl Fn(usize) -> f64) -> Option<Vec<[f64; 2]>> {
+        let disc = Some(self.contact_disc(area)).filter(|disc| disc.total > 0.0)?;
+        let profile = self.counterface.as_ref()?.height_tried()?;
+        Some((0..self.contact_places.len()).map(|point| disc.elevation(point, profile)).collect())
+    }
+
+    fn contact_disc(&self, area: impl Fn(usize) -> f64) -> ContactDisc {
+        let areas = (0..self.contact_places.len()).map(area).collect();
+        let (radii, angles) = (self.mesh.meridian.contact_radii(), self.mesh.sectors.angles());
+        ContactDisc::new(areas, |point| {
+            let (sin, cos) = angles[point % angles.len()].sin_cos();
+            [cos, sin].map(|share| radii[point / angles.len()] * share)
+        })
+    }
+
     /// M + γΔt K, factorised.
     fn step_matrix(&mut self, dt: f64) -> Result<Arc<StepMatrix>, FactorError> {
         if let Some((_, matrix)) = self.cache.iter().find(|(cached, _)| *cached == dt) {
@@ -207,13 +224,7 @@ impl Conduction {
         let matrix = self.step_matrix(dt)?;
         let body = &self.sublayers.spread(body)[..];
         let facing = self.counterface.as_ref().map(|half_space| {
-            let areas = (0..self.contact_places.len()).map(|point| heat.area(point)).collect();
-            let (radii, angles) = (self.mesh.meridian.contact_radii(), self.mesh.sectors.angles());
-            let place = |point: usize| {
-                let (sin, cos) = angles[point % angles.len()].sin_cos();
-                [cos, sin].map(|share| radii[point / angles.len()] * share)
-            };
-            let disc = ContactDisc::new(areas, place);
+            let disc = self.contact_disc(|point| heat.area(point));
             // κ = 1: the effusivity is the capacity.
             Facing::new(half_space, disc, self.capacity, (dt, heat.slip()))
         });

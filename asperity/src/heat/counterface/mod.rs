@@ -8,7 +8,14 @@
 //! θ(t) = ∫ G(t − t', s(t) − s(t')) F(t') dt',     G(t, d) = S(√(2κt), d)/(e√(πt)),   e = √(kρc).
 //! ```
 //!
-//! S is the 3 × 3 matrix of [`overlap`]. The flux is constant over parts of an increment, and the integral over each part
+//! S is the 3 × 3 matrix of [`overlap`]. Its heat expands the half-space, and raises its surface by
+//!
+//! ```text
+//! w(t) = 2(1 + ν)α/(ρc) ∫ B(√(2κ(t − t')), s(t) − s(t')) F(t') dt'
+//! ```
+//!
+//! with B by [`overlap`], as of the surface of a half-space without tractions (J. R. Barber, Int. J. Mech. Sci. 14, 377 (1972);
+//! a wave of the wave number k by erfc(k√(κt))). The flux is constant over parts of an increment, and the integral over each part
 //! is taken in √(t − t'), in which the integrand is smooth. H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids*
 //! (1959), §10.3–10.7. Chapter "Heat" of the book.
 
@@ -23,8 +30,10 @@ use overlap::{Overlap, integral};
 /// motion of the half-space and r from the centre: mean, slope and curvature.
 pub type Profile = Vector3<f64>;
 
-/// Points per panel of the convolution.
-const POINTS: usize = 6;
+/// Points per panel of the convolution, and of the overlap of discs.
+const POINTS: [usize; 2] = [6, 24];
+/// The same for the height of the surface, which is smoother.
+const POINTS_OF_HEIGHT: [usize; 2] = [3, 12];
 /// Panels of the convolution per contact radius that the heat moves or spreads.
 const PANELS_PER_RADIUS: f64 = 1.0;
 /// The same at a point, at which the heat begins and ends abruptly.
@@ -76,12 +85,27 @@ pub struct HalfSpace {
     pub resistance: f64,
     /// Share of the frictional heat that is released on the side of the other body; of no influence without resistance.
     pub share: f64,
+    /// 2(1 + ν)α/(ρc): height that the surface gains over the heat per area below it.
+    expansion: f64,
     now: Moment,
     history: Vec<Interval>,
     /// The increment tried last, and the fluxes of its stages.
     trial: Option<(StepResponse, [Profile; 2])>,
+    of_rise: Quadrature,
+    of_height: Quadrature,
+}
+
+#[derive(Clone, Debug)]
+struct Quadrature {
     rule: GaussLegendre,
     overlap: Overlap,
+}
+
+impl Quadrature {
+    fn new([points, of_overlap]: [usize; 2]) -> Self {
+        let rule = GaussLegendre::new(points).expect("there are rules of more than one point");
+        Self { rule, overlap: Overlap::new(of_overlap) }
+    }
 }
 
 /// The disc over which the profile of a rise is taken: its radius, and how far its centre is downstream of that of the contact, in
@@ -124,11 +148,12 @@ impl HalfSpace {
             effusivity,
             resistance: 0.0,
             share: 0.5,
+            expansion: 0.0,
             now: Moment::default(),
             history: Vec::new(),
             trial: None,
-            rule: GaussLegendre::new(POINTS).expect("there are rules of more than one point"),
-            overlap: Overlap::new(),
+            of_rise: Quadrature::new(POINTS),
+            of_height: Quadrature::new(POINTS_OF_HEIGHT),
         }
     }
 
@@ -136,6 +161,16 @@ impl HalfSpace {
     /// of the other body.
     pub fn with_contact(self, resistance: f64, share: f64) -> Self {
         Self { resistance, share, ..self }
+    }
+
+    /// The same that expands, by (1 + ν)α per kelvin.
+    pub fn with_expansion(self, expansion: f64) -> Self {
+        let capacity = self.effusivity * std::f64::consts::SQRT_2 / self.spreading;
+        Self { expansion: 2.0 * expansion / capacity, ..self }
+    }
+
+    pub fn expands(&self) -> bool {
+        self.expansion != 0.0
     }
 
     /// The response in an increment of length `dt` in which the half-space moves by `slip` past a contact of radius
@@ -164,6 +199,16 @@ impl HalfSpace {
         StepResponse { free, first, own, radius, from, to }
     }
 
+    /// Profile of the height of the surface over the contact at the end of the increment tried last; nothing where it does not
+    /// expand.
+    pub fn height_tried(&self) -> Option<Profile> {
+        let trial = self.trial.as_ref().filter(|_| self.expands())?;
+        let (StepResponse { radius, to, .. }, _) = *trial;
+        let contact = Disc { radius, downstream: 0.0, panel: radius / PANELS_PER_RADIUS };
+        let heats = self.history.iter().copied().chain(parts(trial));
+        Some(heats.map(|heat| self.raised(&heat, to, contact) * heat.flux).sum())
+    }
+
     /// Takes note of the fluxes of the stages of an increment, which [`HalfSpace::commit`] makes final.
     pub fn try_fluxes(&mut self, step: StepResponse, fluxes: [Profile; 2]) {
         self.trial = Some((step, fluxes));
@@ -171,14 +216,9 @@ impl HalfSpace {
 
     /// Adds the increment tried last to the history.
     pub fn commit(&mut self) {
-        if let Some((StepResponse { from, to, radius, .. }, [first, second])) = self.trial.take() {
-            let middle = from.towards(to, FIRST_PART);
-            let parts = [
-                Interval { from, to: middle, flux: first, radius },
-                Interval { from: middle, to, flux: second, radius },
-            ];
-            self.history.extend(parts.into_iter().filter(|part| part.flux != Profile::zeros()));
-            self.now = to;
+        if let Some(trial) = self.trial.take() {
+            self.history.extend(parts(&trial).into_iter().filter(|part| part.flux != Profile::zeros()));
+            self.now = trial.0.to;
         }
     }
 
@@ -206,11 +246,27 @@ impl HalfSpace {
     }
 
     /// The same per flux.
-    fn response(
+    fn response(&self, heat: &Interval, at: Moment, disc: Disc) -> Matrix3<f64> {
+        let Quadrature { rule, overlap } = &self.of_rise;
+        let share = |spread, moved, _| overlap.share([disc.radius, heat.radius], spread, moved);
+        let per_flux = 2.0 / (self.effusivity * std::f64::consts::PI.sqrt());
+        self.convolution(rule, (heat, at, disc), share) * per_flux
+    }
+
+    /// Height of the surface over a disc at `at` per flux of an interval before.
+    fn raised(&self, heat: &Interval, at: Moment, disc: Disc) -> Matrix3<f64> {
+        let Quadrature { rule, overlap } = &self.of_height;
+        let raised =
+            |spread, moved, root| overlap.raised([disc.radius, heat.radius], spread, moved) * (2.0 * root);
+        self.convolution(rule, (heat, at, disc), raised) * self.expansion
+    }
+
+    /// ∫ `kernel` d√(t − t') over an interval, of √(2κ(t − t')), the distance downstream of the disc and √(t − t').
+    fn convolution(
         &self,
-        heat: &Interval,
-        at: Moment,
-        Disc { radius, downstream, panel }: Disc,
+        rule: &GaussLegendre,
+        (heat, at, Disc { radius, downstream, panel }): (&Interval, Moment, Disc),
+        kernel: impl Fn(f64, f64, f64) -> Matrix3<f64>,
     ) -> Matrix3<f64> {
         let [near, far] = [heat.to, heat.from].map(|then| at.time - then.time);
         let [here, there] = [heat.to, heat.from].map(|then| at.slip - then.slip);
@@ -218,9 +274,9 @@ impl HalfSpace {
             return Matrix3::zeros();
         }
         let speed = (there - here) / (far - near);
-        let share = |root: f64| {
+        let kernel = |root: f64| {
             let moved = here + speed * (root * root - near);
-            self.overlap.share([radius, heat.radius], self.spreading * root, moved - downstream)
+            kernel(self.spreading * root, moved - downstream, root)
         };
         let (mut from, end) = (near.max(0.0).sqrt(), far.sqrt());
         let mut sum = Matrix3::zeros();
@@ -229,11 +285,19 @@ impl HalfSpace {
             let length = panel * (self.spreading * from / heat.radius).max(1.0);
             let moved = (from * from + length / speed.abs()).sqrt();
             let to = end.min(moved).min(from + length / self.spreading);
-            sum += integral(&self.rule, from, to, share);
+            sum += integral(rule, from, to, kernel);
             from = to;
         }
-        sum * (2.0 / (self.effusivity * std::f64::consts::PI.sqrt()))
+        sum
     }
+}
+
+/// The two parts of an increment with their fluxes, see [`HalfSpace::step`].
+fn parts(
+    &(StepResponse { from, to, radius, .. }, [first, second]): &(StepResponse, [Profile; 2]),
+) -> [Interval; 2] {
+    let middle = from.towards(to, FIRST_PART);
+    [Interval { from, to: middle, flux: first, radius }, Interval { from: middle, to, flux: second, radius }]
 }
 
 #[cfg(test)]
@@ -280,5 +344,32 @@ mod tests {
             let [forwards, backwards] = [1.0, -1.0].map(|direction| after(direction, hold));
             assert!((forwards / backwards - 1.0).abs() < 1e-12, "{forwards} {backwards}");
         }
+    }
+
+    /// Uniform heat on the unit disc of a half-space with (1 + ν)α = 1 and κ = k = 1: at first the surface rises by 2qt and, of a
+    /// moving body, by 2q over the time that has passed since it entered the disc, on average 8/(3πV) and by 1/V per radius; at
+    /// last the curvature is that of steady heat, w = w₀ − qr²/4 (J. R. Barber 1972).
+    #[test]
+    fn the_surface_rises_with_the_heat_below_it() {
+        let raised = |speed: f64, time: f64| {
+            let mut half_space = HalfSpace::new(1.0, 1.0).with_expansion(1.0);
+            let mut dt = time / 1e4;
+            while half_space.now.time + dt < time {
+                heat(&mut half_space, dt, speed * dt, 1.0);
+                dt *= 1.2;
+            }
+            dt = time - half_space.now.time;
+            let step = half_space.step(dt, speed * dt, 1.0);
+            half_space.try_fluxes(step, [Profile::new(1.0, 0.0, 0.0); 2]);
+            half_space.height_tried().unwrap()
+        };
+        let early = raised(0.0, 1e-7) / 2e-7;
+        assert!((early.x - 1.0).abs() < 5e-3, "{early}");
+        let steady = raised(0.0, 1e4);
+        assert!((8.0 * steady.z + 1.0).abs() < 5e-3, "{steady}");
+        let speed = 1e5;
+        let moving = raised(speed, 3.0 / speed) * speed / 2.0;
+        let expected = Profile::new(8.0 / (3.0 * std::f64::consts::PI), 1.0, 0.0);
+        assert!((moving - expected).rows(0, 2).amax() < 1e-2, "{moving}");
     }
 }

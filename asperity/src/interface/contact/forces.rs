@@ -33,11 +33,16 @@ impl Contact {
         self.stiffness.iter().map(|stiffness| stiffness[2][2]).sum()
     }
 
-    /// Adds to a force what `height` more of interference changes in it.
-    pub fn add_height_product(&self, height: f64, force: &mut [f64]) {
+    /// Adds to a force what a flat that is higher by `height` at each point changes in it; returns the change of the load of the
+    /// half body.
+    pub fn add_height_product(&self, height: impl Fn(usize) -> f64, force: &mut [f64]) -> f64 {
+        let mut load = 0.0;
         for (i, stiffness) in self.stiffness.iter().enumerate() {
-            force[self.place(i, 2)] += stiffness[2][2] * height;
+            let change = stiffness[2][2] * height(i);
+            force[self.place(i, 2)] += change;
+            load += change;
         }
+        load
     }
 
     /// Change of the load of the half body with a displacement.

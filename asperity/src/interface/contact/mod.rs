@@ -176,7 +176,7 @@ impl Contact {
             let (sin, cos) = self.angles[column].sin_cos();
             let at = |c: usize| u(self.place(i, c));
             let relative = [flat.displacement * cos - at(0), -flat.displacement * sin - at(1)];
-            let penetration = self.height[ring] + at(2) + flat.interference;
+            let penetration = self.height[ring] + at(2) + flat.interference + self.trial.elevation[i][0];
             let pressure = self.normal_spring[ring] * penetration;
             self.trial.gap[i] = -penetration;
             self.trial.relative[i] = relative;

@@ -8,9 +8,14 @@ impl Contact {
         2.0 * (0..self.len()).map(|i| self.areas[i] * state.pressure[i]).sum::<f64>()
     }
 
-    /// Friction force along +x of the whole asperity.
+    /// Friction force along +x of the whole asperity: of the shear traction, and of the pressure on an inclined flat.
     pub fn friction(&self, state: &ContactState) -> f64 {
-        2.0 * (0..self.len()).map(|i| self.areas[i] * self.along_x(i, state.traction[i])).sum::<f64>()
+        2.0 * (0..self.len()).map(|i| self.areas[i] * self.friction_stress(state, i)).sum::<f64>()
+    }
+
+    /// Force of the flat along +x per area of a point.
+    fn friction_stress(&self, state: &ContactState, point: usize) -> f64 {
+        self.along_x(point, state.traction[point]) - state.pressure[point] * state.elevation[point][1]
     }
 
     /// Component along +x of a vector (r, θ) at a contact point.
@@ -75,9 +80,13 @@ impl Contact {
             let traction: [f64; 2] = std::array::from_fn(|c| {
                 before * self.committed.traction[i][c] + after * self.trial.traction[i][c]
             });
+            let friction = before * self.friction_stress(&self.committed, i)
+                + after * self.friction_stress(&self.trial, i);
             let displacement = to.displacement - from.displacement;
-            work.of_flat +=
-                pressure * (to.interference - from.interference) + self.along_x(i, traction) * displacement;
+            work.of_flat += pressure * (to.interference - from.interference) + friction * displacement;
+            // The surface of the flat also rises as it moves to where it is higher.
+            work.expansion += pressure * (self.trial.elevation[i][0] - self.committed.elevation[i][0])
+                + (self.along_x(i, traction) - friction) * displacement;
             work.friction += (0..2)
                 .map(|c| traction[c] * (self.trial.relative[i][c] - self.committed.relative[i][c]))
                 .sum::<f64>();
@@ -101,4 +110,6 @@ pub struct InterfaceWork {
     pub friction: f64,
     /// Of the pressure on the normal springs; vanishes with them.
     pub springs: f64,
+    /// Of the flat that expands.
+    pub expansion: f64,
 }

@@ -27,6 +27,8 @@ pub struct ContactState {
     pub anchor: Vec<[f64; 2]>,
     /// Path length of slip.
     pub slip: Vec<f64>,
+    /// Height of the flat at the point above its plane, towards the asperity, and the derivative of this along +x.
+    pub elevation: Vec<[f64; 2]>,
 }
 
 impl ContactState {
@@ -40,6 +42,7 @@ impl ContactState {
             relative: vec![[0.0; 2]; points],
             anchor: vec![[0.0; 2]; points],
             slip: vec![0.0; points],
+            elevation: vec![[0.0; 2]; points],
         }
     }
 
@@ -57,6 +60,7 @@ impl ContactState {
             relative: spread(&self.relative, columns),
             anchor: spread(&self.anchor, columns),
             slip: spread(&self.slip, columns),
+            elevation: spread(&self.elevation, columns),
         }
     }
 }

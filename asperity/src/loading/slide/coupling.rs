@@ -17,11 +17,15 @@ use crate::solver::newton::CouplingData;
 use crate::solver::timings::Kernel;
 
 /// Change between iterations, over the tolerance of the residual, at which the coupled quantities are converged: of the
-/// shear limits, relative to the strength, and of the areas of the contact points, relative.
+/// shear limits, relative to the strength, of the areas of the contact points, relative, and of the flat's height, over the
+/// interference.
 const CONVERGED: f64 = 100.0;
 /// Updates in a step at most. Most steps need 3 to 8; where a hot interface loses its strength as sliding begins, each
 /// leaves up to 0.7 of the change of the one before.
 const MOST_UPDATES: usize = 24;
+/// Updates of the elevation of the flat in a step. Each leaves about a twentieth of the change of the one before; where the edge
+/// of the contact comes to another ring the area, and with it the elevation, may change in turn.
+const ELEVATIONS: usize = 3;
 /// Frictional power of the last update over that of the solution, above which the heat is that of the solution.
 const EXCESS_HEAT: f64 = 1.1;
 /// Updates in a row that do not reduce the smallest change so far, after which the shear limits are held: points at the
@@ -53,6 +57,8 @@ struct Coupling<'a> {
     smallest: (f64, usize),
     /// Change at which they are converged.
     tolerance: f64,
+    /// Updates left of the elevation.
+    elevations_left: usize,
     /// Updates left until the coupled quantities are held constant.
     updates_left: usize,
     /// Whether they are held constant: converged, or no updates left. Newton's method then converges fast.
@@ -78,8 +84,10 @@ impl Coupling<'_> {
         let state = if iteration == 0 { &body.committed } else { &body.trial };
         let hardened = interface_hardening(self.problem, self.slip_rate, body, contact, state);
         let rise = self.temperature(body, contact, &hardened, iteration);
+        // The predicted displacement is that on the predicted flat.
+        let (elevation, raised) = if iteration > 0 { self.elevation(contact) } else { None }.unzip();
         let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
-        let change = self.change(&limit);
+        let change = self.change(&limit).max(raised.unwrap_or(0.0));
         match &mut self.smallest {
             (smallest, since) if change < *smallest => (*smallest, *since) = (change, 0),
             (_, since) => *since += 1,
@@ -89,7 +97,7 @@ impl Coupling<'_> {
         self.updates_left = self.updates_left.saturating_sub(1);
         self.limit = Some(limit.clone());
         let rise = self.conduction.as_ref().zip(rise).map(|(conduction, rise)| conduction.of_body(&rise));
-        Some(CouplingData { limit, rise, converged: self.held })
+        Some(CouplingData { limit, rise, elevation, converged: self.held })
     }
 
     /// Temperature rise at the end of the increment with the heat sources of the trial state.
@@ -122,6 +130,18 @@ impl Coupling<'_> {
         }
     }
 
+    /// Elevation of the flat by the thermal expansion of the counterface, unless it is held, and its largest change over the
+    /// interference.
+    fn elevation(&mut self, contact: &Contact) -> Option<(Vec<[f64; 2]>, f64)> {
+        self.elevations_left = self.elevations_left.checked_sub(1)?;
+        let area = |point| contact.covered_area(&contact.trial, point);
+        let elevation = self.conduction.as_ref()?.elevation(area)?;
+        let changes =
+            elevation.iter().zip(&contact.trial.elevation).map(|(now, before)| (now[0] - before[0]).abs());
+        let change = changes.fold(0.0, f64::max) / self.problem.interference;
+        Some((elevation, change))
+    }
+
     /// Heat of the solution, where the last update has more than the solution dissipates.
     fn finish(&mut self, body: &Body, contact: &Contact) {
         if self.conduction.is_none() {
@@ -152,11 +172,12 @@ impl Slide<'_> {
         guess: Predictor,
         stop: &StopRequest,
     ) -> Result<Equilibrium, SlideFailure> {
-        let Predictor { displacement: start, interference, edges } = guess;
+        let Predictor { displacement: start, interference, edges, elevation } = guess;
         let flat = FlatPosition { interference, displacement: to };
         let from = self.last().slip;
         // The predictor determines the points in contact, which do not depend on the shear limits.
         let contact = &mut self.mechanics.contact;
+        contact.trial.elevation = elevation;
         contact.evaluate(|place| start[place], flat, &vec![0.0; contact.len()]);
         contact.set_edges(&edges);
         let mut coupling = Coupling {
@@ -170,6 +191,7 @@ impl Slide<'_> {
             limit: None,
             smallest: (f64::INFINITY, 0),
             tolerance: CONVERGED * self.mechanics.tolerance,
+            elevations_left: ELEVATIONS,
             updates_left: MOST_UPDATES,
             held: false,
             sources: HeatSources::default(),

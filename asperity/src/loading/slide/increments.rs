@@ -40,6 +40,8 @@ pub struct Predictor {
     pub interference: f64,
     /// Of the contact, along each angle.
     pub edges: Vec<f64>,
+    /// Of the flat, see [`crate::interface::contact::ContactState`].
+    pub elevation: Vec<[f64; 2]>,
 }
 
 impl Predictor {
@@ -50,6 +52,10 @@ impl Predictor {
             displacement: on(&before.displacement, &now.displacement),
             interference: on(&[before.interference], &[now.interference])[0],
             edges: on(&before.edges, &now.edges),
+            elevation: on(before.elevation.as_flattened(), now.elevation.as_flattened())
+                .as_chunks()
+                .0
+                .to_vec(),
         }
     }
 }

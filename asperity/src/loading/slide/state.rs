@@ -2,7 +2,7 @@
 //! and heat.
 //!
 //! The work of the flat is the sum of elastic energy, plastic and frictional dissipation, energy of the
-//! contact springs, work done through thermal expansion, and elastic energy released as the moduli
+//! contact springs, work done through thermal expansion of asperity and flat, and elastic energy released as the moduli
 //! soften. Heat in is the sum of heat stored and heat out.
 
 use super::Slide;
@@ -48,7 +48,7 @@ impl Slide<'_> {
         let energies = body.step_energies();
         state.elastic += body.elastic_energy(&body.trial) - body.elastic_energy(&body.committed);
         state.plastic += energies.plastic;
-        state.thermal_expansion += energies.thermal_expansion;
+        state.thermal_expansion += energies.thermal_expansion - interface.expansion;
         state.moduli_softening += energies.moduli_softening;
         if let (Some((rise, balance)), Some(conduction)) = (&solved.heated, &self.heat) {
             state.heat_in += balance.contact + balance.body;

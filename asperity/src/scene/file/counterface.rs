@@ -11,6 +11,9 @@ use crate::scene::presets::{self, Preset};
 
 const ELASTIC: [&str; 2] = ["youngs_modulus", "poisson_ratio"];
 const CONDUCTING: [&str; 3] = ["thermal_conductivity", "density", "specific_heat"];
+const EXPANSION: &str = "thermal_expansion";
+/// What a counterface has only if it conducts.
+const IF_IT_CONDUCTS: [&str; 2] = [EXPANSION, "contact_conductance"];
 
 /// Removes the key `preset` of a section.
 pub fn take_preset(
@@ -44,7 +47,7 @@ pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), 
     let elastic = section.remove("elastic");
     if let Some(preset) = take_preset("counterface", section, source)? {
         let mut constants = preset.section();
-        for key in ELASTIC.into_iter().chain(CONDUCTING) {
+        for key in ELASTIC.into_iter().chain(CONDUCTING).chain([EXPANSION]) {
             let value = constants.remove(key).expect("every preset has it");
             let value = match value.clone().try_into::<TemperatureTable>() {
                 Ok(table) => Value::Float(table.at(temperature.unwrap_or(default_temperature()))),
@@ -76,12 +79,17 @@ pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), 
         }
     }
     let conducts = missing(&CONDUCTING, section).is_none();
-    match (section.get("contact_conductance"), conductance) {
-        (Some(value), _) if !conducts => {
-            let allowed = format!("left out unless {} are given", CONDUCTING.join(", "));
-            Err(source.invalid(&path("contact_conductance"), value, allowed))
-        }
-        (_, Some(value)) if conducts && number(&value).is_some_and(|value| value > 0.0) => {
+    if let Some((key, value)) = IF_IT_CONDUCTS.iter().find_map(|key| Some((key, section.get(*key)?)))
+        && !conducts
+    {
+        let allowed = format!("left out unless {} are given", CONDUCTING.join(", "));
+        return Err(source.invalid(&path(key), value, allowed));
+    }
+    if section.get(EXPANSION).and_then(number) == Some(0.0) {
+        section.remove(EXPANSION);
+    }
+    match conductance {
+        Some(value) if conducts && number(&value).is_some_and(|value| value > 0.0) => {
             let allowed = "0 where the counterface conducts; its key is counterface.contact_conductance";
             Err(source.invalid("interface.gap_conductance", value, allowed))
         }
@@ -110,8 +118,12 @@ mod tests {
         assert_eq!((steel.youngs_modulus, steel.poisson_ratio), (Some(205e9), Some(0.29)));
         assert_eq!(steel.conduction(), Some([44.5, 7850.0 * 475.0]));
         assert!(steel.contact_conductance.is_infinite());
-        let rigid = read("[counterface]\npreset = \"steel-4340\"\nelastic = false\ndensity = 8000").unwrap();
-        assert_eq!(rigid.youngs_modulus, None);
+        assert_eq!(steel.thermal_expansion, Some(1.23e-5));
+        let rigid = read(
+            "[counterface]\npreset = \"steel-4340\"\nelastic = false\ndensity = 8000\nthermal_expansion = 0",
+        )
+        .unwrap();
+        assert_eq!((rigid.youngs_modulus, rigid.thermal_expansion), (None, None));
         assert_eq!(rigid.conduction(), Some([44.5, 8000.0 * 475.0]));
         assert!(read("").unwrap().is_absent());
         // Tables over temperature have their value at 298 K.
@@ -132,6 +144,7 @@ mod tests {
             ("elastic = true", ["counterface.youngs_modulus", "elastic = true"]),
             ("elastic = 1", ["counterface.elastic", "true or false"]),
             ("contact_conductance = 1e6", ["counterface.contact_conductance", "left out unless"]),
+            ("thermal_expansion = 1e-5", ["counterface.thermal_expansion", "left out unless"]),
             (
                 "preset = \"copper\"\ncontact_conductance = 0",
                 ["contact_conductance", "a positive number or inf"],

@@ -187,6 +187,7 @@ const COUNTERFACE: &[Key] = &[
     key("thermal_conductivity", Number("W/(m K)", POSITIVE)),
     key("density", Number("kg/m3", POSITIVE)),
     key("specific_heat", Number("J/(kg K)", POSITIVE)),
+    key("thermal_expansion", Number("1/K", NOT_NEGATIVE)),
     key("contact_conductance", Number("W/(m2 K)", POSITIVE_OR_INFINITE)),
 ];
 

@@ -27,11 +27,12 @@ pub enum Note {
     Heat(HeatChoice, HeatEffect),
     /// Share of the frictional heat that enters the asperity beside a conducting counterface.
     #[error(
-        "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, {:.1} % at its start; its thermal expansion is left out",
+        "the counterface conducts: {:.1} % of the frictional heat enters the asperity at the end of the slide, {:.1} % at its start{}",
         100.0 * .last,
-        100.0 * .first
+        100.0 * .first,
+        if *.expands { "" } else { "; its thermal expansion is left out" }
     )]
-    HeatPartition { first: f64, last: f64 },
+    HeatPartition { first: f64, last: f64, expands: bool },
     #[error("{0}")]
     Strain(StrainChoice),
     /// Beside an elastic counterface.
@@ -106,8 +107,9 @@ impl Note {
     /// The partition that a slide against a conducting counterface found.
     pub(super) fn heat_partition(problem: &Problem, history: &[SlideState]) -> Option<Self> {
         let (first, last) = (history.first()?.heat_partition, history.last()?.heat_partition);
-        let heated = problem.counterface.is_some() && history.last()?.heat_counterface != 0.0;
-        heated.then_some(Self::HeatPartition { first, last })
+        let expands = problem.counterface.as_ref()?.expands();
+        let heated = history.last()?.heat_counterface != 0.0;
+        heated.then_some(Self::HeatPartition { first, last, expands })
     }
 }
 

@@ -151,7 +151,7 @@ impl Mechanics {
         if let LoadingControl::Load(_) = control {
             let size = self.internal.len();
             let (mut unit, mut direction) = (vec![0.0; size], vec![0.0; size]);
-            self.contact.add_height_product(-1.0, &mut unit);
+            self.contact.add_height_product(|_| -1.0, &mut unit);
             self.preconditioner.apply(&unit, &mut direction, &mut self.timings);
             direction.push(1.0);
             // The elastic body is in equilibrium along this direction.

@@ -138,7 +138,7 @@ impl Mechanics {
     /// Under load control the interference is one more unknown, the last entry of all vectors, with the missing load as
     /// its residual. The system stays symmetric.
     ///
-    /// `coupling` gives temperature and shear limits. It is called in each iteration with the trial state of the one
+    /// `coupling` gives temperature, shear limits and elevation. It is called in each iteration with the trial state of the one
     /// before, but with the contact at the end of a full step if that is short, and returns nothing when its data do
     /// not change. The step is solved when the residual is small and the data are converged. `predictor` is the first
     /// iterate.
@@ -244,14 +244,31 @@ impl Mechanics {
         }
         if refresh && !ahead {
             next = coupling(&mut self.body, &mut self.contact);
-            if let Some(CouplingData { rise: Some(rise), .. }) = &next {
-                self.internal_force(&now.u[..self.internal.len()], Some(rise));
-            }
         }
-        if let Some(data) = next {
+        if let Some(mut data) = next {
+            let raised = data.elevation.take().map(|elevation| self.raise(&mut now.u, elevation));
+            if raised.is_some() || !ahead && data.rise.is_some() {
+                self.internal_force(&now.u[..self.internal.len()], data.rise.as_deref());
+            }
             now.data = data;
         }
         true
+    }
+
+    /// Raises the flat to another elevation, and the displacement with it as of an elastic body: the normal springs are so stiff
+    /// that the contact would change at the least elevation alone.
+    fn raise(&mut self, u: &mut [f64], elevation: Vec<[f64; 2]>) {
+        let size = self.internal.len();
+        let [mut force, mut direction] = [0, 1].map(|_| vec![0.0; u.len()]);
+        let before = std::mem::replace(&mut self.contact.trial.elevation, elevation);
+        let now = &self.contact.trial.elevation;
+        let heights: Vec<f64> = now.iter().zip(before).map(|(now, before)| now[0] - before[0]).collect();
+        let load = self.contact.add_height_product(|point| heights[point], &mut force[..size]);
+        if let Some(of_load) = force.get_mut(size) {
+            *of_load = load;
+        }
+        self.precondition(&force, &mut direction);
+        u.iter_mut().zip(&direction).for_each(|(u, d)| *u -= d);
     }
 
     /// Internal force of the body at displacement `u`, stored for the residual.
@@ -276,12 +293,14 @@ impl Mechanics {
     }
 }
 
-/// Coupling data of a step: temperature and shear limits.
+/// Coupling data of a step: temperature, shear limits and elevation of the flat.
 pub struct CouplingData {
     /// Limit of the shear traction at each contact point.
     pub limit: Vec<f64>,
     /// Temperature rise, if there is any.
     pub rise: Option<Vec<f64>>,
+    /// Elevation of the flat, if it changes.
+    pub elevation: Option<Vec<[f64; 2]>>,
     /// Whether they agree with the state that they depend on.
     pub converged: bool,
 }

@@ -3,7 +3,8 @@
 //! Uniform disc source on a half-space: at rest H. S. Carslaw & J. C. Jaeger, *Conduction of Heat in Solids* (1959),
 //! §10.5; moving X. Tian & F. E. Kennedy, *Maximum and average flash temperatures in sliding contacts*, J. Tribol. 116,
 //! 167 (1994), doi 10.1115/1.2927035, and the integral of moving point sources (Carslaw & Jaeger §10.7) that their formula
-//! fits, over Pe = Va/(2κ). Steady sliding of two bodies: boundary elements, `examples/peers/sliding_heat.py`.
+//! fits, over Pe = Va/(2κ). Displacement of the surface: J. R. Barber, Int. J. Mech. Sci. 14, 377 (1972),
+//! `examples/peers/counterface_expansion.py`. Steady sliding of two bodies: boundary elements, `examples/peers/sliding_heat.py`.
 
 use std::f64::consts::PI;
 
@@ -19,6 +20,7 @@ use crate::simulate::{Watch, derived, simulate};
 
 const AT_REST: &str = "Carslaw & Jaeger 1959, sec. 10.5";
 const MOVING: &str = "Carslaw & Jaeger 1959, sec. 10.7, integrated over the disc";
+const EXPANSION: &str = "Barber 1972, integrated over the disc";
 const FIT: &str = "Tian & Kennedy 1994, doi 10.1115/1.2927035";
 const GAP: &str = "Carslaw & Jaeger 1959, sec. 10.5, and Volterra's equation for the flow through the gap";
 const DIVIDED: &str = "rises of half-spaces of one diffusivity, in proportion to 1/k";
@@ -33,21 +35,25 @@ pub const CASES: [Case; 5] = [
     Case::new("moving counterface", Cost::Medium, moving),
 ];
 
-/// Mean and highest rise over qa/k after Fo = κt/a² at Pe, in increments that grow by 0.3.
-fn rises(peclet: f64, fourier: f64) -> (f64, f64) {
-    let mut half_space = HalfSpace::new(1.0, 1.0);
+/// Mean and highest rise over qa/k after Fo = κt/a² at Pe, and mean height of the surface over (1 + ν)αqa²/k.
+fn heated(peclet: f64, fourier: f64) -> (f64, f64, f64) {
+    // In increments that grow by 0.3.
+    let mut half_space = HalfSpace::new(1.0, 1.0).with_expansion(1.0);
     let uniform = Profile::new(1.0, 0.0, 0.0);
-    let (mut time, mut dt, mut rise) = (0.0, 1e-4 * fourier.min(1.0), 0.0);
+    let (mut time, mut dt, mut rise, mut height) = (0.0, 1e-4 * fourier.min(1.0), 0.0, 0.0);
     while time < fourier * (1.0 - 1e-12) {
         let step = dt.min(fourier - time);
         let response = half_space.step(step, 2.0 * peclet * step, 1.0);
         rise = (response.free(1, uniform) + response.own * uniform).x;
         half_space.try_fluxes(response, [uniform; 2]);
-        half_space.commit();
         time += step;
+        if time >= fourier * (1.0 - 1e-12) {
+            height = half_space.height_tried().map_or(0.0, |height| height.x);
+        }
+        half_space.commit();
         dt *= 1.3;
     }
-    (rise, half_space.highest_rise(1.0))
+    (rise, half_space.highest_rise(1.0), height)
 }
 
 fn half_space() -> Vec<Row> {
@@ -66,7 +72,7 @@ fn half_space() -> Vec<Row> {
         (100.0, 0.820640, 0.971802),
     ] {
         let name = |which| format!("{which} rise of the counterface at rest over qa/k, Fo = {fourier}");
-        let (rise, most) = rises(0.0, fourier);
+        let (rise, most, _) = heated(0.0, fourier);
         rows.push(row(name("mean"), rise, mean, AT_REST, exact));
         rows.push(row(name("highest"), most, highest, AT_REST, at_a_point));
     }
@@ -79,7 +85,7 @@ fn half_space() -> Vec<Row> {
         (500.0, 0.030778, 0.050392),
     ] {
         // The neglected earlier heat is of relative order exp(−Pe²Fo).
-        let (rise, most) = rises(peclet, 20.0 / (peclet * peclet) + 20.0 / peclet);
+        let (rise, most, _) = heated(peclet, 20.0 / (peclet * peclet) + 20.0 / peclet);
         let name = |which| format!("steady {which} rise of the moving counterface over qa/k, Pe = {peclet}");
         rows.push(row(name("mean"), rise, mean, MOVING, exact));
         let fit = 1.22 / (PI * (0.6575 + peclet)).sqrt();
@@ -88,6 +94,20 @@ fn half_space() -> Vec<Row> {
         rows.push(row(name("highest"), most, highest, MOVING, at_a_point));
         let fit = 2.0 / (PI * (1.273 + peclet)).sqrt();
         rows.push(row(name("highest"), most, fit, FIT, of_fit(0.03)));
+    }
+    // By erfc(k√t) J₀(kVt), integrated over the wave numbers of the disc and the time.
+    for (peclet, fourier, height) in [
+        (0.0, 1.0, 0.46703),
+        (2.0, 0.5, 0.25712),
+        (10.0, 0.1, 0.06993),
+        (10.0, 2.0, 0.07464),
+        (100.0, 0.02, 0.00814),
+    ] {
+        let name = format!(
+            "mean height of the counterface over (1 + nu) alpha q a2/k, Pe = {peclet}, Fo = {fourier}"
+        );
+        let tolerance = Tolerance::relative(5e-3, "quadrature");
+        rows.push(row(name, heated(peclet, fourier).2, height, EXPANSION, tolerance));
     }
     rows
 }

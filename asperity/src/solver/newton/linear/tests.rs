@@ -44,7 +44,7 @@ fn sheared(interference: f64, finite_strain: bool) -> Mechanics {
         let flat = FlatPosition { interference: interference * next * next, displacement: 0.0 };
         let start = press.displacement.clone();
         let held = |_: &mut Body, contact: &mut Contact, _| {
-            Some(CouplingData { limit: stick(contact), rise: None, converged: true })
+            Some(CouplingData { limit: stick(contact), rise: None, elevation: None, converged: true })
         };
         match press.solve(flat, LoadingControl::Interference, start.clone(), &|| false, held) {
             Ok(_) => {
@@ -84,7 +84,7 @@ fn left(mechanics: &mut Mechanics, residual: &[f64], direction: &[f64]) -> f64 {
     mechanics.contact.add_tangent_product(field, &mut rest[..size]);
     if let Some(&height) = direction.get(size) {
         let contact = &mechanics.contact;
-        contact.add_height_product(height, &mut rest[..size]);
+        contact.add_height_product(|_| height, &mut rest[..size]);
         rest[size] = contact.height_stiffness() * height + contact.load_product(field);
     }
     rest.iter_mut().zip(residual).for_each(|(rest, residual)| *rest += residual);
