@@ -62,7 +62,7 @@ pub enum LookupError {
     )]
     NoSlipRateInCommon { smallest: f64, largest: f64 },
     #[error(
-        "the table depends on its radius of {} m (gap conductance); it cannot be read at {} m",
+        "the table depends on its radius of {} m, by the conductance of gap or contact; it cannot be read at {} m",
         plain(*.table),
         plain(*.asked)
     )]

@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
-use tables::netcdf::{OutputError, check_outputs, check_results, write_atomically};
+use tables::netcdf::{OutputError, check_irreplaceable, check_outputs, check_results, write_atomically};
 
 use crate::errors;
 
-/// Refuses an output that cannot be written, or is one of the `inputs`.
+/// Refuses an output that cannot be written, is one of the `inputs`, or would replace what cannot be computed again.
 #[pyfunction]
 pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>) -> PyResult<()> {
     let inputs: Vec<(&str, &Path)> = inputs.iter().map(|path| ("an input of the result", &**path)).collect();
     let outputs = [("the output", &*output)];
-    refused(check_outputs(&inputs, &outputs), &outputs)
+    refused(check_outputs(&inputs, &outputs).and_then(|()| check_irreplaceable(&outputs)), &outputs)
 }
 
 /// The same of the files of a table with their roles.

@@ -145,16 +145,19 @@ fn report(
         }
         json
     };
-    let printed = display.printer().print(json, || summary(scene, outcome));
+    let printed = display.printer().print(json, || summary(scene, outcome, incomplete));
     Failure::all([saved, drawn, body, printed])
 }
 
-fn summary(scene: &Scene, outcome: &Outcome) -> String {
+fn summary(scene: &Scene, outcome: &Outcome, incomplete: Option<&str>) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "{name:17} {value}");
     };
+    if let Some(reason) = incomplete {
+        line("completion", format!("incomplete: {reason}; the values are those of the last state"));
+    }
     let interference = scene.loading.interference;
     let length = numbers::digits(interference * outcome.critical_interference, 4);
     line("interference", format!("{} omega_c, {length} m", numbers::plain(interference)));

@@ -16,7 +16,7 @@ use crate::loading::slide::SlideFailure;
 use crate::loading::state::SlideState;
 use crate::scene::{InterfaceStrength, LoadingStep, Scene};
 use crate::simulate::accuracy::correction::correction;
-use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget};
+use crate::simulate::accuracy::error_budget::{CONTROLLED, ErrorBudget, ErrorSource};
 use crate::simulate::accuracy::resolution::Resolution;
 use crate::simulate::derived::inception_time;
 use crate::simulate::outcome::{Account, ContactGrid, Outcome};
@@ -179,7 +179,10 @@ fn warning_of_errors(budget: &ErrorBudget, run: &Run, accuracy: f64) -> Vec<Warn
     let mut errors = CONTROLLED.map(of);
     errors.sort_by(|a, b| over(b.0, b.1).total_cmp(&over(a.0, a.1)));
     let above = errors.into_iter().filter(|(quantity, error)| over(*quantity, *error) > accuracy);
-    let warning = |(quantity, error)| Warning::of_error(quantity, error, quantity.allowance(), accuracy);
+    let warning = |(quantity, error): (Quantity, f64)| {
+        let model = budget.part(ErrorSource::Model, quantity) / run.values.value(quantity).abs();
+        Warning::of_error(quantity, [error, model], quantity.allowance(), accuracy)
+    };
     let (undetermined, inexact): (Vec<_>, Vec<_>) =
         above.map(warning).partition(|warning| matches!(warning, Warning::ErrorAboveValue { .. }));
     inexact.into_iter().take(1).chain(undetermined).collect()

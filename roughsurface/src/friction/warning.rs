@@ -74,6 +74,14 @@ pub enum Warning {
     )]
     NominalHeating { at: Place, length: f64, rise: f64, nominal: f64, nominal_rise: f64 },
     #[error(
+        "{at}: friction heats faces that stay in contact by more than a fifth of {} K, the mean rise of their contacts, within {} s, and by up to {} K within {} s; this heat is left out: give the raised temperature as temperature of [query], with a table over initial temperatures",
+        digits(*.rise, 2),
+        digits(*.time, 2),
+        digits(*.face_rise, 2),
+        plain(*.after)
+    )]
+    HeatOfFaces { at: Place, time: f64, rise: f64, after: f64, face_rise: f64 },
+    #[error(
         "the table is of a strength that grows with the strain rate: it holds at its own radius; at {} m friction and load are uncertain by {:.1} % more",
         digits(*.radius, 6),
         100.0 * .share

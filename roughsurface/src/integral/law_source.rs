@@ -91,9 +91,10 @@ impl LawSource {
             poisson_ratio: nu,
             yield_strength: metadata.yield_strength,
         };
+        let temperature = metadata.temperature;
         let youngs_modulus =
-            number(&scene, &["material", "youngs_modulus"]).unwrap_or(material.youngs_modulus);
-        let initial_temperature = Some(metadata.temperature);
+            number(&scene, &["material", "youngs_modulus"], temperature).unwrap_or(material.youngs_modulus);
+        let initial_temperature = Some(temperature);
         let counterface = Some(Counterface {
             words: metadata.counterface_in_words(),
             constants: metadata.counterface_constants(),
@@ -108,9 +109,9 @@ impl LawSource {
             law: Box::new(table),
             material,
             youngs_modulus,
-            melting_temperature: number(&scene, &["material", "softening", "melting"]),
-            inception_time: inception_time(&scene, &material),
-            effusivity: effusivity(&scene),
+            melting_temperature: number(&scene, &["material", "softening", "melting"], temperature),
+            inception_time: inception_time(&scene, &material, temperature),
+            effusivity: effusivity(&scene, temperature),
             initial_temperature,
             missing_cells,
             counterface,
@@ -179,25 +180,39 @@ impl LawSource {
     }
 }
 
-/// A number of a scene, by its section and key.
-fn number(scene: &toml::Table, path: &[&str]) -> Option<f64> {
+/// A number of a scene, by its section and key; of a table over temperature, which is linear between its points and constant
+/// outside, the value at `temperature`.
+fn number(scene: &toml::Table, path: &[&str], temperature: f64) -> Option<f64> {
     let (section, keys) = path.split_first()?;
-    keys.iter().try_fold(scene.get(*section)?, |value, key| value.get(key))?.as_float()
+    let value = keys.iter().try_fold(scene.get(*section)?, |value, key| value.get(key))?;
+    let column =
+        |key: &str| value.get(key)?.as_array()?.iter().map(toml::Value::as_float).collect::<Option<Vec<_>>>();
+    let Some((at, values)) = column("temperature").zip(column("value")) else { return value.as_float() };
+    let above = at.partition_point(|at| *at <= temperature);
+    match (above.checked_sub(1), above < at.len()) {
+        (None, _) => values.first().copied(),
+        (Some(below), true) => {
+            let share = (temperature - at[below]) / (at[above] - at[below]);
+            Some(values[below] + share * (values[above] - values[below]))
+        }
+        (Some(_), false) => values.last().copied(),
+    }
 }
 
 /// The smaller one of asperity and counterface.
-fn effusivity(scene: &toml::Table) -> Option<f64> {
+fn effusivity(scene: &toml::Table, temperature: f64) -> Option<f64> {
     let of = |body: &str| {
-        let constants =
-            ["thermal_conductivity", "density", "specific_heat"].map(|key| number(scene, &[body, key]));
+        let constants = ["thermal_conductivity", "density", "specific_heat"]
+            .map(|key| number(scene, &[body, key], temperature));
         constants.into_iter().product::<Option<f64>>().map(f64::sqrt)
     };
     of("material").into_iter().chain(of("counterface")).reduce(f64::min)
 }
 
 /// Of the asperity of a scene; `combined` has the modulus of the elastic counterface as well, which is displaced too.
-fn inception_time(scene: &toml::Table, combined: &ElasticPlastic) -> Option<f64> {
-    let [youngs, density] = ["youngs_modulus", "density"].map(|key| number(scene, &["material", key]));
+fn inception_time(scene: &toml::Table, combined: &ElasticPlastic, temperature: f64) -> Option<f64> {
+    let [youngs, density] =
+        ["youngs_modulus", "density"].map(|key| number(scene, &["material", key], temperature));
     let compliance = youngs? / combined.youngs_modulus;
     Some(compliance * partial_slip::inception_time(youngs?, combined.poisson_ratio, density?))
 }
@@ -249,10 +264,22 @@ mod tests {
     #[test]
     fn the_scene_of_a_table_states_the_melting_temperature() {
         let scene = "[material]\nsoftening = { law = \"johnson-cook\", melting = 1793.0 }\n";
-        let melting = |scene: &str| number(&scene.parse().unwrap(), &["material", "softening", "melting"]);
+        let melting =
+            |scene: &str| number(&scene.parse().unwrap(), &["material", "softening", "melting"], 298.0);
         assert_eq!(melting(scene), Some(1793.0));
         assert_eq!(melting("[material]\nsoftening = { law = \"none\" }\n"), None);
         assert_eq!(melting(""), None);
+    }
+
+    #[test]
+    fn properties_over_temperature_have_a_value_at_the_initial_one() {
+        let scene = "[material]\nyoungs_modulus = { temperature = [300.0, 500.0], value = [20e9, 10e9] }\n";
+        let at = |temperature| number(&scene.parse().unwrap(), &["material", "youngs_modulus"], temperature);
+        for (temperature, modulus) in
+            [(200.0, 20e9), (300.0, 20e9), (350.0, 17.5e9), (500.0, 10e9), (600.0, 10e9)]
+        {
+            assert_eq!(at(temperature), Some(modulus), "{temperature}");
+        }
     }
 
     /// E = 124 GPa, ν = 0.34 and 8960 kg/m³ give √(ρG) = 20.361 MPa s/m: 0.5·1.66/20.361e6 = 4.0764e-8, and 2.118 m/s over

@@ -46,6 +46,8 @@ use steffen::Location;
 
 /// A slip rate or interference closer than this to the end of an axis, relatively, is on it.
 const ROUNDING: f64 = 1e-9;
+/// Relative difference of radii, and so of the conductance of a gap over that of the asperity, far below the errors of a table.
+const SAME_RADIUS: f64 = 1e-3;
 
 /// A table at one initial temperature as a law of one asperity; its numbers are those of the [`Slice`].
 #[derive(Clone, Debug)]
@@ -86,7 +88,7 @@ impl InterpolatedTable {
     fn radius_ratio(&self, radius: f64) -> Result<f64, LookupError> {
         let metadata = self.metadata();
         let ratio = radius / metadata.asperity_radius;
-        if metadata.gap_conductance != 0.0 && (ratio - 1.0).abs() > ROUNDING {
+        if metadata.gap_conductance != 0.0 && (ratio - 1.0).abs() > SAME_RADIUS {
             return Err(LookupError::RadiusFixed { table: metadata.asperity_radius, asked: radius });
         }
         Ok(ratio)

@@ -43,11 +43,13 @@ pub fn check_results(inputs: &[(&str, &Path)], outputs: &[(&str, &Path)]) -> Res
 }
 
 /// Whether no output of a command that makes other files is a table, which took hours to compute and whose name is easily given
-/// again, nor data of another program, which cannot be computed at all: a netCDF file, or one that begins as those of
-/// `BINARY_DATA`.
+/// again, nor data of another program, which cannot be computed at all: a netCDF file, one that begins as those of
+/// `BINARY_DATA`, or a text with the extension of measured heights that does not begin as those of this project; nor a TOML file
+/// that was written by hand.
 pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError> {
     for (_, output) in outputs {
-        let mut of_others = output.is_file() && begins_as_data(output);
+        let start = beginning(output);
+        let mut of_others = BINARY_DATA.iter().any(|magic| start.starts_with(magic));
         if let Ok(file) = DatasetReader::open(output) {
             let text = |name| file.optional_text(name).ok().flatten().unwrap_or_default();
             if text("schema") == SCHEMA {
@@ -56,6 +58,18 @@ pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError>
             }
             of_others = !PROGRAMS.iter().any(|program| text("source").starts_with(program));
         }
+        let is = |extensions: &[&str]| {
+            let extension = output.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+            extensions.iter().any(|of_data| extension.eq_ignore_ascii_case(of_data))
+        };
+        let of_this_project = TEXTS.iter().any(|text| start.starts_with(text.as_bytes()));
+        if !start.is_empty() && !of_this_project && is(&["toml"]) {
+            return refused(
+                output,
+                "was not written by `roughsurface characterize`; choose another name, or delete it",
+            );
+        }
+        of_others |= !start.is_empty() && !of_this_project && is(&MEASURED);
         if of_others {
             let why =
                 "holds data of another program, as of a measured surface; choose another name, or delete it";
@@ -71,10 +85,29 @@ const PROGRAMS: [&str; 2] = ["asperity ", "roughsurface "];
 /// Beginnings of archives (X3P), numpy arrays and fields of Gwyddion.
 const BINARY_DATA: [&[u8]; 3] = [b"PK\x03\x04", b"\x93NUMPY", b"Gwyddion"];
 
-fn begins_as_data(path: &Path) -> bool {
+/// Extensions of measured heights in text files.
+const MEASURED: [&str; 6] = ["csv", "txt", "tsv", "dat", "xyz", "asc"];
+
+/// Beginnings of the texts of this project with such an extension: tables, friction for MATLAB and for COMSOL, heights of
+/// summits, and surfaces.
+const TEXTS: [&str; 5] = [
+    "interference [1],",
+    "temperature_K,",
+    "% Friction coefficient",
+    "# Heights of summits",
+    "# Summits of ",
+];
+
+/// The first bytes of a regular file; none of another.
+fn beginning(path: &Path) -> Vec<u8> {
     let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(8).read_to_end(&mut start));
-    read.is_ok() && BINARY_DATA.iter().any(|magic| start.starts_with(magic))
+    if path.is_file()
+        && let Ok(file) = File::open(path)
+    {
+        // A file that cannot be read cannot be told from those of others by its beginning.
+        let _ = file.take(32).read_to_end(&mut start);
+    }
+    start
 }
 
 /// Whether every output of a command can be written, and replaces neither an input nor another output. Each file is

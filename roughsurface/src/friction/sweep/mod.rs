@@ -43,6 +43,8 @@ const LARGEST_NOMINAL_RISE: f64 = 0.2;
 /// Mean rise (K) of the nominal contact below which its heat does not count: it takes about a hundredth of the strength of metals.
 const LEAST_NOMINAL_RISE: f64 = 10.0;
 
+/// Time (s) for which faces stay in contact at least.
+const IN_CONTACT: f64 = 10.0;
 /// Length (m) of a nominal contact that is small, where the query states none.
 const SMALL_NOMINAL_CONTACT: f64 = 0.01;
 
@@ -343,7 +345,8 @@ impl<'a> Sweep<'a> {
     }
 
     /// A warning where the nominal contact, whose heat is left out, warms by much of the rise of its contacts. The mean rise of
-    /// a half-space that passes a length L under the flux q is (4/3) q √(L/(πV))/e (Carslaw & Jaeger 1959, §2.9).
+    /// a half-space that passes a length L under the flux q is (4/3) q √(L/(πV))/e, and the rise of two that stay in contact at
+    /// most q √(t/π)/e with the smaller effusivity (Carslaw & Jaeger 1959, §2.9).
     fn nominal_heating(
         &self,
         (row, rate): (usize, usize),
@@ -354,6 +357,20 @@ impl<'a> Sweep<'a> {
         let initial = self.asperities[rate].classes[0].1.initial_temperature().ok()?;
         let rise = contacts.temperature_mean?.value - initial;
         let flux = sliding.shear.value * slip_rate;
+        let at = || Place::of(self.query, row, rate);
+        if self.query.contact_life == ContactLife::Steady {
+            let after_a_second = flux / (PI.sqrt() * self.settings.effusivity?);
+            let time = (LARGEST_NOMINAL_RISE * rise / after_a_second).powi(2);
+            let face_rise = after_a_second * IN_CONTACT.sqrt();
+            let counts = rise > 0.0 && time < IN_CONTACT && face_rise > LEAST_NOMINAL_RISE;
+            return counts.then(|| Warning::HeatOfFaces {
+                at: at(),
+                time,
+                rise,
+                after: IN_CONTACT,
+                face_rise,
+            });
+        }
         let of_unit_length = 4.0 / 3.0 * flux / ((PI * slip_rate).sqrt() * self.settings.effusivity?);
         let length = (LARGEST_NOMINAL_RISE * rise / of_unit_length).powi(2);
         let nominal = match self.query.interaction {
@@ -362,7 +379,6 @@ impl<'a> Sweep<'a> {
         };
         let nominal_rise = of_unit_length * nominal.sqrt();
         let counts = rise > 0.0 && length < nominal && nominal_rise > LEAST_NOMINAL_RISE;
-        let at = || Place::of(self.query, row, rate);
         counts.then(|| Warning::NominalHeating { at: at(), length, rise, nominal, nominal_rise })
     }
 

@@ -70,13 +70,23 @@ fn positions_beside_a_matrix_are_no_heights() {
 
 #[test]
 fn uneven_profiles_are_resampled() {
-    let profile = read("0 0\n1 10\n3 30\n4 40\n").unwrap();
+    let profile = read("0 0\n1 10\n2.7 27\n4 40\n").unwrap();
     assert_eq!(profile.column_step, 4.0 / 3.0);
     for (i, height) in profile.heights.iter().enumerate() {
         assert!((height - 10.0 * i as f64 * 4.0 / 3.0).abs() < 1e-12);
     }
     assert!(profile.remarks.contains(&Warning::Resampled));
     assert!(read("0 0\n0 1\n1 1\n").unwrap_err().contains("point 2"));
+}
+
+#[test]
+fn points_left_out_of_an_even_profile_have_no_height() {
+    let left_out = read("0 0\n1 10\n3 20\n4 40\n5 50\n").unwrap();
+    let empty = read("0 0\n1 10\n2 nan\n3 20\n4 40\n5 50\n").unwrap();
+    assert_eq!(left_out.column_step, empty.column_step);
+    let same = |(a, b): (&f64, &f64)| a == b || a.is_nan() && b.is_nan();
+    assert!(left_out.heights.len() == 6 && left_out.heights.iter().zip(&empty.heights).all(same));
+    assert!(!left_out.remarks.contains(&Warning::Resampled));
 }
 
 #[test]
