@@ -107,7 +107,7 @@ def warm_steel():
 @block("granite", 80)
 def granite():
     """Sliding friction of the granite example over the slip rate, with two counterfaces."""
-    like = ("elastic=false", "thermal_conductivity=2.8", "density=2650.0", "specific_heat=830.0")
+    like = ("elastic=false", "thermal_conductivity=2.8", "density=2650.0", "specific_heat=830.0", "thermal_expansion=8e-6")
     rows = []
     for name, settings in (BODIES[0], (BODIES[1][0], [f"counterface.{key}" for key in like])):
         points = predicted("granite-fault", tabulated("granite-asperity-table", *settings))

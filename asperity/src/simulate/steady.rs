@@ -17,7 +17,7 @@ use crate::loading::inception::between;
 use crate::loading::state::SlideState;
 
 /// μ_∞ of a slide up to its last state. The uncertainty is the change from there to the steady state, and the difference
-/// to the value of a slide half as long: thermal expansion of the asperity changes friction with the logarithm of slip,
+/// to the value of a slide half as long: thermal expansion changes friction with the logarithm of slip,
 /// which the two cover for a tenfold slip.
 pub fn steady_friction(history: &[SlideState]) -> Estimate {
     let Some(last) = history.last() else { return Estimate::UNKNOWN };

@@ -110,12 +110,17 @@ impl ContactDisc {
     pub(super) fn elevation(&self, point: usize, profile: Profile) -> [f64; 2] {
         let [xi, upsilon] = self.places[point];
         let distance = xi.hypot(upsilon);
-        let (along, curved) = match distance <= 1.0 {
-            true => (xi, 2.0 * distance * distance),
-            false => (xi / distance * (1.0 + distance.ln()), 2.0 + 4.0 * distance.ln()),
+        let squared = distance * distance;
+        // Factor of ξ, η + 1, and their derivatives along x.
+        let (factor, curved, of_slope, of_curvature) = if distance <= 1.0 {
+            (1.0, 2.0 * squared, 1.0, 4.0 * xi)
+        } else {
+            let log = distance.ln();
+            let factor = (1.0 + log) / distance;
+            (factor, 2.0 + 4.0 * log, factor - xi * xi * log / (squared * distance), 4.0 * xi / squared)
         };
-        let height = profile.x + profile.y * along + profile.z * (curved - self.curvature);
-        [height, (profile.y + 4.0 * profile.z * xi) / self.radius]
+        let height = profile.x + profile.y * factor * xi + profile.z * (curved - self.curvature);
+        [height, (profile.y * of_slope + profile.z * of_curvature) / self.radius]
     }
 
     /// Profile of a field, given its integral over the area of each point.

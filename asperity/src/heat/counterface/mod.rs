@@ -33,7 +33,7 @@ pub type Profile = Vector3<f64>;
 /// Points per panel of the convolution, and of the overlap of discs.
 const POINTS: [usize; 2] = [6, 24];
 /// The same for the height of the surface, which is smoother.
-const POINTS_OF_HEIGHT: [usize; 2] = [3, 12];
+const POINTS_OF_HEIGHT: [usize; 2] = [4, 12];
 /// Panels of the convolution per contact radius that the heat moves or spreads.
 const PANELS_PER_RADIUS: f64 = 1.0;
 /// The same at a point, at which the heat begins and ends abruptly.

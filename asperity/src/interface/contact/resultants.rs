@@ -59,11 +59,12 @@ impl Contact {
         (0..self.len()).map(|i| self.areas[i] * limit[i]).sum::<f64>() / covered
     }
 
-    /// Part of the shear traction that is not along the motion: 1 − |Q|/∫|τ| dA; 0 without shear traction.
+    /// Part of the shear traction that is not along the motion: 1 − |∫τ_x dA|/∫|τ| dA; 0 without shear traction.
     pub fn transverse_share(&self, state: &ContactState) -> f64 {
         let all: f64 =
             (0..self.len()).map(|i| self.areas[i] * state.traction[i][0].hypot(state.traction[i][1])).sum();
-        if all > 0.0 { 1.0 - 0.5 * self.friction(state).abs() / all } else { 0.0 }
+        let along: f64 = (0..self.len()).map(|i| self.areas[i] * self.along_x(i, state.traction[i])).sum();
+        if all > 0.0 { 1.0 - along.abs() / all } else { 0.0 }
     }
 
     fn sum_where(&self, state: &ContactState, pick: impl Fn(usize) -> bool) -> f64 {

@@ -23,8 +23,9 @@ const CONVERGED: f64 = 100.0;
 /// Updates in a step at most. Most steps need 3 to 8; where a hot interface loses its strength as sliding begins, each
 /// leaves up to 0.7 of the change of the one before.
 const MOST_UPDATES: usize = 24;
-/// Updates of the elevation of the flat in a step. Each leaves about a twentieth of the change of the one before; where the edge
-/// of the contact comes to another ring the area, and with it the elevation, may change in turn.
+/// Updates of the elevation of the flat in a step at most; then it is held. Each leaves about a twentieth of the change of the one
+/// before; where the edge of the contact comes to another ring the area, and with it the elevation, may change in turn. What is
+/// left is of this increment alone: the next one has all heat.
 const ELEVATIONS: usize = 3;
 /// Frictional power of the last update over that of the solution, above which the heat is that of the solution.
 const EXCESS_HEAT: f64 = 1.1;
@@ -84,8 +85,7 @@ impl Coupling<'_> {
         let state = if iteration == 0 { &body.committed } else { &body.trial };
         let hardened = interface_hardening(self.problem, self.slip_rate, body, contact, state);
         let rise = self.temperature(body, contact, &hardened, iteration);
-        // The predicted displacement is that on the predicted flat.
-        let (elevation, raised) = if iteration > 0 { self.elevation(contact) } else { None }.unzip();
+        let (elevation, raised) = self.elevation(contact, iteration).unzip();
         let limit = shear_limits(self.problem, contact, &hardened, rise.as_deref());
         let change = self.change(&limit).max(raised.unwrap_or(0.0));
         match &mut self.smallest {
@@ -130,15 +130,21 @@ impl Coupling<'_> {
         }
     }
 
-    /// Elevation of the flat by the thermal expansion of the counterface, unless it is held, and its largest change over the
-    /// interference.
-    fn elevation(&mut self, contact: &Contact) -> Option<(Vec<[f64; 2]>, f64)> {
-        self.elevations_left = self.elevations_left.checked_sub(1)?;
+    /// Elevation of the flat by the thermal expansion of the counterface, and its largest change over the interference; nothing
+    /// where it is held.
+    fn elevation(&mut self, contact: &Contact, iteration: usize) -> Option<(Vec<[f64; 2]>, f64)> {
+        // The predicted displacement is that on the predicted flat.
+        if iteration == 0 || self.elevations_left == 0 {
+            return None;
+        }
+        let clock = Instant::now();
         let area = |point| contact.covered_area(&contact.trial, point);
         let elevation = self.conduction.as_ref()?.elevation(area)?;
+        self.heat_time += clock.elapsed().as_secs_f64();
         let changes =
             elevation.iter().zip(&contact.trial.elevation).map(|(now, before)| (now[0] - before[0]).abs());
         let change = changes.fold(0.0, f64::max) / self.problem.interference;
+        self.elevations_left = if change > self.tolerance { self.elevations_left - 1 } else { 0 };
         Some((elevation, change))
     }
 

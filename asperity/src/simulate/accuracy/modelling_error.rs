@@ -34,7 +34,7 @@ pub struct SharedHeat {
     /// Relative change of the strength when the mean rise changes by its bound.
     pub softening: f64,
     /// Relative change of the load when the heat in the asperity, and with it the part of the load by thermal expansion,
-    /// changes as the heat partition.
+    /// changes as the heat partition; that in the counterface changes less, and the other way.
     pub load: f64,
 }
 

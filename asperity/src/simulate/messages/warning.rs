@@ -153,7 +153,7 @@ mod tests {
         assert!(close.contains("is 0.52 %, above 2.5 times the accuracy of 0.2 %"), "{close}");
         let closer = Warning::of_error(Quantity::Mu, [0.020004, 0.0], 1.0, 0.02).to_string();
         assert!(closer.contains("is 2.0004 %, above the accuracy of 2 %"), "{closer}");
-        let of_model = Warning::of_error(Quantity::EnergyRelease, [0.21, 0.205], 2.5, 0.02).to_string();
+        let of_model = Warning::of_error(Quantity::EnergyRelease, [0.21, 0.206], 2.5, 0.02).to_string();
         assert!(
             of_model.ends_with("of 2 %: 21 % are of the model, which no finer resolution reduces"),
             "{of_model}"

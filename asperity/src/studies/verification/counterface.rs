@@ -27,12 +27,13 @@ const DIVIDED: &str = "rises of half-spaces of one diffusivity, in proportion to
 
 const SPHERE: &str = "Neumann function of the sphere, Dassios & Sten 2012, in the mean over a disc";
 
-pub const CASES: [Case; 5] = [
+pub const CASES: [Case; 6] = [
     Case::new("half-space under a disc source", Cost::Quick, |_| Ok(half_space())),
     Case::new("bodies at rest", Cost::Quick, at_rest),
     Case::new("constriction of the asperity", Cost::Quick, constricted),
     Case::new("elastic counterface", Cost::Quick, elastic),
     Case::new("moving counterface", Cost::Medium, moving),
+    Case::new("expanding counterface", Cost::Quick, expanding),
 ];
 
 /// Mean and highest rise over qa/k after Fo = κt/a² at Pe, and mean height of the surface over (1 + ν)αqa²/k.
@@ -191,8 +192,8 @@ const SLIDING: [Sliding; 2] = [
 ];
 
 /// A slide at a Péclet number beside a like counterface, and qa/k, K.
-fn beside_like_body(peclet: f64) -> (Scene, f64) {
-    let mut scene = scene(plain_material(0.499), FrictionLaw::ShearStrength, 1e-4, mesh(8, 4));
+fn beside_like_body(peclet: f64, poisson_ratio: f64) -> (Scene, f64) {
+    let mut scene = scene(plain_material(poisson_ratio), FrictionLaw::ShearStrength, 1e-4, mesh(8, 4));
     scene.interface.strength_factor = 0.005;
     scene.model.heat = Switch::On;
     scene.counterface = conducting(&scene, 1.0);
@@ -212,7 +213,7 @@ fn moving(watch: &dyn Watch) -> Rows {
     const EXACT: &str = "examples/peers/sliding_heat.py, rises equal at each point";
     let mut rows = Vec::new();
     for Sliding { peclet, smooth, exact } in SLIDING {
-        let (scene, scale) = beside_like_body(peclet);
+        let (scene, scale) = beside_like_body(peclet, 0.499);
         let outcome = simulate(&scene, watch)?;
         let scalar = |quantity| outcome.scalars[quantity];
         let over = |scale: f64, temperature: Estimate| Estimate {
@@ -248,6 +249,38 @@ fn moving(watch: &dyn Watch) -> Rows {
             0.041,
             "smooth flux",
         );
+    }
+    Ok(rows)
+}
+
+/// Displacement of both surfaces by thermal expansion over that of the asperity alone, by the load of Hertz: of like bodies that
+/// hardly move 2, later as the mean displacements of `examples/peers/counterface_expansion.py`.
+fn expanding(watch: &dyn Watch) -> Rows {
+    const ALIKE: &str = "like bodies at rest expand alike";
+    const MOVING: &str = "examples/peers/counterface_expansion.py";
+    /// Of the asperity, over the interference.
+    const DISPLACEMENT: f64 = 0.005;
+    let mut rows = Vec::new();
+    for (peclet, slip, ratio, source, tolerance) in
+        [(0.01, 2.0, 2.0, ALIKE, 0.02), (2.0, 4.0, 1.81, MOVING, 0.04)]
+    {
+        let (mut scene, scale) = beside_like_body(peclet, 0.3);
+        scene.loading.slip_distance = slip;
+        let expansion = DISPLACEMENT * Hertz::of(&scene).contact_radius / (scene.radius * scale);
+        let mut load = |asperity: f64, counterface: f64| {
+            scene.material.thermal_expansion = asperity;
+            scene.counterface.thermal_expansion = Some(counterface);
+            Ok(simulate(&scene, watch)?.scalars[Quantity::Load].value)
+        };
+        let loads = [load(0.0, 0.0)?, load(expansion, 0.0)?, load(expansion, expansion)?];
+        let [alone, both] = [loads[1], loads[2]].map(|load| (load / loads[0]).powf(2.0 / 3.0) - 1.0);
+        let name =
+            format!("displacement of both surfaces by expansion over that of the asperity, Pe = {peclet}");
+        let tolerance = Tolerance::relative(
+            tolerance,
+            "mesh; mean displacement in place of that weighted by the pressure",
+        );
+        rows.push(Row::new(name, both / alone, Reference::exact(ratio, source), tolerance));
     }
     Ok(rows)
 }
