@@ -135,11 +135,18 @@ impl LawSource {
             let combined = self.youngs_modulus * combined / own;
             return Err(LawSourceError::RigidClosedForm { table: table.to_owned(), combined });
         };
+        // No expansion is the same as none stated.
+        let stated = |constants: &BTreeMap<String, f64>| {
+            let mut constants = constants.clone();
+            constants.retain(|key, value| key != "thermal_expansion" || *value != 0.0);
+            constants
+        };
+        let (found, asked) = (stated(constants), stated(asked));
         let same = |(key, value): (&String, &f64)| {
-            let found = constants.get(key);
+            let found = found.get(key);
             found.is_some_and(|found| value == found || (value / found - 1.0).abs() <= ROUNDING)
         };
-        if asked.len() == constants.len() && asked.iter().all(same) {
+        if asked.len() == found.len() && asked.iter().all(same) {
             return Ok(());
         }
         let list: Vec<String> = asked.iter().map(|(key, value)| format!("{key} = {value:e}")).collect();
@@ -334,6 +341,10 @@ mod tests {
         let steel = [("youngs_modulus", 205.1e9), ("poisson_ratio", 0.29)];
         assert_eq!(refusal(like, &steel), None);
         assert_eq!(refusal("", &[]), None);
+        let without_expansion = [steel[0], steel[1], ("thermal_expansion", 0.0)];
+        assert_eq!(refusal(like, &without_expansion), None);
+        assert_eq!(refusal(&format!("{like}, thermal_expansion = 0.0"), &steel), None);
+        assert!(refusal(&format!("{like}, thermal_expansion = 1.2e-5"), &steel).is_some());
         for (counterface, asked, expected) in [
             (
                 like,
