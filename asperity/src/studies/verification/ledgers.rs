@@ -186,14 +186,15 @@ fn through_the_gap(watch: &dyn Watch) -> Rows {
     ])
 }
 
-/// Frictional and plastic heat, of which a like counterface takes up a part.
+/// Frictional and plastic heat, of which a like counterface takes up a part. It expands, and its surface does work.
 fn into_the_counterface(watch: &dyn Watch) -> Rows {
     let mut scene = steel(20.0);
     scene.counterface = conducting(&scene, 1.0);
+    scene.counterface.thermal_expansion = Some(scene.material.thermal_expansion);
     let outcome = simulate(&scene, watch)?;
     Ok(vec![
         generated("heat into asperity and counterface over the heat generated", &scene, &outcome, 0.005),
         row("heat missing, conducting counterface", &outcome, heat_missing, 1e-6),
-        energy("energy missing, conducting counterface", &outcome),
+        energy("energy missing, counterface that conducts and expands", &outcome),
     ])
 }
