@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use asperity::output::figures;
 use asperity::studies::convergence;
 use asperity::tabulate::Shard;
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use tables::figures::TABLE_PANELS;
 use tables::netcdf::input::number;
-use tables::netcdf::program::Printer;
+use tables::netcdf::program::{Printer, netcdf_name};
 
 use super::{Failure, help, table};
 
@@ -113,7 +113,7 @@ pub(super) struct RunArguments {
     #[arg(value_name = "SCENE.toml")]
     pub(super) scene: PathBuf,
     /// File to write the histories, scalars and contact fields to
-    #[arg(short, long, value_name = "run.nc")]
+    #[arg(short, long, value_name = "run.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
     pub(super) output: PathBuf,
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
@@ -167,7 +167,7 @@ pub(super) struct TabulateArguments {
     #[arg(value_name = "REQUEST.toml")]
     pub(super) request: PathBuf,
     /// File to write the table to
-    #[arg(short, long, value_name = "table.nc")]
+    #[arg(short, long, value_name = "table.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
     pub(super) output: PathBuf,
     /// Replace a value of the request; may be repeated
     #[arg(long, value_name = "section.key=value")]
@@ -198,7 +198,7 @@ pub(super) struct ConvergenceArguments {
     #[arg(value_name = "SCENE.toml")]
     pub(super) scene: PathBuf,
     /// File to write values, errors, estimates and times to
-    #[arg(short, long, value_name = "report.nc")]
+    #[arg(short, long, value_name = "report.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
     pub(super) output: PathBuf,
     /// Replace a value of the scene; may be repeated
     #[arg(long, value_name = "section.key=value")]
@@ -276,7 +276,7 @@ pub(super) struct MergeArguments {
     #[arg(value_name = "SHARD.nc", required = true)]
     pub(super) shards: Vec<PathBuf>,
     /// File to write the table to
-    #[arg(short, long, value_name = "table.nc")]
+    #[arg(short, long, value_name = "table.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
     pub(super) output: PathBuf,
     /// Merge even if cells are missing; they stay "not run"
     #[arg(long)]

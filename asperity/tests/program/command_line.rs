@@ -44,11 +44,11 @@ fn bad_input_is_refused_before_any_work() {
         ),
         ("run none.toml -o run.nc".into(), &["none.toml", "cannot be read"]),
         ("run scene.toml -o none/run.nc".into(), &["none/run.nc", "cannot be written"]),
-        (format!("run scene.toml -o {}.svg", "n".repeat(252)), &["cannot be written"]),
+        (format!("run scene.toml -o {}.nc", "n".repeat(253)), &["cannot be written"]),
         ("run scene.toml -o other.toml".into(), &["other.toml", "results need another extension"]),
         ("run scene.toml -o ./scene.toml".into(), &["--output and the scene are the same file"]),
         (format!("{run} --plot scene.toml"), &["scene.toml", "svg, png"]),
-        ("run scene.toml -o x.svg --plot x.svg".into(), &["--plot and --output are the same file"]),
+        ("run scene.toml -o x.svg --plot x.svg".into(), &["name it .nc, not .svg"]),
         ("run scene.toml -o a --vtu a".into(), &["--vtu and --output are the same file"]),
         ("run scene.toml -o a/body.pvd --vtu a".into(), &["a file of --vtu and --output are the same file"]),
         (

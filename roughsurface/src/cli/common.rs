@@ -7,7 +7,7 @@ use roughsurface::sampling::case::CaseError;
 use std::path::Path;
 use tables::law::LookupError;
 use tables::netcdf::program::{self, Printer};
-pub use tables::netcdf::program::{Failure, save};
+pub use tables::netcdf::program::{Failure, netcdf_name, save};
 use tables::netcdf::{self, write_atomically};
 
 #[derive(Args)]

@@ -4,7 +4,7 @@ use super::common::*;
 use super::input::InputOptions;
 use super::progress::Progress;
 use clap::Args;
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use roughsurface::friction::Settings;
 use roughsurface::friction::regime::plasticity_index;
 use roughsurface::friction::warning::Warning;
@@ -70,7 +70,7 @@ pub struct Predict {
     #[arg(long, value_name = "BEFORE..AFTER", value_parser = step)]
     rate_step: Option<[f64; 2]>,
     /// Result (netCDF)
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "friction.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
     output: PathBuf,
     /// Plot of the result
     #[arg(long, value_name = "FILE.svg|png|pdf")]

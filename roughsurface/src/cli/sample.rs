@@ -4,6 +4,7 @@ use super::common::*;
 use super::input::InputOptions;
 use super::progress::Progress;
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use roughsurface::friction::Settings;
 use roughsurface::friction::warning::Warning;
 use roughsurface::output::{Origin, sample_file};
@@ -36,7 +37,7 @@ pub struct Sample {
     #[arg(long, value_name = "LENGTH", value_parser = slip_length)]
     slip: Option<f64>,
     /// Result (netCDF)
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "samples.nc", value_parser = PathBufValueParser::new().try_map(netcdf_name))]
     output: PathBuf,
     #[command(flatten)]
     run: RunOptions,

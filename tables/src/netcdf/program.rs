@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 use std::panic::{UnwindSafe, catch_unwind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::streams::{self, say};
@@ -47,6 +47,16 @@ pub fn exit_status(command: impl FnOnce() -> Result<(), Failure> + UnwindSafe) -
     };
     say(format!("error: {reason}"));
     ExitCode::from(status)
+}
+
+/// The name of a NetCDF file that is to be written, unless it has the extension of another format.
+pub fn netcdf_name(name: PathBuf) -> Result<PathBuf, String> {
+    const OF_OTHERS: [&str; 8] = ["csv", "txt", "json", "xlsx", "mat", "svg", "png", "pdf"];
+    let extension = name.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    match OF_OTHERS.iter().any(|other| extension.eq_ignore_ascii_case(other)) {
+        true => Err(format!("this file is NetCDF: name it .nc, not .{extension}")),
+        false => Ok(name),
+    }
 }
 
 /// Which texts a command prints.
