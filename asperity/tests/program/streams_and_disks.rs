@@ -137,7 +137,7 @@ fn every_file_of_a_run_is_saved_elsewhere() {
     let failing = "--set interface.law=full-stick --set material.hardening.law=none --set loading.interference=10 \
                    --set loading.slip_distance=1";
     for (settings, reason) in
-        [("", "no space left on the disk"), (failing, "the body shears below a sticking interface")]
+        [("", "no space left on the disk"), (failing, "the body shears in place of the interface")]
     {
         let command =
             format!("run scene.toml -o disk/run.nc --plot disk/run.svg --vtu disk/fields {settings}");

@@ -25,14 +25,14 @@ pub fn regime(plasticity_index: f64) -> &'static str {
     }
 }
 
-/// Shares of the asperities in contact, together 1.
+/// Shares of the asperities in contact; those that are known are together 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct RegimeShares {
     /// Interference below first yield.
     pub elastic: f64,
-    /// Interference of at least first yield, not melting.
+    /// Interference of at least first yield, not known to melt.
     pub plastic: f64,
-    /// Hottest point at the melting temperature; 0 where that is unknown.
+    /// Hottest point at the melting temperature; NaN where that is unknown.
     pub melting: f64,
 }
 
@@ -56,6 +56,7 @@ impl RegimeShares {
         // A contact that melts before it yields counts as melting.
         let plastic = (yielded - molten).max(0.0);
         let elastic = (touching - yielded.max(molten)).max(0.0);
+        let molten = if melting.is_some() { molten } else { f64::NAN };
         Self { elastic: elastic / touching, plastic: plastic / touching, melting: molten / touching }
     }
 }
@@ -100,7 +101,7 @@ mod tests {
         let beyond = |interference: f64| (-interference / 2.0f64).exp();
         let cold = shares(None);
         assert!((cold.elastic - (1.0 - beyond(1.0))).abs() < 1e-12);
-        assert!((cold.plastic - beyond(1.0)).abs() < 1e-12 && cold.melting == 0.0);
+        assert!((cold.plastic - beyond(1.0)).abs() < 1e-12 && cold.melting.is_nan());
         let hot = shares(Some(700.0));
         assert!((hot.melting - beyond(4.0)).abs() < 1e-9, "{hot:?}");
         assert!((hot.plastic - (beyond(1.0) - beyond(4.0))).abs() < 1e-9);

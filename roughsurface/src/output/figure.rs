@@ -72,11 +72,10 @@ pub fn figure(results: &Results) -> Figure {
         ("elastic-plastic, ", "elastic_plastic_load_fraction"),
         ("fully plastic, ", "fully_plastic_load_fraction"),
     ];
-    let regimes = [
-        ("elastic, ", "elastic_fraction"),
-        ("plastic, ", "plastic_fraction"),
-        ("melting, ", "melting_fraction"),
-    ];
+    let mut regimes = vec![("elastic, ", "elastic_fraction"), ("plastic, ", "plastic_fraction")];
+    if !prediction.friction[0][0].contacts.shares.melting.is_nan() {
+        regimes.push(("melting, ", "melting_fraction"));
+    }
     let mut panels = vec![
         over_slip_rate(prediction),
         over("friction", "Sliding friction", Axis::linear(FRICTION_LABEL), sliding),

@@ -48,7 +48,7 @@ pub enum SlideFailure {
     #[error("the contact grew past the fine mesh, to {growth:.2} times its radius after the press")]
     OutgrewMesh { growth: f64 },
     #[error(
-        "the body shears below a sticking interface: {:.0} % of the contact stick, and the elements below \
+        "the body shears in place of the interface: {:.0} % of the contact stick, and the elements below \
          have a plastic strain of {strain:.2}, beyond which the result depends on the mesh. Sliding requires \
          an interface weaker than the metal below it: {remedy}",
         100.0 * .stick_fraction
