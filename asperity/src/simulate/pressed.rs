@@ -339,7 +339,7 @@ pub(crate) fn bisect<E>(
     Ok([start, end])
 }
 
-pub(super) fn press_error(failure: PressFailure) -> SimulationError {
+pub fn press_error(failure: PressFailure) -> SimulationError {
     let (at, reason) = match failure {
         PressFailure::Stopped => return SimulationError::Cancelled { partial: None },
         PressFailure::Factor(error) => ("the elastic stiffness".into(), error.to_string()),

@@ -173,6 +173,11 @@ pub enum Warning {
         "chang-etsion-bogy: its static friction was published for a Poisson ratio of 0.3, not {poisson_ratio}"
     )]
     PoissonRatioOfChangEtsionBogy { poisson_ratio: f64 },
+    /// Key and value of the interface of the table.
+    #[error(
+        "--compare: the interface of the table has {interface}, while those of the models are as strong as the metal or in full stick"
+    )]
+    ComparedInterface { interface: String },
 }
 
 impl Warning {
@@ -223,6 +228,7 @@ impl Warning {
                 | Self::TablesDiffer { .. }
                 | Self::OneSided { .. }
                 | Self::PoissonRatioOfChangEtsionBogy { .. }
+                | Self::ComparedInterface { .. }
         )
     }
 }

@@ -54,6 +54,8 @@ pub struct LawSource {
     pub initial_temperature: Option<f64>,
     /// Cells of the table without results: interpolated around, or of an interference or a slip rate that is left out.
     pub missing_cells: Vec<String>,
+    /// Interface of a table that is not as strong as the metal, by its key and value.
+    pub other_interface: Option<String>,
     /// Of a table.
     counterface: Option<Counterface>,
 }
@@ -114,6 +116,7 @@ impl LawSource {
             effusivity: effusivity(&scene, temperature),
             initial_temperature,
             missing_cells,
+            other_interface: other_interface(&scene),
             counterface,
         })
     }
@@ -181,10 +184,23 @@ impl LawSource {
                 effusivity: None,
                 initial_temperature: None,
                 missing_cells: Vec::new(),
+                other_interface: None,
                 counterface: None,
             }),
         }
     }
+}
+
+/// See [`LawSource::other_interface`].
+fn other_interface(scene: &toml::Table) -> Option<String> {
+    let interface = scene.get("interface")?;
+    let given = |key: &str, usual: toml::Value| {
+        let value = interface.get(key).filter(|value| **value != usual)?;
+        Some(format!("{key} = {value}"))
+    };
+    given("law", "shear-strength".into())
+        .or_else(|| given("strength", "initial".into()))
+        .or_else(|| given("strength_factor", 1.0.into()))
 }
 
 /// A number of a scene, by its section and key; of a table over temperature, which is linear between its points and constant
@@ -324,6 +340,15 @@ mod tests {
         assert_eq!(refusal(&[("thermal_conductivity", 40.0)]), None);
         let said = refusal(&[("youngs_modulus", 200e9), ("poisson_ratio", 0.3)]).unwrap();
         assert!(said.contains("youngs_modulus = 1.0000e11"), "{said}");
+    }
+
+    #[test]
+    fn an_interface_that_is_not_as_strong_as_the_metal_is_named() {
+        let found = |keys: &str| other_interface(&format!("[interface]\n{keys}").parse().unwrap());
+        let usual = "law = \"shear-strength\"\nstrength = \"initial\"\nstrength_factor = 1.0\ncap = true";
+        assert_eq!(found(usual), None);
+        assert_eq!(found("law = \"coulomb\"\nfriction = 0.1"), Some("law = \"coulomb\"".into()));
+        assert_eq!(found("strength_factor = 0.5"), Some("strength_factor = 0.5".into()));
     }
 
     #[test]

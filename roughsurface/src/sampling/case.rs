@@ -202,6 +202,8 @@ impl Case {
         let warnings = &mut results.prediction.warnings;
         warnings.splice(..0, self.warnings());
         warnings.extend(models.filter_map(|model| caveat(model, &source.material)));
+        let interface = source.other_interface.clone().filter(|_| !compared.is_empty());
+        warnings.extend(interface.map(|interface| Warning::ComparedInterface { interface }));
         Ok(results)
     }
 

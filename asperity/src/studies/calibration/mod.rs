@@ -10,12 +10,12 @@ mod order;
 use std::fmt::Write;
 
 use crate::interface::contact::Contact;
-use crate::loading::press::{PressFailure, press_on};
+use crate::loading::press::press_on;
 use crate::loading::problem::Problem;
 use crate::loading::state::SlideState;
 use crate::scene::{Numerics, Scene};
 use crate::simulate::accuracy::resolution::Resolution;
-use crate::simulate::{SimulationError, Watch, sample};
+use crate::simulate::{SimulationError, Watch, press_error, sample};
 
 /// A constant, as stored and as fitted anew.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,13 +90,7 @@ fn pressed(
     let problem = Problem::new(scene);
     let numerics = Numerics { elements_per_radius: Some(elements), ..scene.numerics.clone() };
     let size = Resolution::choose(&numerics).mesh_size(contact_radius);
-    let failed = |error: PressFailure| SimulationError::NotConverged {
-        stage: "press",
-        at: format!("{elements} elements per contact radius"),
-        reason: error.to_string(),
-        partial: None,
-    };
-    let (mechanics, _) = press_on(&problem, size, INCREMENTS, &|| watch.cancelled()).map_err(failed)?;
+    let (mechanics, _) = press_on(&problem, size, INCREMENTS, &|| watch.cancelled()).map_err(press_error)?;
     Ok(mechanics.into_parts().1)
 }
 
