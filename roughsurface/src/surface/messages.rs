@@ -27,9 +27,25 @@ pub(crate) fn explain(path: &str, message: &str) -> String {
     if message.starts_with("missing field") && !quoted.is_empty() {
         return format!("{}: is missing", joined(quoted[0]));
     }
+    let message =
+        match message.strip_prefix("invalid type: ").and_then(|types| types.split_once(", expected ")) {
+            Some((found, expected)) => format!("is {}, must be {}", in_words(found), in_words(expected)),
+            None => message,
+        };
     match path {
         "" | "." => message,
         path => format!("{path}: {message}"),
+    }
+}
+
+/// A type of serde.
+fn in_words(kind: &str) -> &str {
+    match kind {
+        "sequence" | "a sequence" => "a list",
+        "map" => "a table of keys",
+        "f64" => "a number",
+        "u32" | "usize" | "u64" => "a whole number",
+        kind => kind,
     }
 }
 

@@ -182,6 +182,7 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
     folder.write("text.txt", "1 2 3 4\n5 6 seven 8\n");
     folder.write("flat.txt", "1 1 1 1 1 1 1 1\n".repeat(8));
     folder.write("small.txt", "1 2 3 4\n5 6 7 8\n");
+    folder.write("map.sur", b"DIGITAL SURF\0\0\x01\0");
     let (map, profile) = (data("map.nc").display().to_string(), data("profile.nc").display().to_string());
     for (arguments, expected) in [
         ("none.x3p", "none.x3p: cannot be read"),
@@ -192,6 +193,7 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
         ("flat.txt --pixel 1um", "flat.txt: all heights are"),
         ("small.txt --pixel 1um", "small.txt: holds 2 x 4 points; at least 8"),
         ("small.txt", "give it with --pixel LENGTH"),
+        ("map.sur", "map.sur: is a binary file of unknown format; known are GSF"),
         (&format!("{map} --unit um"), "states its own lengths"),
         (&format!("{map} --cutoff 0.1um"), "cutoff = 1e-7 m: must lie between"),
         (&format!("{profile} --cutoff 1um --summits found"), "needs a map"),

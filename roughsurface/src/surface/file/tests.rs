@@ -154,7 +154,7 @@ fn radii_may_be_distributed() {
 #[test]
 fn types_syntax_and_missing_keys_are_explained() {
     let wrong_type = message("[1e7, 1e5]", "[\"many\"]");
-    assert!(wrong_type.starts_with("surface.toml:7: query.pressure[0]: invalid type"), "{wrong_type}");
+    assert_eq!(wrong_type, "surface.toml:7: query.pressure[0]: is string \"many\", must be a number");
     let hold = message(HOLD, "hold = \"distance\"");
     assert!(hold.starts_with("surface.toml:9: query.hold: unknown variant"), "{hold}");
     let missing = message("asperity_radius = 100e-6", "");

@@ -32,6 +32,10 @@ const FEWEST_POINTS: usize = 8;
 /// Largest share of undefined points that are filled in rather than refused.
 const MOST_UNDEFINED: f64 = 0.1;
 
+/// Of a file of an instrument, as .sur or binary .sdf.
+const BINARY: &str = "is a binary file of unknown format; known are GSF, NetCDF, X3P, NPY and text. Gwyddion and the programs of \
+    most instruments convert to X3P";
+
 /// Whether `file` is a topography and not a surface file, which is called `.toml` or begins with a section.
 pub fn is_topography(file: &Path) -> bool {
     /// Comments are shorter.
@@ -61,7 +65,10 @@ pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyErro
     } else if bytes.starts_with(b"CDF") || bytes.starts_with(b"\x89HDF") {
         without_lengths(reading).and_then(|()| netcdf::read(file))
     } else {
-        text::parse(&decode(&bytes), reading)
+        match decode(&bytes) {
+            text if text.contains('\0') => Err(BINARY.into()),
+            text => text::parse(&text, reading),
+        }
     };
     parsed.and_then(checked).map_err(error)
 }
