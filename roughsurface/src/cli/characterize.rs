@@ -10,8 +10,8 @@ use tables::figures::Figure;
 
 pub const HELP: &str = "\
 Formats, told apart by content: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, X3P
-(ISO 25178-72), NPY (NumPy, with --pixel), and text or CSV: a matrix of heights (with --pixel,
-or the header that Gwyddion writes), columns x y z of a regular grid, a profile x z, or a
+(ISO 25178-72), SDF (ISO 25178-71), NPY (NumPy, with --pixel), and text or CSV: a matrix of heights
+(with --pixel, or the header that Gwyddion writes), columns x y z of a regular grid, a profile x z, or a
 column of heights with --pixel.
 
 Summit radius and density follow from the shortest wavelengths that are let in. Give what your

@@ -1,6 +1,6 @@
 """Topographies in every format and what SurfaceTopography says about them.
 
-    pip install SurfaceTopography==1.27.1
+    pip install SurfaceTopography==1.27.1 sdfio==2.0.0
     python3 make_topographies.py
 
 writes the files beside it. The numbers in reference.json are computed by SurfaceTopography alone:
@@ -10,6 +10,7 @@ its readers, its detrending, its filter, its Fourier derivatives.
 import json
 
 import numpy as np
+import sdfio
 import SurfaceTopography
 from SurfaceTopography import Topography, UniformLineScan, read_topography
 from SurfaceTopography.Generation import fourier_synthesis
@@ -30,6 +31,8 @@ tilted = Topography(heights + 0.02 * x - 0.05 * y + 3.0, (LENGTH, LENGTH), unit=
 tilted.to_netcdf("map.nc")
 tilted.to_x3p("map.x3p")
 tilted.to_x3p("map-int16.x3p", dtype="I")
+of_16_bits = sdfio.Metadata(revision=sdfio.Revision.ISO_1_0, data_type=sdfio.DataType.INT16)
+sdfio.write("map-int16.sdf", tilted.heights().T * 1e-6, x_scale=PIXEL * 1e-6, y_scale=PIXEL * 1e-6, metadata=of_16_bits)
 np.savetxt("map-um.txt", tilted.heights().T, fmt="%.7e")
 np.save("map-um.npy", tilted.heights().T.astype("<f4"))
 rows = [(px, py, pz) for px, py, pz in zip(x.ravel(), y.ravel(), tilted.heights().ravel())]

@@ -54,10 +54,11 @@ fn every_format_holds_the_same_map() {
     assert!((map.row_step / 0.2e-6 - 1.0).abs() < 1e-7);
     // NetCDF goes along x first, the others along y.
     let turned: Vec<f64> = (0..64 * 64).map(|p| map.heights[p % 64 * 64 + p / 64]).collect();
-    // Doubles; sixteen bits over a range of 1 µm; single precision at 3 µm; eight printed digits.
+    // Doubles; sixteen bits over a range of 1 µm, and of 6.6 µm; single precision at 3 µm; eight printed digits.
     for (name, allowed) in [
         ("map.x3p", 1e-20),
         ("map-int16.x3p", 1e-11),
+        ("map-int16.sdf", 6e-11),
         ("map.gsf", 2e-13),
         ("map-um.npy", 2e-13),
         ("map-um.txt", 1e-12),
@@ -193,7 +194,7 @@ fn bad_topographies_end_with_status_two_one_line_and_nothing_written() {
         ("flat.txt --pixel 1um", "flat.txt: all heights are"),
         ("small.txt --pixel 1um", "small.txt: holds 2 x 4 points; at least 8"),
         ("small.txt", "give it with --pixel LENGTH"),
-        ("map.sur", "map.sur: is a binary file of unknown format; known are GSF"),
+        ("map.sur", "map.sur: is a binary file of unknown format; known are X3P"),
         (&format!("{map} --unit um"), "states its own lengths"),
         (&format!("{map} --cutoff 0.1um"), "cutoff = 1e-7 m: must lie between"),
         (&format!("{profile} --cutoff 1um --summits found"), "needs a map"),

@@ -82,8 +82,9 @@ pub fn check_irreplaceable(outputs: &[(&str, &Path)]) -> Result<(), OutputError>
 /// First words of the attribute `source` of the files of this project.
 const PROGRAMS: [&str; 2] = ["asperity ", "roughsurface "];
 
-/// Beginnings of archives (X3P), numpy arrays and fields of Gwyddion.
-const BINARY_DATA: [&[u8]; 3] = [b"PK\x03\x04", b"\x93NUMPY", b"Gwyddion"];
+/// Beginnings of archives (X3P), numpy arrays, fields of Gwyddion and SDF files.
+const BINARY_DATA: [&[u8]; 7] =
+    [b"PK\x03\x04", b"\x93NUMPY", b"Gwyddion", b"aISO-", b"bISO-", b"aBCR-", b"bBCR-"];
 
 /// Extensions of measured heights in text files.
 const MEASURED: [&str; 6] = ["csv", "txt", "tsv", "dat", "xyz", "asc"];

@@ -10,6 +10,7 @@ mod npy;
 mod number;
 mod profile;
 mod reading;
+mod sdf;
 mod text;
 mod titles;
 mod units;
@@ -32,8 +33,8 @@ const FEWEST_POINTS: usize = 8;
 /// Largest share of undefined points that are filled in rather than refused.
 const MOST_UNDEFINED: f64 = 0.1;
 
-/// Of a file of an instrument, as .sur or binary .sdf.
-const BINARY: &str = "is a binary file of unknown format; known are GSF, NetCDF, X3P, NPY and text. Gwyddion and the programs of \
+/// Of a file of an instrument, as .sur.
+const BINARY: &str = "is a binary file of unknown format; known are X3P, SDF, GSF, NetCDF, NPY and text. Gwyddion and the programs of \
     most instruments convert to X3P";
 
 /// Whether `file` is a topography and not a surface file, which is called `.toml` or begins with a section.
@@ -51,7 +52,7 @@ pub fn is_topography(file: &Path) -> bool {
     read.is_ok() && lines.next().is_some_and(|line| !line.starts_with('['))
 }
 
-/// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, NPY, or text:
+/// Reads `file`: GSF (Gwyddion), NetCDF as SurfaceTopography writes it, ISO 25178-72 X3P, ISO 25178-71 SDF, NPY, or text:
 /// a matrix of heights, columns x y z, x z, or z.
 pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyError> {
     let error = |what: String| TopographyError { file: file.to_path_buf(), what };
@@ -60,6 +61,8 @@ pub fn read(file: &Path, reading: &Reading) -> Result<Topography, TopographyErro
         npy::parse(&bytes, reading)
     } else if bytes.starts_with(b"PK\x03\x04") {
         without_lengths(reading).and_then(|()| x3p::parse(&bytes))
+    } else if sdf::is_sdf(&bytes) {
+        without_lengths(reading).and_then(|()| sdf::parse(&bytes))
     } else if bytes.starts_with(gsf::MAGIC) {
         without_lengths(reading).and_then(|()| gsf::parse(&bytes))
     } else if bytes.starts_with(b"CDF") || bytes.starts_with(b"\x89HDF") {
