@@ -122,7 +122,7 @@ impl Collocation {
     }
 
     /// A θ-independent field at all angles.
-    pub fn spread(&self, axisymmetric: &[f64]) -> Vec<f64> {
+    pub fn spread<T: Copy>(&self, axisymmetric: &[T]) -> Vec<T> {
         axisymmetric.iter().flat_map(|&value| std::iter::repeat_n(value, self.count)).collect()
     }
 }

@@ -114,13 +114,13 @@ impl Body {
 
     /// Body of revolution with the history of an axisymmetric one on the same meridian.
     pub fn revolve(axisymmetric: &Body, mesh: RevolvedMesh) -> Self {
-        let lanes = mesh.sectors.columns();
+        let committed = axisymmetric.committed.spread(&mesh.sectors);
         let mut body = Self::new(mesh, axisymmetric.solid.clone());
         if axisymmetric.finite_strain.is_some() {
             body = body.at_finite_strain();
         }
-        body.committed = axisymmetric.committed.spread(lanes);
-        body.trial = body.committed.clone();
+        body.trial = committed.clone();
+        body.committed = committed;
         body
     }
 

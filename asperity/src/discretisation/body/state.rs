@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::TENSOR;
+use crate::discretisation::collocation::Collocation;
 use crate::discretisation::element::POINTS;
 
 /// Place of value i of `count` at Gauss point q of element e and the first angle: element by element, value by value,
@@ -48,16 +49,15 @@ impl BodyState {
         self.accumulated.iter().fold(0.0, |m, &x| m.max(x))
     }
 
-    /// The same axisymmetric state in each of `lanes` sectors.
-    pub(super) fn spread(&self, lanes: usize) -> Self {
-        let spread = |v: &[f64]| v.iter().flat_map(|&x| std::iter::repeat_n(x, lanes)).collect();
+    /// An axisymmetric state at all angles.
+    pub(super) fn spread(&self, sectors: &Collocation) -> Self {
         Self {
-            plastic_strain: spread(&self.plastic_strain),
-            deviator: spread(&self.deviator),
-            accumulated: spread(&self.accumulated),
-            strength: spread(&self.strength),
-            mean_stress: spread(&self.mean_stress),
-            rise: spread(&self.rise),
+            plastic_strain: sectors.spread(&self.plastic_strain),
+            deviator: sectors.spread(&self.deviator),
+            accumulated: sectors.spread(&self.accumulated),
+            strength: sectors.spread(&self.strength),
+            mean_stress: sectors.spread(&self.mean_stress),
+            rise: sectors.spread(&self.rise),
         }
     }
 

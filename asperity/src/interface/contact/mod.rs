@@ -122,7 +122,7 @@ impl Contact {
     ) -> Self {
         let mut contact = Self::with_springs(mesh, modulus, SLIDE_SPRING);
         contact.shear_slope = shear_slope(modulus, poisson_ratio);
-        contact.committed = axisymmetric.committed.spread(contact.columns);
+        contact.committed = axisymmetric.committed.spread(&mesh.sectors);
         for i in 0..contact.len() {
             let spring = contact.tangential_spring[i / contact.columns];
             let state = &mut contact.committed;
@@ -130,11 +130,10 @@ impl Contact {
         }
         contact.trial = contact.committed.clone();
         // Areas of the press are those of the whole half circle.
-        let share = |area: &f64| std::iter::repeat_n(area / contact.columns as f64, contact.columns);
-        contact.areas = axisymmetric.areas.iter().flat_map(share).collect();
+        contact.areas = mesh.sectors.spread(&axisymmetric.areas);
+        contact.areas.iter_mut().for_each(|area| *area /= contact.columns as f64);
         contact.committed_areas = contact.areas.clone();
-        let repeated = |&fraction| std::iter::repeat_n(fraction, contact.columns);
-        contact.contact_fraction = axisymmetric.contact_fraction.iter().flat_map(repeated).collect();
+        contact.contact_fraction = mesh.sectors.spread(&axisymmetric.contact_fraction);
         contact.start_motion();
         contact
     }

@@ -1,5 +1,7 @@
 //! State of the contact points.
 
+use crate::discretisation::collocation::Collocation;
+
 /// State of a contact point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -47,20 +49,17 @@ impl ContactState {
     }
 
     /// An axisymmetric state at all angles.
-    pub(super) fn spread(&self, columns: usize) -> Self {
-        fn spread<T: Copy>(v: &[T], columns: usize) -> Vec<T> {
-            v.iter().flat_map(|&x| std::iter::repeat_n(x, columns)).collect()
-        }
+    pub(super) fn spread(&self, sectors: &Collocation) -> Self {
         Self {
-            status: spread(&self.status, columns),
-            pressure: spread(&self.pressure, columns),
-            gap: spread(&self.gap, columns),
-            traction: spread(&self.traction, columns),
-            limit: spread(&self.limit, columns),
-            relative: spread(&self.relative, columns),
-            anchor: spread(&self.anchor, columns),
-            slip: spread(&self.slip, columns),
-            elevation: spread(&self.elevation, columns),
+            status: sectors.spread(&self.status),
+            pressure: sectors.spread(&self.pressure),
+            gap: sectors.spread(&self.gap),
+            traction: sectors.spread(&self.traction),
+            limit: sectors.spread(&self.limit),
+            relative: sectors.spread(&self.relative),
+            anchor: sectors.spread(&self.anchor),
+            slip: sectors.spread(&self.slip),
+            elevation: sectors.spread(&self.elevation),
         }
     }
 }
