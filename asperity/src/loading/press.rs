@@ -112,7 +112,8 @@ fn press_to(
         }
         Some(CouplingData { limit: vec![limit; contact.len()], rise: None, elevation: None, converged: true })
     })?;
-    mechanics.contact.update_contact_fraction();
+    let edges = mechanics.contact.trial_edges();
+    mechanics.contact.set_edges(&edges);
     mechanics.body.commit();
     mechanics.contact.commit();
     let contact = &mechanics.contact;

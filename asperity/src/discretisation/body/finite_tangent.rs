@@ -50,11 +50,6 @@ impl<'a> FiniteTangentPart<'a> {
 }
 
 impl FiniteTangent {
-    /// Whether the moduli of small strain are used for the element and group of angles at `at`.
-    pub fn is_small(&self, at: usize) -> bool {
-        self.small[at]
-    }
-
     pub fn new(elements: usize, lanes: usize) -> Self {
         Self {
             point: vec![0.0; elements * POINTS * POINT_VALUES * lanes],

@@ -64,7 +64,7 @@ impl Body {
 
     /// Whether the moduli of small strain are not accurate enough.
     fn is_large(&self, at: usize) -> bool {
-        self.finite_strain.as_ref().is_some_and(|tangent| !tangent.is_small(at))
+        self.finite_strain.as_ref().is_some_and(|tangent| !tangent.small[at])
     }
 
     /// Sum over elements of the zone in one part.

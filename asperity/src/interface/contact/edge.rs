@@ -5,12 +5,6 @@ use crate::interface::contact_edge::EdgeRatios;
 use crate::scene::fitted_constants::contact_edge::FITTED;
 
 impl Contact {
-    /// Contact fractions of the trial state.
-    pub fn update_contact_fraction(&mut self) {
-        let edges = self.trial_edges();
-        self.set_edges(&edges);
-    }
-
     /// Place of the edge of the trial state at each angle (see `interface::contact_edge`), in cells of the rings from the axis
     /// on; the cell of a ring extends half a spacing to both sides.
     pub fn trial_edges(&self) -> Vec<f64> {
