@@ -58,30 +58,29 @@ pub struct Preset {
 impl Preset {
     /// Whether a material has the yield strength and the density of this preset.
     pub fn has_strength_of(&self, material: &Material) -> bool {
-        let is = |key: &str, value: f64| {
-            let constant = self.constants.iter().find(|constant| constant.key == key);
-            constant.is_some_and(|constant| constant.value == ConstantValue::Number(value))
-        };
-        is("yield_strength", material.yield_strength) && is("density", material.density)
+        self.number("yield_strength") == Some(material.yield_strength)
+            && self.number("density") == Some(material.density)
     }
 
     /// The same, with rounded values of yield strength and hardening modulus.
     pub fn has_strength_near(&self, material: &Material) -> bool {
         const ROUNDING: f64 = 0.006;
-        let near = |wanted: &str, value: f64| {
-            self.constants.iter().find_map(|constant| match constant {
-                Constant { key, value: ConstantValue::Number(exact), .. } if key == wanted => {
-                    Some(*exact).filter(|exact| (value / exact - 1.0).abs() <= ROUNDING)
-                }
-                _ => None,
-            })
-        };
+        let near =
+            |key: &str, value: f64| self.number(key).filter(|exact| (value / exact - 1.0).abs() <= ROUNDING);
         let modulus = material.hardening.clone().modulus_mut().map(|modulus| *modulus);
         let hardens_alike = modulus.is_none_or(|modulus| near("hardening.modulus", modulus).is_some());
         let strength = near("yield_strength", material.yield_strength).filter(|_| hardens_alike);
         strength.is_some_and(|yield_strength| {
             self.has_strength_of(&Material { yield_strength, ..material.clone() })
         })
+    }
+
+    /// A constant that is one number.
+    fn number(&self, key: &str) -> Option<f64> {
+        match self.constants.iter().find(|constant| constant.key == key)?.value {
+            ConstantValue::Number(value) => Some(value),
+            _ => None,
+        }
     }
 
     /// The section `[material]` of this preset; a scene takes `rate` from it only where it names that law.
@@ -232,12 +231,11 @@ pub(crate) mod tests {
     #[test]
     fn steel_4340_has_the_constants_of_johnson_and_cook_1985() {
         let preset = find("steel-4340").unwrap();
-        let value = |key: &str| preset.constants.iter().find(|c| c.key == key).unwrap().value.clone();
-        assert_eq!(value("yield_strength"), ConstantValue::Number(792e6));
-        assert_eq!(value("hardening.modulus"), ConstantValue::Number(510e6));
-        assert_eq!(value("hardening.exponent"), ConstantValue::Number(0.26));
-        assert_eq!(value("softening.exponent"), ConstantValue::Number(1.03));
-        assert_eq!(value("softening.melting"), ConstantValue::Number(1793.0));
+        assert_eq!(preset.number("yield_strength"), Some(792e6));
+        assert_eq!(preset.number("hardening.modulus"), Some(510e6));
+        assert_eq!(preset.number("hardening.exponent"), Some(0.26));
+        assert_eq!(preset.number("softening.exponent"), Some(1.03));
+        assert_eq!(preset.number("softening.melting"), Some(1793.0));
     }
 
     /// At 20 °C.
