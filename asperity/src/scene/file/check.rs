@@ -136,7 +136,7 @@ pub fn same_length(
 }
 
 /// Integers are numbers too: `interference = 20`.
-fn as_number(value: &Value) -> Option<f64> {
+pub fn as_number(value: &Value) -> Option<f64> {
     match value {
         Value::Float(number) => Some(*number),
         Value::Integer(number) => Some(*number as f64),

@@ -3,6 +3,7 @@
 use tables::quantity::hint;
 use toml::{Table, Value};
 
+use super::check::as_number;
 use super::error::SceneFileError;
 use super::source::Source;
 use crate::scene::TemperatureTable;
@@ -37,8 +38,8 @@ pub fn take_preset(
 /// Replaces the keys `preset` and `elastic` of the section `[counterface]` by constants at `loading.temperature`, and
 /// checks that these are complete.
 pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), SceneFileError> {
-    let number = |value: &Value| value.as_float().or(value.as_integer().map(|value| value as f64));
-    let temperature = sections.get("loading").and_then(|loading| loading.get("temperature")).and_then(number);
+    let temperature =
+        sections.get("loading").and_then(|loading| loading.get("temperature")).and_then(as_number);
     let conductance =
         sections.get("interface").and_then(|interface| interface.get("gap_conductance")).cloned();
     let Some(Value::Table(section)) = sections.get_mut("counterface") else {
@@ -85,11 +86,11 @@ pub fn resolve_counterface(sections: &mut Table, source: &Source) -> Result<(), 
         let allowed = format!("left out unless {} are given", CONDUCTING.join(", "));
         return Err(source.invalid(&path(key), value, allowed));
     }
-    if section.get(EXPANSION).and_then(number) == Some(0.0) {
+    if section.get(EXPANSION).and_then(as_number) == Some(0.0) {
         section.remove(EXPANSION);
     }
     match conductance {
-        Some(value) if conducts && number(&value).is_some_and(|value| value > 0.0) => {
+        Some(value) if conducts && as_number(&value).is_some_and(|value| value > 0.0) => {
             let allowed = "0 where the counterface conducts; its key is counterface.contact_conductance";
             Err(source.invalid("interface.gap_conductance", value, allowed))
         }
