@@ -33,6 +33,7 @@ use toml::Table;
 
 use crate::scene::Scene;
 use document::Document;
+pub(in crate::scene) use source::is_within;
 
 /// Read a scene from a file, or the standard input for the path `-`, with `overrides` (`section.key=value`) laid over it.
 ///

@@ -81,7 +81,7 @@ fn readable(value: String) -> String {
 }
 
 /// Whether the key `path` is that of the section `section`, or one in it.
-fn is_within(path: &str, section: &str) -> bool {
+pub fn is_within(path: &str, section: &str) -> bool {
     path.strip_prefix(section).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 

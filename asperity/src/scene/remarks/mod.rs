@@ -8,6 +8,7 @@ use tables::numbers::{digits, plain, rounded};
 use tables::quantity::{plausible, values_by_path};
 use toml::{Table, Value};
 
+use crate::scene::file::is_within;
 use crate::scene::fitted_constants::localised_shear;
 use crate::scene::loading::{default_slip_distance, default_temperature};
 use crate::scene::{
@@ -246,17 +247,11 @@ impl Scene {
         let without_effect = |path: &str| path == "interface.heat_partition" && self.partition_is_result();
         let unchanged = |(path, here): (String, &Value)| {
             let default = default.get(&path).filter(|default| **default == here)?;
-            (is_optional(&path) && !without_effect(&path)).then(|| format!("{path} = {default}"))
+            let is_optional = OPTIONAL.iter().any(|section| is_within(&path, section));
+            (is_optional && !without_effect(&path)).then(|| format!("{path} = {default}"))
         };
         values_by_path(&here).into_iter().filter_map(unchanged).collect()
     }
-}
-
-fn is_optional(path: &str) -> bool {
-    let within = |section: &&str| {
-        path.strip_prefix(*section).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-    };
-    OPTIONAL.iter().any(within)
 }
 
 #[cfg(test)]
