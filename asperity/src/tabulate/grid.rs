@@ -9,7 +9,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 
 use super::cell::Finished;
-use super::cost::{CostModel, Forecast};
+use super::cost::Forecast;
 use super::journal::{CellResult, Index, Journal, JournalError, Known};
 use super::layout::Layout;
 use super::{CellProgress, Simulator, TableWatch};
@@ -60,12 +60,10 @@ pub fn run<S: Simulator>(
 ) -> Result<(), JournalError> {
     let layout = work.layout;
     let cases = layout.cases();
-    let columns = layout.axes.slip_rate.len();
-    let largest = layout.axes.interference[layout.axes.interference.len() - 1];
-    let mut model = CostModel::new(largest, columns);
+    let mut model = layout.cost_model();
     let (mut finished, mut done) = (Vec::new(), 0);
     for (k, case) in cases.iter().enumerate() {
-        match known.get(&layout.point((k / columns, k % columns)).key()) {
+        match known.get(&layout.point(layout.index(k)).key()) {
             Some(result) => {
                 if let Ok(result) = result {
                     model.learn(*case, result.cell.wall_time);
@@ -130,7 +128,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
     fn take(&self, i: usize, chosen: impl FnOnce(Vec<usize>) -> Vec<usize>) -> Vec<usize> {
         let mut ledger = self.lock();
         let is_pending = |j: &usize| {
-            self.work.wanted[self.position((i, *j))]
+            self.work.wanted[self.work.layout.position((i, *j))]
                 && !ledger.taken.contains(&(i, *j))
                 && !ledger.known.contains_key(&self.work.layout.point((i, *j)).key())
         };
@@ -149,7 +147,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
             return;
         }
         let temperature = self.work.layout.template(i).loading.temperature;
-        let position = self.position((i, j));
+        let position = self.work.layout.position((i, j));
         self.lock().forecast.started(position, self.now());
         match guard(|| self.simulator.slide(pressed, self.work.layout.axes.slip_rate[j], self)) {
             Ok(outcome) => {
@@ -162,7 +160,7 @@ impl<'a, S: Simulator> Grid<'a, S> {
     }
 
     fn finish(&self, index: Index, result: CellResult) {
-        let position = self.position(index);
+        let position = self.work.layout.position(index);
         let mut ledger = self.lock();
         if let Err(error) = ledger.journal.record(self.work.layout.point(index), &result) {
             self.stopped.store(true, Ordering::Relaxed);
@@ -179,10 +177,6 @@ impl<'a, S: Simulator> Grid<'a, S> {
         };
         self.watch.finished(index, &result, &progress);
         ledger.known.insert(self.work.layout.point(index).key(), result);
-    }
-
-    fn position(&self, (i, j): Index) -> usize {
-        i * self.work.layout.axes.slip_rate.len() + j
     }
 
     fn now(&self) -> f64 {

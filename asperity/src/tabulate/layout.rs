@@ -3,7 +3,7 @@
 use tables::closed_forms::hertz;
 use tables::table::Axes;
 
-use super::cost::Case;
+use super::cost::{Case, CostModel};
 use super::journal::{Index, Point};
 use crate::heat::expected::{HeatEffect, choose_heat};
 use crate::scene::Scene;
@@ -40,6 +40,23 @@ impl<'a> Layout<'a> {
             interference: self.interference(i),
             slip_rate: self.axes.slip_rate[j],
         }
+    }
+
+    /// Place of a cell, row-major.
+    pub fn position(&self, (i, j): Index) -> usize {
+        i * self.axes.slip_rate.len() + j
+    }
+
+    /// The cell at a place.
+    pub fn index(&self, position: usize) -> Index {
+        let columns = self.axes.slip_rate.len();
+        (position / columns, position % columns)
+    }
+
+    /// Of run times, before any is known.
+    pub fn cost_model(&self) -> CostModel {
+        let largest = self.axes.interference[self.axes.interference.len() - 1];
+        CostModel::new(largest, self.axes.slip_rate.len())
     }
 
     /// The rows, that of the largest interference first.

@@ -38,7 +38,6 @@ use crate::simulate::expected_time::expected_time;
 use crate::simulate::largest_interference;
 use crate::simulate::outcome::Outcome;
 use crate::simulate::{self, Pressed, STACK_SIZE, SimulationError, Watch};
-use cost::CostModel;
 use grid::Work;
 use journal::Known;
 use layout::Layout;
@@ -317,8 +316,7 @@ fn check_depth(request: &Request) -> Result<(), TabulateError> {
 
 /// Processor time of the cells that are wanted and not known yet, s.
 fn expected_time_left(layout: &Layout<'_>, wanted: &[bool], known: &Known) -> f64 {
-    let columns = layout.axes.slip_rate.len();
-    let left = (0..wanted.len()).map(|k| (k / columns, k % columns)).zip(wanted);
+    let left = (0..wanted.len()).map(|k| layout.index(k)).zip(wanted);
     left.filter(|(index, wanted)| **wanted && !known.contains_key(&layout.point(*index).key()))
         .map(|(index, _)| expected_time(&layout.scene(index)))
         .sum()
@@ -326,8 +324,7 @@ fn expected_time_left(layout: &Layout<'_>, wanted: &[bool], known: &Known) -> f6
 
 /// Of each cell, row-major, before anything is run; only ratios are meaningful.
 fn expected_costs(layout: &Layout<'_>) -> Vec<f64> {
-    let largest = layout.axes.interference[layout.axes.interference.len() - 1];
-    let model = CostModel::new(largest, layout.axes.slip_rate.len());
+    let model = layout.cost_model();
     layout.cases().into_iter().map(|case| model.seconds(case)).collect()
 }
 
