@@ -106,13 +106,11 @@ impl Tabulation {
     pub(super) fn slice(&self, n: usize, template: &Scene) -> Result<Slice, TableError> {
         let mut slice = Slice::new(self.axes.clone(), self.metadata(template))?;
         let count = self.axes.interference.len();
-        let rows = self.cells.iter().skip(n * count).take(count);
-        for (i, j, result) in rows.enumerate().flat_map(|(i, row)| {
-            row.iter().enumerate().filter_map(move |(j, cell)| Some((i, j, cell.as_ref()?)))
-        }) {
+        for ((i, j), result) in self.each().filter(|((i, _), _)| i / count == n) {
             match result {
-                Ok(finished) => slice.set_cell(i, j, finished.cell.clone())?,
-                Err(reason) => slice.mark_failed(i, j, reason),
+                Some(Ok(finished)) => slice.set_cell(i % count, j, finished.cell.clone())?,
+                Some(Err(reason)) => slice.mark_failed(i % count, j, reason),
+                None => {}
             }
         }
         Ok(slice)
