@@ -91,11 +91,6 @@ impl Progress {
         (FIRST_ESTIMATE..1.0).contains(&done).then(|| elapsed * (1.0 - done) / done)
     }
 
-    /// `done` is a share, 0 to 1.
-    fn show(&self, stage: &str, done: f64, detail: &str) {
-        self.shown.show(stage, done, detail);
-    }
-
     /// Print something while the bar is shown.
     pub fn aside<R>(&self, print: impl FnOnce() -> R) -> R {
         match &self.shown {
@@ -129,6 +124,7 @@ impl Shown {
         Self::Bar(bar)
     }
 
+    /// `done` is a share, 0 to 1.
     fn show(&self, stage: &str, done: f64, detail: &str) {
         match self {
             Self::Hidden => {}
@@ -169,10 +165,11 @@ fn duration(seconds: f64) -> String {
 
 impl Watch for Progress {
     fn progress(&self, stage: &'static str, done: f64, detail: &str) {
+        let shown = &self.shown;
         match self.left(stage, done) {
-            Some(left) if detail.is_empty() => self.show(stage, done, &format!("{} left", duration(left))),
-            Some(left) => self.show(stage, done, &format!("{} left, {detail}", duration(left))),
-            None => self.show(stage, done, detail),
+            Some(left) if detail.is_empty() => shown.show(stage, done, &format!("{} left", duration(left))),
+            Some(left) => shown.show(stage, done, &format!("{} left, {detail}", duration(left))),
+            None => shown.show(stage, done, detail),
         }
     }
 
@@ -191,7 +188,7 @@ impl TableWatch for Progress {
     fn finished(&self, _: Index, _: &CellResult, progress: &CellProgress) {
         let CellProgress { done, total, remaining } = *progress;
         let detail = format!("{done} of {total} cells, {} left", duration(remaining));
-        self.show("cells", done as f64 / total as f64, &detail);
+        self.shown.show("cells", done as f64 / total as f64, &detail);
     }
 }
 
@@ -201,9 +198,8 @@ mod tests {
 
     #[test]
     fn time_left_is_that_of_the_stage() {
-        let hidden = Shown::Hidden;
-        let begun = Instant::now() - std::time::Duration::from_secs(10);
-        let progress = Progress { shown: hidden, stage: Mutex::new(("slide", begun)), quiet: true };
+        let begun = Instant::now() - Duration::from_secs(10);
+        let progress = Progress { shown: Shown::Hidden, stage: Mutex::new(("slide", begun)), quiet: true };
         let left = progress.left("slide", 0.25).unwrap();
         assert!((30.0..31.0).contains(&left), "{left}");
         assert_eq!(progress.left("slide", 0.01), None);
