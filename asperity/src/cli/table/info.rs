@@ -3,11 +3,12 @@
 use std::fmt::Write;
 
 use serde_json::{Value, json};
+use tables::interpolation::InterpolatedTable;
 use tables::numbers::plain;
 use tables::quantity::Quantity;
 use tables::refinement::statistics::{Counts, ErrorStatistics};
 use tables::shipped;
-use tables::table::{Axes, Metadata, Slice, Table};
+use tables::table::{Metadata, Slice, Table};
 
 use crate::{Display, Failure};
 
@@ -22,19 +23,19 @@ pub fn info(table: &Table, table_name: &str, display: &Display) -> Result<(), Fa
 
 /// Print the shipped tables, a line each.
 pub fn list(display: &Display) -> Result<(), Failure> {
-    let mut rows = Vec::new();
-    for name in shipped::names() {
-        let table = shipped::table(name).map_err(Failure::run)?;
-        let worst = |quantity: Quantity| {
-            let statistics = table.error_statistics();
+    let tables: Vec<(&str, InterpolatedTable)> = shipped::names()
+        .map(|name| Ok((name, shipped::table(name).map_err(Failure::run)?)))
+        .collect::<Result<_, Failure>>()?;
+    let largest_errors = |table: &InterpolatedTable| {
+        let statistics = table.error_statistics();
+        [Quantity::MuStatic, Quantity::Mu].map(|quantity| {
             statistics.iter().find(|of| of.quantity == quantity).map_or(f64::NAN, |of| of.largest)
-        };
-        let [mu_static, mu] = [Quantity::MuStatic, Quantity::Mu].map(worst);
-        rows.push((name, table.metadata().clone(), table.axes().clone(), [mu_static, mu]));
-    }
+        })
+    };
     let counterface =
         |metadata: &Metadata| if metadata.counterface.is_empty() { "isothermal" } else { "conducts heat" };
-    let as_json = |(name, metadata, axes, [mu_static, mu]): &(&str, Metadata, Axes, [f64; 2])| {
+    let as_json = |(name, table): &(&str, InterpolatedTable)| {
+        let (metadata, axes, [mu_static, mu]) = (table.metadata(), table.axes(), largest_errors(table));
         json!({
             "name": name,
             "counterface": counterface(metadata),
@@ -46,7 +47,8 @@ pub fn list(display: &Display) -> Result<(), Failure> {
             "mu_relative_error_largest": mu,
         })
     };
-    let line = |(name, metadata, axes, [mu_static, mu]): &(&str, Metadata, Axes, [f64; 2])| {
+    let line = |(name, table): &(&str, InterpolatedTable)| {
+        let (metadata, axes, [mu_static, mu]) = (table.metadata(), table.axes(), largest_errors(table));
         let rate_law = if metadata.rate_coefficient.is_some() { ", rate law" } else { "" };
         format!(
             "{name:21} {}{rate_law}, R = {} mm, {}, {}; largest error of mu_static {}, of mu {}\n",
@@ -54,13 +56,13 @@ pub fn list(display: &Display) -> Result<(), Failure> {
             plain(1e3 * metadata.asperity_radius),
             range(&axes.interference, "omega_c"),
             range(&axes.slip_rate, "m/s"),
-            percent(*mu_static),
-            percent(*mu),
+            percent(mu_static),
+            percent(mu),
         )
     };
     display
         .printer()
-        .print(|| rows.iter().map(as_json).collect::<Value>(), || rows.iter().map(line).collect())
+        .print(|| tables.iter().map(as_json).collect::<Value>(), || tables.iter().map(line).collect())
 }
 
 fn text(table: &Table, table_name: &str, verbose: bool) -> String {
