@@ -78,10 +78,7 @@ impl<'a> Plane<'a> {
             parts.map(|part| part.iter().map(|[x, y, _]| [*x, *y, class as f64]).collect()).collect()
         };
         let cells = [class(0, &|at| -sticks(at)), class(1, &sticks)].concat();
-        let state =
-            self.outcome.slide.states().find(|state| {
-                (state[Quantity::Slip], state[Quantity::Time]) == (snapshot.slip, snapshot.time)
-            });
+        let state = self.outcome.slide.states().find(|state| shows(snapshot, state));
         let sticks = state.map_or(String::new(), |state| {
             format!(", {:.0} % sticks", 100.0 * state[Quantity::StickFraction])
         });
@@ -156,14 +153,16 @@ impl<'a> Plane<'a> {
     /// Where the flat moves on the way to the state of `snapshot`, at the start on the way from it; nothing where it rests.
     fn arrow(&self, snapshot: &Snapshot) -> Option<Arrow> {
         let states: Vec<_> = self.outcome.slide.states().collect();
-        let is_state = |state: &State<'_>| {
-            (state[Quantity::Slip], state[Quantity::Time]) == (snapshot.slip, snapshot.time)
-        };
-        let end = states.iter().position(is_state).unwrap_or(0).max(1);
+        let end = states.iter().position(|state| shows(snapshot, state)).unwrap_or(0).max(1);
         let pair = states.get(end - 1..=end)?;
         let motion = pair[1][Quantity::Slip] - pair[0][Quantity::Slip];
         (motion != 0.0).then(|| Arrow { text: "flat".into(), backwards: motion < 0.0 })
     }
+}
+
+/// Whether a snapshot is of this state of the slide.
+fn shows(snapshot: &Snapshot, state: &State<'_>) -> bool {
+    (state[Quantity::Slip], state[Quantity::Time]) == (snapshot.slip, snapshot.time)
 }
 
 #[cfg(test)]
