@@ -85,8 +85,8 @@ impl HeatEffect {
         // A plane under the flux q warms by 2q√(κt/π)/k, here in the time of the elastic displacement τ₀a(2 − ν)/(2G) at
         // gross slip, with 2 − ν taken as 2.
         let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
-        let diffusivity = material.thermal_conductivity / (material.density * material.specific_heat);
-        let inception_depth = (diffusivity * strength / (shear_modulus * slip_rate * contact_radius)).sqrt();
+        let inception_depth =
+            (material.diffusivity() * strength / (shear_modulus * slip_rate * contact_radius)).sqrt();
         let flux = scene.largest_heat_partition() * strength * slip_rate;
         let at_inception = flux * inception_depth * contact_radius * 2.0
             / (std::f64::consts::PI.sqrt() * material.thermal_conductivity);

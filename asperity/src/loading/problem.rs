@@ -133,9 +133,8 @@ impl Problem {
         let material = &scene.material;
         let body = material.elastic_plastic();
         let critical = body.critical_interference(1.0);
-        let capacity = material.density * material.specific_heat;
-        let diffusivity = material.thermal_conductivity / capacity;
-        let heat_capacity = capacity / material.yield_strength;
+        let diffusivity = material.diffusivity();
+        let heat_capacity = material.density * material.specific_heat / material.yield_strength;
         let counterface = half_space(scene, heat_capacity, expansion);
         Self {
             solid: Solid::new(material, scene.loading.temperature),

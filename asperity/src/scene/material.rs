@@ -204,6 +204,11 @@ impl Material {
         }
     }
 
+    /// Thermal diffusivity κ = k/(ρc), m²/s.
+    pub fn diffusivity(&self) -> f64 {
+        self.thermal_conductivity / (self.density * self.specific_heat)
+    }
+
     /// Sets the values at the initial temperature, K, of the properties that have a table.
     pub fn evaluate_at_temperature(&mut self, temperature: f64) {
         let tables = &self.dependence;

@@ -197,11 +197,9 @@ fn beside_like_body(peclet: f64, poisson_ratio: f64) -> (Scene, f64) {
     scene.interface.strength_factor = 0.005;
     scene.model.heat = Switch::On;
     scene.counterface = conducting(&scene, 1.0);
-    let material = &scene.material;
-    let diffusivity = material.thermal_conductivity / (material.density * material.specific_heat);
     let radius = Hertz::of(&scene).contact_radius;
     scene.loading.slip_distance = 10_000.0;
-    scene.loading.slip_rate = 2.0 * peclet * diffusivity / radius;
+    scene.loading.slip_rate = 2.0 * peclet * scene.material.diffusivity() / radius;
     let strength = scene.interface.strength_factor * scene.material.yield_strength / 3f64.sqrt();
     let rise = strength * scene.loading.slip_rate * radius / scene.material.thermal_conductivity;
     (scene, rise)

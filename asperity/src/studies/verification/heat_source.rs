@@ -145,8 +145,7 @@ fn cooled(biot: f64, watch: &dyn Watch) -> Rows {
     let conductance = biot * k / radius;
     scene.interface.gap_conductance = conductance;
     scene.loading.slip_distance = 2.0;
-    let diffusivity = k / (scene.material.density * scene.material.specific_heat);
-    scene.loading.slip_rate = 2.0 * diffusivity / (1e4 * radius);
+    scene.loading.slip_rate = 2.0 * scene.material.diffusivity() / (1e4 * radius);
     let outcome = simulate(&scene, watch)?;
     let end = last(&outcome);
     let a = (end[Quantity::Area] / PI).sqrt();

@@ -40,12 +40,11 @@ fn rate(watch: &dyn Watch) -> Rows {
     let [at_slow, at_fast] = [&slow, &fast].map(|outcome| outcome.scalars[Quantity::MuStatic].value);
     let material = &scene.material;
     let strength = material.yield_strength / 3f64.sqrt();
-    let k = material.thermal_conductivity;
-    let diffusivity = k / (material.density * material.specific_heat);
     let radius = slow.scalars[Quantity::ContactRadius].value;
     let slip = strength * radius / (2.0 * Hertz::of(&scene).tangential_modulus);
     let flux = scene.interface.heat_partition * strength * 10.0;
-    let rise = 2.0 * flux / k * (diffusivity * slip / (PI * 10.0)).sqrt();
+    let rise =
+        2.0 * flux / material.thermal_conductivity * (material.diffusivity() * slip / (PI * 10.0)).sqrt();
     let Softening::JohnsonCook { reference, melting, exponent } = material.softening else {
         unreachable!("the preset has this law")
     };
