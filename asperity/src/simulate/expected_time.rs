@@ -182,6 +182,13 @@ mod tests {
         (250.0, 3.0, 3.9),
     ];
 
+    /// That a measured time, s, is within the stated factor of the expected one.
+    fn assert_expected(scene: &Scene, seconds: f64) {
+        let ratio = expected_time(scene) / seconds;
+        let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
+        assert!(within, "expected over measured {ratio}, {seconds} s: {scene:?}");
+    }
+
     #[test]
     fn measured_times_are_within_the_stated_factor() {
         const BRONZE: &str = "youngs_modulus = 110e9\npoisson_ratio = 0.34\nyield_strength = 350e6\n\
@@ -196,9 +203,7 @@ mod tests {
                 "[material]\n{material}\n[asperity]\nradius = 1e-3\n[loading]\n\
                  interference = {interference:?}\nslip_rate = {slip_rate:?}\n[numerics]\naccuracy = {accuracy:?}\n"
             );
-            let ratio = expected_time(&parse_scene(&text, "this test", &[]).unwrap()) / seconds;
-            let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
-            assert!(within, "{material} {interference} omega_c, accuracy {accuracy}: {ratio}");
+            assert_expected(&parse_scene(&text, "this test", &[]).unwrap(), seconds);
         }
     }
 
@@ -207,9 +212,7 @@ mod tests {
         for (preset, interference, slip_rate, slip, seconds) in SLIDES {
             let place = [("interference", interference), ("slip_rate", slip_rate), ("slip_distance", slip)];
             let set = place.map(|(key, value)| format!("loading.{key}={value:?}"));
-            let ratio = expected_time(&of_preset(preset, &set.each_ref().map(String::as_str))) / seconds;
-            let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
-            assert!(within, "{preset} {interference} omega_c, {slip_rate} m/s, {slip} radii: {ratio}");
+            assert_expected(&of_preset(preset, &set.each_ref().map(String::as_str)), seconds);
         }
     }
 
@@ -230,11 +233,7 @@ mod tests {
         ] {
             let accuracy = format!("numerics.accuracy={accuracy}");
             let scene = of_preset("steel-4340", &[steps, counterface, "loading.interference=10", &accuracy]);
-            let ratio = expected_time(&scene) / seconds;
-            assert!(
-                (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio),
-                "{seconds}: {ratio}"
-            );
+            assert_expected(&scene, seconds);
         }
     }
 
@@ -266,9 +265,7 @@ mod tests {
             let place = [format!("asperity.radius={radius}"), format!("loading.slip_rate={slip_rate}")];
             let set: Vec<String> =
                 place.into_iter().chain(change.iter().map(|set| set.to_string())).collect();
-            let ratio = expected_time(&parse_scene(IRON, "this test", &set).unwrap()) / seconds;
-            let within = (1.0 / EXPECTED_TIME_FACTOR..=EXPECTED_TIME_FACTOR).contains(&ratio);
-            assert!(within, "{radius} m, {slip_rate} m/s, {change:?}: {ratio}");
+            assert_expected(&parse_scene(IRON, "this test", &set).unwrap(), seconds);
         }
     }
 
