@@ -154,15 +154,13 @@ impl MeridianMesh {
     /// Smallest Jacobian over the corners of a quadrilateral, relative to its mean; not positive
     /// unless it is convex.
     fn corner_quality(&self, quad: &[u32; 4]) -> f64 {
-        let p: Vec<[f64; 2]> = quad.iter().map(|&n| self.nodes[n as usize]).collect();
-        let jacobians: Vec<f64> = (0..4)
-            .map(|i| {
-                let (a, b, c) = (p[(i + 3) % 4], p[i], p[(i + 1) % 4]);
-                (c[0] - b[0]) * (a[1] - b[1]) - (c[1] - b[1]) * (a[0] - b[0])
-            })
-            .collect();
+        let p = quad.map(|n| self.nodes[n as usize]);
+        let jacobians: [f64; 4] = std::array::from_fn(|i| {
+            let (a, b, c) = (p[(i + 3) % 4], p[i], p[(i + 1) % 4]);
+            (c[0] - b[0]) * (a[1] - b[1]) - (c[1] - b[1]) * (a[0] - b[0])
+        });
         let mean = jacobians.iter().sum::<f64>() / 4.0;
-        let least = jacobians.iter().fold(f64::INFINITY, |least, &jacobian| least.min(jacobian));
+        let least = jacobians.into_iter().fold(f64::INFINITY, f64::min);
         if mean > 0.0 { least / mean } else { f64::NEG_INFINITY }
     }
 
