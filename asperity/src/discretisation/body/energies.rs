@@ -13,6 +13,15 @@ pub struct MechanicalEnergies {
     pub moduli_softening: f64,
 }
 
+/// a:b of symmetric tensors from component i of both, of which the last three stand for two each.
+fn contraction(components: impl Fn(usize) -> [f64; 2]) -> f64 {
+    let term = |i: usize| {
+        let [a, b] = components(i);
+        if i < 3 { a * b } else { 2.0 * a * b }
+    };
+    (0..TENSOR).map(term).sum()
+}
+
 impl Body {
     /// Elastic energy ∫½ s:s/2G + p²/2K of a state, half body.
     pub fn elastic_energy(&self, state: &BodyState) -> f64 {
@@ -26,8 +35,7 @@ impl Body {
                 energy += element.volume * p * p / (2.0 * moduli.bulk) / stiffness;
                 for q in 0..POINTS {
                     let s = |i: usize| state.deviator[place_of(TENSOR, [e, i, q], lanes) + l];
-                    let squared: f64 =
-                        (0..TENSOR).map(|i| if i < 3 { s(i) * s(i) } else { 2.0 * s(i) * s(i) }).sum();
+                    let squared = contraction(|i| [s(i), s(i)]);
                     energy += element.weight[q] * squared / (4.0 * moduli.shear) / stiffness;
                 }
             }
@@ -39,14 +47,11 @@ impl Body {
     /// energy balance of the step exactly: ½(s₀ + s₁):Δε_p per volume.
     fn point_plastic_work(&self, e: usize, q: usize, l: usize) -> f64 {
         let lanes = self.mesh.sectors.columns();
-        (0..TENSOR)
-            .map(|i| {
-                let at = place_of(TENSOR, [e, i, q], lanes) + l;
-                let mean = 0.5 * (self.committed.deviator[at] + self.trial.deviator[at]);
-                let change = self.trial.plastic_strain[at] - self.committed.plastic_strain[at];
-                if i < 3 { mean * change } else { 2.0 * mean * change }
-            })
-            .sum()
+        contraction(|i| {
+            let at = place_of(TENSOR, [e, i, q], lanes) + l;
+            let mean = 0.5 * (self.committed.deviator[at] + self.trial.deviator[at]);
+            [mean, self.trial.plastic_strain[at] - self.committed.plastic_strain[at]]
+        })
     }
 
     /// Plastic work, work through thermal expansion and elastic energy given up by softening moduli
@@ -84,13 +89,10 @@ impl Body {
         let product = self.committed.mean_stress[at] * self.trial.mean_stress[at];
         let mut energy = element.volume * product / (2.0 * moduli.bulk);
         for q in 0..POINTS {
-            let product: f64 = (0..TENSOR)
-                .map(|i| {
-                    let at = place_of(TENSOR, [e, i, q], lanes) + l;
-                    let product = self.committed.deviator[at] * self.trial.deviator[at];
-                    if i < 3 { product } else { 2.0 * product }
-                })
-                .sum();
+            let product = contraction(|i| {
+                let at = place_of(TENSOR, [e, i, q], lanes) + l;
+                [self.committed.deviator[at], self.trial.deviator[at]]
+            });
             energy += element.weight[q] * product / (4.0 * moduli.shear);
         }
         (before - after) / (before * after) * energy
