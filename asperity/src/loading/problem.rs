@@ -9,7 +9,6 @@ use tables::closed_forms::jackson_green;
 
 use crate::discretisation::body::Body;
 use crate::discretisation::collocation::Collocation;
-use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::heat::conduction::ThermalProperties;
@@ -19,7 +18,7 @@ use crate::material::Solid;
 use crate::scene::curve::Curve;
 use crate::scene::{Control, FrictionLaw, InterfaceStrength, Kinematics, Material, Scene, TemperatureTable};
 use crate::solver::StopRequest;
-use crate::solver::harmonic::{FactorError, FieldKind, HarmonicFactors, HarmonicPattern};
+use crate::solver::harmonic::{FactorError, HarmonicFactors};
 use crate::solver::newton::Mechanics;
 
 pub use crate::material::SHEAR_RATIO;
@@ -232,12 +231,7 @@ impl Discretisation {
         stop: &StopRequest,
     ) -> Result<Self, FactorError> {
         let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
-        let moduli = problem.solid.moduli;
-        let factors = HarmonicPattern::new(&mesh, FieldKind::Vector)?.factorise(
-            &mesh,
-            |e, m| element_stiffness(&mesh, e, moduli, m),
-            stop,
-        )?;
+        let factors = HarmonicFactors::elastic(&mesh, problem.solid.moduli, stop)?;
         Ok(Self { mesh, factors: Arc::new(factors) })
     }
 

@@ -194,8 +194,7 @@ impl Conduction {
         }
         let [mass, conduction] = &self.entries;
         let values: Vec<f64> = mass.iter().zip(conduction).map(|(m, k)| m + GAMMA * dt * k).collect();
-        let matrix =
-            Arc::new(StepMatrix::new(self.pattern.factorise_assembled(&self.mesh, &values, &|| false)?));
+        let matrix = Arc::new(StepMatrix::new(self.pattern.factorise(&self.mesh, &values, &|| false)?));
         if self.cache.len() >= KEPT_FACTORS {
             self.cache.remove(0);
         }

@@ -9,7 +9,9 @@ use faer::sparse::linalg::{amd, cholesky::simplicial};
 use super::cholesky::FactorPattern;
 use super::sweeps::BlockTriangle;
 use super::{ABSENT, FactorError, FieldKind, HarmonicFactors, ThetaTransform};
+use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::{CORNERS, RevolvedMesh};
+use crate::material::elasticity::Moduli;
 use crate::solver::StopRequest;
 
 /// Sparsity pattern, ordering and elimination tree of an operator: made once per mesh.
@@ -23,6 +25,15 @@ pub struct HarmonicPattern {
     row: Vec<usize>,
     symbolic: simplicial::SymbolicSimplicialCholesky<usize>,
     factor_pattern: FactorPattern,
+}
+
+impl HarmonicFactors {
+    /// Factors of the stiffness of an elastic body.
+    pub fn elastic(mesh: &RevolvedMesh, moduli: Moduli, stop: &StopRequest) -> Result<Self, FactorError> {
+        let pattern = HarmonicPattern::new(mesh, FieldKind::Vector)?;
+        let entries = pattern.assemble(mesh, |e, m| element_stiffness(mesh, e, moduli, m));
+        pattern.factorise(mesh, &entries, stop)
+    }
 }
 
 impl HarmonicPattern {
@@ -43,18 +54,8 @@ impl HarmonicPattern {
         Ok(Self { kind, unknowns, interior, position, column_start, row, symbolic, factor_pattern })
     }
 
-    /// Factors of an operator; `matrix(e, m)` is the matrix of element e for harmonic m, row-major
-    /// over (corner, component).
-    pub fn factorise(
-        &self,
-        mesh: &RevolvedMesh,
-        matrix: impl Fn(usize, usize) -> Vec<f64>,
-        stop: &StopRequest,
-    ) -> Result<HarmonicFactors, FactorError> {
-        self.factorise_assembled(mesh, &self.assemble(mesh, matrix), stop)
-    }
-
-    /// Entries of an operator in the upper triangle, harmonics as lanes; linear in the `matrix` of the elements.
+    /// Entries of an operator in the upper triangle, harmonics as lanes; `matrix(e, m)` is the matrix of element e for
+    /// harmonic m, row-major over (corner, component), in which they are linear.
     pub fn assemble(&self, mesh: &RevolvedMesh, matrix: impl Fn(usize, usize) -> Vec<f64>) -> Vec<f64> {
         let columns = mesh.sectors.columns();
         let components = self.kind.components();
@@ -136,7 +137,7 @@ impl HarmonicPattern {
     }
 
     /// Factors of an operator from its [entries](Self::assemble).
-    pub fn factorise_assembled(
+    pub fn factorise(
         &self,
         mesh: &RevolvedMesh,
         values: &[f64],

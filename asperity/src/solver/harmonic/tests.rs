@@ -1,7 +1,7 @@
 //! The factors of all harmonics against a sparse factorisation of the whole problem.
 
 use super::*;
-use crate::discretisation::elastic::{element_force, element_stiffness};
+use crate::discretisation::elastic::element_force;
 use crate::discretisation::element::{Element, RevolvedMesh, VALUES, scatter_vector};
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::material::elasticity::Moduli;
@@ -97,9 +97,7 @@ fn harmonic_solver_agrees_with_a_plain_sparse_factorisation() {
         let matrix = plain_stiffness(&mesh, moduli, n, &expand);
         let exact = matrix.sp_cholesky(faer::Side::Lower).unwrap().solve(&rhs);
 
-        let pattern = HarmonicPattern::new(&mesh, FieldKind::Vector).unwrap();
-        let factors =
-            pattern.factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m), &|| false).unwrap();
+        let factors = HarmonicFactors::elastic(&mesh, moduli, &|| false).unwrap();
         let mut solution = vec![0.0; expand.len()];
         let mut modal = vec![0.0; factors.modal_length()];
         factors.solve(&force, &mut solution, &mut modal);

@@ -2,19 +2,15 @@
 
 use super::*;
 use crate::discretisation::collocation::Collocation;
-use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::material::elasticity::Moduli;
 use crate::material::instruction_set;
-use crate::solver::harmonic::HarmonicPattern;
 
 fn factors(sectors: usize) -> HarmonicFactors {
     let meridian = MeridianMesh::new(MeshSize::new(0.05, 4));
     let mesh = RevolvedMesh::new(meridian, Collocation::full(sectors));
-    let moduli = Moduli::new(250.0, 0.3);
-    let pattern = HarmonicPattern::new(&mesh, FieldKind::Vector).unwrap();
-    pattern.factorise(&mesh, |e, m| element_stiffness(&mesh, e, moduli, m), &|| false).unwrap()
+    HarmonicFactors::elastic(&mesh, Moduli::new(250.0, 0.3), &|| false).unwrap()
 }
 
 /// A force that every harmonic has its share of, zero where the axis has no unknowns, without a hoop component

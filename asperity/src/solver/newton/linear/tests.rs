@@ -5,12 +5,11 @@ use std::sync::Arc;
 use super::*;
 use crate::discretisation::body::{Body, test_solid};
 use crate::discretisation::collocation::Collocation;
-use crate::discretisation::elastic::element_stiffness;
 use crate::discretisation::element::RevolvedMesh;
 use crate::discretisation::mesh::{MeridianMesh, MeshSize};
 use crate::interface::contact::{Contact, FlatPosition};
 use crate::scene::Hardening;
-use crate::solver::harmonic::{FieldKind, HarmonicFactors, HarmonicPattern};
+use crate::solver::harmonic::HarmonicFactors;
 use crate::solver::newton::CouplingData;
 
 /// E* and ω_c/R of [`test_solid`].
@@ -18,10 +17,7 @@ const CONTACT_MODULUS: f64 = 500.0 / 0.91;
 const FIRST_YIELD: f64 = 2.1e-5;
 
 fn factors(mesh: &RevolvedMesh, body: &Body) -> Arc<HarmonicFactors> {
-    let pattern = HarmonicPattern::new(mesh, FieldKind::Vector).unwrap();
-    Arc::new(
-        pattern.factorise(mesh, |e, m| element_stiffness(mesh, e, body.solid.moduli, m), &|| false).unwrap(),
-    )
+    Arc::new(HarmonicFactors::elastic(mesh, body.solid.moduli, &|| false).unwrap())
 }
 
 /// Pressed in full stick to an interference, revolved, then pushed on and along, so that the body flows and no
