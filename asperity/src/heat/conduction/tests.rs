@@ -7,19 +7,25 @@ use crate::scene::curve::Curve;
 
 mod counterface;
 
-/// Flux over the points inside a radius.
+/// Of the contact, in units of R.
+const RADIUS: f64 = 0.01;
+
+fn mesh(elements_per_radius: usize, sectors: Collocation) -> RevolvedMesh {
+    RevolvedMesh::new(MeridianMesh::new(MeshSize::new(RADIUS, elements_per_radius)), sectors)
+}
+
+/// Flux over the contact.
 struct Uniform {
     areas: Vec<f64>,
-    radius: f64,
     radii: Vec<f64>,
     columns: usize,
     flux: f64,
 }
 
 impl Uniform {
-    fn new(mesh: &RevolvedMesh, radius: f64) -> Self {
+    fn new(mesh: &RevolvedMesh) -> Self {
         let (areas, radii) = (mesh.contact_areas(), mesh.meridian.contact_radii());
-        Self { areas, radius, radii, columns: mesh.sectors.columns(), flux: 1.0 }
+        Self { areas, radii, columns: mesh.sectors.columns(), flux: 1.0 }
     }
 
     /// The heated disc ends between two rings: its radius from its discrete area.
@@ -31,7 +37,7 @@ impl Uniform {
 
 impl ContactHeat for Uniform {
     fn flow(&self, point: usize, _rise: f64) -> (f64, f64) {
-        let inside = self.radii[point / self.columns] < self.radius;
+        let inside = self.radii[point / self.columns] < RADIUS;
         (if inside { self.flux * self.areas[point] } else { 0.0 }, 0.0)
     }
 }
@@ -48,9 +54,8 @@ fn disc_source(
     expected: impl Fn(f64) -> f64,
     closure: f64,
 ) {
-    let size = MeshSize::new(0.01, 16);
-    let mesh = RevolvedMesh::new(MeridianMesh::new(size), sectors);
-    let mut source = Uniform::new(&mesh, size.contact_radius);
+    let mesh = mesh(16, sectors);
+    let mut source = Uniform::new(&mesh);
     let a = source.disc_radius();
     source.flux = 1.0 / a;
     let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
@@ -119,8 +124,7 @@ fn constant_tables_agree_with_constant_properties() {
 }
 
 fn small_mesh() -> RevolvedMesh {
-    let size = MeshSize::new(0.01, 6);
-    RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(4))
+    mesh(6, Collocation::full(4))
 }
 
 /// Frictional heat with the softening factor 1 − rise^m, over part of the contact and not uniform in the
@@ -139,7 +143,7 @@ impl<'a> Softening<'a> {
         Self {
             areas: mesh.contact_areas(),
             strength: Box::new(strength),
-            flux: flux / 0.01,
+            flux: flux / RADIUS,
             gap: 0.0,
             columns: mesh.sectors.columns(),
         }
@@ -234,7 +238,6 @@ fn heat_balance_closes_across_peaks_and_jumps() {
             let mut conduction =
                 Conduction::new(&mesh, 2.0, 1).unwrap().with_properties(Some(properties.clone()));
             let off = march(&mut conduction, &heat, 1e-7, 24);
-            println!("gap {gap}, flux {flux}: {off:.1e}");
             assert!(off < 1e-10, "gap {gap}, flux {flux}: {off:e}");
             let hottest = conduction.committed.iter().fold(0.0f64, |m, t| m.max(*t));
             assert!(hottest > 500.0, "{hottest}");
@@ -278,9 +281,8 @@ fn isothermal_disc_conducts_four_k_a() {
     }
     let varying = ThermalProperties { specific_heat: Curve::constant(3.0), conductivity: growing() };
     for (properties, potential) in [(None, 1.0), (Some(varying), 1.5)] {
-        let size = MeshSize::new(0.01, 16);
-        let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::axisymmetric());
-        let held = Held(Uniform::new(&mesh, size.contact_radius));
+        let mesh = mesh(16, Collocation::axisymmetric());
+        let held = Held(Uniform::new(&mesh));
         let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_properties(properties);
         let none = vec![0.0; mesh.field_length(1)];
         let mut flow = 0.0;
@@ -296,27 +298,30 @@ fn isothermal_disc_conducts_four_k_a() {
     }
 }
 
+/// Over a time, in twenty increments.
+fn heat_for(conduction: &mut Conduction, heat: &dyn ContactHeat, time: f64) {
+    let none = vec![0.0; conduction.body_length()];
+    for _ in 0..20 {
+        let (rise, _) = conduction.advance(time / 20.0, &none, heat).unwrap();
+        conduction.commit(rise);
+    }
+}
+
 /// Over layers much thinner than the rings, the first heat of a disc leaves no point outside it colder than before, and the
 /// rise inside is that of a plane under a constant flux, 2q√(κt/π)/k, without a peak at the rim.
 #[test]
 fn thin_layers_have_no_temperatures_outside_those_around() {
-    let size = MeshSize::new(0.01, 8);
-    let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(4));
-    let source = Uniform::new(&mesh, size.contact_radius);
+    let mesh = mesh(8, Collocation::full(4));
+    let source = Uniform::new(&mesh);
     let mut conduction = Conduction::new(&mesh, 1.0, 8).unwrap();
-    let none = vec![0.0; mesh.field_length(1)];
-    let depth = 0.01 * size.contact_radius;
-    let time = depth * depth;
-    for _ in 0..20 {
-        let (rise, _) = conduction.advance(time / 20.0, &none, &source).unwrap();
-        conduction.commit(rise);
-    }
+    let depth = 0.01 * RADIUS;
+    heat_for(&mut conduction, &source, depth * depth);
     let exact = 2.0 * depth / std::f64::consts::PI.sqrt();
     let least = conduction.committed.iter().fold(0.0, |least: f64, rise| least.min(*rise));
     assert!(least > -1e-6 * exact, "{least} of {exact}");
     for (ring, &radius) in source.radii.iter().enumerate() {
         let rise = conduction.committed[conduction.contact_places[ring * source.columns]] / exact;
-        if radius < size.contact_radius {
+        if radius < RADIUS {
             assert!((rise - 1.0).abs() < 0.05, "{radius}: {rise}");
         } else {
             assert!(rise < 0.1, "{radius}: {rise}");

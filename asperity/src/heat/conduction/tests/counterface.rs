@@ -30,18 +30,12 @@ impl ContactHeat for Rim {
 /// of the contact stays cold.
 #[test]
 fn a_counterface_takes_up_heat_where_it_is_generated() {
-    let size = MeshSize::new(0.01, 8);
-    let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(4));
-    let none = vec![0.0; mesh.field_length(1)];
+    let mesh = mesh(8, Collocation::full(4));
     let rises = |counterface: Option<HalfSpace>, flux: f64| -> Vec<f64> {
-        let contact = Uniform { flux, ..Uniform::new(&mesh, size.contact_radius) };
-        let heat = Rim { contact, inner: 0.6 * size.contact_radius, slip: 0.0 };
+        let contact = Uniform { flux, ..Uniform::new(&mesh) };
+        let heat = Rim { contact, inner: 0.6 * RADIUS, slip: 0.0 };
         let mut conduction = Conduction::new(&mesh, 1.0, 8).unwrap().with_counterface(counterface);
-        let time = (0.01 * size.contact_radius).powi(2);
-        for _ in 0..20 {
-            let (rise, _) = conduction.advance(time / 20.0, &none, &heat).unwrap();
-            conduction.commit(rise);
-        }
+        heat_for(&mut conduction, &heat, (0.01 * RADIUS).powi(2));
         conduction.contact_places.iter().map(|&place| conduction.committed[place]).collect()
     };
     for effusivity in [1.0, 9.0, 200.0] {
@@ -57,21 +51,15 @@ fn a_counterface_takes_up_heat_where_it_is_generated() {
 /// A like counterface carries the heat along: both bodies are hotter downstream, in either direction of motion.
 #[test]
 fn a_moving_counterface_makes_the_asperity_hotter_downstream() {
-    let size = MeshSize::new(0.01, 8);
-    let a = size.contact_radius;
-    let mesh = RevolvedMesh::new(MeridianMesh::new(size), Collocation::full(8));
-    let none = vec![0.0; mesh.field_length(1)];
+    let mesh = mesh(8, Collocation::full(8));
     // Pe = 5 to Fo = 1.
     let along_motion = |direction: f64| -> [f64; 2] {
-        let slip = direction * 10.0 * a / 20.0;
-        let heat = Rim { contact: Uniform::new(&mesh, a), inner: 0.0, slip };
+        let slip = direction * 10.0 * RADIUS / 20.0;
+        let heat = Rim { contact: Uniform::new(&mesh), inner: 0.0, slip };
         let half_space = HalfSpace::new(1.0, 1.0);
         let mut conduction = Conduction::new(&mesh, 1.0, 1).unwrap().with_counterface(Some(half_space));
-        for _ in 0..20 {
-            let (rise, _) = conduction.advance(a * a / 20.0, &none, &heat).unwrap();
-            conduction.commit(rise);
-        }
-        let ring = mesh.meridian.contact_radii().iter().rposition(|&radius| radius < 0.8 * a).unwrap();
+        heat_for(&mut conduction, &heat, RADIUS * RADIUS);
+        let ring = mesh.meridian.contact_radii().iter().rposition(|&radius| radius < 0.8 * RADIUS).unwrap();
         let columns = mesh.sectors.columns();
         let rise = |column| conduction.committed[conduction.contact_places[ring * columns + column]];
         [rise(0), rise(columns - 1)]
