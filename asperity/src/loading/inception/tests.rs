@@ -207,6 +207,7 @@ fn sliding_begins_where_the_stiffness_has_fallen_for_good() {
     let exact = 100f64.ln() + 0.01;
     assert!((found.slip - exact).abs() < 0.055, "{} for {exact}", found.slip);
 }
+
 /// The stiffness falls to 10, 5 and 2 % of e^−0.01, that in the middle of the first increment, at −ln 0.1 and so on.
 #[test]
 fn other_thresholds_are_passed_earlier() {
