@@ -256,40 +256,6 @@ impl HarmonicFactors {
             }
         }
     }
-
-    /// Contact part of `modal` divided by the Schur complement: a solve without anything on the contact.
-    #[cfg(test)]
-    fn solve_free_contact(&self, modal: &mut [f64]) {
-        let (n, lanes) = (self.contact_unknowns(), self.harmonics());
-        let contact = &mut modal[self.interior * lanes..];
-        for m in 0..lanes {
-            let lower = &self.schur[m * n * n..(m + 1) * n * n];
-            for i in 0..n {
-                let mut sum = contact[i * lanes + m];
-                for k in 0..i {
-                    sum -= lower[i * n + k] * contact[k * lanes + m];
-                }
-                contact[i * lanes + m] = sum / lower[i * n + i];
-            }
-            for i in (0..n).rev() {
-                let mut sum = contact[i * lanes + m];
-                for k in i + 1..n {
-                    sum -= lower[k * n + i] * contact[k * lanes + m];
-                }
-                contact[i * lanes + m] = sum / lower[i * n + i];
-            }
-        }
-    }
-
-    /// Whole solve without anything on the contact.
-    #[cfg(test)]
-    pub fn solve(&self, force: &[f64], solution: &mut [f64], modal: &mut [f64]) {
-        self.to_modal(force, modal);
-        self.forward(modal);
-        self.solve_free_contact(modal);
-        self.backward(modal);
-        self.to_nodal(modal, solution);
-    }
 }
 
 #[cfg(test)]
