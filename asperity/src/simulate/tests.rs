@@ -12,15 +12,14 @@ use crate::heat::expected::HeatEffect;
 use crate::loading::slide::SlideFailure;
 use crate::scene::file::parse_scene;
 use crate::scene::tests::of_preset;
-use crate::scene::{LoadingStep, Scene, Switch};
+use crate::scene::{Kinematics, LoadingStep, Numerics, Scene, Switch};
 
 /// A point that lifts off with friction and touches without it has no equilibrium for any increment. Without removal of
 /// its friction two steps here are cut back; at 0.01 ω_c the slide fails.
 #[test]
 fn chattering_points_do_not_cut_steps_back() {
     let run = |elements: usize| {
-        let mut scene = of_preset("steel-304", &["model.kinematics=small", "numerics.accuracy=0.5"]);
-        (scene.loading.interference, scene.loading.slip_rate) = (0.02, 0.0);
+        let mut scene = coarse_scene("steel-304", &["loading.interference=0.02", "loading.slip_rate=0"]);
         (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(elements), Some(8));
         simulate(&scene, &Unwatched).unwrap()
     };
@@ -110,11 +109,8 @@ fn a_fast_inception_is_stated_once() {
 #[test]
 fn a_hold_keeps_the_heat_partition_of_the_slip_before() {
     let steps = "loading.steps=[{slip_rate=10.0, slip_distance=0.5}, {slip_rate=-1.0, slip_distance=0.1}, {hold=1e-3}]";
-    let changes = ["counterface.preset=\"copper\"", "model.kinematics=small", "numerics.accuracy=0.5", steps];
-    let text =
-        "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n[loading]\ninterference = 5\n";
-    let mut scene = parse_scene(text, "this test", &changes.map(str::to_owned)).unwrap();
-    (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(6), Some(4));
+    let changes = ["counterface.preset=\"copper\"", "loading.interference=5", steps];
+    let scene = coarse_scene("steel-4340", &changes);
     let outcome = simulate(&scene, &Unwatched).unwrap();
     let of_step = |step: f64| -> Vec<f64> {
         let states = outcome.slide.states().filter(|state| state[Quantity::ProgrammeStep] == step);
@@ -145,9 +141,8 @@ fn a_contact_does_not_creep_in_a_long_hold() {
 #[test]
 fn a_contact_that_relaxes_does_not_heat_up() {
     let rate = "material.rate={ law = \"johnson-cook\", coefficient = 0.014, reference = 1.0 }";
-    let mut scene = of_preset("steel-4340", &["model.kinematics=small", "numerics.accuracy=0.5", rate]);
-    (scene.loading.interference, scene.radius) = (10.0, 50e-6);
-    (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(6), Some(4));
+    let changes = ["loading.interference=10", "asperity.radius=50e-6", rate];
+    let mut scene = coarse_scene("steel-4340", &changes);
     let slip = LoadingStep::Slip { slip_rate: 10.0, slip_distance: 1.0 };
     scene.loading = scene.loading.with_steps(vec![slip, LoadingStep::Hold { hold: 1e-6 }]);
     let outcome = simulate(&scene, &Unwatched).unwrap();
@@ -192,10 +187,16 @@ fn a_run_outside_a_table_of_its_scene_is_warned_of() {
 }
 
 fn hot_scene(preset: &str, interference: f64, slip_rate: f64, heat: &str) -> Scene {
-    let heat = format!("model.heat={heat}");
-    let mut scene = of_preset(preset, &["model.kinematics=small", "numerics.accuracy=0.5", &heat]);
+    let mut scene = coarse_scene(preset, &[&format!("model.heat={heat}")]);
     (scene.loading.interference, scene.loading.slip_rate) = (interference, slip_rate);
-    (scene.numerics.elements_per_radius, scene.numerics.sectors) = (Some(6), Some(4));
+    scene
+}
+
+/// At small strain, on 6 elements and 4 sectors.
+fn coarse_scene(preset: &str, changes: &[&str]) -> Scene {
+    let mut scene = of_preset(preset, changes);
+    scene.model.kinematics = Kinematics::Small;
+    scene.numerics = Numerics { accuracy: 0.5, elements_per_radius: Some(6), sectors: Some(4) };
     scene
 }
 

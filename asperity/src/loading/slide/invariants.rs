@@ -77,14 +77,12 @@ pub fn check(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::file::parse_scene;
+    use crate::scene::tests::of_preset;
 
     /// A step of 1 of friction work at a partition of 0.5, after a press with elastic energy 1.
     #[test]
     fn each_broken_law_is_found() {
-        let text = "[material]\npreset = \"steel-4340\"\n[asperity]\nradius = 1e-3\n\
-                    [loading]\ninterference = 5\nslip_rate = 1\n";
-        let problem = Problem::new(&parse_scene(text, "this test", &[]).unwrap());
+        let problem = Problem::new(&of_preset("steel-4340", &["loading.interference=5"]));
         let before = SlideState { plastic: 1.0, work: 1.0, ..SlideState::default() };
         let good = SlideState {
             work: 3.0,
