@@ -151,6 +151,7 @@ fn harmonics(count: usize, parity: Parity) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::material::lanes::dot;
 
     #[test]
     fn even_fields_are_interpolated_by_their_cosine_series() {
@@ -158,8 +159,7 @@ mod tests {
         let collocation = Collocation::full(8);
         let values: Vec<f64> = collocation.angles().into_iter().map(field).collect();
         for angle in [0.0, 0.1, 1.7, 3.0, -0.4, 5.0] {
-            let weights = collocation.interpolation(angle);
-            let value: f64 = weights.iter().zip(&values).map(|(weight, value)| weight * value).sum();
+            let value = dot(&collocation.interpolation(angle), &values);
             assert!((value - field(angle)).abs() < 1e-12, "{angle}");
         }
         assert_eq!(Collocation::axisymmetric().interpolation(2.0), [1.0]);
@@ -207,7 +207,6 @@ mod tests {
         let force: Vec<f64> = (0..24).map(|i| (1.7 * i as f64).sin()).collect();
         let mut turned = vec![0.0; 24];
         sectors.add_transposed(&VECTOR_PARITY, &force, &mut turned);
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
         assert!((dot(&force, &derivative) - dot(&turned, &field)).abs() < 1e-12);
     }
 }

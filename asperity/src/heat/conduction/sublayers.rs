@@ -200,6 +200,7 @@ mod tests {
     use super::*;
     use crate::discretisation::collocation::Collocation;
     use crate::discretisation::mesh::{MeshSize, sphere_height};
+    use crate::material::lanes::dot;
 
     /// The coarsest mesh has just as many layers as are divided.
     fn meshes(count: u32) -> (RevolvedMesh, RevolvedMesh, Sublayers) {
@@ -260,10 +261,8 @@ mod tests {
         for &node in &body.meridian.contact {
             rise[node as usize * columns..][..columns].fill(1.0);
         }
-        let stored =
-            |rise: &[f64], volumes: &[f64]| rise.iter().zip(volumes).map(|(t, v)| t * v).sum::<f64>();
-        let exact = stored(&rise, &mesh.nodal_volumes());
-        let found = stored(&sublayers.of_body(&rise), &body.nodal_volumes());
+        let exact = dot(&rise, &mesh.nodal_volumes());
+        let found = dot(&sublayers.of_body(&rise), &body.nodal_volumes());
         assert!((found / exact - 1.0).abs() < 2e-3, "{found} {exact}");
     }
 }
