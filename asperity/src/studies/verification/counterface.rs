@@ -12,7 +12,9 @@ use tables::closed_forms::hertz;
 use tables::quantity::{Estimate, Quantity};
 
 use super::heat_source::{START, slide_beside};
-use super::setup::{Hertz, last, mesh, plain_material, pressed, run_press, scene, slide_at_small_strain};
+use super::setup::{
+    Hertz, last, mesh, over, plain_material, pressed, run_press, scene, shear_strength, slide_at_small_strain,
+};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::heat::counterface::{HalfSpace, Profile};
 use crate::scene::{Counterface, FrictionLaw, Scene, Switch};
@@ -200,8 +202,8 @@ fn beside_like_body(peclet: f64, poisson_ratio: f64) -> (Scene, f64) {
     let radius = Hertz::of(&scene).contact_radius;
     scene.loading.slip_distance = 10_000.0;
     scene.loading.slip_rate = 2.0 * peclet * scene.material.diffusivity() / radius;
-    let strength = scene.interface.strength_factor * scene.material.yield_strength / 3f64.sqrt();
-    let rise = strength * scene.loading.slip_rate * radius / scene.material.thermal_conductivity;
+    let rise =
+        shear_strength(&scene) * scene.loading.slip_rate * radius / scene.material.thermal_conductivity;
     (scene, rise)
 }
 
@@ -214,12 +216,11 @@ fn moving(watch: &dyn Watch) -> Rows {
         let (scene, scale) = beside_like_body(peclet, 0.499);
         let outcome = simulate(&scene, watch)?;
         let scalar = |quantity| outcome.scalars[quantity];
-        let over = |scale: f64, temperature: Estimate| Estimate {
-            value: (temperature.value - START) / scale,
-            error: temperature.error / scale,
+        let rise_over = |scale: f64, Estimate { value, error }: Estimate| {
+            over(Estimate { value: value - START, error }, scale)
         };
-        let rise = over(scale, scalar(Quantity::TemperatureMean));
-        let over_mean = |highest| over(scale * rise.value, highest);
+        let rise = rise_over(scale, scalar(Quantity::TemperatureMean));
+        let over_mean = |highest| rise_over(scale * rise.value, highest);
         let derived = derived::of_run(&scene, &outcome);
         let of_counterface = derived.iter().find(|(name, ..)| *name == "temperature_max_counterface");
         let highest = over_mean(scalar(Quantity::TemperatureMax));
@@ -339,10 +340,9 @@ fn soft_counterface(watch: &dyn Watch) -> Rows {
         let tolerance = Tolerance::relative(share * ratio, "hemisphere in place of a half-space");
         Row::new(name, outcome.scalars[quantity], reference, tolerance).unit(unit)
     };
-    let area = PI * hertz.contact_radius * hertz.contact_radius;
     Ok(vec![
         row("P", Quantity::LoadPress, hertz.load, 1.0, "N"),
-        row("A", Quantity::AreaPress, area, 0.6, "m2"),
+        row("A", Quantity::AreaPress, hertz.area(), 0.6, "m2"),
     ])
 }
 
@@ -364,6 +364,8 @@ fn like_bodies(watch: &dyn Watch) -> Rows {
             Tolerance::relative(0.004, "mesh; half space, 0.03 %"),
         )
     };
-    let area = PI * hertz.contact_radius * hertz.contact_radius;
-    Ok(vec![row("P", state[Quantity::Load] / hertz.load, 1.0), row("A", state[Quantity::Area] / area, 1.0)])
+    Ok(vec![
+        row("P", state[Quantity::Load] / hertz.load, 1.0),
+        row("A", state[Quantity::Area] / hertz.area(), 1.0),
+    ])
 }

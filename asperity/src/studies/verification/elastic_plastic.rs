@@ -7,7 +7,7 @@
 use tables::closed_forms::{hertz, jackson_green, kogut_etsion};
 use tables::law::Estimate;
 
-use super::setup::{Hertz, mesh, plain_material, scene};
+use super::setup::{Hertz, mesh, over, plain_material, scene};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::FrictionLaw;
 use crate::simulate::{Watch, press};
@@ -51,10 +51,6 @@ fn rows(strain: f64, interferences: &[f64], watch: &dyn Watch) -> Rows {
         let modulus = Hertz::of(&scene).modulus;
         let strength = strain * modulus;
         scene.material.yield_strength = strength;
-        let over = |estimate: Estimate, unit: f64| Estimate {
-            value: estimate.value / unit,
-            error: estimate.error / unit,
-        };
         let contact = press(&scene, watch)?.contact();
         let load = over(contact.load, hertz::critical_load(modulus, 0.3, strength, scene.radius));
         let area = over(contact.area, hertz::critical_area(modulus, 0.3, strength, scene.radius));

@@ -5,8 +5,6 @@
 //! interference are of an independent boundary-element solution (220 rings) that has that factor to 1e-6. Of a hemisphere
 //! on a rigid base, P is larger by 0.41 a/R: 0.01 % here.
 
-use std::f64::consts::PI;
-
 use tables::quantity::Quantity;
 
 use super::setup::{Hertz, mesh, plain_material, pressed, run_press, scene};
@@ -55,6 +53,5 @@ fn computed(poisson: f64, elements: usize, watch: &dyn Watch) -> Result<[f64; 2]
     scene.numerics.accuracy = 0.002;
     let outcome = run_press(&scene, watch)?;
     let (state, hertz) = (pressed(&outcome), Hertz::of(&scene));
-    let area = PI * hertz.contact_radius * hertz.contact_radius;
-    Ok([state[Quantity::Load] / hertz.load, state[Quantity::Area] / area])
+    Ok([state[Quantity::Load] / hertz.load, state[Quantity::Area] / hertz.area()])
 }

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use tables::quantity::{Quantity, State};
 
-use super::setup::{Hertz, last, mesh, plain_material, scene};
+use super::setup::{Hertz, interpolated, last, mesh, plain_material, scene, shear_strength};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{Counterface, FrictionLaw, Scene, Softening, Switch};
 use crate::simulate::outcome::Outcome;
@@ -90,7 +90,7 @@ pub(super) fn source(softening: f64, fourier: f64, elements: usize) -> (Scene, [
     let mut scene = scene(plain_material(0.499), FrictionLaw::ShearStrength, 1e-4, mesh(elements, 4));
     scene.interface.strength_factor = 0.005;
     scene.model.heat = Switch::On;
-    let strength = scene.interface.strength_factor * scene.material.yield_strength / 3f64.sqrt();
+    let strength = shear_strength(&scene);
     let hertz = Hertz::of(&scene);
     let (a, k) = (hertz.contact_radius, scene.material.thermal_conductivity);
     let gross = strength / (2.0 * hertz.tangential_modulus);
@@ -105,14 +105,7 @@ pub(super) fn source(softening: f64, fourier: f64, elements: usize) -> (Scene, [
 
 /// A history at Fo, linear in √t.
 fn at(heated: &Heated, fourier: f64, value: fn(State<'_>) -> f64) -> f64 {
-    let slide = &heated.outcome.slide;
-    let time = fourier * heated.time;
-    let times = slide.column(Quantity::Time);
-    let after = times.partition_point(|t| *t < time).clamp(1, times.len() - 1);
-    let (a, b) = (slide.state(after - 1), slide.state(after));
-    let share =
-        (time.sqrt() - a[Quantity::Time].sqrt()) / (b[Quantity::Time].sqrt() - a[Quantity::Time].sqrt());
-    value(a) + share * (value(b) - value(a))
+    interpolated(&heated.outcome, (Quantity::Time, fourier * heated.time), f64::sqrt, value)
 }
 
 fn disc(elements: usize, of_mesh: f64, watch: &dyn Watch) -> Rows {

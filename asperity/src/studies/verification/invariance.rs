@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 
 use tables::quantity::Quantity;
 
-use super::setup::{Hertz, largest, mesh, plain_material, pressed, run_press, scene, steel_4340};
+use super::setup::{
+    Hertz, largest, mesh, plain_material, pressed, run_press, scene, shear_strength, steel_4340,
+};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{FrictionLaw, Kinematics, Scene, Softening};
 use crate::simulate::outcome::Outcome;
@@ -39,7 +41,7 @@ fn rate(watch: &dyn Watch) -> Rows {
     let (slow, fast) = (slow?, fast?);
     let [at_slow, at_fast] = [&slow, &fast].map(|outcome| outcome.scalars[Quantity::MuStatic].value);
     let material = &scene.material;
-    let strength = material.yield_strength / 3f64.sqrt();
+    let strength = shear_strength(&scene);
     let radius = slow.scalars[Quantity::ContactRadius].value;
     let slip = strength * radius / (2.0 * Hertz::of(&scene).tangential_modulus);
     let flux = scene.interface.heat_partition * strength * 10.0;

@@ -8,12 +8,10 @@
 //! The references take the traction to be along the displacement of the flat. The slip is off that direction by an angle
 //! of order ν/(4 − 2ν) = 1/6 times the slipping share, of which the friction force loses the cosine: 0.2 %.
 
-use std::f64::consts::PI;
-
 use tables::closed_forms::partial_slip::{constant_shear, mindlin, stick_stiffness};
 use tables::quantity::{Quantity, State};
 
-use super::setup::{Hertz, at_slip, last, mesh, plain_material, pressed, scene};
+use super::setup::{Hertz, at_slip, last, mesh, over, plain_material, pressed, scene, shear_strength};
 use super::{Case, Computed, Cost, Reference, Row, Rows, Tolerance};
 use crate::discretisation::mesh::EDGE_SIZE;
 use crate::scene::{FrictionLaw, Scene};
@@ -142,11 +140,11 @@ fn uncoupled(on: &On, law: &str, outcome: &Outcome) -> Row {
 
 fn shear(on: &On, watch: &dyn Watch) -> Rows {
     let (scene, hertz) = scene_of(FrictionLaw::ShearStrength, on.elements);
-    let strength = STRENGTH_FACTOR * scene.material.yield_strength / 3f64.sqrt();
+    let strength = shear_strength(&scene);
     let (g, a) = (hertz.tangential_modulus, hertz.contact_radius);
     let gross = GrossSlip {
         law: "constant shear",
-        force: PI * a * a * strength,
+        force: hertz.area() * strength,
         displacement: constant_shear::gross_slip_displacement(strength, g, a),
         force_fraction: constant_shear::force_fraction,
         stick_radius: constant_shear::stick_radius_fraction,
@@ -210,12 +208,8 @@ fn coulomb(on: &On, watch: &dyn Watch) -> Rows {
     let mut rows = on.curves(&outcome, &gross);
     let exact = |value: f64| Reference::exact(value, MINDLIN).known_to(DIRECTION);
     let slip = outcome.scalars[Quantity::InceptionSlip];
-    let over = tables::law::Estimate {
-        value: slip.value / gross.displacement,
-        error: slip.error / gross.displacement,
-    };
     let name = "Coulomb: displacement at gross slip over u_s".to_owned();
-    rows.push(on.row(name, over, exact(1.0), on.inception()));
+    rows.push(on.row(name, over(slip, gross.displacement), exact(1.0), on.inception()));
     // Of the work 3/5 μP u_s two thirds are stored.
     let unit = gross.force * gross.displacement / last(&outcome)[Quantity::Area];
     let energy = outcome.scalars[Quantity::EnergyRelease].scaled(1.0 / unit);

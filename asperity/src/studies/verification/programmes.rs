@@ -12,7 +12,7 @@ use tables::quantity::{Quantity, State};
 
 use super::heat_source::{RANGE, START, source};
 use super::partial_slip::{FRICTION, ON_8, scene_of};
-use super::setup::{last, mesh, pressed, scene, steel_4340};
+use super::setup::{last, mesh, pressed, scene, shear_strength, steel_4340};
 use super::strain_rate::{self, rated_material};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::scene::{FrictionLaw, LoadingStep, Scene, Switch};
@@ -85,7 +85,7 @@ fn reversal(watch: &dyn Watch) -> Rows {
     let outcome = run(scene, steps, watch)?;
     // The computed P sets the scale.
     let load = pressed(&outcome)[Quantity::Load];
-    let force = |x: f64| mindlin::force_fraction(x);
+    let force = mindlin::force_fraction;
     let mut rows = Vec::new();
     for state in ends(&outcome) {
         let x = state[Quantity::Slip] / gross(load);
@@ -103,12 +103,11 @@ fn reversal(watch: &dyn Watch) -> Rows {
 
 /// Under an interface so weak that all of it slips: Q/A is the strength at V/a whatever the steps before.
 fn rate_step(watch: &dyn Watch) -> Rows {
-    const FACTOR: f64 = 0.2;
     const LAW: &str = "1 + C ln(V/(a deps_0)), Johnson & Cook 1983";
     let mut scene = scene(rated_material(), FrictionLaw::ShearStrength, 2.0, mesh(6, 4));
-    scene.interface.strength_factor = FACTOR;
+    scene.interface.strength_factor = 0.2;
     scene.model.heat = Switch::Off;
-    let virgin = FACTOR * scene.material.yield_strength / 3f64.sqrt();
+    let virgin = shear_strength(&scene);
     let rates = [0.01, 1.0, 0.01, -0.1];
     let outcome = run(scene, rates.map(|rate| slip(rate, 0.05)).into(), watch)?;
     let rows = rates.into_iter().zip(ends(&outcome)).enumerate().map(

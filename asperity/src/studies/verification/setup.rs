@@ -1,7 +1,9 @@
 //! Scenes of the cases, and the quantities read from their outcomes.
 
+use std::f64::consts::PI;
+
 use tables::closed_forms::hertz;
-use tables::quantity::{Quantity, State};
+use tables::quantity::{Estimate, Quantity, State};
 
 use crate::scene::file::parse_scene;
 use crate::scene::{
@@ -122,11 +124,31 @@ pub fn largest(outcome: &Outcome, value: impl Fn(State<'_>) -> f64) -> f64 {
 
 /// Slide interpolated linearly in slip.
 pub fn at_slip(outcome: &Outcome, slip: f64, value: impl Fn(State<'_>) -> f64) -> f64 {
-    let slips = outcome.slide.column(Quantity::Slip);
-    let after = slips.partition_point(|s| *s < slip).clamp(1, slips.len() - 1);
+    interpolated(outcome, (Quantity::Slip, slip), |slip| slip, value)
+}
+
+/// Slide where a quantity that rises has a value, interpolated linearly in a function of the quantity.
+pub fn interpolated(
+    outcome: &Outcome,
+    (quantity, at): (Quantity, f64),
+    scale: fn(f64) -> f64,
+    value: impl Fn(State<'_>) -> f64,
+) -> f64 {
+    let column = outcome.slide.column(quantity);
+    let after = column.partition_point(|x| *x < at).clamp(1, column.len() - 1);
     let (a, b) = (outcome.slide.state(after - 1), outcome.slide.state(after));
-    let share = (slip - a[Quantity::Slip]) / (b[Quantity::Slip] - a[Quantity::Slip]);
+    let share = (scale(at) - scale(a[quantity])) / (scale(b[quantity]) - scale(a[quantity]));
     value(a) + share * (value(b) - value(a))
+}
+
+/// An estimate in units of `unit`.
+pub fn over(estimate: Estimate, unit: f64) -> Estimate {
+    Estimate { value: estimate.value / unit, error: estimate.error / unit }
+}
+
+/// Shear strength of the interface without softening, τ₀ = f_τ σ_Y/√3, Pa.
+pub fn shear_strength(scene: &Scene) -> f64 {
+    scene.interface.strength_factor * scene.material.yield_strength / 3f64.sqrt()
 }
 
 /// Hertz's load, contact radius and peak pressure for a scene.
@@ -156,5 +178,10 @@ impl Hertz {
             contact_radius: hertz::contact_radius(scene.radius, interference),
             peak_pressure: hertz::peak_pressure(modulus, scene.radius, interference),
         }
+    }
+
+    /// Contact area, m².
+    pub fn area(&self) -> f64 {
+        PI * self.contact_radius * self.contact_radius
     }
 }

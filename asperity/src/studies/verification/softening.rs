@@ -11,7 +11,7 @@ use tables::law::Estimate;
 use tables::quantity::Quantity;
 
 use super::heat_source::{Heated, RANGE, START, slide};
-use super::setup::last;
+use super::setup::{last, over};
 use super::{Case, Computed, Cost, Reference, Row, Rows, Tolerance};
 use crate::simulate::Watch;
 
@@ -59,11 +59,8 @@ pub const CASES: [Case; 5] = [
 /// Q/Q₀ with the error stated for Q: the area of Q₀ is that of the same contact.
 fn friction_ratio(heated: &Heated) -> Estimate {
     let end = last(&heated.outcome);
-    let unit = end[Quantity::Area] * heated.strength;
-    Estimate {
-        value: end[Quantity::Friction] / unit,
-        error: heated.outcome.scalars[Quantity::Friction].error / unit,
-    }
+    let error = heated.outcome.scalars[Quantity::Friction].error;
+    over(Estimate { value: end[Quantity::Friction], error }, end[Quantity::Area] * heated.strength)
 }
 
 fn steady(case: &Steady, elements: usize, watch: &dyn Watch) -> Rows {
@@ -101,8 +98,7 @@ fn first_moments(s: f64, stress: f64, energy: f64, watch: &dyn Watch) -> Rows {
     let centre = heated.outcome.snapshots.last().map_or(f64::NAN, |fields| fields.shear[0]) / heated.strength;
     // L* = u/s; τ̄ peaks where sliding begins, after 1/2000 of the slip.
     let unit = heated.strength * heated.distance / s;
-    let energy_weakening = heated.outcome.scalars[Quantity::EnergyWeakening];
-    let release = Estimate { value: energy_weakening.value / unit, error: energy_weakening.error / unit };
+    let release = over(heated.outcome.scalars[Quantity::EnergyWeakening], unit);
     Ok(vec![
         Row::new(
             format!("tau/tau_0 of the first moments at s = {s}"),

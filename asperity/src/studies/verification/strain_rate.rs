@@ -5,7 +5,7 @@
 
 use tables::quantity::Quantity;
 
-use super::setup::{last, mesh, plain_material, scene};
+use super::setup::{last, mesh, plain_material, scene, shear_strength};
 use super::{Case, Cost, Reference, Row, Rows, Tolerance};
 use crate::material::{Solid, StrainPath, Trial};
 use crate::scene::{FrictionLaw, Material, Rate, Switch};
@@ -93,28 +93,26 @@ fn material_point() -> Vec<Row> {
     // The strain is then held, until the rate is a thousandth.
     let held = 999.0 * time;
     let relaxed = point.advance(0.0, held, 20_000);
-    let row =
-        |name: &str, value: f64, reference: Reference, tolerance| Row::new(name, value, reference, tolerance);
     vec![
-        row(
+        Row::new(
             "q/sigma_Y at a constant strain rate",
             steady,
             Reference::exact(strength(RATE), LAW),
             Tolerance::relative(1e-9, "steady"),
         ),
-        row(
+        Row::new(
             "q/sigma_Y where half of the strain rate is plastic, 400 steps",
             exact + fine,
             Reference::exact(exact, LOGISTIC),
             Tolerance::relative(1e-3, "steps, first order"),
         ),
-        row(
+        Row::new(
             "order of its error in the time step",
             (coarse / fine).log2(),
             Reference::exact(1.0, "backward Euler"),
             Tolerance::absolute(0.1, "next order"),
         ),
-        row(
+        Row::new(
             "q/sigma_Y at held strain, plastic strain rate down to 1/1000",
             relaxed,
             Reference::exact(strength(RATE / 1000.0), LOGISTIC),
@@ -125,12 +123,11 @@ fn material_point() -> Vec<Row> {
 
 /// Steel at 2 ω_c under a weaker interface, without heat: all of the contact slips at the strength of V/a.
 fn interface(watch: &dyn Watch) -> Rows {
-    const FACTOR: f64 = 0.2;
     let mut scene = scene(rated_material(), FrictionLaw::ShearStrength, 2.0, mesh(6, 4));
-    scene.interface.strength_factor = FACTOR;
+    scene.interface.strength_factor = 0.2;
     scene.loading.slip_distance = 0.1;
     scene.model.heat = Switch::Off;
-    let virgin = FACTOR * scene.material.yield_strength / 3f64.sqrt();
+    let virgin = shear_strength(&scene);
     let mut rows = Vec::new();
     for slip_rate in [0.0, 1e-9, 0.01, 1.0] {
         scene.loading.slip_rate = slip_rate;
