@@ -49,11 +49,6 @@ fn capped() -> bool {
 }
 
 impl FrictionLaw {
-    /// Whether the shear strength of the material alone is the limit.
-    pub(crate) fn is_material_strength(&self) -> bool {
-        *self == Self::ShearStrength
-    }
-
     /// Whether the strength of the material limits friction, among others.
     pub(crate) fn is_limited_by_strength(&self) -> bool {
         match *self {

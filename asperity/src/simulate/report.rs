@@ -123,7 +123,6 @@ fn account(runner: &Runner<'_>, ladder: &Ladder, warnings: Vec<Warning>, wall_ti
     }
 }
 
-/// Warnings.
 fn warnings(runner: &Runner<'_>, run: &Run, budget: Option<&ErrorBudget>, stopped: bool) -> Vec<Warning> {
     let scene = &runner.pressed.scene;
     let mut warnings = Vec::new();

@@ -181,7 +181,8 @@ impl ErrorBudget {
 
     /// The reported error: the half-width of a 95 % interval.
     pub fn total(&self, quantity: Quantity) -> f64 {
-        root_of_squares(ErrorSource::ALL.map(|source| self.part(source, quantity)))
+        let parts = ErrorSource::ALL.map(|source| self.part(source, quantity));
+        parts.iter().map(|part| part * part).sum::<f64>().sqrt()
     }
 
     /// The reported error relative to the value.
@@ -229,10 +230,6 @@ pub fn of_press(
 /// Standard uncertainty of the finer of two values by the mesh: the bound from their difference and the scatter.
 fn mesh_uncertainty([fine, coarse]: [f64; 2], refinement: f64, scatter: f64) -> f64 {
     (OF_BOUND * mesh_share(refinement) * (fine - coarse).abs()).hypot(scatter)
-}
-
-fn root_of_squares<const N: usize>(parts: [f64; N]) -> f64 {
-    parts.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
 /// Error with N_θ sectors over the difference to that with others: second order.
