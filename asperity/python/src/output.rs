@@ -7,12 +7,14 @@ use tables::netcdf::{OutputError, check_irreplaceable, check_outputs, check_resu
 
 use crate::errors;
 
-/// Refuses an output that cannot be written, is one of the `inputs`, or would replace what cannot be computed again.
+/// Refuses an output that cannot be written, is one of the `inputs`, or, unless it is a table itself, would replace what
+/// cannot be computed again.
 #[pyfunction]
-pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>) -> PyResult<()> {
+pub fn check_output(output: PathBuf, inputs: Vec<PathBuf>, is_table: bool) -> PyResult<()> {
     let inputs: Vec<(&str, &Path)> = inputs.iter().map(|path| ("an input of the result", &**path)).collect();
     let outputs = [("the output", &*output)];
-    refused(check_outputs(&inputs, &outputs).and_then(|()| check_irreplaceable(&outputs)), &outputs)
+    let checked = check_outputs(&inputs, &outputs);
+    refused(checked.and_then(|()| if is_table { Ok(()) } else { check_irreplaceable(&outputs) }), &outputs)
 }
 
 /// The same of the files of a table with their roles.

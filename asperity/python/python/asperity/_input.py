@@ -83,9 +83,11 @@ def warn(sentences: Iterable[str]) -> None:
         warnings.warn(sentence, ModelWarning, stacklevel=3)
 
 
-def output(path: str | os.PathLike[str], inputs: Iterable[str | os.PathLike[str]] = ()) -> Path:
-    """The path, if a file can be written there without replacing one of the inputs."""
-    _core.check_output(os.fspath(path), [os.fspath(file) for file in inputs if os.path.exists(file)])
+def output(
+    path: str | os.PathLike[str], inputs: Iterable[str | os.PathLike[str]] = (), *, is_table: bool = False
+) -> Path:
+    """The path, if a file can be written there without replacing one of the inputs or data; a table may replace others."""
+    _core.check_output(os.fspath(path), [os.fspath(file) for file in inputs if os.path.exists(file)], is_table)
     return Path(path)
 
 

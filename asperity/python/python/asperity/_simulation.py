@@ -165,7 +165,7 @@ def tabulate(
         RunError: the table cannot be written.
     """
     with tempfile.TemporaryDirectory(prefix="asperity-") as folder, shown(progress) as show:
-        place = Path(folder) / "table.nc" if output is None else _output(output)
+        place = Path(folder) / "table.nc" if output is None else _output(output, is_table=True)
         try:
             core = _core.tabulate(given(request), place, _overrides(overrides), jobs, resume, show)
         except KeyboardInterrupt:

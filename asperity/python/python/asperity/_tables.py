@@ -131,7 +131,7 @@ class Table(Drawn):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes ``table.nc``."""
-        self._core.write(output(path))
+        self._core.write(output(path, is_table=True))
 
     def plot(
         self,
