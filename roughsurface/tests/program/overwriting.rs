@@ -47,12 +47,10 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
         (format!("{predict} -o soft.nc"), "--output and --table are the same file, soft.nc"),
         (format!("{predict} -o surface.toml"), "--output and the surface file are the same file"),
         (format!("{predict} -o f.nc --report surface.toml"), "--report and the surface file are the same"),
-        (format!("{predict} -o f.svg --plot f.svg"), "name it .nc, not .svg"),
         (format!("{predict} -o f.nc --plot x.svg --report x.svg"), "--report and --plot are the same file"),
         (format!("{predict} -o up.nc"), "up.nc: is a table, which only `asperity tabulate`"),
         (format!("{predict} -o map.nc"), "map.nc: holds data of another program"),
         (format!("{predict} -o map.gsf"), "map.gsf: holds data of another program"),
-        (format!("{predict} -o heights.txt"), "name it .nc, not .txt"),
         (
             "sample surface.toml --table table.nc --asperities 9 -o table.nc".into(),
             "--output and --table are the same file",
@@ -65,6 +63,7 @@ fn an_output_that_is_an_input_or_another_output_is_refused() {
         let after = files.each_ref().map(|file| std::fs::read(file).unwrap());
         assert!(before == after, "{command}");
     }
+    folder.misused(&format!("{predict} -o heights.txt"), "name it .nc, not .txt");
     assert!(!folder.path("f.nc").exists() && !folder.path("f.svg").exists());
 }
 

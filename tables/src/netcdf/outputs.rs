@@ -91,8 +91,9 @@ const MEASURED: [&str; 6] = ["csv", "txt", "tsv", "dat", "xyz", "asc"];
 
 /// Beginnings of the texts of this project with such an extension: tables, friction for MATLAB and for COMSOL, heights of
 /// summits, and surfaces.
-const TEXTS: [&str; 5] = [
+const TEXTS: [&str; 6] = [
     "interference [1],",
+    "temperature [K],interference [1],",
     "temperature_K,",
     "% Friction coefficient",
     "# Heights of summits",
@@ -106,7 +107,7 @@ fn beginning(path: &Path) -> Vec<u8> {
         && let Ok(file) = File::open(path)
     {
         // A file that cannot be read cannot be told from those of others by its beginning.
-        let _ = file.take(32).read_to_end(&mut start);
+        let _ = file.take(64).read_to_end(&mut start);
     }
     start
 }
