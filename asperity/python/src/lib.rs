@@ -29,8 +29,8 @@ unsafe extern "C" {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn PyInit__core() -> *mut PyObject {
     let Some(name) = tables::netcdf::missing_instruction_set() else { return unsafe { PyInit_contents() } };
-    let [before, after] = [tables::netcdf::UNSUITABLE, tables::netcdf::REMEDY].map(std::ffi::CStr::as_ptr);
-    // Python joins the texts: a copy made here may be by the instructions that are missing.
+    // Python joins the texts: a copy made here, as of an array, may be by the instructions that are missing.
+    let (before, after) = (tables::netcdf::UNSUITABLE.as_ptr(), tables::netcdf::REMEDY.as_ptr());
     unsafe { PyErr_Format(PyExc_ImportError, c"%s%s%s".as_ptr(), before, name.as_ptr(), after) };
     std::ptr::null_mut()
 }
