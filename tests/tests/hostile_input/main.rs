@@ -48,7 +48,16 @@ fn seeds(kind: &str, folder: &Path) -> Vec<Vec<u8>> {
         }
         _ => files(
             "roughsurface/tests/data",
-            &["map.gsf", "map.nc", "map.x3p", "map-int16.x3p", "map-um.npy", "profile.nc", "profile-um.txt"],
+            &[
+                "map.gsf",
+                "map.nc",
+                "map.x3p",
+                "map-int16.x3p",
+                "map-int16.sdf",
+                "map-um.npy",
+                "profile.nc",
+                "profile-um.txt",
+            ],
         ),
     }
 }
