@@ -15,7 +15,7 @@ use crate::material::lanes::{add_scaled, dot};
 const NEWTON_LIMIT: usize = 60;
 const KRYLOV_LIMIT: usize = 200;
 /// Tolerance of the residual in the energy norm, relative to the norm of the temperature.
-const TOLERANCE: f64 = 1e-13;
+const TOLERANCE: f64 = 1e-12;
 /// Residual accepted at stagnation by rounding.
 const ROUNDING: f64 = 1e-11;
 
@@ -57,6 +57,8 @@ impl StageSolver for &Kirchhoff {
 /// Iterate of a stage.
 struct Iterate {
     stage: Stage,
+    /// γΔt K Θ.
+    conducted: Vec<f64>,
     residual: Vec<f64>,
 }
 
@@ -74,10 +76,11 @@ impl StageProblem<'_> {
         let mut direction = vec![0.0; n];
         let (mut first, mut last) = (None, f64::INFINITY);
         for _ in 0..NEWTON_LIMIT {
+            let slopes = self.slopes(&now.stage);
             let factor = self.factor(&now.stage)?;
             self.precondition(&factor, &now.residual, &mut direction);
             let norm = dot(&now.residual, &direction).max(0.0).sqrt();
-            let reference = self.energy_norm(&now.stage).max(*first.get_or_insert(norm));
+            let reference = self.energy_norm(&now, &slopes).max(*first.get_or_insert(norm));
             if norm <= TOLERANCE * reference || (norm <= ROUNDING * reference && norm > 0.5 * last) {
                 return Ok(now.stage);
             }
@@ -87,7 +90,7 @@ impl StageProblem<'_> {
             last = norm;
             // Forcing term: no more accuracy than the next Newton step can use.
             let forcing = (0.1 * TOLERANCE * reference / norm).max((norm / reference).clamp(1e-6, 1e-2));
-            self.conjugate_gradients(&factor, &now, &mut direction, forcing);
+            self.conjugate_gradients(&factor, (&now.residual, &slopes), &mut direction, forcing);
             now = self.line_search(&now, &direction);
         }
         Err(HeatError::NotConverged { residual: last / first.unwrap_or(1.0) })
@@ -99,17 +102,18 @@ impl StageProblem<'_> {
             (self.step.conduction, &self.kirchhoff.properties, self.step.scale());
         let rise: Vec<f64> =
             potential.iter().map(|&theta| properties.conductivity.inverse_integral(theta)).collect();
+        let mut conducted = vec![0.0; rise.len()];
+        self.conduct(&potential, &mut conducted);
+        conducted.iter_mut().for_each(|flow| *flow *= scale);
         let mut residual = vec![0.0; rise.len()];
-        self.conduct(&potential, &mut residual);
         for i in 0..rise.len() {
             let stored = conduction.mass[i] * self.kirchhoff.enthalpy(rise[i]);
-            residual[i] =
-                if conduction.on_base(i) { 0.0 } else { self.rhs[i] - stored - scale * residual[i] };
+            residual[i] = if conduction.on_base(i) { 0.0 } else { self.rhs[i] - stored - conducted[i] };
         }
         for (point, &place) in conduction.contact_places.iter().enumerate() {
             residual[place] += scale * self.step.heat.flow(point, rise[place]).0;
         }
-        Iterate { stage: Stage { potential, rise }, residual }
+        Iterate { stage: Stage { potential, rise }, conducted, residual }
     }
 
     /// −∂residual/∂Θ without conduction: diagonal, positive.
@@ -128,12 +132,9 @@ impl StageProblem<'_> {
     }
 
     /// √(ΘJΘ), the norm in which the residual is measured.
-    fn energy_norm(&self, stage: &Stage) -> f64 {
-        let mut product = vec![0.0; stage.potential.len()];
-        self.conduct(&stage.potential, &mut product);
-        let diagonal = self.slopes(stage);
-        (stage.potential.iter().zip(&diagonal).zip(&product))
-            .map(|((x, d), k)| x * (d * x + self.step.scale() * k))
+    fn energy_norm(&self, now: &Iterate, slopes: &[f64]) -> f64 {
+        (now.stage.potential.iter().zip(slopes).zip(&now.conducted))
+            .map(|((x, slope), conducted)| x * (slope * x + conducted))
             .sum::<f64>()
             .max(0.0)
             .sqrt()
@@ -160,10 +161,15 @@ impl StageProblem<'_> {
     }
 
     /// Solves for the Newton step; `direction` holds the preconditioned residual on entry.
-    fn conjugate_gradients(&self, factor: &Llt<f64>, now: &Iterate, direction: &mut [f64], tolerance: f64) {
-        let n = direction.len();
-        let (slopes, scale) = (self.slopes(&now.stage), self.step.scale());
-        let mut r = now.residual.clone();
+    fn conjugate_gradients(
+        &self,
+        factor: &Llt<f64>,
+        (residual, slopes): (&[f64], &[f64]),
+        direction: &mut [f64],
+        tolerance: f64,
+    ) {
+        let (n, scale) = (direction.len(), self.step.scale());
+        let mut r = residual.to_vec();
         let mut z = direction.to_vec();
         let mut p = z.clone();
         let mut product = vec![0.0; n];

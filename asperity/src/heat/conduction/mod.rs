@@ -25,7 +25,7 @@ use crate::solver::harmonic::{FactorError, FieldKind, HarmonicPattern};
 use contact_iteration::ContactIteration;
 use facing::{ContactDisc, Facing};
 use kirchhoff::Kirchhoff;
-use step::{Step, StepMatrix};
+use step::{Integrated, Step, StepMatrix};
 use sublayers::Sublayers;
 
 mod contact_iteration;
@@ -117,6 +117,8 @@ pub struct Conduction {
     varying: Option<Kirchhoff>,
     /// The body that faces the contact, if it conducts.
     pub(crate) counterface: Option<HalfSpace>,
+    /// Length of the step advanced last since the last commit, and the rises of its stages.
+    tried: Option<(f64, [Vec<f64>; 2])>,
     /// Temperature rise at the nodes, those of the body first.
     pub committed: Vec<f64>,
 }
@@ -144,6 +146,7 @@ impl Conduction {
             contact_places,
             varying: None,
             counterface: None,
+            tried: None,
             committed: vec![0.0; mesh.field_length(1)],
             sublayers,
             mesh,
@@ -165,6 +168,7 @@ impl Conduction {
     /// Makes the temperature rise after the step that was advanced last the committed one.
     pub fn commit(&mut self, rise: Vec<f64>) {
         self.committed = rise;
+        self.tried = None;
         if let Some(counterface) = &mut self.counterface {
             counterface.commit();
         }
@@ -229,17 +233,22 @@ impl Conduction {
         });
         let step = Step { conduction: self, matrix: &matrix, dt, body, heat, facing: facing.as_ref() };
         let solved = match &self.varying {
-            Some(varying) => step.integrate(&mut &*varying),
-            None => match step.integrate(&mut ContactIteration::default()) {
+            Some(varying) => {
+                let tried = self.tried.as_ref().filter(|(tried, _)| *tried == dt);
+                step.integrate(&mut &*varying, tried.map(|(_, rises)| rises))
+            }
+            None => match step.integrate(&mut ContactIteration::default(), None) {
                 // At kinks of the heat flow Newton's method may cycle; minimisation is slower and does not cycle.
                 Err(HeatError::NotConverged { .. }) => {
                     let constant = Kirchhoff::new(&self.mesh, self.capacity, ThermalProperties::constant());
-                    step.integrate(&mut &constant)
+                    step.integrate(&mut &constant, None)
                 }
                 done => done,
             },
         };
-        let (rise, balance, fluxes) = solved?;
+        let Integrated { rises, balance, fluxes } = solved?;
+        let rise = rises[1].clone();
+        self.tried = Some((dt, rises));
         let response = facing.map(|facing| facing.response);
         if let Some((half_space, response)) = self.counterface.as_mut().zip(response) {
             half_space.try_fluxes(response, fluxes);

@@ -55,6 +55,15 @@ pub(super) struct Stage {
     pub(super) rise: Vec<f64>,
 }
 
+/// Solution of a step.
+pub(super) struct Integrated {
+    /// At the ends of both stages.
+    pub(super) rises: [Vec<f64>; 2],
+    pub(super) balance: HeatBalance,
+    /// Into a conducting counterface in both stages.
+    pub(super) fluxes: [Profile; 2],
+}
+
 /// Solves the stages of a step: M H(Θ) + γΔt K Θ = rhs + γΔt q(θ).
 pub(super) trait StageSolver {
     /// H at a rise, in kelvin at c₀.
@@ -70,23 +79,26 @@ impl Step<'_> {
         GAMMA * self.dt
     }
 
-    /// H₁ = H₀ + γΔt Ḣ₁, H₂ = H₀ + (1 − γ)Δt Ḣ₁ + γΔt Ḣ₂: the rise at the end, the heat exchanged, and the fluxes
-    /// into a conducting counterface in both stages.
+    /// H₁ = H₀ + γΔt Ḣ₁, H₂ = H₀ + (1 − γ)Δt Ḣ₁ + γΔt Ḣ₂, from the rises of both stages in `expected` or, without them, from
+    /// those before each.
     pub(super) fn integrate(
         &self,
         solver: &mut impl StageSolver,
-    ) -> Result<(Vec<f64>, HeatBalance, [Profile; 2]), HeatError> {
+        expected: Option<&[Vec<f64>; 2]>,
+    ) -> Result<Integrated, HeatError> {
         let (conduction, n) = (self.conduction, self.body.len());
         let start: Vec<f64> = conduction.committed.iter().map(|&rise| solver.enthalpy(rise)).collect();
         let right = |content: &dyn Fn(usize) -> f64| -> Vec<f64> {
             (0..n).map(|i| conduction.mass[i] * content(i) + GAMMA * self.body[i]).collect()
         };
         let mut fluxes = [Profile::zeros(); 2];
-        let first = self.solve(solver, (&right(&|i| start[i]), &conduction.committed), 0, &mut fluxes)?;
+        let guess = expected.map_or(&conduction.committed, |[first, _]| first);
+        let first = self.solve(solver, (&right(&|i| start[i]), guess), 0, &mut fluxes)?;
         let reached: Vec<f64> = first.rise.iter().map(|&rise| solver.enthalpy(rise)).collect();
         let ratio = (1.0 - GAMMA) / GAMMA;
         let right = right(&|i| start[i] + ratio * (reached[i] - start[i]));
-        let last = self.solve(solver, (&right, &first.rise), 1, &mut fluxes)?;
+        let guess = expected.map_or(&first.rise, |[_, last]| last);
+        let last = self.solve(solver, (&right, guess), 1, &mut fluxes)?;
 
         let weighted = |a: f64, b: f64| self.dt * ((1.0 - GAMMA) * a + GAMMA * b);
         let [(net_first, lost_first), (net_last, lost_last)] = [&first, &last].map(|stage| self.flows(stage));
@@ -99,7 +111,7 @@ impl Step<'_> {
             body: (0..n).filter(|&i| !conduction.on_base(i)).map(|i| self.body[i]).sum(),
             base: weighted(conduction.base_flow(&first.potential), conduction.base_flow(&last.potential)),
         };
-        Ok((last.rise, balance, fluxes))
+        Ok(Integrated { rises: [first.rise, last.rise], balance, fluxes })
     }
 
     /// Solves the stage `stage` (0, 1) with the flux into the counterface, which is entered into `fluxes`.
