@@ -41,33 +41,40 @@ impl Curve {
 
     /// ∫₀ˣ, reckoned from the end of the segment that is nearer to 0.
     pub fn integral(&self, x: f64) -> f64 {
-        let after = self.knots.partition_point(|&knot| knot <= x);
+        let after = points_up_to(&self.knots, x);
         let at = if x < 0.0 { after } else { after.saturating_sub(1) };
-        let slope = interpolate(&self.knots, &self.values, x).1;
         let d = x - self.knots[at];
-        self.integrals[at] + d * (self.values[at] + 0.5 * slope * d)
+        self.integrals[at] + d * (self.values[at] + 0.5 * self.slope(after) * d)
     }
 
     /// The x at which ∫₀ˣ is `integral`; the curve must be positive.
     pub fn inverse_integral(&self, integral: f64) -> f64 {
-        let after = self.integrals.partition_point(|&known| known <= integral);
+        let after = points_up_to(&self.integrals, integral);
         let at = if integral < 0.0 { after } else { after.saturating_sub(1) };
         let (value, excess) = (self.values[at], integral - self.integrals[at]);
-        let slope = match after {
-            inner if inner > 0 && inner < self.knots.len() => {
-                (self.values[inner] - self.values[inner - 1]) / (self.knots[inner] - self.knots[inner - 1])
-            }
-            _ => 0.0,
-        };
+        let slope = self.slope(after);
         // The root of ½·slope·d² + value·d = excess in the form without cancellation.
         let discriminant = (value * value + 2.0 * slope * excess).max(0.0);
         self.knots[at] + 2.0 * excess / (value + discriminant.sqrt())
     }
+
+    /// Between the knot `after` and the one before; 0 beyond the ends.
+    fn slope(&self, after: usize) -> f64 {
+        if after == 0 || after == self.knots.len() {
+            return 0.0;
+        }
+        (self.values[after] - self.values[after - 1]) / (self.knots[after] - self.knots[after - 1])
+    }
+}
+
+/// Number of the first points that do not exceed x. Most nodes of a body are cold, and x among the first points.
+fn points_up_to(points: &[f64], x: f64) -> usize {
+    points.iter().take_while(|&&point| point <= x).count()
 }
 
 /// Value and slope at x of the piecewise linear function through the points, constant beyond them.
 pub fn interpolate(knots: &[f64], values: &[f64], x: f64) -> (f64, f64) {
-    let after = knots.partition_point(|&k| k <= x);
+    let after = points_up_to(knots, x);
     if after == 0 {
         return (values[0], 0.0);
     }
